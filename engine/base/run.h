@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string_view>
+
+namespace remeshd {
+
+/// What a client sees while a mesh is made.
+struct Progress {
+  std::string_view stage;  ///< `cells`, `difference`, `nodes`, `optimise`, `extract`, `improve`, `verify`
+  int iteration = 0;       ///< 1-based within `optimise`, 0 elsewhere
+  double fraction = 0;     ///< of the whole run, 0..1, never decreasing
+};
+
+/// What surrounds one computation: the stop request, the listener, the number of threads and the
+/// folder for dumps. It never changes a result.
+struct Run {
+  std::stop_token stop;
+  std::function<void(const Progress&)> on_progress;  ///< may be empty
+  int threads = 1;
+  std::filesystem::path dumps;  ///< empty: no dumps
+
+  /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.
+  void poll() const;
+  void report(std::string_view stage, double fraction, int iteration = 0) const;
+};
+
+}  // namespace remeshd

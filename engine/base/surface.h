@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// The five surfaces that bound the features of this system.
+///
+/// `frame` places the local surface in the world: its columns are the local axes, its last column
+/// the local origin.
+///   Plane     z = 0, normal +z
+///   Cylinder  axis z, radius r1
+///   Cone      axis z, radius r1 at z = 0, slope dr/dz = r2 (apex at z = -r1/r2, both nappes)
+///   Sphere    centre at the origin, radius r1
+///   Torus     axis z, major radius r1, minor radius r2
+struct Surface {
+  enum class Kind { Plane, Cylinder, Cone, Sphere, Torus };
+  Kind kind = Kind::Plane;
+  Transform frame;
+  double r1 = 0;
+  double r2 = 0;
+};
+
+/// Nearest point on the (untrimmed) surface. On an axis or at a centre, where many are nearest,
+/// it is the one along the local x axis.
+Vec3 project(const Surface& surface, const Vec3& p);
+
+/// Unit normal at the point of the surface nearest to p: +z of a plane, away from the axis, the
+/// centre or the tube's centre circle otherwise.
+Vec3 normal(const Surface& surface, const Vec3& p);
+
+/// Distance to the surface, positive on the side that `normal` points to.
+double signed_distance(const Surface& surface, const Vec3& p);
+
+/// Whether two surfaces are the same point set to within `tolerance` (length) in the box given.
+bool same_surface(const Surface& a, const Surface& b, const Box& where, double tolerance);
+
+}  // namespace remeshd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Volume-length measure 6 sqrt(2) V / l_rms^3 (Parthasarathy et al. 1994): 1 for a regular tet,
+/// 0 for a flat one, negative for an inverted one.
+double volume_length(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The six dihedral angles of a tet, rad, at edges 01 02 03 12 13 23.
+std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+struct Quality {
+  double volume_length_mean = 0;
+  double volume_length_p01 = 0;  ///< 1st percentile
+  double volume_length_min = 0;
+  double dihedral_min = 0;  ///< degrees
+  double dihedral_max = 0;  ///< degrees
+  double volume = 0;
+  std::array<std::uint32_t, 20> histogram{};  ///< tets by volume-length, bins of 0.05 from 0 to 1; below 0 in the first
+};
+
+/// Post: zeros for an empty mesh.
+Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets);
+
+}  // namespace remeshd

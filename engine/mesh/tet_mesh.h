@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+using Tet = std::array<std::int32_t, 4>;
+using Triangle = std::array<std::int32_t, 3>;
+
+/// Nodes and tets. Inv: 0-based, every tet of positive volume:
+/// dot(cross(b - a, c - a), d - a) > 0.
+struct TetMesh {
+  std::vector<Vec3> nodes;
+  std::vector<Tet> tets;
+};
+
+/// The facet of a positive tet opposite its corner i, ordered so that its normal
+/// cross(b - a, c - a) points out of the tet.
+constexpr std::array<std::array<int, 3>, 4> kTetFacets{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+}  // namespace remeshd

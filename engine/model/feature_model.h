@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/model/source.h"
+
+namespace remeshd {
+
+enum class FeatureType { Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot };
+
+/// One side of an evaluated closed profile: a segment, or an arc through a point.
+struct ProfileSide {
+  std::array<double, 2> from{}, to{};
+  bool arc = false;
+  std::array<double, 2> centre{};  ///< arcs only
+  double radius = 0;               ///< arcs only
+  bool counter_clockwise = true;   ///< arcs only: the way from `from` to `to`
+};
+
+struct Block { double dx, dy, dz; };
+struct Cylinder { double radius, height; };
+struct Cone { double radius_bottom, radius_top, height; };
+struct Sphere { double radius; };
+struct Torus { double major_radius, minor_radius; };
+struct Prism { std::vector<ProfileSide> profile; double height; };
+struct Revolution { std::vector<ProfileSide> profile; double angle; };  ///< angle: rad, (0, 2 pi]
+struct Slot { double length, width, height; };
+
+/// Local geometry of DESIGN's table of types; all lengths positive and finite.
+using Shape = std::variant<Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot>;
+
+/// An evaluated feature: numbers only.
+struct Feature {
+  std::string id;
+  Nature nature = Nature::Additive;
+  Shape shape;
+  Transform placement;  ///< local to world, rigid
+  Vec3 reference;       ///< local point that stays put when the shape changes
+  /// placement * translate(reference): the frame that the feature difference aligns on (Sect. 4.2).
+  Transform alignment;
+};
+
+/// An evaluated, validated model; features in history order.
+struct FeatureModel {
+  std::string name;
+  std::vector<Feature> features;
+
+  [[nodiscard]] int index_of(const std::string& id) const;  ///< -1 if absent
+};
+
+/// Evaluates every expression and checks everything that can be checked without a CAD kernel.
+///
+/// Throws Error(InvalidArgument) with feature and parameter set: unknown or duplicate or malformed
+/// names, missing or extra parameters, non-finite or non-positive sizes, degenerate frames,
+/// self-intersecting profiles, cycles and unknown names in expressions, comma lists, assignments.
+FeatureModel evaluate(const ModelSource& source);
+
+/// Applies the edits in order and returns the edited document; the argument is left as it was.
+///
+/// Throws Error with `edit_index` set for an unknown feature, parameter or anchor, or a duplicate
+/// id. The result is not validated: call `evaluate`.
+ModelSource apply(const ModelSource& source, const ModelEdit& edit);
+
+/// Whether no surface of any feature moves by more than 1e-12 x the diagonal between the two
+/// models, and ids, natures and order are the same.
+bool same_geometry(const FeatureModel& a, const FeatureModel& b);
+
+/// For `remesh types` and ListFeatureTypes.
+struct ParameterInfo {
+  std::string name;
+  std::string unit;  ///< `length`, `deg` or `profile`
+  std::string description;
+  bool required = true;
+  std::string default_value;  ///< empty where required
+};
+struct FeatureTypeInfo {
+  std::string name;
+  std::string description;
+  std::vector<ParameterInfo> parameters;
+  std::vector<std::string> faces;  ///< `side1..sideN` is written as `side#`
+};
+const std::vector<FeatureTypeInfo>& feature_types();
+
+}  // namespace remeshd

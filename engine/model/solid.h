@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/surface.h"
+#include "engine/model/feature_model.h"
+
+namespace remeshd {
+
+/// One face of a feature: its local name (`wall`, `top`, `side3`) and its untrimmed surface in
+/// world coordinates.
+struct SolidFace {
+  std::string name;
+  Surface surface;
+};
+
+/// The closed point set of one feature in world coordinates, by closed formulas: no kernel, no
+/// tolerance, tens of nanoseconds a question.
+class Solid {
+ public:
+  explicit Solid(const Feature& feature);
+
+  /// Whether p lies in the solid. Points within rounding of the surface may go either way.
+  [[nodiscard]] bool contains(const Vec3& p) const;
+  /// Tight axis-aligned box in world coordinates (exact for unrotated features, else that of the
+  /// rotated local box).
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] const std::vector<SolidFace>& faces() const { return faces_; }
+  /// Exact volume.
+  [[nodiscard]] double volume() const { return volume_; }
+
+ private:
+  Shape shape_;
+  Transform to_local_;
+  Box bounds_;
+  std::vector<SolidFace> faces_;
+  double volume_ = 0;
+};
+
+/// The box of a feature in its own frame; its centre is the reference CENTRE.
+Box local_bounds(const Shape& shape);
+
+/// Which features contain a point, and so its nature: that of the last owner in history order,
+/// negative where there is none.
+class Membership {
+ public:
+  explicit Membership(const FeatureModel& model);
+
+  /// Index of the last feature that contains p, -1 if none.
+  [[nodiscard]] int last_owner(const Vec3& p) const;
+  /// Whether p lies in material.
+  [[nodiscard]] bool inside(const Vec3& p) const;
+  [[nodiscard]] bool contains(int feature, const Vec3& p) const { return solids_[feature].contains(p); }
+  /// Appends the indices of all features that contain p, in history order.
+  void owners(const Vec3& p, std::vector<int>& out) const;
+
+  [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
+  [[nodiscard]] Nature nature(int feature) const { return natures_[feature]; }
+  /// Box of all additive features.
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+
+ private:
+  std::vector<Solid> solids_;
+  std::vector<Nature> natures_;
+  Box bounds_;
+};
+
+}  // namespace remeshd

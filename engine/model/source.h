@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace remeshd {
+
+/// A value as the document writes it: a number or an expression over the model's parameters.
+using Scalar = std::variant<double, std::string>;
+
+enum class Nature { Additive, Subtractive };
+
+/// [x, y], or an arc that ends there and passes through `through`.
+struct ProfileEntry {
+  Scalar x, y;
+  std::optional<std::array<Scalar, 2>> through;
+  friend bool operator==(const ProfileEntry&, const ProfileEntry&) = default;
+};
+
+struct PlacementSource {
+  std::array<Scalar, 3> origin{0.0, 0.0, 0.0};
+  std::optional<std::array<Scalar, 3>> z_axis;
+  std::optional<std::array<Scalar, 3>> x_axis;
+  friend bool operator==(const PlacementSource&, const PlacementSource&) = default;
+};
+
+/// What stays put when a feature changes shape: its placement's origin, the centre of its local
+/// bounding box, or a local point.
+enum class ReferenceKind { Origin, Centre };
+using ReferenceSource = std::variant<ReferenceKind, std::array<Scalar, 3>>;
+
+struct FeatureSource {
+  std::string id;
+  Nature nature = Nature::Additive;
+  std::string type;
+  std::map<std::string, Scalar> parameters;            ///< all but the profile
+  std::optional<std::vector<ProfileEntry>> profile;    ///< prism and revolution
+  PlacementSource placement;
+  ReferenceSource reference = ReferenceKind::Origin;
+  friend bool operator==(const FeatureSource&, const FeatureSource&) = default;
+};
+
+/// A model document: what users write, edit and get back. Nothing is evaluated yet.
+struct ModelSource {
+  std::string name;
+  std::string unit;  ///< a label; scales nothing
+  std::map<std::string, Scalar> parameters;
+  std::vector<FeatureSource> features;  ///< in history order
+  friend bool operator==(const ModelSource&, const ModelSource&) = default;
+};
+
+struct SetParameter {
+  std::string name;
+  Scalar value;
+};
+/// `value` is a Scalar, or a whole profile where `name` is "profile".
+struct SetFeatureParameter {
+  std::string feature;
+  std::string name;
+  std::variant<Scalar, std::vector<ProfileEntry>> value;
+};
+struct SetPlacement {
+  std::string feature;
+  PlacementSource placement;  ///< replaces the whole placement
+};
+struct AddFeature {
+  FeatureSource feature;
+  std::string after;  ///< id; empty: at the end of history
+};
+struct RemoveFeature {
+  std::string feature;
+};
+using Edit = std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature, RemoveFeature>;
+
+/// Edits of one request: run in order, all or none.
+struct ModelEdit {
+  std::vector<Edit> edits;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/cellular/cellular_model.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/model/feature_model.h"
+#include "engine/remesh/report.h"
+
+namespace remeshd {
+
+/// What decides a mesh beside the model. Part of a revision's name.
+struct MeshOptions {
+  /// Exactly one of the two targets is set in a resolved option; both empty in an edit means: the
+  /// base's density.
+  std::optional<std::uint32_t> nodes;  ///< target count of nodes, 20 .. 5,000,000
+  std::optional<double> size;          ///< target edge length, model's unit, > 0
+  std::uint32_t iterations = 0;        ///< of the optimisation loop, at most 1000; 0: until quality stops improving
+  std::uint64_t seed = 1;
+  bool clean_up = true;                ///< false leaves the peeled Delaunay mesh as it is
+  friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
+};
+
+enum class NodeOrigin : std::uint8_t { New = 0, Kept = 1, Moved = 2 };
+
+/// Where each node and tet of a mesh comes from.
+struct NodeMap {
+  std::vector<NodeOrigin> node_origin;
+  std::vector<std::int32_t> original_node;     ///< in the original mesh; -1 where New
+  std::vector<std::int32_t> node_transform;    ///< index into `transforms`; -1 where New
+  std::vector<std::int32_t> original_tet;      ///< in the original mesh; -1 where not kept
+  std::vector<Transform> transforms;           ///< of the source features; a kept node is transform(original) to the bit
+  std::vector<std::string> transform_features; ///< for each transform: the first source feature that has it
+};
+
+/// A boundary facet: a triangle of the mesh, outward, with its tet and its set of model faces.
+struct MeshFacet {
+  Triangle nodes;
+  std::int32_t tet;
+  std::int32_t group;  ///< index into `MeshGroups::facet_groups`
+};
+
+/// Names on a mesh: what its facets lie on and who owns its tets.
+struct MeshGroups {
+  std::vector<MeshFacet> facets;
+  std::vector<std::vector<std::string>> facet_groups;  ///< `hole1.wall`, latest owner on the material side first
+  std::vector<std::int32_t> tet_cell;                  ///< for each tet: index into `cell_owners`
+  std::vector<std::vector<std::string>> cell_owners;   ///< feature ids in history order
+};
+
+/// Everything the delivered mesh is made of, in the order of the files and the stream.
+struct Delivery {
+  TetMesh mesh;
+  std::vector<std::uint64_t> node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
+  std::vector<std::uint64_t> tet_ids;
+  MeshGroups groups;
+  NodeMap map;
+};
+
+/// State of the Delaunay master that only the engine reads; kept and stored as it is.
+struct Master;
+
+/// One design revision as the engine sees it: immutable once made.
+struct Revision {
+  ModelSource source;          ///< as asked for
+  FeatureModel model;          ///< evaluated
+  FeatureModel meshed_model;   ///< the model that the mesh was made for (differs from `model` by rounding only)
+  MeshOptions options;         ///< as resolved; an edit inherits these
+  double edge_length = 0;      ///< target edge length l; an edit inherits it as its density
+  CellularModel cells;
+  std::shared_ptr<const Master> master;
+  Delivery delivery;
+  Report report;
+};
+
+/// The whole road of the paper: from a model document (and, for an edit, the original revision) to
+/// a checked mesh with its maps. A first mesh is a remesh whose cells are all new
+/// (`original == nullptr`).
+///
+/// The result depends on the arguments alone, not on `run.threads` or the clock.
+/// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `BoundaryNotRecovered`
+/// where no valid mesh could be made; Cancelled within 100 ms of a stop request.
+Revision make_revision(const Revision* original, const ModelSource& source,
+                       const MeshOptions& options, const Run& run);
+
+/// Bytes of everything in a Revision that cannot be recomputed from its documents at once
+/// (options, edge length, master, delivery, report): equal revisions give equal bytes but for
+/// `report.seconds`.
+std::string serialise(const Revision& revision);
+/// Restores a revision from its bytes; cells are rebuilt from the model.
+/// Throws Error(Internal) on malformed bytes.
+Revision deserialise(const std::string& bytes, const Run& run);
+
+}  // namespace remeshd

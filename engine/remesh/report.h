@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/quality.h"
+
+namespace remeshd {
+
+/// Seconds per phase; the names in Table 3 in brackets. A first mesh fills t1-t3, an edit t4-t8.
+struct PhaseSeconds {
+  double setup = 0;       ///< [t1, t6] cellular model, membership, samples
+  double optimise = 0;    ///< [t2, t7] the loop
+  double extract = 0;     ///< [t3, t8] peel, clean-up, groups, maps, verification
+  double difference = 0;  ///< [t4] classes by membership, copy order
+  double copy = 0;        ///< [t5] copying, new nodes, active faces, free and fixed
+  double total = 0;       ///< decoded request to checked mesh with all that the next edit needs
+};
+
+struct Counts {
+  std::uint32_t nodes = 0, tets = 0, boundary_facets = 0;
+  std::uint32_t samples = 0, active_samples = 0;
+  std::uint32_t nodes_copied = 0, nodes_new = 0;
+  std::uint32_t free_at_start = 0, free_at_end = 0;
+  std::vector<std::uint32_t> free_per_iteration;
+  std::uint32_t nodes_kept = 0, nodes_moved = 0, tets_kept = 0;
+  std::uint32_t iterations = 0;
+};
+
+/// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
+struct GroupArea {
+  std::string group;  ///< `plate.top`
+  double exact_area = 0;
+  double mesh_area = 0;
+};
+
+/// What a run did. Everything but `seconds` is the same for the same request.
+struct Report {
+  std::string revision;  ///< set by the session
+  bool cached = false;   ///< set by the session
+  PhaseSeconds seconds;
+  Counts counts;
+  double free_share = 1;  ///< mean over the iterations; frozen nodes count as free
+  double edge_length = 0;
+  double volume = 0, exact_volume = 0;
+  Quality quality_before;  ///< of the peeled Delaunay mesh
+  Quality quality;         ///< as delivered
+  std::vector<GroupArea> groups;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace remeshd
