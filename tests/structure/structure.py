@@ -1,0 +1,103 @@
+"""The rules of the source tree that a compiler does not check.
+
+Each rule takes the tree's root and yields violations as `path:line: what is wrong`.
+"""
+import os
+import re
+from pathlib import Path
+
+STATIONS = ("base mesh kernel model cellular difference plan boundary nodes optimise extract "
+            "improve verify remesh").split()  # the road the data travels
+SERVER_LAYERS = "transport service session store".split()  # each sees those after it, and engine
+
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+GEOMETRY_KERNEL = re.compile(r"CGAL/|tetgen\.h$|.*\.[hl]xx$")  # OpenCASCADE's headers end in xx
+PROTOCOL = re.compile(r"google/protobuf/|grpcpp/|grpc/|.*\.pb\.h$")
+# Spelled so that this file does not break its own rule.
+MACHINE_PATH = re.compile(r"(?<![\w.$})-])/(?:%s)/" % "|".join(("work", "root", "home", "farm", "Users")))
+TEXT = {".cpp", ".h", ".txt", ".cmake", ".json", ".md", ".py", ".sh", ".proto", ".in", ".service",
+        ".yaml", ".yml", ".toml", ".tsv", ""}
+
+
+def files(root, folder=".", suffixes=None):
+    """Files below root/folder in sorted order, as paths relative to root; build output left out."""
+    for where, folders, names in os.walk(Path(root) / folder):
+        folders[:] = sorted(f for f in folders if not f.startswith(("build", ".git", ".cache"))
+                            and f != "__pycache__")
+        for name in sorted(names):
+            path = Path(where) / name
+            if suffixes is None or path.suffix in suffixes:
+                yield path.relative_to(root)
+
+
+def lines(root, path):
+    try:
+        return enumerate((Path(root) / path).read_text(encoding="utf-8").splitlines(), 1)
+    except UnicodeDecodeError:
+        return enumerate(())
+
+
+def includes(root, folder):
+    """(path, line, system, header) for every include of the C++ files below root/folder."""
+    for path in files(root, folder, {".cpp", ".h"}):
+        for number, line in lines(root, path):
+            if m := INCLUDE.match(line):
+                yield path, number, m[1] == "<", m[2]
+
+
+def stations_include_only_earlier_ones(root):
+    for path, number, system, header in includes(root, "engine"):
+        station = path.parts[1]
+        if len(path.parts) < 3 or station not in STATIONS:
+            yield f"{path}: lies in no station of the engine"
+        elif header.startswith("engine/"):
+            other = header.split("/")[1]
+            if other not in STATIONS or STATIONS.index(other) > STATIONS.index(station):
+                yield f"{path}:{number}: {station} comes before {other} and may not include it"
+        elif header.startswith(("server/", "client/", "proto/", "remesh/", "remeshd/", "tests/")):
+            yield f"{path}:{number}: the engine includes {header}"
+        elif not system:
+            yield f"{path}:{number}: {header} is not a full path"
+
+
+def geometry_kernels_stay_in_kernel(root):
+    for folder in ("engine", "server", "client", "tests"):
+        for path, number, _, header in includes(root, folder):
+            allowed = path.parts[:2] == ("engine", "kernel") and path.suffix == ".cpp"
+            allowed |= path.parts[0] == "tests" and header.startswith("CGAL/")
+            if GEOMETRY_KERNEL.match(header) and not allowed:
+                yield f"{path}:{number}: {header} belongs in engine/kernel/*.cpp"
+
+
+def protocol_stays_in_service(root):
+    for path, number, _, header in includes(root, "engine"):
+        if PROTOCOL.match(header):
+            yield f"{path}:{number}: the engine includes {header}"
+    for path, number, _, header in includes(root, "server"):
+        layer = path.parts[1]
+        inner = layer in ("session", "store")
+        transport = layer == "transport" and not header.startswith(("grpcpp/", "grpc/"))
+        if PROTOCOL.match(header) and (inner or transport):
+            yield f"{path}:{number}: {header} belongs in server/service"
+
+
+def server_layers_look_inwards(root):
+    for path, number, _, header in includes(root, "server"):
+        if header.startswith(("client/", "remeshd/", "tests/")):
+            yield f"{path}:{number}: the server includes {header}"
+        layer, other = path.parts[1], (header.split("/") + [""])[1]
+        if header.startswith("server/") and layer in SERVER_LAYERS and other in SERVER_LAYERS:
+            if SERVER_LAYERS.index(other) < SERVER_LAYERS.index(layer):
+                yield f"{path}:{number}: {layer} may not include {other}, which lies outside it"
+
+
+def no_path_of_one_machine(root):
+    for path in files(root):
+        if path.suffix in TEXT:
+            for number, line in lines(root, path):
+                if m := MACHINE_PATH.search(line):
+                    yield f"{path}:{number}: names {m[0]}, a path of one machine"
+
+
+RULES = [stations_include_only_earlier_ones, geometry_kernels_stay_in_kernel,
+         protocol_stays_in_service, server_layers_look_inwards, no_path_of_one_machine]
