@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "proto/json_reader.h"
+#include "remesh/v1/remesh.pb.h"
+
+namespace remeshd {
+
+/// The text of a document file. A file over the limit is not read at all.
+///
+/// Throws Error(InvalidArgument): `DocumentTooLarge`, `DocumentUnreadable`.
+std::string read_document(const std::filesystem::path& file, const DocumentLimits& limits = {});
+
+/// A model document, `{"name": ..., "features": [...]}`, as its message. Fields, their kinds and
+/// the names of enumerators are checked here; values are looked at by the server, which checks them
+/// for every message, whoever sent it.
+///
+/// Throws Error(InvalidArgument), stage `document`, naming the feature by its id where it has one:
+/// what `read_json` throws, `UnknownField`, `MissingField`, `WrongKind`.
+remesh::v1::FeatureModel parse_model(std::string_view text, const DocumentLimits& limits = {});
+
+/// The same for an edit document, `{"edits": [...]}`; errors carry the index of the edit.
+remesh::v1::ModelEdit parse_edit(std::string_view text, const DocumentLimits& limits = {});
+
+/// Whichever of the two it is: an edit document is one with the field `edits`.
+std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit> parse_document(
+    std::string_view text, const DocumentLimits& limits = {});
+
+}  // namespace remeshd

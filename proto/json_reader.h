@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace remeshd {
+
+/// What a document may be at most; beyond it, it is refused before anything is made of it.
+struct DocumentLimits {
+  std::size_t bytes = std::size_t{4} << 20;  ///< of text
+  int depth = 40;                            ///< of lists and objects inside each other
+};
+
+/// A JSON value. Members of objects stay in the order of the text.
+struct Json {
+  struct Null {};
+  using List = std::vector<Json>;
+  using Object = std::vector<std::pair<std::string, Json>>;
+  std::variant<Null, bool, double, std::string, List, Object> value;
+};
+
+/// Reads one JSON value, strictly: RFC 8259 to the letter, UTF-8, no key twice in an object,
+/// numbers within the range of doubles, limits kept.
+///
+/// Takes time and memory linear in `text`, and none of either for a text over the limit.
+/// Throws Error(InvalidArgument), stage `document`: `DocumentTooLarge`, `DocumentTooDeep`,
+/// `DuplicateKey`, or `DocumentMalformed` with line and column.
+Json read_json(std::string_view text, const DocumentLimits& limits = {});
+
+}  // namespace remeshd
