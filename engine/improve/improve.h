@@ -14,24 +14,24 @@ struct ImproveOptions {
   /// Tets below this volume-length measure are worked on, worst first; .45 gives at least about 25
   /// degrees of dihedral angle on a VTM mesh.
   double threshold = 0.45;
-  int max_ring = 8;      ///< largest ring of tets round an edge that edge removal tries
-  int passes = 4;        ///< sweeps over what is still below the threshold
-  /// A boundary node that slides may leave no boundary facet off its surface by more than this share
-  /// of the local edge length beyond what it was.
+  int max_ring = 8;  ///< largest ring of tets round an edge that edge removal tries
+  int passes = 4;    ///< sweeps over what is still below the threshold
+  /// A boundary node that slides may leave no boundary facet off its surface by more than this
+  /// share of the local edge length beyond what it was.
   double chord_tolerance = 0.05;
 };
 
 struct ImproveResult {
-  TetMesh mesh;                         ///< same node indices as the input; nodes no longer used keep their place
-  std::vector<std::uint8_t> node_moved; ///< 1 where smoothing moved the node
-  std::uint32_t below_threshold = 0;    ///< tets that stayed below
+  TetMesh mesh;  ///< same node indices as the input; nodes no longer used keep their place
+  std::vector<std::uint8_t> node_moved;  ///< 1 where smoothing moved the node
+  std::uint32_t below_threshold = 0;     ///< tets that stayed below
 };
 
 /// Removes slivers from a peeled Delaunay mesh: edge removal over rings (Freitag & Ollivier-Gooch
-/// 1997, Shewchuk 2002), face removal (2-3, 4-4 flips, 2-2 and peeling of flat tets on the boundary)
-/// and local smoothing in which boundary nodes slide on their surface or curve. Works on tets with
-/// `dirty[tet] != 0` that are below the threshold and on what their repair touches; every accepted
-/// operation raises the worst quality of the tets it replaces.
+/// 1997, Shewchuk 2002), face removal (2-3, 4-4 flips, 2-2 and peeling of flat tets on the
+/// boundary) and local smoothing in which boundary nodes slide on their surface or curve. Works on
+/// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches; every
+/// accepted operation raises the worst quality of the tets it replaces.
 ///
 /// Post: volume covered, boundary manifold and its model edges as before; no tet worse than the
 /// worst of the input; the same input gives the same bytes.

@@ -1,0 +1,202 @@
+#include "engine/improve/boundary_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/improve/edge_chains.h"
+
+namespace remeshd {
+namespace {
+
+/// A facet is upright on its face while the normals differ by less than 60 degrees; meshes that
+/// resolve a curved face at all stay far below.
+constexpr double kUprightCosine = 0.5;
+
+std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
+  return a < b ? std::pair{a, b} : std::pair{b, a};
+}
+
+}  // namespace
+
+FacetFaces::FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports)
+    : boundary_(boundary),
+      supports_(supports),
+      identity_(boundary.faces.size()),
+      vertex_faces_(boundary.vertices.size()) {
+  for (std::size_t f = 0; f < identity_.size(); ++f) identity_[f] = static_cast<int>(f);
+  for (std::size_t v = 0; v < vertex_faces_.size(); ++v) {
+    std::vector<int>& faces = vertex_faces_[v];
+    for (const int e : boundary.vertices[v].edges)
+      faces.insert(faces.end(), boundary.edges[e].faces.begin(), boundary.edges[e].faces.end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+}
+
+std::span<const int> FacetFaces::faces_of(std::int32_t node) const {
+  const Support& support = supports_[node];
+  switch (support.kind) {
+    case Support::Kind::Interior:
+      return {};
+    case Support::Kind::Face:
+      return {&identity_[support.entity], 1};
+    case Support::Kind::Edge:
+      return boundary_.edges[support.entity].faces;
+    case Support::Kind::Vertex:
+      return vertex_faces_[support.entity];
+  }
+  return {};
+}
+
+int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) const {
+  const auto at_b = faces_of(facet[1]);
+  const auto at_c = faces_of(facet[2]);
+  int best = -1;
+  double best_fit = -HUGE_VAL;
+  bool normal_known = false;
+  Vec3 centroid;
+  Vec3 normal;
+  for (const int f : faces_of(facet[0])) {
+    if (std::find(at_b.begin(), at_b.end(), f) == at_b.end()) continue;
+    if (std::find(at_c.begin(), at_c.end(), f) == at_c.end()) continue;
+    if (best < 0) {
+      best = f;
+      continue;
+    }
+    const Vec3& a = nodes[facet[0]];
+    const Vec3& b = nodes[facet[1]];
+    const Vec3& c = nodes[facet[2]];
+    if (!normal_known) {
+      centroid = (a + b + c) / 3.0;
+      normal = cross(b - a, c - a);
+      best_fit = dot(normal, outward(best, centroid));
+      normal_known = true;
+    }
+    const double fit = dot(normal, outward(f, centroid));
+    if (fit > best_fit) {
+      best_fit = fit;
+      best = f;
+    }
+  }
+  return best;
+}
+
+Vec3 FacetFaces::outward(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  const Vec3 n = normal(f.surface, p);
+  return f.reversed ? -n : n;
+}
+
+double FacetFaces::deviation(int face, const Vec3& p) const {
+  return std::fabs(signed_distance(boundary_.faces[face].surface, p));
+}
+
+BoundaryRules::BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,
+                             const LocalMesh& mesh, double chord_tolerance)
+    : boundary_(boundary),
+      supports_(supports),
+      mesh_(mesh),
+      chord_tolerance_(chord_tolerance),
+      faces_(boundary, supports) {
+  for (const auto& chain : edge_chains(boundary, supports, mesh.nodes()))
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      segments_.push_back(ordered(chain[i], chain[i + 1]));
+  std::sort(segments_.begin(), segments_.end());
+}
+
+bool BoundaryRules::on_model_edge(std::int32_t a, std::int32_t b) const {
+  const auto curve = [&](std::int32_t n) {
+    return supports_[n].kind == Support::Kind::Edge || supports_[n].kind == Support::Kind::Vertex;
+  };
+  return curve(a) && curve(b) &&
+         std::binary_search(segments_.begin(), segments_.end(), ordered(a, b));
+}
+
+bool BoundaryRules::upright(int face, const Vec3& a, const Vec3& b, const Vec3& c) const {
+  const Vec3 n = cross(b - a, c - a);
+  const double along = dot(n, faces_.outward(face, (a + b + c) / 3.0));
+  return along > 0 && along * along >= kUprightCosine * kUprightCosine * norm2(n);
+}
+
+bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& ring) const {
+  const std::int32_t first = ring.node[0];
+  const std::int32_t last = ring.node[ring.nodes - 1];
+  if (interior(a) || interior(b) || interior(first) || interior(last)) return false;
+  const int face = faces_.face_of({a, first, b}, mesh_.nodes());
+  if (face < 0 || faces_.face_of({a, b, last}, mesh_.nodes()) != face) return false;
+  if (on_model_edge(a, b)) return false;
+  if (ring.tets == 1) {
+    // The lone tet is peeled: its inner edge comes to the surface, where it must not lie yet.
+    EdgeRing inner;
+    if (!mesh_.ring(first, last, EdgeRing::kMaxTets, inner) || !inner.closed) return false;
+  } else if (mesh_.joined(first, last)) {
+    return false;
+  }
+  const Vec3& pa = mesh_.node(a);
+  const Vec3& pb = mesh_.node(b);
+  const Vec3& pf = mesh_.node(first);
+  const Vec3& pl = mesh_.node(last);
+  if (!upright(face, pa, pf, pl) || !upright(face, pb, pl, pf)) return false;
+  const double before = faces_.deviation(face, 0.5 * (pa + pb));
+  const double after = faces_.deviation(face, 0.5 * (pf + pl));
+  return after <= before + chord_tolerance_ * distance(pf, pl);
+}
+
+bool BoundaryRules::facets_at(std::int32_t node, std::vector<Triangle>& out) const {
+  out.clear();
+  if (supports_[node].kind == Support::Kind::Vertex) return false;
+  const auto tets = mesh_.tets_of(node);
+  if (interior(node)) {
+    // A sphere of T triangles has T / 2 + 2 corners; the link of a node on the boundary has more.
+    std::vector<std::int32_t> link;
+    link.reserve(3 * tets.size());
+    for (const std::int32_t t : tets)
+      for (const std::int32_t n : mesh_.tet(t))
+        if (n != node) link.push_back(n);
+    std::sort(link.begin(), link.end());
+    const auto corners = std::unique(link.begin(), link.end()) - link.begin();
+    return 2 * corners == static_cast<std::ptrdiff_t>(tets.size()) + 4;
+  }
+  for (const std::int32_t t : tets) {
+    const Tet& tet = mesh_.tet(t);
+    for (int i = 0; i < 4; ++i) {
+      if (tet[i] == node) continue;
+      const Triangle facet{tet[kTetFacets[i][0]], tet[kTetFacets[i][1]], tet[kTetFacets[i][2]]};
+      if (interior(facet[0]) || interior(facet[1]) || interior(facet[2])) continue;
+      if (mesh_.across(t, facet[0], facet[1], facet[2]) >= 0) continue;
+      if (faces_.face_of(facet, mesh_.nodes()) < 0) return false;
+      out.push_back(facet);
+    }
+  }
+  return true;
+}
+
+bool BoundaryRules::may_move(std::int32_t node, const Vec3& position,
+                             std::span<const Triangle> facets) const {
+  for (const Triangle& facet : facets) {
+    const int face = faces_.face_of(facet, mesh_.nodes());
+    if (boundary_.faces[face].surface.kind == Surface::Kind::Plane) {
+      // In its plane a facet only turns over together with its tet.
+      continue;
+    }
+    std::array<Vec3, 3> now;
+    std::array<Vec3, 3> then;
+    for (int i = 0; i < 3; ++i) {
+      now[i] = mesh_.node(facet[i]);
+      then[i] = facet[i] == node ? position : now[i];
+    }
+    if (!upright(face, then[0], then[1], then[2])) return false;
+    const double before = faces_.deviation(face, (now[0] + now[1] + now[2]) / 3.0);
+    const double after = faces_.deviation(face, (then[0] + then[1] + then[2]) / 3.0);
+    const double length = std::sqrt(
+        std::max({norm2(then[1] - then[0]), norm2(then[2] - then[1]), norm2(then[0] - then[2])}));
+    if (after > before + chord_tolerance_ * length) return false;
+  }
+  return true;
+}
+
+Vec3 BoundaryRules::settle(std::int32_t node, const Vec3& p) const {
+  return interior(node) ? p : project(boundary_, supports_[node], p);
+}
+
+}  // namespace remeshd

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/cellular/support.h"
+
+namespace remeshd {
+
+/// Where a point lies along a model edge: arc length of its nearest point on the edge's polyline,
+/// from the start. Grows strictly along the curve itself.
+double curve_parameter(const BoundaryEdge& edge, const Vec3& p);
+
+/// For each model edge the nodes that stand on it or on its end vertices, from start to end. An
+/// edge that is closed repeats its first node at the end (its vertex, where it has one).
+///
+/// A mesh represents the edge if each two neighbours in the chain are joined by a mesh edge.
+std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel& boundary,
+                                                   std::span<const Support> supports,
+                                                   std::span<const Vec3> nodes);
+
+}  // namespace remeshd

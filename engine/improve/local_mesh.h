@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+/// The tets round one edge a-b in turning order: tet i is (a, b, node[i], node[i + 1]), positive.
+/// `closed` for an edge of the interior (then the last tet ends at node[0] again); an open ring
+/// begins and ends at the two boundary facets.
+struct EdgeRing {
+  static constexpr int kMaxTets = 12;
+  int tets = 0;
+  int nodes = 0;  ///< tets, or tets + 1 where open
+  bool closed = false;
+  std::array<std::int32_t, kMaxTets> tet{};
+  std::array<std::int32_t, kMaxTets + 1> node{};
+};
+
+/// A tet mesh under local operations: node to tets is kept up to date, everything else (rings,
+/// neighbours) is found through it. Slots of tets that were replaced are used again, lowest gap
+/// last, so that untouched tets keep their place and the same operations give the same bytes.
+class LocalMesh {
+ public:
+  explicit LocalMesh(const TetMesh& mesh);
+
+  [[nodiscard]] const std::vector<Vec3>& nodes() const { return nodes_; }
+  [[nodiscard]] const Vec3& node(std::int32_t n) const { return nodes_[n]; }
+  /// Number of slots; some may be empty.
+  [[nodiscard]] std::int32_t slots() const { return static_cast<std::int32_t>(tets_.size()); }
+  [[nodiscard]] bool used(std::int32_t t) const { return tets_[t][0] >= 0; }
+  [[nodiscard]] const Tet& tet(std::int32_t t) const { return tets_[t]; }
+  /// Volume-length measure, computed when first asked for.
+  [[nodiscard]] double quality(std::int32_t t) const;
+  /// Grows whenever the slot's tet or one of its nodes' positions changes.
+  [[nodiscard]] std::uint32_t stamp(std::int32_t t) const { return stamps_[t]; }
+  [[nodiscard]] std::span<const std::int32_t> tets_of(std::int32_t node) const {
+    return {pool_.data() + lists_[node].begin, static_cast<std::size_t>(lists_[node].size)};
+  }
+  /// The tet on the other side of the facet with these nodes; -1 on the boundary.
+  [[nodiscard]] std::int32_t across(std::int32_t t, std::int32_t a, std::int32_t b,
+                                    std::int32_t c) const;
+  [[nodiscard]] bool joined(std::int32_t a, std::int32_t b) const;
+  /// Post: false where the edge has no tet, more than `max_tets`, or no single ring.
+  bool ring(std::int32_t a, std::int32_t b, int max_tets, EdgeRing& out) const;
+
+  /// Replaces tets by others; appends the slots of the fresh ones to `slots`.
+  void replace(std::span<const std::int32_t> old_tets, std::span<const Tet> fresh,
+               std::vector<std::int32_t>& slots);
+  void move(std::int32_t node, const Vec3& position);
+
+  /// The tets in use, in the order of their slots.
+  [[nodiscard]] TetMesh result() const;
+
+ private:
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  struct List {
+    std::int32_t begin = 0, size = 0, capacity = 0;
+  };
+  void link(std::int32_t node, std::int32_t t);
+  void unlink(std::int32_t node, std::int32_t t);
+
+  std::vector<Vec3> nodes_;
+  std::vector<Tet> tets_;  ///< an empty slot has -1 in its first place
+  mutable std::vector<double> qualities_;
+  std::vector<std::uint32_t> stamps_;
+  std::vector<List> lists_;
+  std::vector<std::int32_t> pool_;
+  std::vector<std::int32_t> gaps_;
+};
+
+}  // namespace remeshd
