@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "client/formats/named_groups.h"
+#include "client/formats/text.h"
+#include "remeshd/mesh_file.h"
+
+namespace remeshd::client {
+namespace {
+
+/// Abaqus's number of the facet of a C3D4 opposite each corner: S1 is 1-2-3, S2 1-4-2, S3 2-4-3,
+/// S4 3-4-1.
+constexpr std::array<int, 4> kFaceNumber{3, 4, 2, 1};
+
+/// A coordinate that reads back to the same bits. Without an exponent where that can be: CalculiX
+/// looks at the first 20 characters of a number only, and there a cut fraction is harmless (it
+/// moves a node by less than 1e-17) while a cut exponent is an error.
+void append_coordinate(std::string& out, double value) {
+  const double size = std::fabs(value);
+  const bool plain = size == 0 || (size > 1e-60 && size < 1e16);
+  const std::size_t start = out.size();
+  append(out, value, plain ? std::chars_format::fixed : std::chars_format::scientific);
+  if (out.find('.', start) == std::string::npos && plain) out += ".0";
+}
+
+/// Labels of one kind of set: valid and different for Abaqus, which folds case.
+class Labels {
+ public:
+  /// A label for a feature or face name; the same name must not be asked for twice.
+  std::string make(const std::string& name) {
+    std::string label = name;
+    std::ranges::replace(label, '.', '_');
+    std::string candidate = label;
+    for (int k = 2; !taken_.insert(folded(candidate)).second; ++k)
+      candidate = label + "_" + std::to_string(k);
+    return candidate;
+  }
+
+ private:
+  static std::string folded(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return text;
+  }
+  std::set<std::string> taken_;
+};
+
+/// Numbers as data lines of at most 16 entries, the limit of both programs.
+template <class Numbers>
+void append_numbers(std::string& out, const Numbers& numbers) {
+  std::size_t on_line = 0;
+  for (const auto number : numbers) {
+    if (on_line == 16) {
+      out += ",\n";
+      on_line = 0;
+    }
+    if (on_line > 0) out += ", ";
+    append(out, number);
+    ++on_line;
+  }
+  out += '\n';
+}
+
+std::size_t corner_opposite(const Mesh& mesh, const Facet& facet) {
+  const auto& tet = mesh.tets[static_cast<std::size_t>(facet.tet)];
+  std::size_t corner = 0;
+  while (std::ranges::find(facet.nodes, tet[corner]) != facet.nodes.end()) ++corner;
+  return corner;
+}
+
+void append_owners(std::string& out, const Mesh& mesh) {
+  Labels labels;
+  for (const NamedGroups& owner : by_name(mesh.cell_owners)) {
+    std::vector<std::size_t> tets;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+      if (std::ranges::binary_search(owner.groups, mesh.tet_cell[t])) tets.push_back(t + 1);
+    if (tets.empty()) continue;
+    out.append("** feature ").append(owner.name).append("\n*ELSET, ELSET=");
+    out.append(labels.make(owner.name)).append("\n");
+    append_numbers(out, tets);
+  }
+}
+
+void append_faces(std::string& out, const Mesh& mesh) {
+  Labels labels;
+  for (const NamedGroups& face : by_name(mesh.facet_groups)) {
+    std::set<std::int32_t> nodes;
+    std::string sides;
+    for (const Facet& facet : mesh.facets) {
+      if (!std::ranges::binary_search(face.groups, facet.group)) continue;
+      for (const std::int32_t node : facet.nodes) nodes.insert(node + 1);
+      append(sides, facet.tet + 1);
+      sides += ", S";
+      append(sides, kFaceNumber[corner_opposite(mesh, facet)]);
+      sides += '\n';
+    }
+    if (nodes.empty()) continue;
+    const std::string label = labels.make(face.name);
+    out.append("** face ").append(face.name).append("\n*NSET, NSET=").append(label).append("\n");
+    append_numbers(out, nodes);
+    out.append("*SURFACE, NAME=").append(label).append(", TYPE=ELEMENT\n").append(sides);
+  }
+}
+
+}  // namespace
+
+std::string to_inp(const Mesh& mesh) {
+  std::string out = "*HEADING\ntetrahedral mesh by remeshd\n*NODE\n";
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    append(out, n + 1);
+    for (const double coordinate : mesh.nodes[n]) {
+      out += ", ";
+      append_coordinate(out, coordinate);
+    }
+    out += '\n';
+  }
+  out += "*ELEMENT, TYPE=C3D4\n";
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    append(out, t + 1);
+    for (const std::int32_t node : mesh.tets[t]) {
+      out += ", ";
+      append(out, node + 1);
+    }
+    out += '\n';
+  }
+  append_owners(out, mesh);
+  append_faces(out, mesh);
+  return out;
+}
+
+}  // namespace remeshd::client

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+
+#include "client/formats/named_groups.h"
+#include "client/formats/text.h"
+#include "remeshd/mesh_file.h"
+
+namespace remeshd::client {
+namespace {
+
+constexpr std::int32_t kGmshTriangle = 2;
+constexpr std::int32_t kGmshTetrahedron = 4;
+
+template <class T>
+void put(std::string& out, T value) {
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// The entities of one dimension: entity k (tag k + 1) is the k-th cell or facet group.
+struct Entities {
+  std::int32_t dimension = 0;
+  std::vector<std::vector<std::int32_t>> physical;  ///< physical tags of each entity, its own first
+  std::vector<std::string> names;                   ///< of physical tag index + 1
+  std::vector<std::array<double, 6>> boxes;
+  std::vector<std::vector<std::size_t>> elements;  ///< indices of tets or facets, ascending
+};
+
+/// Groups without an element get no entity's content but keep their number.
+Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups) {
+  Entities out;
+  out.dimension = dimension;
+  for (const auto& names : groups) {
+    out.names.push_back(joined(names));
+    out.physical.push_back({static_cast<std::int32_t>(out.names.size())});
+  }
+  for (const NamedGroups& single : by_name(groups)) {
+    const bool stands_alone =
+        single.groups.size() == 1 && groups[static_cast<std::size_t>(single.groups[0])].size() == 1;
+    if (stands_alone) continue;
+    // The group that carries this name alone lends its physical group to all that share the name.
+    std::int32_t tag = 0;
+    for (const std::int32_t g : single.groups)
+      if (groups[static_cast<std::size_t>(g)].size() == 1) tag = g + 1;
+    if (tag == 0) {
+      out.names.push_back(single.name);
+      tag = static_cast<std::int32_t>(out.names.size());
+    }
+    for (const std::int32_t g : single.groups)
+      if (g + 1 != tag) out.physical[static_cast<std::size_t>(g)].push_back(tag);
+  }
+  out.boxes.assign(groups.size(), {0, 0, 0, 0, 0, 0});
+  out.elements.resize(groups.size());
+  return out;
+}
+
+template <class Corners>
+void add_element(Entities& list, std::int32_t entity, std::size_t element, const Corners& corners,
+                 const Mesh& mesh) {
+  const auto e = static_cast<std::size_t>(entity);
+  auto& box = list.boxes[e];
+  const bool first = list.elements[e].empty();
+  list.elements[e].push_back(element);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& node = mesh.nodes[static_cast<std::size_t>(corners[k])];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool start = first && k == 0;
+      box[axis] = start ? node[axis] : std::fmin(box[axis], node[axis]);
+      box[3 + axis] = start ? node[axis] : std::fmax(box[3 + axis], node[axis]);
+    }
+  }
+}
+
+void write_names(std::string& out, const Entities& list) {
+  for (std::size_t k = 0; k < list.names.size(); ++k) {
+    append(out, list.dimension);
+    out += ' ';
+    append(out, k + 1);
+    out.append(" \"").append(list.names[k]).append("\"\n");
+  }
+}
+
+void write_entities(std::string& out, const Entities& list) {
+  for (std::size_t k = 0; k < list.physical.size(); ++k) {
+    put(out, static_cast<std::int32_t>(k + 1));
+    for (const double bound : list.boxes[k]) put(out, bound);
+    put(out, std::uint64_t{list.physical[k].size()});
+    for (const std::int32_t tag : list.physical[k]) put(out, tag);
+    put(out, std::uint64_t{0});  // bounding entities: not told
+  }
+}
+
+std::uint64_t filled(const Entities& list) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count_if(list.elements, [](const auto& e) { return !e.empty(); }));
+}
+
+template <class CornersOf>
+void write_elements(std::string& out, const Entities& list, std::int32_t type,
+                    std::uint64_t first_tag, const CornersOf& corners_of) {
+  for (std::size_t k = 0; k < list.elements.size(); ++k) {
+    if (list.elements[k].empty()) continue;
+    put(out, list.dimension);
+    put(out, static_cast<std::int32_t>(k + 1));
+    put(out, type);
+    put(out, std::uint64_t{list.elements[k].size()});
+    for (const std::size_t element : list.elements[k]) {
+      put(out, first_tag + element);
+      for (const std::int32_t node : corners_of(element))
+        put(out, static_cast<std::uint64_t>(node) + 1);
+    }
+  }
+}
+
+}  // namespace
+
+std::string to_msh(const Mesh& mesh) {
+  Entities surfaces = entities(2, mesh.facet_groups);
+  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+    add_element(surfaces, mesh.facets[f].group, f, mesh.facets[f].nodes, mesh);
+  Entities volumes = entities(3, mesh.cell_owners);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    add_element(volumes, mesh.tet_cell[t], t, mesh.tets[t], mesh);
+
+  std::string out = "$MeshFormat\n4.1 1 8\n";
+  put(out, std::int32_t{1});  // tells the byte order
+  out += "\n$EndMeshFormat\n$PhysicalNames\n";
+  append(out, surfaces.names.size() + volumes.names.size());
+  out += '\n';
+  write_names(out, surfaces);
+  write_names(out, volumes);
+  out += "$EndPhysicalNames\n$Entities\n";
+  put(out, std::uint64_t{0});
+  put(out, std::uint64_t{0});
+  put(out, std::uint64_t{surfaces.physical.size()});
+  put(out, std::uint64_t{volumes.physical.size()});
+  write_entities(out, surfaces);
+  write_entities(out, volumes);
+
+  // One block keeps the nodes in their order for readers that go by place, not by tag.
+  out += "\n$EndEntities\n$Nodes\n";
+  const std::uint64_t nodes = mesh.nodes.size();
+  const std::uint64_t none = 0;
+  const std::uint64_t one = 1;
+  put(out, nodes > 0 ? one : none);
+  put(out, nodes);
+  put(out, nodes > 0 ? one : none);
+  put(out, nodes);
+  if (nodes > 0) {
+    put(out, std::int32_t{3});  // dimension of the entity
+    put(out, std::int32_t{1});  // its tag
+    put(out, std::int32_t{0});  // no parametric coordinates
+    put(out, nodes);
+    for (std::uint64_t tag = 1; tag <= nodes; ++tag) put(out, tag);
+    for (const auto& node : mesh.nodes)
+      for (const double coordinate : node) put(out, coordinate);
+  }
+
+  out += "\n$EndNodes\n$Elements\n";
+  const std::uint64_t elements = mesh.tets.size() + mesh.facets.size();
+  put(out, filled(surfaces) + filled(volumes));
+  put(out, elements);
+  put(out, elements > 0 ? one : none);
+  put(out, elements);
+  write_elements(
+      out, surfaces, kGmshTriangle,
+      1 + mesh.tets.size(), [&](std::size_t f) -> const auto& { return mesh.facets[f].nodes; });
+  write_elements(
+      out, volumes, kGmshTetrahedron,
+      1, [&](std::size_t t) -> const auto& { return mesh.tets[t]; });
+  out += "\n$EndElements\n";
+  return out;
+}
+
+}  // namespace remeshd::client

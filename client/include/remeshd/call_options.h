@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+namespace remeshd::client {
+
+/// How one call behaves.
+struct CallOptions {
+  std::stop_token stop;           ///< a stop request cancels the call: CallError CANCELLED
+  std::optional<double> timeout;  ///< s; afterwards CallError DEADLINE_EXCEEDED
+};
+
+}  // namespace remeshd::client

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "remesh/v1/remesh.pb.h"
+#include "remeshd/call_options.h"
+#include "remeshd/edit_stream.h"
+#include "remeshd/error.h"
+#include "remeshd/mesh.h"
+
+namespace grpc {
+class Channel;
+}
+
+namespace remeshd::client {
+
+struct ConnectOptions {
+  /// s between signs of life while a call is open; the connection is given up 20 s after one that
+  /// stays unanswered (a shorter limit would cut slow but live readers).
+  int keepalive = 60;
+  /// PEM texts for TLS; all empty: a connection without encryption. With a certificate and key the
+  /// client shows who it is.
+  std::string root_certificates, certificate, private_key;
+};
+
+/// Part of a mesh transfer so far: bytes received and bytes in all.
+using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
+
+/// A connection to a daemon `remeshd`. Cheap to copy; all functions may be called from any thread.
+///
+/// Every function throws CallError. Where a request names a revision it takes the name of a design
+/// (its head), `design@number`, an id or a unique prefix of at least 8 digits.
+class Client {
+ public:
+  /// Prepares a connection to `host:port`; the first call makes it.
+  static Client connect(const std::string& address, const ConnectOptions& options = {});
+  /// Uses a channel of the caller's making: other credentials, or a server in the same process.
+  explicit Client(std::shared_ptr<grpc::Channel> channel);
+
+  /// Meshes a model. The same request again is answered from the cache.
+  [[nodiscard]] remesh::v1::RevisionReply create_revision(
+      const remesh::v1::CreateRevisionRequest& request, const CallOptions& call = {}) const;
+  /// Remeshes a revision after an edit of its model.
+  [[nodiscard]] remesh::v1::RevisionReply edit_revision(
+      const remesh::v1::EditRevisionRequest& request, const CallOptions& call = {}) const;
+  /// Opens a stream of edits. A stop request breaks the stream off.
+  [[nodiscard]] EditStream stream(EditStream::OnProgress on_progress = {},
+                                  const CallOptions& call = {}) const;
+
+  /// Fetches the mesh of a revision. All its checksums, counts and indices have been checked;
+  /// DATA_LOSS where one is wrong.
+  [[nodiscard]] Mesh get_mesh(const std::string& revision, const CallOptions& call = {},
+                              const OnTransfer& on_transfer = {}) const;
+
+  /// The difference model of two models or revisions, or of one and an edit of it.
+  [[nodiscard]] remesh::v1::Comparison compare(const remesh::v1::CompareRequest& request,
+                                               const CallOptions& call = {}) const;
+  /// All designs by name.
+  [[nodiscard]] std::vector<remesh::v1::DesignInfo> list_designs(
+      const CallOptions& call = {}) const;
+  /// All revisions, by design and number.
+  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> list(const CallOptions& call = {}) const;
+  /// The revisions of one design by number; NOT_FOUND if there is no such design.
+  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> log(const std::string& design,
+                                                          const CallOptions& call = {}) const;
+  /// Everything about a revision but its mesh.
+  [[nodiscard]] remesh::v1::RevisionDescription describe(const std::string& revision,
+                                                         const CallOptions& call = {}) const;
+  /// Removes a revision; the head of a design only where `allow_head` is true.
+  remesh::v1::DeleteRevisionReply remove(const std::string& revision, bool allow_head = false,
+                                         const CallOptions& call = {}) const;
+  /// Checks a model without meshing it.
+  [[nodiscard]] remesh::v1::ValidateReply validate(const remesh::v1::ValidateModelRequest& request,
+                                                   const CallOptions& call = {}) const;
+  /// Checks an edit and the model that it makes.
+  [[nodiscard]] remesh::v1::ValidateReply validate(const remesh::v1::ValidateEditRequest& request,
+                                                   const CallOptions& call = {}) const;
+  /// The types of features that the daemon knows.
+  [[nodiscard]] std::vector<remesh::v1::FeatureType> types(const CallOptions& call = {}) const;
+  /// Version, limits and load of the daemon.
+  [[nodiscard]] remesh::v1::ServerInfo info(const CallOptions& call = {}) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace remeshd::client

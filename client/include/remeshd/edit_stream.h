@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+
+#include "remesh/v1/remesh.pb.h"
+
+namespace remeshd::client {
+
+/// The loop of an optimiser over one stream: requests in, revisions out, in the order sent.
+///
+/// Requests may be sent ahead of their answers. Answers are read on a thread of the stream's own,
+/// so a caller that computes between two edits keeps the connection alive. All functions may be
+/// called from any thread.
+class EditStream {
+ public:
+  /// Called on the reading thread: the id of the request and how far it is. Must not block for
+  /// long.
+  using OnProgress =
+      std::function<void(const std::string& request_id, const remesh::v1::Progress&)>;
+
+  struct Impl;
+  explicit EditStream(std::unique_ptr<Impl> impl);
+  EditStream(EditStream&&) noexcept;
+  EditStream& operator=(EditStream&&) noexcept;
+  /// Cancels what is still under way.
+  ~EditStream();
+
+  /// Sends an edit. An empty `request_id` is filled in; an empty `base` means the head of the
+  /// design of this or the last request.
+  ///
+  /// The future throws CallError: the error of this request, after which the stream goes on, or
+  /// that of the whole stream if it broke. Throws std::invalid_argument for a request id under way.
+  std::future<remesh::v1::RevisionReply> edit(remesh::v1::EditRevisionRequest request);
+  /// Sends a model to mesh; otherwise as `edit`.
+  std::future<remesh::v1::RevisionReply> create(remesh::v1::CreateRevisionRequest request);
+
+  /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED in its turn.
+  void cancel(const std::string& request_id);
+  /// Breaks the whole stream off: every open future throws CANCELLED.
+  void cancel_all();
+  /// Sends no more, and waits until all that was sent is answered. Throws CallError if the stream
+  /// broke.
+  void finish();
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace remeshd::client

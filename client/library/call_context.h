@@ -1,0 +1,32 @@
+#pragma once
+
+#include <grpcpp/client_context.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+#include "remeshd/call_options.h"
+
+namespace remeshd::client {
+
+/// The context of one call: its deadline, and its cancellation by a stop request.
+class CallContext {
+ public:
+  explicit CallContext(const CallOptions& options) {
+    if (options.timeout)
+      context_.set_deadline(std::chrono::system_clock::now() +
+                            std::chrono::microseconds(std::llround(*options.timeout * 1e6)));
+    if (options.stop.stop_possible()) on_stop_.emplace(options.stop, [this] { cancel(); });
+  }
+  grpc::ClientContext* get() { return &context_; }
+  void cancel() { context_.TryCancel(); }
+
+ private:
+  grpc::ClientContext context_;
+  std::optional<std::stop_callback<std::function<void()>>> on_stop_;
+};
+
+}  // namespace remeshd::client

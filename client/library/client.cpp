@@ -1,0 +1,165 @@
+#include "remeshd/client.h"
+
+#include <grpcpp/create_channel.h>
+#include <grpcpp/security/credentials.h>
+#include <grpcpp/support/channel_arguments.h>
+
+#include "client/library/call_context.h"
+#include "client/library/edit_stream_impl.h"
+#include "client/library/mesh_assembler.h"
+#include "client/library/status.h"
+
+namespace remeshd::client {
+namespace {
+
+using remesh::v1::Remesh;
+
+/// Lists and models are the largest single messages; meshes come in parts of at most 1 MiB.
+constexpr int kMaxMessage = 256 << 20;
+/// ms; also TCP_USER_TIMEOUT, which at 1 s cuts slow but live readers.
+constexpr int kKeepaliveTimeout = 20'000;
+
+template <class Request, class Reply>
+using Method = grpc::Status (Remesh::Stub::*)(grpc::ClientContext*, const Request&, Reply*);
+
+template <class Request, class Reply>
+Reply unary(Remesh::Stub& stub, Method<Request, Reply> method, const Request& request,
+            const CallOptions& options) {
+  CallContext context(options);
+  Reply reply;
+  check((stub.*method)(context.get(), request, &reply));
+  return reply;
+}
+
+std::shared_ptr<grpc::ChannelCredentials> credentials(const ConnectOptions& options) {
+  if (options.root_certificates.empty() && options.certificate.empty())
+    return grpc::InsecureChannelCredentials();
+  grpc::SslCredentialsOptions tls;
+  tls.pem_root_certs = options.root_certificates;
+  tls.pem_cert_chain = options.certificate;
+  tls.pem_private_key = options.private_key;
+  return grpc::SslCredentials(tls);
+}
+
+}  // namespace
+
+struct Client::Impl {
+  explicit Impl(const std::shared_ptr<grpc::Channel>& channel) : stub(Remesh::NewStub(channel)) {}
+  std::unique_ptr<Remesh::Stub> stub;
+};
+
+Client Client::connect(const std::string& address, const ConnectOptions& options) {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, options.keepalive * 1000);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeout);
+  arguments.SetMaxReceiveMessageSize(kMaxMessage);
+  return Client(grpc::CreateCustomChannel(address, credentials(options), arguments));
+}
+
+Client::Client(std::shared_ptr<grpc::Channel> channel)
+    : impl_(std::make_shared<const Impl>(channel)) {}
+
+remesh::v1::RevisionReply Client::create_revision(const remesh::v1::CreateRevisionRequest& request,
+                                                  const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::CreateRevision, request, call);
+}
+
+remesh::v1::RevisionReply Client::edit_revision(const remesh::v1::EditRevisionRequest& request,
+                                                const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::EditRevision, request, call);
+}
+
+EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions& call) const {
+  return EditStream(std::make_unique<EditStream::Impl>(*impl_->stub, std::move(on_progress), call));
+}
+
+Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
+                      const OnTransfer& on_transfer) const {
+  CallContext context(call);
+  remesh::v1::GetMeshRequest request;
+  request.set_revision(revision);
+  const auto reader = impl_->stub->GetMesh(context.get(), request);
+  MeshAssembler assembler;
+  remesh::v1::MeshMessage message;
+  try {
+    while (reader->Read(&message)) {
+      assembler.add(message);
+      if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
+    }
+  } catch (...) {
+    context.cancel();
+    reader->Finish();
+    throw;
+  }
+  check(reader->Finish());
+  return assembler.finish();
+}
+
+remesh::v1::Comparison Client::compare(const remesh::v1::CompareRequest& request,
+                                       const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::Compare, request, call);
+}
+
+std::vector<remesh::v1::DesignInfo> Client::list_designs(const CallOptions& call) const {
+  std::vector<remesh::v1::DesignInfo> designs;
+  remesh::v1::ListDesignsRequest request;
+  do {
+    const auto page = unary(*impl_->stub, &Remesh::Stub::ListDesigns, request, call);
+    designs.insert(designs.end(), page.designs().begin(), page.designs().end());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  return designs;
+}
+
+std::vector<remesh::v1::RevisionInfo> Client::list(const CallOptions& call) const {
+  return log("", call);
+}
+
+std::vector<remesh::v1::RevisionInfo> Client::log(const std::string& design,
+                                                  const CallOptions& call) const {
+  std::vector<remesh::v1::RevisionInfo> revisions;
+  remesh::v1::ListRevisionsRequest request;
+  request.set_design(design);
+  do {
+    const auto page = unary(*impl_->stub, &Remesh::Stub::ListRevisions, request, call);
+    revisions.insert(revisions.end(), page.revisions().begin(), page.revisions().end());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  return revisions;
+}
+
+remesh::v1::RevisionDescription Client::describe(const std::string& revision,
+                                                 const CallOptions& call) const {
+  remesh::v1::DescribeRevisionRequest request;
+  request.set_revision(revision);
+  return unary(*impl_->stub, &Remesh::Stub::DescribeRevision, request, call);
+}
+
+remesh::v1::DeleteRevisionReply Client::remove(const std::string& revision, bool allow_head,
+                                               const CallOptions& call) const {
+  remesh::v1::DeleteRevisionRequest request;
+  request.set_revision(revision);
+  request.set_allow_head(allow_head);
+  return unary(*impl_->stub, &Remesh::Stub::DeleteRevision, request, call);
+}
+
+remesh::v1::ValidateReply Client::validate(const remesh::v1::ValidateModelRequest& request,
+                                           const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::ValidateModel, request, call);
+}
+
+remesh::v1::ValidateReply Client::validate(const remesh::v1::ValidateEditRequest& request,
+                                           const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::ValidateEdit, request, call);
+}
+
+std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) const {
+  const auto reply = unary(*impl_->stub, &Remesh::Stub::ListFeatureTypes, {}, call);
+  return {reply.types().begin(), reply.types().end()};
+}
+
+remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
+  return unary(*impl_->stub, &Remesh::Stub::GetServerInfo, {}, call);
+}
+
+}  // namespace remeshd::client
