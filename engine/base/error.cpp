@@ -1,6 +1,47 @@
 #include "engine/base/error.h"
 
+#include <array>
+#include <charconv>
+
 namespace remeshd::error {
+namespace {
+
+/// Names and expressions come from clients and may be of any length; an error is read by people.
+std::string clip(std::string_view text, std::size_t limit = 120) {
+  if (text.size() <= limit) return std::string(text);
+  std::size_t end = limit;
+  // Never cut through a UTF-8 sequence.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return std::string(text.substr(0, end)) + "...";
+}
+
+std::string quoted(std::string_view text) { return "'" + clip(text) + "'"; }
+
+/// Shortest digits that read back to the same double, whatever the locale.
+std::string number(double value) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  return {digits.data(), end};
+}
+
+std::string where(std::string_view feature, std::string_view parameter) {
+  if (feature.empty()) return "parameter " + quoted(parameter);
+  if (parameter.empty()) return "feature " + quoted(feature);
+  return clip(parameter) + " of feature " + quoted(feature);
+}
+
+Error model_error(std::string reason, std::string_view feature, std::string_view parameter,
+                  std::string message, std::string hint) {
+  return Error({.kind = ErrorKind::InvalidArgument,
+                .reason = std::move(reason),
+                .message = std::move(message),
+                .stage = "model",
+                .feature = clip(feature),
+                .parameter = clip(parameter),
+                .hint = std::move(hint)});
+}
+
+}  // namespace
 
 Error cancelled() {
   return Error({.kind = ErrorKind::Cancelled,
@@ -14,6 +55,184 @@ Error internal(std::string_view stage, std::string_view what) {
                 .reason = "Internal",
                 .message = std::string(what),
                 .stage = std::string(stage)});
+}
+
+Error invalid_name(std::string_view feature, std::string_view parameter, std::string_view name,
+                   std::string_view why) {
+  return model_error(
+      "InvalidName", feature, parameter, "the name " + quoted(name) + " " + std::string(why),
+      "names are a letter or underscore, then letters, digits and underscores, 64 at "
+      "most, and neither pi, deg nor the name of a function");
+}
+
+Error duplicate_feature(std::string_view feature) {
+  return model_error("DuplicateFeature", feature, "",
+                     "there is more than one feature " + quoted(feature),
+                     "give every feature an id of its own");
+}
+
+Error unknown_feature_type(std::string_view feature, std::string_view type,
+                           std::string_view known_types) {
+  return model_error("UnknownFeatureType", feature, "type",
+                     "feature " + quoted(feature) + " has the unknown type " + quoted(type),
+                     "types are " + std::string(known_types));
+}
+
+Error missing_parameter(std::string_view feature, std::string_view parameter,
+                        std::string_view type) {
+  return model_error("MissingParameter", feature, parameter,
+                     where(feature, parameter) + " is missing",
+                     "a " + clip(type) + " cannot be built without " + clip(parameter));
+}
+
+Error unknown_parameter(std::string_view feature, std::string_view parameter,
+                        std::string_view known_parameters) {
+  return model_error("UnknownParameter", feature, parameter,
+                     "feature " + quoted(feature) + " has no parameter " + quoted(parameter),
+                     "its parameters are " + std::string(known_parameters));
+}
+
+Error wrong_value_kind(std::string_view feature, std::string_view parameter,
+                       std::string_view expected) {
+  return model_error("WrongValueKind", feature, parameter,
+                     where(feature, parameter) + " must be " + std::string(expected), "");
+}
+
+Error non_finite_value(std::string_view feature, std::string_view parameter,
+                       std::string_view value) {
+  return model_error("NonFiniteValue", feature, parameter,
+                     where(feature, parameter) + " is not a finite number: " + clip(value),
+                     "look for a division by zero, a root or logarithm of a negative number, or an "
+                     "overflow");
+}
+
+Error value_out_of_range(std::string_view feature, std::string_view parameter, double value,
+                         std::string_view range) {
+  return model_error("ValueOutOfRange", feature, parameter,
+                     where(feature, parameter) + " is " + number(value) + ", out of range",
+                     "it must be " + std::string(range));
+}
+
+Error degenerate_feature(std::string_view feature, std::string_view parameter, double value,
+                         std::string_view why) {
+  return model_error(
+      "DegenerateFeature", feature, parameter,
+      where(feature, parameter) + " is " + number(value) + ": it " + std::string(why),
+      "change " + clip(parameter) + " so that the feature has a volume");
+}
+
+Error degenerate_frame(std::string_view feature, std::string_view parameter, std::string_view why) {
+  return model_error("DegenerateFrame", feature, parameter,
+                     where(feature, parameter) + " " + std::string(why),
+                     "give two directions that are neither zero nor parallel, or leave xAxis out");
+}
+
+Error invalid_profile(std::string_view feature, std::string_view parameter, std::string_view why,
+                      std::string_view hint) {
+  return model_error("InvalidProfile", feature, parameter,
+                     where(feature, parameter) + " " + std::string(why), std::string(hint));
+}
+
+Error self_intersecting_profile(std::string_view feature, std::string_view parameter,
+                                std::string_view why) {
+  return model_error("SelfIntersectingProfile", feature, parameter,
+                     where(feature, parameter) + ": " + std::string(why),
+                     "the sides of a profile may meet only at their common ends");
+}
+
+Error profile_crosses_axis(std::string_view feature, std::string_view parameter,
+                           std::string_view why) {
+  return model_error("ProfileCrossesAxis", feature, parameter,
+                     where(feature, parameter) + " " + std::string(why),
+                     "keep the profile at x >= 0 and let it meet the axis in whole sides");
+}
+
+Error invalid_expression(std::string_view feature, std::string_view parameter,
+                         std::string_view expression, std::string_view why) {
+  return model_error("InvalidExpression", feature, parameter,
+                     where(feature, parameter) + ": cannot evaluate " + quoted(expression),
+                     clip(why, 300));
+}
+
+Error unknown_name(std::string_view feature, std::string_view parameter, std::string_view name,
+                   std::string_view expression) {
+  return model_error("UnknownName", feature, parameter,
+                     where(feature, parameter) + ": the expression " + quoted(expression) +
+                         " uses the unknown name " + quoted(name),
+                     "define it under the model's parameters; names are case-sensitive");
+}
+
+Error cyclic_parameters(std::string_view parameter, std::string_view cycle) {
+  return model_error("CyclicParameters", "", parameter,
+                     "the parameters depend on each other in a circle: " + clip(cycle, 400),
+                     "give one of them a number");
+}
+
+Error limit_exceeded(std::string_view feature, std::string_view parameter, std::string_view what,
+                     std::size_t count, std::size_t limit) {
+  return model_error("LimitExceeded", feature, parameter,
+                     std::to_string(count) + " " + std::string(what) + " are too many",
+                     "at most " + std::to_string(limit) + " are accepted");
+}
+
+Error no_features() {
+  return model_error("NoFeatures", "", "", "the model has no features", "add an additive feature");
+}
+
+Error no_additive_feature() {
+  return model_error("NoAdditiveFeature", "", "",
+                     "every feature of the model is subtractive, so it has no material",
+                     "add an additive feature");
+}
+
+Error unknown_feature(std::string_view feature) {
+  Error unknown =
+      model_error("UnknownFeature", feature, "", "the model has no feature " + quoted(feature),
+                  "ids are case-sensitive");
+  unknown.info().kind = ErrorKind::NotFound;
+  return unknown;
+}
+
+Error unknown_model_parameter(std::string_view name) {
+  return model_error("UnknownParameter", "", name, "the model has no parameter " + quoted(name),
+                     "an edit sets parameters that the model has; it adds none");
+}
+
+Error empty_model() {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "EmptyModel",
+                .message = "the model holds no material: every cell is subtracted",
+                .stage = "cells",
+                .hint = "add a feature, or move one in history after those that remove it"});
+}
+
+Error disconnected_model(int pieces) {
+  return Error(
+      {.kind = ErrorKind::FailedPrecondition,
+       .reason = "DisconnectedModel",
+       .message = "the model falls into " + std::to_string(pieces) + " pieces that share no face",
+       .stage = "cells",
+       .hint = "let the pieces overlap or touch along a face, or mesh them as models of "
+               "their own"});
+}
+
+Error non_manifold_model(std::string_view what, double x, double y, double z) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "NonManifoldModel",
+                .message = "the boundary touches itself " + std::string(what) + " at (" +
+                           number(x) + ", " + number(y) + ", " + number(z) + ")",
+                .stage = "cells",
+                .hint = "move one of the features that meet there a little"});
+}
+
+Error kernel_failure(std::string_view what, std::string_view feature) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "KernelFailure",
+                .message = "the CAD kernel failed: " + clip(what, 400),
+                .stage = "cells",
+                .feature = clip(feature),
+                .hint = "features that nearly coincide are the usual cause: let them coincide, or "
+                        "keep them further apart"});
 }
 
 }  // namespace remeshd::error

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,25 +12,27 @@ namespace remeshd {
 enum class ErrorKind {
   InvalidArgument,     ///< the request cannot be right whatever the state
   NotFound,            ///< no such revision, design or feature
-  FailedPrecondition,  ///< the request is sound, this model cannot be meshed or this state forbids it
+  FailedPrecondition,  ///< the request is sound, this model cannot be meshed or this state forbids
+                       ///< it
   DeadlineExceeded,
   ResourceExhausted,  ///< busy or too big; may carry a retry delay
   Aborted,            ///< lost a compare-and-set
   Cancelled,
+  Unavailable,  ///< the daemon is going away
   Internal,
 };
 
 /// A failure a user can act on: what, where in the run, which feature and parameter, what to do.
 struct ErrorInfo {
   ErrorKind kind = ErrorKind::Internal;
-  std::string reason;     ///< stable CamelCase name, e.g. `DegenerateFeature`
-  std::string message;    ///< one sentence
-  std::string stage;      ///< station of the engine or `request`
-  std::string feature;    ///< feature id, empty if none
-  std::string parameter;  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
-  std::string hint;       ///< what would help; empty if nothing sensible can be said
-  std::optional<int> edit_index;      ///< 0-based index of the edit at fault
-  std::optional<double> retry_after;  ///< s, with ResourceExhausted
+  std::string reason{};     ///< stable CamelCase name, e.g. `DegenerateFeature`
+  std::string message{};    ///< one sentence
+  std::string stage{};      ///< station of the engine or `request`
+  std::string feature{};    ///< feature id, empty if none
+  std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
+  std::string hint{};       ///< what would help; empty if nothing sensible can be said
+  std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
+  std::optional<double> retry_after{};  ///< s, with ResourceExhausted
 };
 
 class Error : public std::runtime_error {
@@ -47,6 +50,61 @@ namespace error {
 
 Error cancelled();
 Error internal(std::string_view stage, std::string_view what);
+
+// Stage `model`. `feature` is empty where the model itself is at fault; `parameter` spells the
+// place: `radius`, `profile[3].through`, `placement.zAxis`, or the model parameter's name.
+
+Error invalid_name(std::string_view feature, std::string_view parameter, std::string_view name,
+                   std::string_view why);
+Error duplicate_feature(std::string_view feature);
+Error unknown_feature_type(std::string_view feature, std::string_view type,
+                           std::string_view known_types);
+Error missing_parameter(std::string_view feature, std::string_view parameter,
+                        std::string_view type);
+Error unknown_parameter(std::string_view feature, std::string_view parameter,
+                        std::string_view known_parameters);
+/// A profile where a number or expression belongs, or the other way round.
+Error wrong_value_kind(std::string_view feature, std::string_view parameter,
+                       std::string_view expected);
+Error non_finite_value(std::string_view feature, std::string_view parameter,
+                       std::string_view value);
+Error value_out_of_range(std::string_view feature, std::string_view parameter, double value,
+                         std::string_view range);
+Error degenerate_feature(std::string_view feature, std::string_view parameter, double value,
+                         std::string_view why);
+Error degenerate_frame(std::string_view feature, std::string_view parameter, std::string_view why);
+Error invalid_profile(std::string_view feature, std::string_view parameter, std::string_view why,
+                      std::string_view hint);
+Error self_intersecting_profile(std::string_view feature, std::string_view parameter,
+                                std::string_view why);
+Error profile_crosses_axis(std::string_view feature, std::string_view parameter,
+                           std::string_view why);
+Error invalid_expression(std::string_view feature, std::string_view parameter,
+                         std::string_view expression, std::string_view why);
+Error unknown_name(std::string_view feature, std::string_view parameter, std::string_view name,
+                   std::string_view expression);
+/// `cycle` reads `a -> b -> a`; `parameter` is the model parameter it was found from.
+Error cyclic_parameters(std::string_view parameter, std::string_view cycle);
+Error limit_exceeded(std::string_view feature, std::string_view parameter, std::string_view what,
+                     std::size_t count, std::size_t limit);
+Error no_features();
+Error no_additive_feature();
+
+// Edits; the caller adds the edit's index.
+
+Error unknown_feature(std::string_view feature);
+Error unknown_model_parameter(std::string_view name);
+
+// Stage `cells`.
+
+/// No cell of the model is material.
+Error empty_model();
+/// The material falls into `pieces` that do not hang together by faces.
+Error disconnected_model(int pieces);
+/// The boundary touches itself along an edge or at a point, at x y z.
+Error non_manifold_model(std::string_view what, double x, double y, double z);
+/// The CAD kernel failed, or a check of its result did.
+Error kernel_failure(std::string_view what, std::string_view feature = {});
 
 }  // namespace error
 }  // namespace remeshd

@@ -12,7 +12,9 @@ namespace remeshd {
 ///   Cylinder  axis z, radius r1
 ///   Cone      axis z, radius r1 at z = 0, slope dr/dz = r2 (apex at z = -r1/r2, both nappes)
 ///   Sphere    centre at the origin, radius r1
-///   Torus     axis z, major radius r1, minor radius r2
+///   Torus     axis z, major radius r1, minor radius r2. Where |r1| < r2 it is the part of the
+///             spindle torus that its meridian circle, centred r1 from the axis, sweeps on its own
+///             side of the axis: the outer part for r1 > 0, the inner one (a lemon) for r1 < 0.
 struct Surface {
   enum class Kind { Plane, Cylinder, Cone, Sphere, Torus };
   Kind kind = Kind::Plane;

@@ -31,15 +31,46 @@ class Solid {
   [[nodiscard]] double volume() const { return volume_; }
 
  private:
-  Shape shape_;
-  Transform to_local_;
+  /// A side of the outline of a prism or revolution, ready for crossing counts.
+  struct OutlineSide {
+    double x, y, dx, dy;     ///< start and chord
+    bool arc, bulges_right;  ///< of the chord
+    double centre_x, centre_y, radius2;
+  };
+  /// Which closed formula applies, and its numbers: a_, b_, c_ are half extents, radii and height
+  /// in the order of the shape's members.
+  enum class Form { Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot };
+
+  void prepare(const Shape& shape);
+  [[nodiscard]] bool contains_local(const Vec3& q) const;
+  [[nodiscard]] bool outline_contains(double x, double y) const;
+  [[nodiscard]] bool within_angle(double x, double y) const;
+
   Box bounds_;
+  Form form_ = Form::Block;
+  bool rotated_ = false;
+  bool full_turn_ = true, reflex_ = false;  ///< revolutions: angle 2 pi, angle above pi
+  double a_ = 0, b_ = 0, c_ = 0;
+  double end_cos_ = 1, end_sin_ = 0;  ///< revolutions: direction of the end plane
+  Vec3 origin_, axis_x_, axis_y_, axis_z_;
+  std::vector<OutlineSide> outline_;
   std::vector<SolidFace> faces_;
   double volume_ = 0;
 };
 
 /// The box of a feature in its own frame; its centre is the reference CENTRE.
 Box local_bounds(const Shape& shape);
+
+/// The box of a feature in the world, as `Solid::bounds`.
+Box world_bounds(const Feature& feature);
+
+/// Exact volume of a shape.
+double volume_of(const Shape& shape);
+
+/// Faces of a feature in the order of DESIGN's table, sides in profile order. Planes' normals point
+/// out of the feature; the other surfaces' point away from their axis or centre. The wall of a slot
+/// takes four entries.
+std::vector<SolidFace> faces_of(const Feature& feature);
 
 /// Which features contain a point, and so its nature: that of the last owner in history order,
 /// negative where there is none.
@@ -51,7 +82,9 @@ class Membership {
   [[nodiscard]] int last_owner(const Vec3& p) const;
   /// Whether p lies in material.
   [[nodiscard]] bool inside(const Vec3& p) const;
-  [[nodiscard]] bool contains(int feature, const Vec3& p) const { return solids_[feature].contains(p); }
+  [[nodiscard]] bool contains(int feature, const Vec3& p) const {
+    return solids_[feature].contains(p);
+  }
   /// Appends the indices of all features that contain p, in history order.
   void owners(const Vec3& p, std::vector<int>& out) const;
 

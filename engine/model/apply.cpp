@@ -1,0 +1,93 @@
+#include <algorithm>
+
+#include "engine/base/error.h"
+#include "engine/model/expression.h"
+#include "engine/model/feature_model.h"
+#include "engine/model/feature_types.h"
+
+namespace remeshd {
+namespace {
+
+using Position = std::vector<FeatureSource>::iterator;
+
+Position find_feature(ModelSource& model, const std::string& id) {
+  return std::find_if(model.features.begin(), model.features.end(),
+                      [&](const FeatureSource& f) { return f.id == id; });
+}
+
+FeatureSource& feature_named(ModelSource& model, const std::string& id) {
+  const Position found = find_feature(model, id);
+  if (found == model.features.end()) throw error::unknown_feature(id);
+  return *found;
+}
+
+/// One overload per edit.
+struct Editor {
+  ModelSource& model;
+
+  void operator()(const SetParameter& edit) const {
+    const auto found = model.parameters.find(edit.name);
+    if (found == model.parameters.end()) throw error::unknown_model_parameter(edit.name);
+    found->second = edit.value;
+  }
+
+  void operator()(const SetFeatureParameter& edit) const {
+    FeatureSource& feature = feature_named(model, edit.feature);
+    const FeatureTypeInfo* type = find_feature_type(feature.type);
+    if (type == nullptr)
+      throw error::unknown_feature_type(feature.id, feature.type, list_feature_types());
+    const ParameterInfo* parameter = find_parameter(*type, edit.name);
+    if (parameter == nullptr)
+      throw error::unknown_parameter(feature.id, edit.name, list_parameters(*type));
+    const auto* scalar = std::get_if<Scalar>(&edit.value);
+    if (parameter->unit == "profile") {
+      if (scalar != nullptr)
+        throw error::wrong_value_kind(feature.id, edit.name, "a list of points and arcs");
+      feature.profile = std::get<std::vector<ProfileEntry>>(edit.value);
+    } else {
+      if (scalar == nullptr)
+        throw error::wrong_value_kind(feature.id, edit.name, "a number or an expression");
+      feature.parameters[edit.name] = *scalar;
+    }
+  }
+
+  void operator()(const SetPlacement& edit) const {
+    feature_named(model, edit.feature).placement = edit.placement;
+  }
+
+  void operator()(const AddFeature& edit) const {
+    check_name(edit.feature.id, edit.feature.id, "id");
+    if (find_feature(model, edit.feature.id) != model.features.end())
+      throw error::duplicate_feature(edit.feature.id);
+    Position place = model.features.end();
+    if (!edit.after.empty()) {
+      place = find_feature(model, edit.after);
+      if (place == model.features.end()) throw error::unknown_feature(edit.after);
+      ++place;
+    }
+    model.features.insert(place, edit.feature);
+  }
+
+  void operator()(const RemoveFeature& edit) const {
+    const Position found = find_feature(model, edit.feature);
+    if (found == model.features.end()) throw error::unknown_feature(edit.feature);
+    model.features.erase(found);
+  }
+};
+
+}  // namespace
+
+ModelSource apply(const ModelSource& source, const ModelEdit& edit) {
+  ModelSource result = source;
+  for (std::size_t k = 0; k < edit.edits.size(); ++k) {
+    try {
+      std::visit(Editor{result}, edit.edits[k]);
+    } catch (Error& failure) {
+      failure.info().edit_index = static_cast<int>(k);
+      throw;
+    }
+  }
+  return result;
+}
+
+}  // namespace remeshd

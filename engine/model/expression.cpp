@@ -1,0 +1,180 @@
+#include "engine/model/expression.h"
+
+#include <muParser.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "engine/base/error.h"
+
+namespace remeshd {
+namespace {
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// muParser with our constants in place of its own, which are cut at 12 digits. The optimiser is
+/// off: it rewrites `2*a + 3` and with it the last bits of the value.
+mu::Parser bare_parser() {
+  mu::Parser parser;
+  parser.ClearConst();
+  parser.DefineConst("pi", std::numbers::pi);
+  parser.DefineConst("deg", std::numbers::pi / 180);
+  parser.EnableOptimizer(false);
+  return parser;
+}
+
+const std::set<std::string, std::less<>>& reserved_names() {
+  static const auto names = [] {
+    std::set<std::string, std::less<>> all{"pi", "deg"};
+    const mu::Parser parser = bare_parser();
+    for (const auto& [name, function] : parser.GetFunDef()) all.insert(name);
+    return all;
+  }();
+  return names;
+}
+
+/// What keeps muParser from reading an expression in the one sense we mean, empty if nothing.
+std::string objection(const std::string& text) {
+  if (text.size() > kMaxExpressionLength)
+    return "expressions have at most " + std::to_string(kMaxExpressionLength) + " characters";
+  bool blank = true;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c != ' ' && c != '\t') blank = false;
+    if ((c < ' ' && c != '\t') || c > '~') return "only printable ASCII characters are allowed";
+    if (c == '"') return "text is no value";
+    if (c != '=') continue;
+    const bool comparison = (i > 0 && (text[i - 1] == '=' || text[i - 1] == '<' ||
+                                       text[i - 1] == '>' || text[i - 1] == '!')) ||
+                            (i + 1 < text.size() && text[i + 1] == '=');
+    if (!comparison) return "an expression cannot assign";
+  }
+  return blank ? "the expression is empty" : "";
+}
+
+/// `a -> b -> a` for the names from the first appearance of `back` on the path.
+std::string spell_cycle(const std::vector<std::string>& path, const std::string& back) {
+  std::string text;
+  bool inside = false;
+  for (const std::string& name : path) {
+    inside = inside || name == back;
+    if (inside) text += name + " -> ";
+  }
+  return text + back;
+}
+
+}  // namespace
+
+void check_name(std::string_view name, std::string_view feature, std::string_view parameter) {
+  if (name.empty()) throw error::invalid_name(feature, parameter, name, "is empty");
+  if (name.size() > 64) throw error::invalid_name(feature, parameter, name, "is too long");
+  bool well_formed = is_letter(name.front());
+  for (const char c : name) well_formed = well_formed && (is_letter(c) || is_digit(c));
+  if (!well_formed)
+    throw error::invalid_name(feature, parameter, name, "has a character that is not allowed");
+  if (reserved_names().contains(name))
+    throw error::invalid_name(feature, parameter, name, "is reserved for expressions");
+}
+
+/// One muParser for all expressions of a model; known parameters are constants to it.
+struct Scope::Parser {
+  mu::Parser mu = bare_parser();
+
+  /// The names an expression uses that are no constants yet.
+  std::vector<std::string> unknowns(const std::string& text, std::string_view feature,
+                                    std::string_view parameter) {
+    const std::string why = objection(text);
+    if (!why.empty()) throw error::invalid_expression(feature, parameter, text, why);
+    try {
+      mu.SetExpr(text);
+      std::vector<std::string> names;
+      for (const auto& [name, variable] : mu.GetUsedVar()) names.push_back(name);
+      return names;
+    } catch (const mu::ParserError& e) {
+      throw error::invalid_expression(feature, parameter, text, e.GetMsg());
+    }
+  }
+
+  double evaluate(const std::string& text, std::string_view feature, std::string_view parameter) {
+    const std::vector<std::string> missing = unknowns(text, feature, parameter);
+    if (!missing.empty()) throw error::unknown_name(feature, parameter, missing.front(), text);
+    double result = 0;
+    try {
+      mu.SetExpr(text);
+      int count = 0;
+      const double* values = mu.Eval(count);
+      if (count != 1)
+        throw error::invalid_expression(feature, parameter, text, "a list is no value");
+      result = values[0];
+    } catch (const mu::ParserError& e) {
+      throw error::invalid_expression(feature, parameter, text, e.GetMsg());
+    }
+    if (!std::isfinite(result)) throw error::non_finite_value(feature, parameter, text);
+    return result;
+  }
+};
+
+Scope::Scope(const std::map<std::string, Scalar>& parameters)
+    : parser_(std::make_unique<Parser>()) {
+  if (parameters.size() > kMaxParameters)
+    throw error::limit_exceeded("", "", "parameters", parameters.size(), kMaxParameters);
+  for (const auto& [name, scalar] : parameters) check_name(name, "", name);
+
+  std::map<std::string, std::vector<std::string>> uses;
+  for (const auto& [name, scalar] : parameters) {
+    auto& used = uses[name];
+    const auto* text = std::get_if<std::string>(&scalar);
+    if (text == nullptr) continue;
+    used = parser_->unknowns(*text, "", name);
+    for (const std::string& other : used)
+      if (!parameters.contains(other)) throw error::unknown_name("", name, other, *text);
+  }
+
+  // Depth first with a path of our own: a chain of 10,000 parameters must not use up the stack.
+  enum class Mark { New, OnPath, Done };
+  std::map<std::string, Mark> marks;
+  std::vector<std::string> path;
+  std::vector<std::size_t> next;
+  for (const auto& [root, unused] : parameters) {
+    if (marks[root] == Mark::Done) continue;
+    path = {root};
+    next = {0};
+    marks[root] = Mark::OnPath;
+    while (!path.empty()) {
+      const std::string name = path.back();
+      const auto& used = uses[name];
+      if (next.back() < used.size()) {
+        const std::string& other = used[next.back()++];
+        if (marks[other] == Mark::OnPath)
+          throw error::cyclic_parameters(other, spell_cycle(path, other));
+        if (marks[other] == Mark::New) {
+          marks[other] = Mark::OnPath;
+          path.push_back(other);
+          next.push_back(0);
+        }
+        continue;
+      }
+      parser_->mu.DefineConst(name, value(parameters.at(name), "", name));
+      marks[name] = Mark::Done;
+      path.pop_back();
+      next.pop_back();
+    }
+  }
+}
+
+Scope::~Scope() = default;
+
+double Scope::value(const Scalar& scalar, std::string_view feature,
+                    std::string_view parameter) const {
+  if (const auto* text = std::get_if<std::string>(&scalar))
+    return parser_->evaluate(*text, feature, parameter);
+  const double number = std::get<double>(scalar);
+  if (!std::isfinite(number))
+    throw error::non_finite_value(feature, parameter, std::isnan(number) ? "NaN" : "infinity");
+  return number;
+}
+
+}  // namespace remeshd

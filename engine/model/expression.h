@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/model/source.h"
+
+namespace remeshd {
+
+/// Longest expression accepted, in characters.
+inline constexpr std::size_t kMaxExpressionLength = 4096;
+/// Most parameters of one model.
+inline constexpr std::size_t kMaxParameters = 10000;
+
+/// Throws Error(InvalidName) unless `name` is `[A-Za-z_][A-Za-z0-9_]{0,63}` and neither `pi`, `deg`
+/// nor the name of a function. `feature` and `parameter` say whose name it is.
+void check_name(std::string_view name, std::string_view feature, std::string_view parameter);
+
+/// The parameters of a model, evaluated, and what is needed to evaluate expressions over them.
+///
+/// Expressions are muParser's: `+ - * / ^`, comparisons, `?:`, its functions, and the constants
+/// `pi` and `deg` (pi/180) in full precision. The same text has the same value in every locale.
+/// Nothing in an expression can change a parameter.
+class Scope {
+ public:
+  /// Evaluates all parameters; they may be expressions over each other in any order.
+  ///
+  /// Throws Error(InvalidArgument) naming the parameter: bad names, expressions that cannot be
+  /// read, unknown names, circles, values that are not finite.
+  explicit Scope(const std::map<std::string, Scalar>& parameters);
+  ~Scope();
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+  /// Value of a number or expression. Throws Error(InvalidArgument) that names the place.
+  [[nodiscard]] double value(const Scalar& scalar, std::string_view feature,
+                             std::string_view parameter) const;
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace remeshd

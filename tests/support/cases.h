@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/model/feature_model.h"
+#include "engine/model/source.h"
+
+namespace remeshd::test {
+
+/// A model of tests/cases by its file's name without ending: `case_model("tool1-a")`. This reader
+/// takes the cases as they are and checks nothing: documents of clients go through the protocol.
+ModelSource case_model(const std::string& name);
+
+/// An edit of tests/cases: `case_edit("tool1-ac")`.
+ModelEdit case_edit(const std::string& name);
+
+/// `evaluate(case_model(name))`.
+FeatureModel case_features(const std::string& name);
+
+/// An edit case of tests/cases: `tool1-ac` takes `tool1-a` to `tool1-c`.
+struct EditCase {
+  std::string original, edit, modified;
+  double original_volume, modified_volume;  ///< exact, mm^3, from tests/cases/README.md
+};
+
+/// The paper's six cases (Fig. 17) and tool2-cd.
+const std::vector<EditCase>& seven_cases();
+
+/// A model with one feature, for tests that need no document.
+ModelSource one_feature(FeatureSource feature);
+
+/// An additive feature at the origin.
+FeatureSource feature(std::string id, std::string type,
+                      std::map<std::string, Scalar> parameters = {});
+
+/// An additive feature at the origin with a profile.
+FeatureSource feature(std::string id, std::string type, std::vector<ProfileEntry> profile,
+                      std::map<std::string, Scalar> parameters);
+
+/// Entries of a profile: a point, and an arc that ends at (x, y) by way of (tx, ty).
+ProfileEntry point(Scalar x, Scalar y);
+ProfileEntry arc(Scalar x, Scalar y, Scalar tx, Scalar ty);
+
+}  // namespace remeshd::test
