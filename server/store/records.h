@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace remeshd {
+
+/// What is known of a revision without reading it.
+struct RevisionRecord {
+  std::string id;      ///< 64 hexadecimal digits
+  std::string parent;  ///< id; empty for a first mesh
+  std::string model_name;
+  std::string object;           ///< hash of the stored bytes; empty without a store
+  std::int64_t created_ns = 0;  ///< since 1970, UTC
+  std::uint32_t nodes = 0, tets = 0;
+  std::uint64_t bytes = 0;  ///< stored
+  friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
+};
+
+/// A revision's number in a design.
+struct PlaceRecord {
+  std::string design;
+  std::uint32_t number = 0;
+  std::string id;
+  bool head = false;
+  friend bool operator==(const PlaceRecord&, const PlaceRecord&) = default;
+};
+
+struct DesignRecord {
+  std::string name;
+  std::string head;  ///< id; empty where there is none
+  std::uint32_t head_number = 0;
+  std::uint32_t next_number = 1;
+  std::uint32_t revisions = 0;
+  friend bool operator==(const DesignRecord&, const DesignRecord&) = default;
+};
+
+struct AddRevision {
+  RevisionRecord record;
+};
+/// Gives the number; the design's next one is at least one more from then on, for good.
+struct AddPlace {
+  std::string design;
+  std::uint32_t number = 0;
+  std::string id;
+};
+struct SetHead {
+  std::string design;
+  std::string id;  ///< empty: no head
+};
+struct RemovePlace {
+  std::string design;
+  std::uint32_t number = 0;
+};
+struct RemoveRevision {
+  std::string id;
+};
+
+using Operation = std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision>;
+
+/// What happens to the catalogue at once, or not at all.
+using Transaction = std::vector<Operation>;
+
+}  // namespace remeshd
