@@ -19,34 +19,7 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
 }  // namespace
 
 FacetFaces::FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports)
-    : boundary_(boundary),
-      supports_(supports),
-      identity_(boundary.faces.size()),
-      vertex_faces_(boundary.vertices.size()) {
-  for (std::size_t f = 0; f < identity_.size(); ++f) identity_[f] = static_cast<int>(f);
-  for (std::size_t v = 0; v < vertex_faces_.size(); ++v) {
-    std::vector<int>& faces = vertex_faces_[v];
-    for (const int e : boundary.vertices[v].edges)
-      faces.insert(faces.end(), boundary.edges[e].faces.begin(), boundary.edges[e].faces.end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  }
-}
-
-std::span<const int> FacetFaces::faces_of(std::int32_t node) const {
-  const Support& support = supports_[node];
-  switch (support.kind) {
-    case Support::Kind::Interior:
-      return {};
-    case Support::Kind::Face:
-      return {&identity_[support.entity], 1};
-    case Support::Kind::Edge:
-      return boundary_.edges[support.entity].faces;
-    case Support::Kind::Vertex:
-      return vertex_faces_[support.entity];
-  }
-  return {};
-}
+    : boundary_(boundary), supports_(supports), faces_(boundary) {}
 
 int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) const {
   const auto at_b = faces_of(facet[1]);

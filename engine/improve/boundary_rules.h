@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/cellular/support.h"
+#include "engine/extract/common_face.h"
 #include "engine/improve/local_mesh.h"
 #include "engine/mesh/tet_mesh.h"
 
@@ -18,7 +19,9 @@ class FacetFaces {
   FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports);
 
   /// Faces that a node stands on, ascending; none in the interior.
-  [[nodiscard]] std::span<const int> faces_of(std::int32_t node) const;
+  [[nodiscard]] std::span<const int> faces_of(std::int32_t node) const {
+    return faces_(supports_[node]);
+  }
   /// The common face of the three nodes, -1 if there is none. Where they share several (nodes on an
   /// edge curve), the one whose outward normal the facet's fits best.
   [[nodiscard]] int face_of(const Triangle& facet, std::span<const Vec3> nodes) const;
@@ -30,8 +33,7 @@ class FacetFaces {
  private:
   const BoundaryModel& boundary_;
   std::span<const Support> supports_;
-  std::vector<int> identity_;                   ///< identity_[f] = f, so that one face is a span
-  std::vector<std::vector<int>> vertex_faces_;  ///< ascending
+  FacesOf faces_;
 };
 
 /// What the clean-up may do to the boundary of a mesh: the surface stays a manifold, its facets
