@@ -1,0 +1,45 @@
+#include "client/formats/read_mesh.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "remeshd/mesh_file.h"
+
+namespace remeshd::client {
+namespace {
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) throw FileError("it is a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError("it cannot be opened");
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw FileError("it cannot be read");
+  return bytes;
+}
+
+TetMesh parse(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".vtu") return parse_vtu(read_file(path));
+  if (ending == ".msh") return parse_msh(read_file(path));
+  if (ending == ".inp") return parse_inp(read_file(path));
+  throw FileError("unknown mesh format '" + ending + "'; the endings known are .vtu, .msh, .inp");
+}
+
+}  // namespace
+
+TetMesh read_mesh(const std::filesystem::path& path) {
+  try {
+    TetMesh mesh = parse(path);
+    const auto nodes = static_cast<std::int64_t>(mesh.nodes.size());
+    for (const Tet& tet : mesh.tets)
+      for (const std::int32_t node : tet)
+        if (node < 0 || node >= nodes) throw FileError("a tet refers to a node that is not there");
+    if (mesh.tets.empty()) throw FileError("it has no linear tets");
+    return mesh;
+  } catch (const FileError& e) {
+    throw FileError(path.string() + ": " + e.what());
+  }
+}
+
+}  // namespace remeshd::client

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""read_back.py MESH RAW: reads MESH with libraries that know nothing of remeshd and compares it,
+bit for bit, with the arrays that the test wrote raw into the folder RAW. Exit 0 where all agree."""
+import json
+import sys
+from pathlib import Path
+
+import meshio
+import numpy as np
+
+
+def raw(folder, name, dtype, width=None):
+    values = np.fromfile(folder / name, dtype)
+    return values.reshape(-1, width) if width else values
+
+
+def same(what, got, wanted):
+    got, wanted = np.ascontiguousarray(got), np.ascontiguousarray(wanted)
+    assert got.shape == wanted.shape, f"{what}: {got.shape} instead of {wanted.shape}"
+    if got.dtype.kind == "f":
+        got, wanted = got.view(np.uint64), wanted.view(np.uint64)
+    assert (got == wanted).all(), f"{what} differs"
+
+
+def facets_of(nodes):
+    return sorted(tuple(sorted(int(n) for n in f)) for f in nodes)
+
+
+def check_vtu(file, mesh, want):
+    data = {name: arrays[0] for name, arrays in mesh.cell_data.items()}
+    assert len(mesh.cells) == 1 and mesh.cells[0].type == "tetra"
+    same("tets", mesh.cells[0].data, want["tets"])
+    same("origin", mesh.point_data["origin"], want["origin"])
+    same("original_node", mesh.point_data["original_node"], want["original_node"])
+    same("node_id", mesh.point_data["node_id"], want["node_id"])
+    same("original_tet", data["original_tet"], want["original_tet"])
+    same("kept", data["kept"], (want["original_tet"] >= 0).astype(np.uint8))
+    same("tet_id", data["tet_id"], want["tet_id"])
+    same("cell", data["cell"], want["cell"])
+    for owner in {o for owners in want["cell_owners"] for o in owners}:
+        owned = [owner in want["cell_owners"][c] for c in want["cell"]]
+        same(owner, data["owner:" + owner], np.array(owned, np.uint8))
+    names = {n for group in want["facet_groups"] for n in group}
+    for name in names:
+        groups = set(int(g) for g in mesh.field_data["face:" + name])
+        got = [np.delete(tet, corner)
+               for tet, sides in zip(mesh.cells[0].data, data["facet_groups"])
+               for corner in range(4) if int(sides[corner]) in groups]
+        assert facets_of(got) == want["facets_on"](name), name
+    try:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+    except ImportError:
+        return
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid = reader.GetOutput()
+    assert grid.GetNumberOfCells() == len(want["tets"])
+    same("VTK points", vtk_to_numpy(grid.GetPoints().GetData()), want["points"])
+    same("VTK tets", vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4),
+         want["tets"])
+    same("VTK tet_id", vtk_to_numpy(grid.GetCellData().GetArray("tet_id")), want["tet_id"])
+
+
+def check_msh(file, mesh, want):
+    tets = [c for c in mesh.cells if c.type == "tetra"]
+    assert len(tets) == len(want["cell_owners"])
+    for cell, block in enumerate(tets):
+        same("tets of a cell", block.data, want["tets"][want["cell"] == cell])
+    for dimension, type_, groups in ((2, "triangle", want["facet_groups"]),
+                                     (3, "tetra", want["cell_owners"])):
+        for name in {n for group in groups for n in group} | {"+".join(g) for g in groups}:
+            tag, dim = mesh.field_data[name]
+            assert dim == dimension
+            got = [block.data[members] for block, members in zip(mesh.cells, mesh.cell_sets[name])
+                   if block.type == type_ and len(members)]
+            got = facets_of(np.vstack(got))
+            if dimension == 2:
+                wanted = want["facets_on"](name)
+            else:
+                wanted = facets_of(t for t, c in zip(want["tets"], want["cell"])
+                                   if set(name.split("+")) <= set(want["cell_owners"][c]))
+            assert got == wanted, name
+
+
+def abaqus_sides(tet):
+    """Node sets of S1..S4 of a C3D4, Abaqus Elements Guide 28.1.4."""
+    a, b, c, d = (int(n) for n in tet)
+    return {"S1": (a, b, c), "S2": (a, d, b), "S3": (b, d, c), "S4": (c, d, a)}
+
+
+def check_inp(file, mesh, want):
+    assert len(mesh.cells) == 1
+    same("tets", mesh.cells[0].data, want["tets"])
+    p = want["points"]
+    a, b, c, d = (p[want["tets"][:, k]] for k in range(4))
+    assert (np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) > 0).all()
+    for owner in {o for owners in want["cell_owners"] for o in owners}:
+        owned = [t for t, c in enumerate(want["cell"]) if owner in want["cell_owners"][c]]
+        same(owner, mesh.cell_sets[owner][0], np.array(owned, np.int32))
+    # meshio passes surfaces over: read them here.
+    surfaces, name = {}, None
+    for line in file.read_text().splitlines():
+        if line.startswith("*SURFACE"):
+            fields = dict(f.strip().split("=") for f in line.split(",")[1:])
+            assert fields["TYPE"] == "ELEMENT"
+            name = fields["NAME"]
+        elif line.startswith("*"):
+            name = None
+        elif name:
+            element, side = (f.strip() for f in line.split(","))
+            nodes = abaqus_sides(want["tets"][int(element) - 1])[side]
+            surfaces.setdefault(name, []).append(nodes)
+    for face in {n for group in want["facet_groups"] for n in group}:
+        label = face.replace(".", "_")
+        wanted = want["facets_on"](face)
+        assert facets_of(surfaces[label]) == wanted, face
+        same(label, mesh.point_sets[label], np.unique(np.array(wanted)).astype(np.int32))
+
+
+def main():
+    file, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    want = {
+        "points": raw(folder, "points", "<f8", 3),
+        "tets": raw(folder, "tets", "<i4", 4),
+        "origin": raw(folder, "origin", "u1"),
+        "original_node": raw(folder, "original_node", "<i4"),
+        "node_id": raw(folder, "node_id", "<u8"),
+        "original_tet": raw(folder, "original_tet", "<i4"),
+        "tet_id": raw(folder, "tet_id", "<u8"),
+        "cell": raw(folder, "cell", "<i4"),
+    }
+    want.update(json.loads((folder / "names.json").read_text()))
+    facets = raw(folder, "facets", "<i4", 5)
+
+    def facets_on(name):
+        """The facets that lie on all the faces that are joined in `name`."""
+        on = [set(name.split("+")) <= set(g) for g in want["facet_groups"]]
+        return facets_of(f[:3] for f in facets if on[f[4]])
+
+    want["facets_on"] = facets_on
+    mesh = meshio.read(file)
+    same("points", mesh.points, want["points"])
+    {".vtu": check_vtu, ".msh": check_msh, ".inp": check_inp}[file.suffix](file, mesh, want)
+
+
+main()
