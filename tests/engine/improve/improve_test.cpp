@@ -1,0 +1,207 @@
+#include "engine/improve/improve.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/base/error.h"
+#include "engine/improve/edge_chains.h"
+#include "engine/mesh/adjacency.h"
+#include "engine/mesh/quality.h"
+#include "tests/support/solid_fixture.h"
+
+namespace remeshd {
+namespace {
+
+using test::make_box;
+using test::make_cylinder;
+using test::SolidFixture;
+
+const Transform kTilted =
+    Transform::frame({2.0 / 3, 2.0 / 3, 1.0 / 3}, {-2.0 / 3, 1.0 / 3, 2.0 / 3},
+                     {1.0 / 3, -2.0 / 3, 2.0 / 3}, {5, -3, 2});
+
+ImproveResult clean(const SolidFixture& s, const ImproveOptions& options = {}) {
+  return improve(s.mesh, s.supports, s.boundary, s.all_dirty(), options, remeshd::Run{});
+}
+
+bool has_edge(const TetMesh& mesh, std::int32_t a, std::int32_t b) {
+  return std::any_of(mesh.tets.begin(), mesh.tets.end(), [&](const Tet& t) {
+    return std::count(t.begin(), t.end(), a) + std::count(t.begin(), t.end(), b) == 2;
+  });
+}
+
+/// Boundary facets and whether every edge of theirs is in exactly two of them.
+struct Shell {
+  std::size_t facets = 0;
+  bool closed = true;
+};
+Shell shell(const TetMesh& mesh) {
+  const auto neighbours = tet_neighbours(mesh.tets, mesh.nodes.size());
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  Shell result;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (int i = 0; i < 4; ++i) {
+      if (neighbours[t][i] >= 0) continue;
+      ++result.facets;
+      for (int k = 0; k < 3; ++k)
+        edges.emplace_back(mesh.tets[t][kTetFacets[i][k]],
+                           mesh.tets[t][kTetFacets[i][(k + 1) % 3]]);
+    }
+  std::sort(edges.begin(), edges.end());
+  if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) result.closed = false;
+  for (const auto& [a, b] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::pair{b, a})) result.closed = false;
+  return result;
+}
+
+class ImproveSeeds : public testing::TestWithParam<std::uint64_t> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, ImproveSeeds, testing::Range<std::uint64_t>(1, 11));
+
+TEST_P(ImproveSeeds, RaisesABoxOfSliversToTheThresholdAndTwentyDegrees) {
+  const SolidFixture s = make_box({2, 1, 1}, 14, GetParam());
+  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets);
+  ASSERT_LT(before.dihedral_min, 3);
+  const ImproveResult result = clean(s);
+  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets);
+  EXPECT_EQ(result.below_threshold, 0U);
+  EXPECT_GE(after.volume_length_min, 0.45);
+  EXPECT_GE(after.dihedral_min, 20);
+  EXPECT_LE(after.dihedral_max, 150);
+  EXPECT_GT(after.volume_length_mean, before.volume_length_mean);
+}
+
+TEST_P(ImproveSeeds, KeepsTheVolumeAndEveryFaceOfATiltedBoxToRounding) {
+  // In a tilted frame coplanar nodes make flat tets on the faces, which must be peeled or flipped.
+  const SolidFixture s = make_box({1, 1, 1}, 10, GetParam(), 0.3, kTilted);
+  const ImproveResult result = clean(s);
+  EXPECT_NEAR(measure_quality(result.mesh.nodes, result.mesh.tets).volume, 1.0, 1e-12);
+  EXPECT_TRUE(shell(result.mesh).closed);
+  for (std::size_t n = 0; n < s.supports.size(); ++n)
+    EXPECT_LT(
+        distance(project(s.boundary, s.supports[n], result.mesh.nodes[n]), result.mesh.nodes[n]),
+        1e-13)
+        << "node " << n << " left its support";
+}
+
+TEST_P(ImproveSeeds, LeavesACylinderClosedWithItsCirclesAndNearlyItsVolume) {
+  const SolidFixture s = make_cylinder(5, 4, 40, GetParam());
+  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets);
+  const ImproveResult result = clean(s);
+  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets);
+  EXPECT_GE(after.volume_length_min, 0.44);
+  EXPECT_GE(after.dihedral_min, 20);
+  EXPECT_NEAR(after.volume, before.volume, 0.003 * before.volume);
+  EXPECT_TRUE(shell(result.mesh).closed);
+  for (const auto& chain : edge_chains(s.boundary, s.supports, result.mesh.nodes))
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      EXPECT_TRUE(has_edge(result.mesh, chain[i], chain[i + 1]));
+}
+
+TEST(Improve, KeepsModelVerticesInPlaceAndModelEdgesChainsOfMeshEdges) {
+  const SolidFixture s = make_box({1, 1, 1}, 8, 3, 0.3);
+  const ImproveResult result = clean(s);
+  for (std::size_t n = 0; n < s.supports.size(); ++n) {
+    if (s.supports[n].kind != Support::Kind::Vertex) continue;
+    EXPECT_EQ(result.mesh.nodes[n], s.mesh.nodes[n]);
+    EXPECT_EQ(result.node_moved[n], 0);
+  }
+  for (const auto& chain : edge_chains(s.boundary, s.supports, result.mesh.nodes)) {
+    EXPECT_EQ(chain.size(), 9U);
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      EXPECT_TRUE(has_edge(result.mesh, chain[i], chain[i + 1]));
+  }
+}
+
+TEST(Improve, TellsExactlyWhichNodesMoved) {
+  const SolidFixture s = make_box({2, 1, 1}, 14, 1);
+  const ImproveResult result = clean(s);
+  ASSERT_EQ(result.node_moved.size(), s.mesh.nodes.size());
+  std::size_t moved = 0;
+  for (std::size_t n = 0; n < s.mesh.nodes.size(); ++n) {
+    EXPECT_EQ(result.node_moved[n] != 0, result.mesh.nodes[n] != s.mesh.nodes[n]) << "node " << n;
+    moved += result.node_moved[n];
+  }
+  EXPECT_GT(moved, 0U);
+  EXPECT_LT(moved, s.mesh.nodes.size() / 5);
+}
+
+TEST(Improve, WithNothingDirtyChangesNothing) {
+  const SolidFixture s = make_box({1, 1, 1}, 8, 2);
+  const std::vector<std::uint8_t> none(s.mesh.tets.size(), 0);
+  const ImproveResult result = improve(s.mesh, s.supports, s.boundary, none, {}, remeshd::Run{});
+  EXPECT_EQ(result.mesh.tets, s.mesh.tets);
+  EXPECT_EQ(result.mesh.nodes, s.mesh.nodes);
+  EXPECT_EQ(result.below_threshold, 0U);
+}
+
+TEST(Improve, LeavesTheMeshFarFromDirtyTetsAsItIs) {
+  const SolidFixture s = make_box({4, 1, 1}, 24, 2);
+  std::vector<std::uint8_t> dirty(s.mesh.tets.size(), 0);
+  const auto x = [&](const Tet& t) {
+    return 0.25 * (s.mesh.nodes[t[0]].x + s.mesh.nodes[t[1]].x + s.mesh.nodes[t[2]].x +
+                   s.mesh.nodes[t[3]].x);
+  };
+  for (std::size_t t = 0; t < dirty.size(); ++t) dirty[t] = x(s.mesh.tets[t]) < 1 ? 1 : 0;
+  const ImproveResult result = improve(s.mesh, s.supports, s.boundary, dirty, {}, remeshd::Run{});
+  const auto far = [&](const std::vector<Tet>& tets) {
+    std::vector<Tet> found;
+    std::copy_if(tets.begin(), tets.end(), std::back_inserter(found),
+                 [&](const Tet& t) { return x(t) > 2; });
+    return found;
+  };
+  EXPECT_EQ(far(result.mesh.tets), far(s.mesh.tets)) << "the same tets in the same order";
+  for (std::size_t n = 0; n < s.mesh.nodes.size(); ++n)
+    if (s.mesh.nodes[n].x > 2) {
+      EXPECT_EQ(result.node_moved[n], 0);
+    }
+  EXPECT_NE(result.mesh.tets, s.mesh.tets);
+}
+
+TEST(Improve, GivesTheSameBytesForTheSameInput) {
+  const SolidFixture s = make_cylinder(5, 4, 30, 7);
+  const ImproveResult first = clean(s);
+  const ImproveResult second = clean(s);
+  EXPECT_EQ(first.mesh.tets, second.mesh.tets);
+  EXPECT_EQ(first.mesh.nodes, second.mesh.nodes);
+  EXPECT_EQ(first.node_moved, second.node_moved);
+}
+
+TEST(Improve, NeverMakesTheWorstTetWorse) {
+  for (const double threshold : {0.1, 0.3, 0.6, 0.9}) {
+    const SolidFixture s = make_box({1, 1, 1}, 7, 11);
+    ImproveOptions options;
+    options.threshold = threshold;
+    const ImproveResult result = clean(s, options);
+    EXPECT_GE(measure_quality(result.mesh.nodes, result.mesh.tets).volume_length_min,
+              measure_quality(s.mesh.nodes, s.mesh.tets).volume_length_min)
+        << "threshold " << threshold;
+  }
+}
+
+TEST(Improve, CountsWhatStaysBelowTheThreshold) {
+  const SolidFixture s = make_box({1, 1, 1}, 6, 5);
+  ImproveOptions options;
+  options.threshold = 0.95;
+  const ImproveResult result = clean(s, options);
+  std::uint32_t below = 0;
+  for (const Tet& t : result.mesh.tets)
+    if (volume_length(result.mesh.nodes[t[0]], result.mesh.nodes[t[1]], result.mesh.nodes[t[2]],
+                      result.mesh.nodes[t[3]]) < 0.95)
+      ++below;
+  EXPECT_GT(below, 0U);
+  EXPECT_EQ(result.below_threshold, below);
+}
+
+TEST(Improve, StopsWhenAskedTo) {
+  std::stop_source source;
+  source.request_stop();
+  remeshd::Run run;
+  run.stop = source.get_token();
+  const SolidFixture s = make_box({1, 1, 1}, 6, 5);
+  EXPECT_THROW(improve(s.mesh, s.supports, s.boundary, s.all_dirty(), {}, run), Error);
+}
+
+}  // namespace
+}  // namespace remeshd
