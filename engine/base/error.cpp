@@ -235,4 +235,20 @@ Error kernel_failure(std::string_view what, std::string_view feature) {
                         "keep them further apart"});
 }
 
+Error options_invalid(std::string_view option, std::string_view why) {
+  return Error({.kind = ErrorKind::InvalidArgument,
+                .reason = "OptionsInvalid",
+                .message = "option " + std::string(option) + ": " + std::string(why),
+                .stage = "request",
+                .parameter = std::string(option)});
+}
+
+Error boundary_not_recovered(std::string_view what) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "BoundaryNotRecovered",
+                .message = "no valid mesh could be made: " + std::string(what),
+                .stage = "verify",
+                .hint = "ask for more nodes or a smaller edge length"});
+}
+
 }  // namespace remeshd::error

@@ -106,5 +106,10 @@ Error non_manifold_model(std::string_view what, double x, double y, double z);
 /// The CAD kernel failed, or a check of its result did.
 Error kernel_failure(std::string_view what, std::string_view feature = {});
 
+/// `option`: `nodes`, `size`, `iterations`.
+Error options_invalid(std::string_view option, std::string_view why);
+/// `what`: what is missing or wrong, and where.
+Error boundary_not_recovered(std::string_view what);
+
 }  // namespace error
 }  // namespace remeshd

@@ -20,9 +20,10 @@ struct MeshOptions {
   /// base's density.
   std::optional<std::uint32_t> nodes;  ///< target count of nodes, 20 .. 5,000,000
   std::optional<double> size;          ///< target edge length, model's unit, > 0
-  std::uint32_t iterations = 0;        ///< of the optimisation loop, at most 1000; 0: until quality stops improving
+  std::uint32_t iterations =
+      0;  ///< of the optimisation loop, at most 1000; 0: until quality stops improving
   std::uint64_t seed = 1;
-  bool clean_up = true;                ///< false leaves the peeled Delaunay mesh as it is
+  bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 
@@ -31,11 +32,13 @@ enum class NodeOrigin : std::uint8_t { New = 0, Kept = 1, Moved = 2 };
 /// Where each node and tet of a mesh comes from.
 struct NodeMap {
   std::vector<NodeOrigin> node_origin;
-  std::vector<std::int32_t> original_node;     ///< in the original mesh; -1 where New
-  std::vector<std::int32_t> node_transform;    ///< index into `transforms`; -1 where New
-  std::vector<std::int32_t> original_tet;      ///< in the original mesh; -1 where not kept
-  std::vector<Transform> transforms;           ///< of the source features; a kept node is transform(original) to the bit
-  std::vector<std::string> transform_features; ///< for each transform: the first source feature that has it
+  std::vector<std::int32_t> original_node;   ///< in the original mesh; -1 where New
+  std::vector<std::int32_t> node_transform;  ///< index into `transforms`; -1 where New
+  std::vector<std::int32_t> original_tet;    ///< in the original mesh; -1 where not kept
+  std::vector<Transform>
+      transforms;  ///< of the source features; a kept node is transform(original) to the bit
+  std::vector<std::string>
+      transform_features;  ///< for each transform: the first source feature that has it
 };
 
 /// A boundary facet: a triangle of the mesh, outward, with its tet and its set of model faces.
@@ -48,15 +51,17 @@ struct MeshFacet {
 /// Names on a mesh: what its facets lie on and who owns its tets.
 struct MeshGroups {
   std::vector<MeshFacet> facets;
-  std::vector<std::vector<std::string>> facet_groups;  ///< `hole1.wall`, latest owner on the material side first
-  std::vector<std::int32_t> tet_cell;                  ///< for each tet: index into `cell_owners`
-  std::vector<std::vector<std::string>> cell_owners;   ///< feature ids in history order
+  std::vector<std::vector<std::string>>
+      facet_groups;                    ///< `hole1.wall`, latest owner on the material side first
+  std::vector<std::int32_t> tet_cell;  ///< for each tet: index into `cell_owners`
+  std::vector<std::vector<std::string>> cell_owners;  ///< feature ids in history order
 };
 
 /// Everything the delivered mesh is made of, in the order of the files and the stream.
 struct Delivery {
   TetMesh mesh;
-  std::vector<std::uint64_t> node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
+  std::vector<std::uint64_t>
+      node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
   std::vector<std::uint64_t> tet_ids;
   MeshGroups groups;
   NodeMap map;
@@ -67,11 +72,12 @@ struct Master;
 
 /// One design revision as the engine sees it: immutable once made.
 struct Revision {
-  ModelSource source;          ///< as asked for
-  FeatureModel model;          ///< evaluated
-  FeatureModel meshed_model;   ///< the model that the mesh was made for (differs from `model` by rounding only)
-  MeshOptions options;         ///< as resolved; an edit inherits these
-  double edge_length = 0;      ///< target edge length l; an edit inherits it as its density
+  ModelSource source;         ///< as asked for
+  FeatureModel model;         ///< evaluated
+  FeatureModel meshed_model;  ///< the model that the mesh was made for (differs from `model` by
+                              ///< rounding only)
+  MeshOptions options;        ///< as resolved; an edit inherits these
+  double edge_length = 0;     ///< target edge length l; an edit inherits it as its density
   CellularModel cells;
   std::shared_ptr<const Master> master;
   Delivery delivery;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// Position of p along a Hilbert curve through the box, 16 bits an axis (Skilling 2004).
+std::uint64_t hilbert_key(const Vec3& p, const Box& box);
+
+/// The nodes in a biased randomised insertion order (Amenta, Choi & Rote 2003): rounds of growing
+/// size, each along a Hilbert curve; the rounds are drawn from the node's own index, so the same
+/// nodes give the same order.
+std::vector<std::int32_t> insertion_order(std::span<const Vec3> positions,
+                                          std::span<const std::int32_t> nodes, const Box& box);
+
+}  // namespace remeshd

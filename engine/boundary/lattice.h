@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+#include "engine/base/random.h"
+#include "engine/base/surface.h"
+
+namespace remeshd {
+
+/// Calls `visit(point)` for the points of a jittered lattice on the part of the surface that lies
+/// in `box` (and some beyond): rows along the surface's second parameter, each divided evenly along
+/// its first, so that neighbours are about `spacing` apart whatever the curvature.
+void visit_lattice(const Surface& surface, const Box& box, double spacing, double jitter,
+                   Random& random, const std::function<void(const Vec3&)>& visit);
+
+}  // namespace remeshd

@@ -1,0 +1,141 @@
+#include "engine/boundary/samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/boundary/lattice.h"
+
+namespace remeshd {
+
+namespace {
+
+/// Share of the model's diagonal by which a point is moved off a face to see what lies there.
+constexpr double kProbe = 1e-9;
+constexpr std::size_t kFewSamples = 3;  // below this a face is sampled at its triangles instead
+
+Box face_box(const BoundaryFace& face) {
+  Box box;
+  for (const Vec3& p : face.points) box.add(p);
+  return box;
+}
+
+double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  // Closest point of a triangle (Ericson 2005, 5.1.5).
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return norm2(ap);
+  const Vec3 bp = p - b;
+  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return norm2(bp);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return norm2(p - (a + (d1 / (d1 - d3)) * ab));
+  const Vec3 cp = p - c;
+  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return norm2(cp);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return norm2(p - (a + (d2 / (d2 - d6)) * ac));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return norm2(p - (b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b)));
+  const double s = 1.0 / (va + vb + vc);
+  return norm2(p - (a + (vb * s) * ab + (vc * s) * ac));
+}
+
+double face_distance2(const BoundaryFace& face, const Vec3& p) {
+  double best = HUGE_VAL;
+  for (const auto& t : face.triangles)
+    best = std::fmin(
+        best, triangle_distance2(p, face.points[t[0]], face.points[t[1]], face.points[t[2]]));
+  return best;
+}
+
+/// For each face the others on the same surface: a lattice point belongs to the nearest of them.
+std::vector<std::vector<int>> rivals(const BoundaryModel& boundary) {
+  const double tolerance = 1e-9 * boundary.bounds.diagonal();
+  std::vector<std::vector<int>> result(boundary.faces.size());
+  for (std::size_t i = 0; i < boundary.faces.size(); ++i)
+    for (std::size_t j = 0; j < boundary.faces.size(); ++j)
+      if (i != j && boundary.faces[i].surface.kind == boundary.faces[j].surface.kind &&
+          boundary.faces[i].reversed == boundary.faces[j].reversed &&
+          same_surface(boundary.faces[i].surface, boundary.faces[j].surface, boundary.bounds,
+                       tolerance))
+        result[i].push_back(static_cast<int>(j));
+  return result;
+}
+
+void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
+                 const Membership& membership, double spacing, double jitter, Random random,
+                 std::vector<Sample>& out) {
+  const BoundaryFace& face = boundary.faces[index];
+  const Support support{Support::Kind::Face, index};
+  const double probe = kProbe * boundary.bounds.diagonal();
+  const Box box = face_box(face);
+  const std::size_t begin = out.size();
+  visit_lattice(face.surface, box, spacing, jitter, random, [&](const Vec3& p) {
+    if (!box.contains(p, spacing)) return;
+    const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
+    if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
+    if (!others.empty()) {
+      const double own = face_distance2(face, p);
+      for (const int other : others)
+        if (face_distance2(boundary.faces[other], p) < own) return;
+    }
+    out.push_back({p, 0, support});
+  });
+  if (out.size() - begin < kFewSamples) {
+    out.resize(begin);
+    for (const auto& t : face.triangles) {
+      const Vec3 centroid = (face.points[t[0]] + face.points[t[1]] + face.points[t[2]]) / 3.0;
+      out.push_back({project(face.surface, centroid), 0, support});
+    }
+  }
+  for (std::size_t k = begin; k < out.size(); ++k)
+    out[k].weight = face.area / static_cast<double>(out.size() - begin);
+}
+
+void sample_edge(const BoundaryModel& boundary, int index, double spacing, double jitter,
+                 Random random, std::vector<Sample>& out) {
+  const BoundaryEdge& edge = boundary.edges[index];
+  double chords = 0;
+  for (std::size_t k = 1; k < edge.points.size(); ++k)
+    chords += distance(edge.points[k - 1], edge.points[k]);
+  const int count = std::max(3, static_cast<int>(std::ceil(edge.length / spacing)));
+  std::size_t k = 1;
+  double passed = 0;  // length of the chords before points[k - 1]
+  for (int i = 0; i < count; ++i) {
+    const double at = chords * (i + 0.5 + jitter * random.uniform(-0.5, 0.5)) / count;
+    while (k + 1 < edge.points.size() &&
+           passed + distance(edge.points[k - 1], edge.points[k]) < at) {
+      passed += distance(edge.points[k - 1], edge.points[k]);
+      ++k;
+    }
+    const double chord = distance(edge.points[k - 1], edge.points[k]);
+    const double t = chord > 0 ? (at - passed) / chord : 0;
+    const Vec3 p = edge.points[k - 1] + t * (edge.points[k] - edge.points[k - 1]);
+    out.push_back({project(boundary, edge, p), edge.length / count, {Support::Kind::Edge, index}});
+  }
+}
+
+}  // namespace
+
+Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
+                        double edge_length, std::uint64_t seed, const SampleOptions& options,
+                        const Run& run) {
+  Samples samples;
+  const std::vector<std::vector<int>> others = rivals(boundary);
+  for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
+    run.poll();
+    sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
+                options.jitter, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), samples.points);
+  }
+  samples.edges_begin = samples.points.size();
+  for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)
+    sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter,
+                Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
+  samples.vertices_begin = samples.points.size();
+  for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v)
+    samples.points.push_back({boundary.vertices[v].position, 1, {Support::Kind::Vertex, v}});
+  return samples;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,47 @@
+#include "engine/extract/common_face.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace remeshd {
+
+FacesOf::FacesOf(const BoundaryModel& boundary)
+    : face_(boundary.faces.size()),
+      edge_(boundary.edges.size()),
+      vertex_(boundary.vertices.size()) {
+  std::iota(face_.begin(), face_.end(), 0);
+  for (std::size_t e = 0; e < edge_.size(); ++e) edge_[e] = boundary.edges[e].faces;
+  for (std::size_t v = 0; v < vertex_.size(); ++v) {
+    for (const int e : boundary.vertices[v].edges)
+      vertex_[v].insert(vertex_[v].end(), edge_[e].begin(), edge_[e].end());
+    std::sort(vertex_[v].begin(), vertex_[v].end());
+    vertex_[v].erase(std::unique(vertex_[v].begin(), vertex_[v].end()), vertex_[v].end());
+  }
+}
+
+std::span<const int> FacesOf::operator()(const Support& support) const {
+  switch (support.kind) {
+    case Support::Kind::Face:
+      return {&face_[support.entity], 1};
+    case Support::Kind::Edge:
+      return edge_[support.entity];
+    case Support::Kind::Vertex:
+      return vertex_[support.entity];
+    case Support::Kind::Interior:
+      break;
+  }
+  return {};
+}
+
+int FacesOf::common(std::span<const Support> supports) const {
+  for (const int face : (*this)(supports[0])) {
+    const bool shared = std::all_of(supports.begin() + 1, supports.end(), [&](const Support& s) {
+      const auto faces = (*this)(s);
+      return std::binary_search(faces.begin(), faces.end(), face);
+    });
+    if (shared) return face;
+  }
+  return -1;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/model/solid.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+struct PeelOptions {
+  double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
+};
+
+/// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
+/// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
+/// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
+/// they show two facets and are of low quality.
+std::vector<Tet> peel(const NodeSet& nodes, std::span<const Tet> delaunay,
+                      const BoundaryModel& boundary, const Membership& membership,
+                      const PeelOptions& options, const Run& run);
+
+}  // namespace remeshd

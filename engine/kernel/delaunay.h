@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/base/vec.h"
+
+namespace remeshd::kernel {
+
+/// Delaunay tetrahedralisation in flat arrays, by incremental insertion (Bowyer 1981, Watson 1981)
+/// with exact predicates, inside a tetrahedron far around the points.
+///
+/// Copying one is a copy of three arrays: the mesh of the fixed nodes is built once and copied in
+/// every iteration, and only the free nodes are inserted (Sect. 8: "initialise the mesh with the
+/// free and fixed nodes").
+///
+/// Inv: the tets are those of the Delaunay mesh of the inserted nodes and four far corners; where
+/// five nodes or more share an empty sphere, one of the possible meshes.
+class Delaunay {
+ public:
+  /// A tet's corners: node indices, negative for the far corners.
+  using Corners = std::array<std::int32_t, 4>;
+
+  explicit Delaunay(const Box& bounds);
+
+  /// Inserts nodes at `positions[node]`, in an order along a space-filling curve of its own choice.
+  /// A node at the very place of an inserted one stays out.
+  /// Pre: none of them is inserted yet.
+  void insert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes, const Run& run);
+
+  /// Calls f(corners) for every tet that has no far corner.
+  template <class F>
+  void for_each_tet(F&& f) const {
+    for (const Slot& s : slots_)
+      if (s.v[0] >= kFar && s.v[1] >= kFar && s.v[2] >= kFar && s.v[3] >= kFar)
+        f(Corners{s.v[0] - kFar, s.v[1] - kFar, s.v[2] - kFar, s.v[3] - kFar});
+  }
+  /// Number of tets, those at the far corners included.
+  [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
+
+ private:
+  static constexpr std::int32_t kFar = 4;  ///< vertices below are the far corners
+  static constexpr std::int32_t kDead = -1;
+
+  struct Slot {
+    std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
+    std::array<std::int32_t, 4> n;  ///< 4 * neighbour + its facet, opposite v[i]; -1: none
+  };
+  struct Rim {                      ///< a facet of the cavity, seen from inside
+    std::int32_t outer;             ///< 4 * tet + facet beyond it, -1: none
+    std::array<std::int32_t, 3> v;  ///< oriented so that (v, new point) is positive
+  };
+  struct EdgeEntry {
+    std::uint64_t key;
+    std::int32_t facet;
+    std::uint32_t epoch;
+  };
+
+  bool insert_one(std::int32_t vertex);
+  [[nodiscard]] std::int32_t locate(const Vec3& p) const;
+  [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;
+  std::int32_t allocate();
+  void link(std::int32_t facet, std::int32_t a, std::int32_t b);
+
+  std::vector<Vec3> points_;  ///< by vertex
+  std::vector<Slot> slots_;
+  std::vector<std::int32_t> free_;
+  std::int32_t hint_ = 0;
+
+  // Scratch of one insertion, kept for its memory.
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t epoch_ = 0;
+  std::vector<std::int32_t> cavity_;
+  std::vector<Rim> rim_;
+  std::vector<EdgeEntry> edges_;
+};
+
+}  // namespace remeshd::kernel

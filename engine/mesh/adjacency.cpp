@@ -1,0 +1,49 @@
+#include "engine/mesh/adjacency.h"
+
+#include <algorithm>
+
+namespace remeshd {
+
+std::vector<std::array<std::int32_t, 4>> tet_neighbours(std::span<const Tet> tets,
+                                                        std::size_t node_count) {
+  struct Facet {
+    std::int32_t mid, high;  // the two larger nodes; the smallest names the bucket
+    std::int32_t facet;      // 4 * tet + i
+  };
+  std::vector<std::uint32_t> begin(node_count + 1, 0);
+  const auto sorted = [](const Tet& t, int i) {
+    std::array<std::int32_t, 3> f{t[kTetFacets[i][0]], t[kTetFacets[i][1]], t[kTetFacets[i][2]]};
+    if (f[0] > f[1]) std::swap(f[0], f[1]);
+    if (f[1] > f[2]) std::swap(f[1], f[2]);
+    if (f[0] > f[1]) std::swap(f[0], f[1]);
+    return f;
+  };
+  for (const Tet& t : tets)
+    for (int i = 0; i < 4; ++i) ++begin[sorted(t, i)[0] + 1];
+  for (std::size_t n = 1; n <= node_count; ++n) begin[n] += begin[n - 1];
+  std::vector<Facet> facets(tets.size() * 4);
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t k = 0; k < tets.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      const auto f = sorted(tets[k], i);
+      facets[next[f[0]]++] = {f[1], f[2], static_cast<std::int32_t>(4 * k + i)};
+    }
+  std::vector<std::array<std::int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
+  for (std::size_t n = 0; n < node_count; ++n) {
+    for (std::uint32_t a = begin[n]; a < begin[n + 1]; ++a) {
+      if (facets[a].facet < 0) continue;
+      for (std::uint32_t b = a + 1; b < begin[n + 1]; ++b) {
+        if (facets[b].facet < 0 || facets[a].mid != facets[b].mid ||
+            facets[a].high != facets[b].high)
+          continue;
+        neighbours[facets[a].facet >> 2][facets[a].facet & 3] = facets[b].facet >> 2;
+        neighbours[facets[b].facet >> 2][facets[b].facet & 3] = facets[a].facet >> 2;
+        facets[b].facet = -1;
+        break;
+      }
+    }
+  }
+  return neighbours;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,100 @@
+#include "engine/nodes/active_faces.h"
+
+#include <algorithm>
+
+#include "engine/boundary/lattice.h"
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kSpacing = 0.5;   // of the edge length
+constexpr double kGridCell = 0.8;  // of the edge length
+
+Box intersection(const Box& a, const Box& b) {
+  return {{std::fmax(a.lo.x, b.lo.x), std::fmax(a.lo.y, b.lo.y), std::fmax(a.lo.z, b.lo.z)},
+          {std::fmin(a.hi.x, b.hi.x), std::fmin(a.hi.y, b.hi.y), std::fmin(a.hi.z, b.hi.z)}};
+}
+
+bool void_box(const Box& b) { return b.lo.x > b.hi.x || b.lo.y > b.hi.y || b.lo.z > b.hi.z; }
+
+Box transformed(const Box& box, const Transform& t) {
+  Box out;
+  for (int k = 0; k < 8; ++k)
+    out.add(t.apply({(k & 1) ? box.hi.x : box.lo.x, (k & 2) ? box.hi.y : box.lo.y,
+                     (k & 4) ? box.hi.z : box.lo.z}));
+  return out;
+}
+
+/// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
+class FaceVisitor {
+ public:
+  FaceVisitor(NodeSet& nodes, const PointSource& source, double edge_length, const Run& run)
+      : nodes_(nodes),
+        source_(source),
+        grid_(nodes.positions, kGridCell * edge_length),
+        spacing_(kSpacing * edge_length),
+        run_(run) {}
+
+  void visit(const Solid& solid, const Transform& motion, const Transform& back,
+             const std::vector<Box>& where) {
+    const Box bounds = transformed(solid.bounds(), motion);
+    for (std::size_t b = 0; b < where.size(); ++b) {
+      const Box part = intersection(bounds, where[b]);
+      if (void_box(part)) continue;
+      run_.poll();
+      for (const SolidFace& face : solid.faces()) {
+        Surface surface = face.surface;
+        surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
+        Random random(1);  // unjittered, but for where rows begin
+        visit_lattice(surface, part, spacing_, 0, random, [&](const Vec3& p) {
+          if (!part.contains(p, source_.probe())) return;
+          for (std::size_t earlier = 0; earlier < b; ++earlier)
+            if (where[earlier].contains(p)) return;
+          look_at(solid, back, p, normal(surface, p));
+        });
+      }
+    }
+  }
+
+ private:
+  void look_at(const Solid& solid, const Transform& back, const Vec3& p, const Vec3& n) {
+    const Vec3 off = source_.probe() * n;
+    if (solid.contains(back.apply(p + off)) == solid.contains(back.apply(p - off))) return;
+    if (!source_.active_face(p, n)) return;
+    const std::int32_t node = grid_.nearest(p);
+    if (node >= 0) nodes_.free[node] = 1;
+  }
+
+  NodeSet& nodes_;
+  const PointSource& source_;
+  const NearestNode grid_;
+  const double spacing_;
+  const Run& run_;
+};
+
+}  // namespace
+
+void free_at_active_faces(NodeSet& nodes, const PointSource& source, double edge_length,
+                          const Run& run) {
+  FaceVisitor visitor(nodes, source, edge_length, run);
+  for (const Solid& solid : source.modified().solids())
+    visitor.visit(solid, {}, {}, source.changed());
+  if (!source.original()) return;
+  for (std::size_t t = 0; t < source.transforms().size(); ++t) {
+    // Copies made by this transformation end up within its features' new extent.
+    std::vector<Box> where;
+    if (source.transforms()[t].is_identity()) {
+      where = source.changed();
+    } else {
+      for (const SourceFeature& s : source.sources())
+        if (s.transform == static_cast<std::int32_t>(t) && s.volume > 0)
+          where.push_back(source.modified().solids()[s.modified].bounds());
+    }
+    for (const Solid& solid : source.original()->solids())
+      visitor.visit(solid, source.transforms()[t], source.inverses()[t], where);
+  }
+}
+
+}  // namespace remeshd

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/nodes/node_set.h"
+#include "engine/plan/point_source.h"
+
+namespace remeshd {
+
+/// Frees the nodes in the vicinity of active faces (Sect. 7): faces between copies of different
+/// origin, and faces that are boundary in one of the models only. All faces of the modified
+/// features are looked at, and those of the original features wherever a copy carries them along.
+/// Regularly spaced points on each free their nearest node.
+///
+/// `edge_length`: target edge length; the points are half of it apart.
+void free_at_active_faces(NodeSet& nodes, const PointSource& source, double edge_length,
+                          const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/cellular/support.h"
+
+namespace remeshd {
+
+/// The nodes that the optimisation works on.
+///
+/// Inv: all arrays are equally long; a fixed node never moves; `original` and `transform` are -1
+/// both for new nodes.
+struct NodeSet {
+  std::vector<Vec3> positions;
+  std::vector<Support> supports;
+  std::vector<std::uint8_t> free;       ///< 1: moved by the optimisation (Sect. 7)
+  std::vector<std::int32_t> original;   ///< index of the original mesh's node it is a copy of
+  std::vector<std::int32_t> transform;  ///< index into CopyPlan::transforms
+
+  [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
+  void add_new(const Vec3& p, const Support& support = {}) {
+    positions.push_back(p);
+    supports.push_back(support);
+    free.push_back(1);
+    original.push_back(-1);
+    transform.push_back(-1);
+  }
+};
+
+}  // namespace remeshd

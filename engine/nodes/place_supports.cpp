@@ -1,0 +1,51 @@
+#include "engine/nodes/place_supports.h"
+
+#include <algorithm>
+
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kSearch = 1.2;  // x edge length: a face's samples are .36 apart, one is in reach
+
+std::vector<Vec3> positions_of(const Samples& samples) {
+  std::vector<Vec3> positions;
+  positions.reserve(samples.points.size());
+  for (const Sample& s : samples.points) positions.push_back(s.position);
+  return positions;
+}
+
+}  // namespace
+
+void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
+                    double edge_length, double tolerance) {
+  const std::vector<Vec3> positions = positions_of(samples);
+  const NearestNode grid(positions, 0.8 * edge_length);
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (nodes.free[n]) {
+      nodes.supports[n] = {};
+      continue;
+    }
+    if (nodes.supports[n].kind == Support::Kind::Interior) continue;
+    const Vec3& p = nodes.positions[n];
+    // The strongest kind of entity the node stands on (a vertex before an edge before a face); of
+    // several of a kind the one with the nearest sample.
+    Support best;
+    double best_d = HUGE_VAL;
+    grid.for_each_within(p, kSearch * edge_length, [&](std::int32_t index, double d) {
+      const Support& s = samples.points[index].support;
+      if (s.kind < best.kind || (s.kind == best.kind && d >= best_d) ||
+          s.kind > nodes.supports[n].kind)
+        return;
+      if (s != best && distance(project(boundary, s, p), p) > tolerance) return;
+      best = s;
+      best_d = d;
+    });
+    nodes.supports[n] = best;
+    if (best.kind == Support::Kind::Interior) nodes.free[n] = 1;
+  }
+}
+
+}  // namespace remeshd

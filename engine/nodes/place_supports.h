@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/boundary/samples.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+/// Finds for every fixed node that stood on the boundary of the original model the vertex, edge or
+/// face of the modified one that it stands on now. A node that finds none is freed: its piece of
+/// boundary is gone.
+///
+/// `tolerance`: distance within which a node counts as standing on an entity, length.
+/// `edge_length`: target edge length.
+void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
+                    double edge_length, double tolerance);
+
+}  // namespace remeshd

@@ -1,0 +1,78 @@
+#include "engine/optimise/active_samples.h"
+
+#include <numeric>
+
+namespace remeshd {
+
+namespace {
+constexpr double kBorder = 0.6;    // of the edge length: the next one or two samples of a face
+constexpr double kGridCell = 0.8;  // of the edge length
+}  // namespace
+
+ActiveSamples::ActiveSamples(const Samples& samples)
+    : samples_(&samples),
+      states_(samples.points.size(), State::Active),
+      participants_(samples.points.size()),
+      active_count_(static_cast<std::uint32_t>(samples.points.size())) {
+  std::iota(participants_.begin(), participants_.end(), 0U);
+}
+
+ActiveSamples::ActiveSamples(const Samples& samples, const NodeSet& nodes, double edge_length)
+    : samples_(&samples),
+      edge_length_(edge_length),
+      states_(samples.points.size(), State::Resting) {
+  positions_.reserve(samples.points.size());
+  for (const Sample& s : samples.points) positions_.push_back(s.position);
+  grid_.emplace_back(positions_, kGridCell * edge_length);
+  refresh(nodes);
+}
+
+void ActiveSamples::refresh(const NodeSet& nodes) {
+  if (grid_.empty()) return;
+  // Samples far from every free node cannot have one nearest: look only round the free nodes.
+  std::vector<Vec3> free;
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (nodes.free[n]) free.push_back(nodes.positions[n]);
+  const NearestNode grid(nodes.positions, kGridCell * edge_length_);
+  std::vector<std::uint8_t> near(states_.size(), 0);
+  for (const Vec3& p : free)
+    grid_.front().for_each_within(p, 1.5 * edge_length_,
+                                  [&](std::int32_t s, double) { near[s] = 1; });
+  for (std::uint32_t s = 0; s < states_.size(); ++s) {
+    if (!near[s] || states_[s] == State::Active) continue;
+    const std::int32_t node = grid.nearest(positions_[s]);
+    if (node >= 0 && nodes.free[node]) activate(s);
+  }
+  collect();
+}
+
+void ActiveSamples::promote(std::span<const std::uint32_t> pulling) {
+  if (grid_.empty()) return;
+  bool changed = false;
+  for (const std::uint32_t s : pulling) {
+    if (states_[s] == State::Active) continue;
+    activate(s);
+    changed = true;
+  }
+  if (changed) collect();
+}
+
+void ActiveSamples::activate(std::uint32_t sample) {
+  states_[sample] = State::Active;
+  grid_.front().for_each_within(positions_[sample], kBorder * edge_length_,
+                                [&](std::int32_t other, double) {
+                                  if (states_[other] == State::Resting)
+                                    states_[other] = State::Border;
+                                });
+}
+
+void ActiveSamples::collect() {
+  participants_.clear();
+  active_count_ = 0;
+  for (std::uint32_t s = 0; s < states_.size(); ++s) {
+    if (states_[s] != State::Resting) participants_.push_back(s);
+    if (states_[s] == State::Active) ++active_count_;
+  }
+}
+
+}  // namespace remeshd

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/boundary/samples.h"
+#include "engine/nodes/nearest.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+/// Which samples take part in the boundary procedure of a remesh (Sect. 8): the active ones have a
+/// free node nearest; their neighbours are border-active, for a fixed node near them may yield to
+/// a free one; the others rest.
+class ActiveSamples {
+ public:
+  /// All samples are active (a first mesh).
+  explicit ActiveSamples(const Samples& samples);
+  /// Those whose nearest node is free are active. `edge_length`: samples within `kBorder` of it are
+  /// neighbours.
+  ActiveSamples(const Samples& samples, const NodeSet& nodes, double edge_length);
+
+  /// Active and border-active samples, ascending.
+  [[nodiscard]] const std::vector<std::uint32_t>& participants() const { return participants_; }
+  [[nodiscard]] std::uint32_t active_count() const { return active_count_; }
+
+  /// These had a free node nearest: border-active ones among them become active, and their resting
+  /// neighbours border-active.
+  void promote(std::span<const std::uint32_t> pulling);
+
+  /// The set of free nodes has grown: samples whose nearest node is free now become active.
+  void refresh(const NodeSet& nodes);
+
+ private:
+  enum class State : std::uint8_t { Resting, Border, Active };
+  void activate(std::uint32_t sample);
+  void collect();
+
+  const Samples* samples_;
+  double edge_length_ = 0;
+  std::vector<State> states_;
+  std::vector<Vec3> positions_;
+  std::vector<NearestNode> grid_;  ///< of the samples; empty where all are active
+  std::vector<std::uint32_t> participants_;
+  std::uint32_t active_count_ = 0;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/boundary/samples.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/model/solid.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+struct OptimiseOptions {
+  double edge_length = 0;        ///< target edge length l
+  std::uint32_t iterations = 0;  ///< loops; 0: until quality stops improving
+  std::uint32_t auto_min = 4, auto_max = 30;
+  double auto_gain = 0.002;  ///< improvement of the mean volume-length below which `auto` stops
+  double reach = 3;          ///< x l: how far from the first free nodes expansion may go
+};
+
+struct OptimiseResult {
+  std::vector<Tet> tets;  ///< the Delaunay mesh of all nodes, outside included
+  std::vector<std::uint32_t> free_per_iteration;
+  std::uint32_t samples_active = 0;  ///< at the end
+};
+
+/// The optimisation loop (Sect. 3.3 and 8): the boundary procedure with the active samples,
+/// Delaunay mesh, optimal Delaunay relocation (Chen 2003) of the free interior nodes; after
+/// iterations 1 and 4 the layer of fixed nodes next to the free ones is freed too. Nodes may be
+/// added by splitting.
+///
+/// A first mesh is the case of all nodes free.
+OptimiseResult optimise(NodeSet& nodes, const BoundaryModel& boundary, const Membership& membership,
+                        const Samples& samples, const OptimiseOptions& options, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,165 @@
+#include "engine/optimise/pull.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kGridCell = 0.8;  // of the edge length: fastest for one-nearest queries
+
+void connect(std::vector<std::vector<int>>& sets, const std::vector<int>& members) {
+  for (const int a : members)
+    for (const int b : members)
+      if (a != b) sets[a].push_back(b);
+}
+
+void tidy(std::vector<std::vector<int>>& sets) {
+  for (auto& s : sets) {
+    std::sort(s.begin(), s.end());
+    s.erase(std::unique(s.begin(), s.end()), s.end());
+  }
+}
+
+/// What one set of samples, those of one face or edge, pulls on one node with.
+struct Pull {
+  std::int32_t node;
+  std::int32_t entity;
+  double weight;
+  Vec3 moment;
+};
+
+/// Sums up the pulls of the active samples in [begin, end) by node and entity, in that order.
+std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
+                         std::span<const std::uint32_t> active, const NearestNode& grid,
+                         std::vector<std::uint32_t>& pulling, const Run& run) {
+  std::vector<Pull> pulls;
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    if (k % 4096 == 0) run.poll();
+    const Sample& s = samples.points[active[k]];
+    const std::int32_t node = grid.nearest(s.position);
+    if (node < 0 || !nodes.free[node]) continue;
+    pulling.push_back(active[k]);
+    pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});
+  }
+  std::stable_sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
+    return std::pair(a.node, a.entity) < std::pair(b.node, b.entity);
+  });
+  std::size_t out = 0;
+  for (std::size_t k = 0; k < pulls.size(); ++k) {
+    if (out > 0 && pulls[out - 1].node == pulls[k].node &&
+        pulls[out - 1].entity == pulls[k].entity) {
+      pulls[out - 1].weight += pulls[k].weight;
+      pulls[out - 1].moment += pulls[k].moment;
+    } else {
+      pulls[out++] = pulls[k];
+    }
+  }
+  pulls.resize(out);
+  return pulls;
+}
+
+Vec3 target(const BoundaryModel& boundary, Support support, const Pull& pull) {
+  return project(boundary, support, pull.moment / pull.weight);
+}
+
+/// Moves every pulled node to its strongest set and splits it where sets that are not adjacent
+/// contend for it.
+void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& adjacency,
+                Support::Kind kind, const std::vector<Pull>& pulls, const PullOptions& options) {
+  for (std::size_t first = 0; first < pulls.size();) {
+    std::size_t last = first;
+    std::size_t strongest = first;
+    for (; last < pulls.size() && pulls[last].node == pulls[first].node; ++last)
+      if (pulls[last].weight > pulls[strongest].weight) strongest = last;
+    const Pull& winner = pulls[strongest];
+    nodes.supports[winner.node] = {kind, winner.entity};
+    nodes.positions[winner.node] = target(boundary, nodes.supports[winner.node], winner);
+    for (std::size_t k = first; k < last && options.split; ++k) {
+      if (k == strongest || pulls[k].weight < options.split_ratio * winner.weight ||
+          adjacency.adjacent(kind, winner.entity, pulls[k].entity))
+        continue;
+      const Support support{kind, pulls[k].entity};
+      nodes.add_new(target(boundary, support, pulls[k]), support);
+    }
+    first = last;
+  }
+}
+
+/// Puts a node at every active vertex: the nearest free one within reach, else a new one.
+void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std::uint32_t> active,
+                    const PullOptions& options) {
+  const NearestNode grid(nodes.positions, kGridCell * options.edge_length);
+  const double reach = options.vertex_reach * options.edge_length;
+  std::vector<std::uint8_t> taken(nodes.size(), 0);
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    taken[n] = !nodes.free[n] && nodes.supports[n].kind == Support::Kind::Vertex;
+  for (const std::uint32_t index : active) {
+    const Sample& s = samples.points[index];
+    std::int32_t best = -1;
+    double best_d = HUGE_VAL;
+    bool done = false;
+    grid.for_each_within(s.position, reach, [&](std::int32_t n, double d) {
+      if (nodes.supports[n] == s.support && !nodes.free[n]) done = true;
+      if (taken[n]) return;
+      if (d < best_d || (d == best_d && n < best)) {
+        best_d = d;
+        best = n;
+      }
+    });
+    if (done) continue;
+    if (best < 0) {
+      nodes.add_new(s.position, s.support);
+      continue;
+    }
+    taken[best] = 1;
+    nodes.free[best] = 1;
+    nodes.positions[best] = s.position;
+    nodes.supports[best] = s.support;
+  }
+}
+
+}  // namespace
+
+Adjacency::Adjacency(const BoundaryModel& boundary)
+    : faces_(boundary.faces.size()), edges_(boundary.edges.size()) {
+  for (const BoundaryEdge& edge : boundary.edges) connect(faces_, edge.faces);
+  for (const BoundaryVertex& vertex : boundary.vertices) connect(edges_, vertex.edges);
+  tidy(faces_);
+  tidy(edges_);
+}
+
+bool Adjacency::adjacent(Support::Kind kind, int a, int b) const {
+  const auto& set = kind == Support::Kind::Face ? faces_[a] : edges_[a];
+  return std::binary_search(set.begin(), set.end(), b);
+}
+
+std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& boundary,
+                                         const Adjacency& adjacency, const Samples& samples,
+                                         std::span<const std::uint32_t> active,
+                                         const PullOptions& options, const Run& run) {
+  const auto edges = std::lower_bound(active.begin(), active.end(), samples.edges_begin);
+  const auto vertices = std::lower_bound(edges, active.end(), samples.vertices_begin);
+  std::vector<std::uint32_t> pulling;
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (nodes.free[n]) nodes.supports[n] = {};
+  const double cell = kGridCell * options.edge_length;
+  {
+    const NearestNode grid(nodes.positions, cell);
+    const auto pulls = gather(nodes, samples, {active.begin(), edges}, grid, pulling, run);
+    reposition(nodes, boundary, adjacency, Support::Kind::Face, pulls, options);
+  }
+  {
+    const NearestNode grid(nodes.positions, cell);
+    const auto pulls = gather(nodes, samples, {edges, vertices}, grid, pulling, run);
+    reposition(nodes, boundary, adjacency, Support::Kind::Edge, pulls, options);
+  }
+  claim_vertices(nodes, samples, {vertices, active.end()}, options);
+  pulling.insert(pulling.end(), vertices, active.end());
+  return pulling;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/boundary/samples.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+/// Which faces share an edge and which edges share a vertex: a node pulled on by adjacent sets is
+/// not split (Sect. 3.3).
+class Adjacency {
+ public:
+  explicit Adjacency(const BoundaryModel& boundary);
+  /// `kind` is Face or Edge.
+  [[nodiscard]] bool adjacent(Support::Kind kind, int a, int b) const;
+
+ private:
+  std::vector<std::vector<int>> faces_, edges_;  ///< neighbours, ascending
+};
+
+struct PullOptions {
+  double edge_length = 0;     ///< target edge length l
+  double split_ratio = 0.25;  ///< weaker to stronger pull above which a node is split
+  /// Share of l beyond which a model vertex does not pull in a node but gets a new one.
+  double vertex_reach = 0.75;
+  bool split = true;  ///< whether nodes may be added at all
+};
+
+/// The boundary procedure of one iteration (Sect. 3.3): faces pull first, then edges, then
+/// vertices. Free nodes that nothing pulls on become interior; the others move to the weighted mean
+/// of the samples that pull on them, projected on their face or edge. Nodes pulled on by two sets
+/// that are not adjacent are split in two. Fixed nodes stay, and so do the samples nearest to them
+/// without effect; only a vertex without a node frees the one nearest to it.
+///
+/// `active`: indices of the samples that take part, ascending.
+/// Returns the indices of the samples whose nearest node was free, ascending.
+std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& boundary,
+                                         const Adjacency& adjacency, const Samples& samples,
+                                         std::span<const std::uint32_t> active,
+                                         const PullOptions& options, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/nodes/node_set.h"
+#include "engine/remesh/master.h"
+
+namespace remeshd {
+
+/// A peeled Delaunay mesh in which everything that did not change has already been replaced by the
+/// original's cleaned-up mesh, to the bit and with its connectivity.
+struct CarriedMesh {
+  TetMesh mesh;  ///< node i is node i of the NodeSet
+  std::vector<std::uint8_t>
+      dirty;  ///< per tet: 1 where it is not the original's and may need clean-up
+};
+
+/// Carries the original's cleaned-up mesh over to where the new Delaunay mesh has the same tets.
+///
+/// Clean-up replaces clusters of Delaunay tets by clusters of others with the same hull. A cluster
+/// whose Delaunay tets are all in the new mesh, copied with one transformation, is replaced again;
+/// a Delaunay tet that clean-up left alone stands for itself. Nodes of carried tets take their
+/// delivered position; where that would spoil a tet next to them, what was carried round them is
+/// given back.
+///
+/// `tets`: the new peeled Delaunay mesh over `nodes`. `delivered`: positions and tets of the
+/// original as delivered; `transforms`: as in PointSource.
+CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
+                       const TetMesh& delivered, std::span<const Transform> transforms);
+
+}  // namespace remeshd

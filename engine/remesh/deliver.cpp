@@ -1,0 +1,135 @@
+#include "engine/remesh/deliver.h"
+
+#include <algorithm>
+
+#include "engine/remesh/groups.h"
+#include "engine/remesh/master.h"
+#include "engine/remesh/tet_index.h"
+
+namespace remeshd {
+
+namespace {
+
+/// Puts the nodes that the clean-up has made superfluous behind all others, so that those of the
+/// delivered mesh come first in the master too. Returns how many are delivered.
+std::size_t order_nodes(Candidate& c) {
+  std::vector<std::int32_t> number(c.nodes.positions.size(), -1);
+  for (const Tet& t : c.mesh.tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  const std::size_t used = number.size() - std::count(number.begin(), number.end(), -1);
+  if (used == number.size()) return used;
+  std::int32_t front = 0;
+  auto back = static_cast<std::int32_t>(used);
+  for (std::int32_t& n : number) n = n < 0 ? back++ : front++;
+  const NodeSet old = c.nodes;
+  const std::vector<Vec3> placed = c.mesh.nodes;
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    const std::int32_t n = number[k];
+    c.nodes.positions[n] = old.positions[k];
+    c.nodes.supports[n] = old.supports[k];
+    c.nodes.free[n] = old.free[k];
+    c.nodes.original[n] = old.original[k];
+    c.nodes.transform[n] = old.transform[k];
+    c.mesh.nodes[n] = placed[k];
+  }
+  c.mesh.nodes.resize(used);
+  for (auto* tets : {&c.mesh.tets, &c.delaunay})
+    for (Tet& t : *tets)
+      for (std::int32_t& n : t) n = number[n];
+  return used;
+}
+
+NodeMap map_nodes(const Candidate& c, const Revision* original, const PointSource& source) {
+  NodeMap map;
+  const std::size_t count = c.mesh.nodes.size();
+  map.node_origin.assign(count, NodeOrigin::New);
+  map.original_node.assign(count, -1);
+  map.node_transform.assign(count, -1);
+  map.original_tet.assign(c.mesh.tets.size(), -1);
+  if (!original) return map;
+  map.transforms = source.transforms();
+  map.transform_features.resize(map.transforms.size());
+  for (const SourceFeature& s : source.sources())
+    if (map.transform_features[s.transform].empty())
+      map.transform_features[s.transform] = original->model.features[s.original].id;
+  const TetMesh& then = original->delivery.mesh;
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::int32_t o = c.nodes.original[n];
+    if (o < 0 || static_cast<std::size_t>(o) >= then.nodes.size()) continue;
+    const Vec3 copied = source.transforms()[c.nodes.transform[n]].apply(then.nodes[o]);
+    map.node_origin[n] = c.mesh.nodes[n] == copied ? NodeOrigin::Kept : NodeOrigin::Moved;
+    map.original_node[n] = o;
+    map.node_transform[n] = c.nodes.transform[n];
+  }
+  const TetIndex index(then.tets);
+  for (std::size_t k = 0; k < c.mesh.tets.size(); ++k) {
+    const Tet& t = c.mesh.tets[k];
+    const bool kept = std::all_of(t.begin(), t.end(), [&](std::int32_t n) {
+      return map.node_origin[n] == NodeOrigin::Kept &&
+             map.node_transform[n] == map.node_transform[t[0]];
+    });
+    if (kept)
+      map.original_tet[k] = index.find({map.original_node[t[0]], map.original_node[t[1]],
+                                        map.original_node[t[2]], map.original_node[t[3]]});
+  }
+  return map;
+}
+
+/// A node or tet that has an original keeps its permanent id; the others take the next ones.
+std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals,
+                                         const std::vector<std::uint64_t>* inherited,
+                                         std::uint64_t& next) {
+  std::vector<std::uint64_t> ids;
+  ids.reserve(originals.size());
+  for (const std::int32_t o : originals) ids.push_back(o >= 0 ? (*inherited)[o] : next++);
+  return ids;
+}
+
+}  // namespace
+
+void account(Revision& revision) {
+  const Delivery& d = revision.delivery;
+  Counts& counts = revision.report.counts;
+  const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
+  counts.nodes = size(d.mesh.nodes);
+  counts.tets = size(d.mesh.tets);
+  counts.boundary_facets = size(d.groups.facets);
+  const auto count = [&](NodeOrigin origin) {
+    return static_cast<std::uint32_t>(
+        std::count(d.map.node_origin.begin(), d.map.node_origin.end(), origin));
+  };
+  counts.nodes_kept = count(NodeOrigin::Kept);
+  counts.nodes_moved = count(NodeOrigin::Moved);
+  counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
+      d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
+  revision.report.quality = measure_quality(d.mesh.nodes, d.mesh.tets);
+  revision.report.volume = revision.report.quality.volume;
+  revision.report.exact_volume = revision.cells.volume;
+}
+
+void deliver(Candidate c, const Revision* original, const PointSource& source, Revision& revision,
+             const Run& run) {
+  order_nodes(c);
+  revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay);
+  Delivery& d = revision.delivery;
+  d.map = map_nodes(c, original, source);
+  d.groups = name_groups(c.mesh, c.nodes.supports, revision.model, source.modified(),
+                         revision.cells.boundary, run);
+  Master master;
+  if (original) {
+    master.next_node_id = original->master->next_node_id;
+    master.next_tet_id = original->master->next_tet_id;
+  }
+  d.node_ids = permanent_ids(d.map.original_node, original ? &original->delivery.node_ids : nullptr,
+                             master.next_node_id);
+  d.tet_ids = permanent_ids(d.map.original_tet, original ? &original->delivery.tet_ids : nullptr,
+                            master.next_tet_id);
+  d.mesh = std::move(c.mesh);
+  master.positions = std::move(c.nodes.positions);
+  master.supports = std::move(c.nodes.supports);
+  master.tets = std::move(c.delaunay);
+  revision.master = std::make_shared<const Master>(std::move(master));
+  account(revision);
+}
+
+}  // namespace remeshd

@@ -1,0 +1,146 @@
+#include "engine/remesh/groups.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/extract/common_face.h"
+#include "engine/mesh/adjacency.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kOnSurface = 1e-7;  // of the model's diagonal
+
+Vec3 centroid(const TetMesh& mesh, const Tet& t) {
+  return 0.25 * (mesh.nodes[t[0]] + mesh.nodes[t[1]] + mesh.nodes[t[2]] + mesh.nodes[t[3]]);
+}
+
+/// Numbers keys as they come and renumbers them in ascending order at the end.
+template <class Key>
+class Numbering {
+ public:
+  std::int32_t operator()(const Key& key) {
+    const auto [at, fresh] = numbers_.try_emplace(key, static_cast<std::int32_t>(numbers_.size()));
+    return at->second;
+  }
+  /// The keys in ascending order; `renumber[old]` is a key's place among them.
+  std::vector<Key> sorted(std::vector<std::int32_t>& renumber) const {
+    std::vector<Key> keys;
+    renumber.resize(numbers_.size());
+    for (const auto& [key, number] : numbers_) {
+      renumber[number] = static_cast<std::int32_t>(keys.size());
+      keys.push_back(key);
+    }
+    return keys;
+  }
+
+ private:
+  std::map<Key, std::int32_t> numbers_;
+};
+
+class FacetNames {
+ public:
+  FacetNames(const FeatureModel& model, const Membership& membership, const BoundaryModel& boundary)
+      : model_(model),
+        membership_(membership),
+        boundary_(boundary),
+        tolerance_(kOnSurface * boundary.bounds.diagonal()) {}
+
+  [[nodiscard]] std::vector<std::string> operator()(int face_index,
+                                                    const Vec3& facet_centroid) const {
+    const BoundaryFace& face = boundary_.faces[face_index];
+    std::vector<FaceName> here;
+    if (face.names.size() == 1) {
+      here = face.names;
+    } else {
+      const Vec3 c = project(face.surface, facet_centroid);
+      const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, c);
+      std::vector<FaceName> beyond;  // on the far side: faces of subtractive features
+      for (const FaceName& name : face.names) {
+        const bool material = membership_.contains(name.feature, c - tolerance_ * outward);
+        if (material == membership_.contains(name.feature, c + tolerance_ * outward)) continue;
+        if (!passes(name, c)) continue;
+        (material ? here : beyond).push_back(name);
+      }
+      const auto latest_first = [](const FaceName& a, const FaceName& b) {
+        return a.feature != b.feature ? a.feature > b.feature : a.face < b.face;
+      };
+      std::sort(here.begin(), here.end(), latest_first);
+      std::sort(beyond.begin(), beyond.end(), latest_first);
+      here.insert(here.end(), beyond.begin(), beyond.end());
+      if (here.empty()) here.push_back(face.names.front());  // on a seam, to within rounding
+    }
+    std::vector<std::string> names;
+    for (const FaceName& name : here)
+      names.push_back(model_.features[name.feature].id + "." + name.face);
+    return names;
+  }
+
+ private:
+  [[nodiscard]] bool passes(const FaceName& name, const Vec3& p) const {
+    const auto& faces = membership_.solids()[name.feature].faces();
+    return std::any_of(faces.begin(), faces.end(), [&](const SolidFace& f) {
+      return f.name == name.face && std::fabs(signed_distance(f.surface, p)) <= tolerance_;
+    });
+  }
+
+  const FeatureModel& model_;
+  const Membership& membership_;
+  const BoundaryModel& boundary_;
+  const double tolerance_;
+};
+
+/// Owners of the cell that a tet is in: at its centroid or, where a chord has cut that off from the
+/// material, nearer to one of its corners.
+std::vector<int> owners_of(const TetMesh& mesh, const Tet& t, const Membership& membership) {
+  const Vec3 c = centroid(mesh, t);
+  Vec3 at = c;
+  for (const double share : {0.5, 0.9})
+    for (int i = 0; i < 4 && !membership.inside(at); ++i)
+      at = (1 - share) * c + share * mesh.nodes[t[i]];
+  std::vector<int> owners;
+  membership.owners(membership.inside(at) ? at : c, owners);
+  return owners;
+}
+
+}  // namespace
+
+MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
+                       const FeatureModel& model, const Membership& membership,
+                       const BoundaryModel& boundary, const Run& run) {
+  MeshGroups groups;
+  const FacesOf faces(boundary);
+  const FacetNames names(model, membership, boundary);
+  Numbering<std::vector<std::string>> facet_groups;
+  Numbering<std::vector<int>> cells;
+  const auto neighbours = tet_neighbours(mesh.tets, mesh.nodes.size());
+  std::vector<int> owners;
+  for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
+    if (k % 4096 == 0) run.poll();
+    const Tet& t = mesh.tets[k];
+    groups.tet_cell.push_back(cells(owners_of(mesh, t, membership)));
+    for (int i = 0; i < 4; ++i) {
+      if (neighbours[k][i] >= 0) continue;
+      const Triangle f{t[kTetFacets[i][0]], t[kTetFacets[i][1]], t[kTetFacets[i][2]]};
+      const std::array<Support, 3> on{supports[f[0]], supports[f[1]], supports[f[2]]};
+      const int face = faces.common(on);
+      std::vector<std::string> group;
+      if (face >= 0)
+        group = names(face, (mesh.nodes[f[0]] + mesh.nodes[f[1]] + mesh.nodes[f[2]]) / 3.0);
+      groups.facets.push_back({f, static_cast<std::int32_t>(k), facet_groups(group)});
+    }
+  }
+  std::vector<std::int32_t> renumber;
+  groups.facet_groups = facet_groups.sorted(renumber);
+  for (MeshFacet& f : groups.facets) f.group = renumber[f.group];
+  for (const std::vector<int>& cell : cells.sorted(renumber)) {
+    std::vector<std::string> ids;
+    for (const int feature : cell) ids.push_back(model.features[feature].id);
+    groups.cell_owners.push_back(std::move(ids));
+  }
+  for (std::int32_t& c : groups.tet_cell) c = renumber[c];
+  return groups;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "engine/cellular/support.h"
+#include "engine/model/solid.h"
+#include "engine/remesh/remesh.h"
+
+namespace remeshd {
+
+/// Names the boundary facets and the tets of a finished mesh: each facet with the feature faces
+/// that contain its centroid (the latest owner on the material side first, then the others, latest
+/// first), each tet with the owners of its cell.
+///
+/// Post: facets in the order of their tets; groups and cells sorted by name and by owners.
+MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
+                       const FeatureModel& model, const Membership& membership,
+                       const BoundaryModel& boundary, const Run& run);
+
+}  // namespace remeshd

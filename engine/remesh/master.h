@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/cellular/support.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+/// The Delaunay mesh that a revision's delivered mesh was cleaned up from, and that the next edit
+/// copies its nodes from. Node i of the master is node i of the delivered mesh.
+struct Master {
+  std::vector<Vec3> positions;
+  std::vector<Support> supports;   ///< entities of the revision's BoundaryModel
+  std::vector<Tet> tets;           ///< peeled: inside the model
+  std::uint64_t next_node_id = 1;  ///< permanent ids below are taken along the chain of ancestors
+  std::uint64_t next_tet_id = 1;
+};
+
+}  // namespace remeshd

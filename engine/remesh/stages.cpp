@@ -1,0 +1,124 @@
+#include "engine/remesh/stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/extract/peel.h"
+#include "engine/nodes/active_faces.h"
+#include "engine/nodes/copy_nodes.h"
+#include "engine/nodes/density.h"
+#include "engine/nodes/fill.h"
+#include "engine/remesh/master.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr std::uint32_t kDefaultNodes = 15000;
+constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
+
+/// Leaves out the nodes that no tet uses and renumbers the tets.
+void drop_unused(NodeSet& nodes, std::vector<Tet>& tets) {
+  std::vector<std::int32_t> number(nodes.positions.size(), -1);
+  for (const Tet& t : tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  std::int32_t next = 0;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (number[n] < 0) continue;
+    nodes.positions[next] = nodes.positions[n];
+    nodes.supports[next] = nodes.supports[n];
+    nodes.free[next] = nodes.free[n];
+    nodes.original[next] = nodes.original[n];
+    nodes.transform[next] = nodes.transform[n];
+    number[n] = next++;
+  }
+  nodes.positions.resize(next);
+  nodes.supports.resize(next);
+  nodes.free.resize(next);
+  nodes.original.resize(next);
+  nodes.transform.resize(next);
+  for (Tet& t : tets)
+    for (std::int32_t& n : t) n = number[n];
+}
+
+}  // namespace
+
+Density resolve_density(const Revision* original, const MeshOptions& options, double volume,
+                        double area) {
+  if (options.nodes && options.size)
+    throw error::options_invalid("nodes", "give a number of nodes or an edge length, not both");
+  if (options.nodes && (*options.nodes < kMinNodes || *options.nodes > kMaxNodes))
+    throw error::options_invalid("nodes", "between 20 and 5000000 nodes can be asked for");
+  if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
+    throw error::options_invalid("size", "the edge length has to be a positive number");
+  Density density;
+  if (options.size) {
+    density.edge_length = *options.size;
+    const double nodes = expected_nodes(volume, area, density.edge_length);
+    if (nodes > kMaxNodes)
+      throw error::options_invalid("size", "this edge length would need more than 5000000 nodes");
+    density.nodes_per_volume = nodes / volume;
+  } else if (options.nodes || !original) {
+    const std::uint32_t nodes = options.nodes.value_or(kDefaultNodes);
+    density.edge_length = edge_length_for(volume, area, nodes);
+    density.nodes_per_volume = nodes / volume;
+    if (!original) density.count = nodes;
+  } else {
+    density.edge_length = original->edge_length;
+    density.nodes_per_volume =
+        static_cast<double>(original->delivery.mesh.nodes.size()) / original->cells.volume;
+  }
+  if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
+  return density;
+}
+
+NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
+                      std::uint64_t seed, const Run& run) {
+  NodeSet nodes;
+  if (original)
+    nodes = copy_nodes(
+        source, {original->master->positions, original->master->supports, original->master->tets},
+        run);
+  const std::vector<Vec3> added = fill(
+      source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
+      {.edge_length = density.edge_length,
+       .density = density.nodes_per_volume,
+       .count = density.count,
+       .seed = seed},
+      run);
+  for (const Vec3& p : added) nodes.add_new(p);
+  if (original) free_at_active_faces(nodes, source, density.edge_length, run);
+  return nodes;
+}
+
+Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
+                  const PointSource& source, const CellularModel& cells, const MeshOptions& options,
+                  const Run& run) {
+  Candidate c;
+  c.loop = std::move(loop);
+  c.nodes = std::move(nodes);
+  run.report("extract", 0.8);
+  c.delaunay = peel(c.nodes, c.loop.tets, cells.boundary, source.modified(), {}, run);
+  c.loop.tets.clear();
+  drop_unused(c.nodes, c.delaunay);
+
+  CarriedMesh carried;
+  if (original && options.clean_up) {
+    carried = carry_over(c.nodes, c.delaunay, *original->master, original->delivery.mesh,
+                         source.transforms());
+  } else {
+    carried.mesh = {c.nodes.positions, c.delaunay};
+    carried.dirty.assign(c.delaunay.size(), 1);
+  }
+  run.report("improve", 0.85);
+  if (options.clean_up)
+    c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty, {}, run).mesh;
+  else
+    c.mesh = std::move(carried.mesh);
+  run.report("verify", 0.95);
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume);
+  return c;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/improve/improve.h"
+#include "engine/nodes/node_set.h"
+#include "engine/optimise/optimise.h"
+#include "engine/plan/point_source.h"
+#include "engine/remesh/carry_over.h"
+#include "engine/remesh/remesh.h"
+#include "engine/verify/verify.h"
+
+namespace remeshd {
+
+/// Target edge length and density of new nodes, as the options ask for and the original gives.
+struct Density {
+  double edge_length = 0;              ///< l: spacing of samples, reach of searches
+  double nodes_per_volume = 0;         ///< in newcells
+  std::optional<std::uint32_t> count;  ///< of a first mesh asked for by number of nodes
+};
+
+/// Throws Error(InvalidArgument) `OptionsInvalid`.
+Density resolve_density(const Revision* original, const MeshOptions& options, double volume,
+                        double area);
+
+/// Copied and new nodes, free and fixed (Sects. 6 and 7).
+NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
+                      std::uint64_t seed, const Run& run);
+
+/// A mesh on its way from the optimisation loop to delivery.
+struct Candidate {
+  NodeSet nodes;              ///< those of the mesh only
+  std::vector<Tet> delaunay;  ///< peeled
+  TetMesh mesh;               ///< cleaned up
+  OptimiseResult loop;
+  Verification verification;
+};
+
+/// Extraction, carrying over, clean-up and verification of optimised nodes.
+Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
+                  const PointSource& source, const CellularModel& cells, const MeshOptions& options,
+                  const Run& run);
+
+}  // namespace remeshd
