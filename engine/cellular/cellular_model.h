@@ -33,11 +33,13 @@ struct CellEdge {
   std::vector<int> owners;
   bool boundary = false;
   double length = 0;
+  int element = -1;  ///< its index in `brep`; cells and faces have the same index here and there
 };
 struct CellVertex {
   std::vector<int> owners;
   bool boundary = false;
   Vec3 position;
+  int element = -1;  ///< its index in `brep`
 };
 
 struct CellularModel {
@@ -54,7 +56,8 @@ struct CellularModel {
 /// General fuse of all features (Sect. 4.1).
 ///
 /// Throws Error(FailedPrecondition): `EmptyModel` where no cell is positive, `DisconnectedModel`
-/// where the positive cells do not hang together by faces, `KernelFailure` naming the features
+/// where the positive cells do not hang together by faces, `NonManifoldModel` where one body touches
+/// itself along an edge or at a vertex, `KernelFailure` naming the features
 /// where the CAD kernel raised an alert or a membership sample disagrees with its result.
 CellularModel build_cells(const FeatureModel& model, const Run& run);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/kernel/brep.h"
+
+namespace remeshd {
+
+/// A point of a cell, found halfway between two of its facets.
+struct CellSample {
+  Vec3 point;
+  double depth = 0;  ///< distance to the nearest facet of the cell
+  Vec3 from, to;     ///< the facets' points that it lies between
+};
+
+/// Points inside a cell, the deepest first: from the middles of its largest facets straight inwards
+/// to the facet opposite. Facets cut curved faces short, so only a depth above the facets' distance
+/// from the true face proves that a sample lies inside.
+std::vector<CellSample> sample_cell(const kernel::Brep& brep, int cell, int count);
+
+}  // namespace remeshd

@@ -1,0 +1,191 @@
+#include "engine/cellular/cellular_model.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "engine/base/error.h"
+#include "engine/cellular/build_boundary.h"
+#include "engine/cellular/check_cells.h"
+#include "engine/cellular/feature_brep.h"
+#include "engine/cellular/skeleton.h"
+#include "engine/kernel/brep.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+namespace {
+
+using kernel::Brep;
+
+/// The general fuse of all features, with what is known about each feature's own faces.
+struct Fused {
+  std::vector<Brep> features;  ///< in history order; part i of the fusion is feature i
+  kernel::Fusion fusion;
+};
+
+Fused fuse_features(const FeatureModel& model, const Membership& membership, const Run& run) {
+  Box box;
+  for (const Solid& solid : membership.solids()) box.add(solid.bounds());
+  const double scale = kernel::unit_scale(box.diagonal());
+  Fused fused;
+  for (const Feature& feature : model.features) {
+    fused.features.push_back(feature_brep(feature, scale));
+    run.poll();
+  }
+  std::vector<kernel::Part> parts;
+  for (std::size_t i = 0; i < model.features.size(); ++i)
+    parts.push_back({&fused.features[i], {0}, model.features[i].placement});
+  fused.fusion = kernel::general_fuse(parts, run);
+  return fused;
+}
+
+/// The feature's surface of this name that the face of the B-rep lies on.
+const Surface& surface_of(const Solid& solid, const std::string& name, const Brep& brep, int face) {
+  const SolidFace* best = nullptr;
+  double nearest = HUGE_VAL;
+  for (const SolidFace& candidate : solid.faces()) {
+    if (candidate.name != name) continue;
+    double gap = 0;
+    for (const auto& triangle : brep.faces[face].triangles)
+      for (const int p : triangle)
+        gap = std::max(gap, std::fabs(signed_distance(candidate.surface, brep.points[p])));
+    if (gap < nearest) {
+      nearest = gap;
+      best = &candidate;
+    }
+  }
+  if (best == nullptr || nearest > 100 * kernel_tolerance(brep))
+    throw error::kernel_failure("a face lies on no surface called " + name);
+  return best->surface;
+}
+
+void merge_owners(std::vector<int>& owners, const std::vector<int>& more) {
+  std::vector<int> merged;
+  std::set_union(owners.begin(), owners.end(), more.begin(), more.end(),
+                 std::back_inserter(merged));
+  owners = std::move(merged);
+}
+
+void fill_cells_and_faces(CellularModel& out, const kernel::Fusion& fusion,
+                          const Membership& membership) {
+  const Brep& brep = fusion.brep;
+  for (std::size_t c = 0; c < brep.cells.size(); ++c) {
+    Cell cell;
+    for (const kernel::Source& source : fusion.cells[c]) cell.owners.push_back(source.part);
+    cell.positive = membership.nature(cell.owners.back()) == Nature::Additive;
+    cell.volume = brep.cells[c].volume;
+    if (cell.positive) out.volume += cell.volume;
+    out.cells.push_back(std::move(cell));
+  }
+  const auto positive = [&](int cell) { return cell >= 0 && out.cells[cell].positive; };
+  for (const kernel::BrepFace& face : brep.faces) {
+    CellFace cell_face;
+    cell_face.cells = face.cells;
+    cell_face.area = face.area;
+    cell_face.boundary = positive(face.cells[0]) != positive(face.cells[1]);
+    for (const int c : face.cells)
+      if (c >= 0) merge_owners(cell_face.owners, out.cells[c].owners);
+    if (cell_face.boundary) out.area += face.area;
+    out.faces.push_back(std::move(cell_face));
+  }
+}
+
+void require_one_piece(const CellularModel& model) {
+  std::vector<int> piece(model.cells.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  const auto find = [&](int c) {
+    while (piece[c] != c) c = piece[c] = piece[piece[c]];
+    return c;
+  };
+  for (const CellFace& face : model.faces)
+    if (face.cells[0] >= 0 && face.cells[1] >= 0 && model.cells[face.cells[0]].positive &&
+        model.cells[face.cells[1]].positive)
+      piece[find(face.cells[0])] = find(face.cells[1]);
+  std::set<int> pieces;
+  for (std::size_t c = 0; c < piece.size(); ++c)
+    if (model.cells[c].positive) pieces.insert(find(static_cast<int>(c)));
+  if (pieces.empty()) throw error::empty_model();
+  if (pieces.size() > 1) throw error::disconnected_model(static_cast<int>(pieces.size()));
+}
+
+/// Names and surface of every face of the B-rep, boundary or not.
+std::vector<BoundaryPiece> describe_faces(const CellularModel& model, const Fused& fused,
+                                          const Membership& membership) {
+  const Brep& brep = fused.fusion.brep;
+  std::vector<BoundaryPiece> pieces(brep.faces.size());
+  for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f) {
+    const CellFace& face = model.faces[f];
+    BoundaryPiece& piece = pieces[f];
+    piece.boundary = face.boundary;
+    piece.outward = face.cells[0] >= 0 && model.cells[face.cells[0]].positive;
+    const int material = face.boundary ? face.cells[piece.outward ? 0 : 1] : -1;
+    // Latest owner first: its surface, in the feature's own numbers, stands for all.
+    for (auto it = fused.fusion.faces[f].rbegin(); it != fused.fusion.faces[f].rend(); ++it) {
+      const FaceName name{it->part, fused.features[it->part].faces[it->element].label};
+      const bool owns =
+          material >= 0 && std::ranges::binary_search(model.cells[material].owners, it->part);
+      auto& names = owns ? piece.material_names : piece.other_names;
+      names.push_back(name);
+    }
+    const FaceName& first =
+        piece.material_names.empty() ? piece.other_names.front() : piece.material_names.front();
+    piece.surface = surface_of(membership.solids()[first.feature], first.face, brep, f);
+  }
+  return pieces;
+}
+
+/// `boundary` tells which faces count; null: all.
+Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces, bool boundary) {
+  std::vector<SkeletonFace> faces;
+  for (std::size_t f = 0; f < pieces.size(); ++f) {
+    SkeletonFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
+    if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
+      const auto& [a, b, c] = brep.faces[f].triangles.front();
+      const Vec3 n = cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]);
+      const double along = dot(n, normal(face.surface, brep.points[a]));
+      face.side = (along > 0) == pieces[f].outward ? 1 : -1;
+    }
+    faces.push_back(face);
+  }
+  return find_skeleton(brep, faces);
+}
+
+void fill_edges_and_vertices(CellularModel& out, const Brep& brep, const Skeleton& all,
+                             const Skeleton& boundary) {
+  std::vector<std::vector<int>> vertex_owners(brep.vertices.size());
+  for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
+    CellEdge edge{{}, boundary.edge[e] != 0, brep.edges[e].length, e};
+    for (const int f : all.faces_at_edge[e]) merge_owners(edge.owners, out.faces[f].owners);
+    for (const int v : brep.edges[e].vertices) merge_owners(vertex_owners[v], edge.owners);
+    if (all.edge[e]) out.edges.push_back(std::move(edge));
+  }
+  for (int v = 0; v < static_cast<int>(brep.vertices.size()); ++v)
+    if (all.vertex[v])
+      out.vertices.push_back(
+          {vertex_owners[v], boundary.vertex[v] != 0, brep.vertices[v].position, v});
+}
+
+}  // namespace
+
+CellularModel build_cells(const FeatureModel& model, const Run& run) {
+  run.poll();
+  const Membership membership(model);
+  const Fused fused = fuse_features(model, membership, run);
+  const Brep& brep = fused.fusion.brep;
+
+  CellularModel out;
+  fill_cells_and_faces(out, fused.fusion, membership);
+  check_cells(out, brep, model, membership);
+  run.poll();
+  require_one_piece(out);
+
+  const std::vector<BoundaryPiece> pieces = describe_faces(out, fused, membership);
+  const Skeleton boundary = skeleton_of(brep, pieces, true);
+  require_manifold(brep, boundary);
+  fill_edges_and_vertices(out, brep, skeleton_of(brep, pieces, false), boundary);
+  out.boundary = build_boundary(brep, pieces, boundary);
+  out.brep = std::make_shared<const Brep>(brep);
+  return out;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,83 @@
+#include "engine/cellular/check_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/cellular/cell_samples.h"
+
+namespace remeshd {
+namespace {
+
+constexpr int kSamplesPerCell = 8;
+constexpr double kVolumeTolerance = 1e-6;  // of the feature's own volume
+
+/// How far the facets of a cell may lie from its true faces: neighbouring facets of a circle of
+/// the model's size turn by kMeshAngle at most. Samples deeper than this are proofs.
+double facet_error(const kernel::Brep& brep, int cell) {
+  // A chord that turns by angle a over length l stands l * a / 8 off its arc.
+  double longest = 0;
+  for (const int f : brep.cells[cell].faces)
+    for (const auto& triangle : brep.faces[f].triangles)
+      for (int i = 0; i < 3; ++i)
+        longest = std::max(longest,
+                           distance(brep.points[triangle[i]], brep.points[triangle[(i + 1) % 3]]));
+  return longest * 0.03;
+}
+
+/// The first owner that one side knows and the other does not.
+int odd_one_out(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> odd;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(odd));
+  return odd.front();
+}
+
+}  // namespace
+
+void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureModel& model,
+                 const Membership& membership) {
+  std::vector<int> owners;
+  const auto owners_at = [&](const Vec3& p) -> const std::vector<int>& {
+    owners.clear();
+    membership.owners(p, owners);
+    return owners;
+  };
+  for (int c = 0; c < static_cast<int>(cells.cells.size()); ++c) {
+    Cell& cell = cells.cells[c];
+    const double proof = facet_error(brep, c);
+    bool found = false;
+    const std::vector<CellSample> samples = sample_cell(brep, c, kSamplesPerCell);
+    for (const CellSample& sample : samples) {
+      const bool agrees = owners_at(sample.point) == cell.owners;
+      if (agrees && !found) {
+        cell.inside = sample.point;
+        found = true;
+      }
+      if (!agrees && sample.depth > proof)
+        throw error::kernel_failure("a point inside a cell belongs to other features than the cell",
+                                    model.features[odd_one_out(owners, cell.owners)].id);
+    }
+    // Thin curved cells: look all along the rays.
+    for (const CellSample& sample : samples)
+      for (const double t : {-0.2, -0.05, 0.05, 0.2, 0.8, 0.95, 1.05, 1.2}) {
+        const Vec3 p = sample.from + t * (sample.to - sample.from);
+        if (found || owners_at(p) != cell.owners) continue;
+        cell.inside = p;
+        found = true;
+      }
+    if (!found)
+      throw error::kernel_failure("a cell holds no point that belongs to its owners",
+                                  model.features[cell.owners.back()].id);
+  }
+  for (int f = 0; f < static_cast<int>(model.features.size()); ++f) {
+    double volume = 0;
+    for (const Cell& cell : cells.cells)
+      if (std::ranges::binary_search(cell.owners, f)) volume += cell.volume;
+    const double exact = membership.solids()[f].volume();
+    if (std::fabs(volume - exact) > kVolumeTolerance * exact)
+      throw error::kernel_failure("the cells of a feature do not add up to its volume",
+                                  model.features[f].id);
+  }
+}
+
+}  // namespace remeshd

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/cellular/cellular_model.h"
+#include "engine/kernel/brep.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+
+/// Checks the CAD kernel's cells against the features' closed formulas, because it can fail without
+/// a word: owners at points inside each cell, and the volume of each feature. Sets Cell::inside.
+///
+/// Throws Error(KernelFailure) naming the feature.
+void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureModel& model,
+                 const Membership& membership);
+
+}  // namespace remeshd

@@ -1,0 +1,168 @@
+#include <BOPAlgo_Builder.hxx>
+#include <BOPAlgo_PaveFiller.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRep_Builder.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Standard_Failure.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "engine/kernel/brep.h"
+#include "engine/kernel/brep_shapes.h"
+
+namespace remeshd::kernel {
+namespace {
+
+/// Lets a stop request break off a computation of the CAD kernel.
+class StopIndicator : public Message_ProgressIndicator {
+ public:
+  explicit StopIndicator(std::stop_token stop) : stop_(std::move(stop)) {}
+
+ protected:
+  Standard_Boolean UserBreak() override { return stop_.stop_requested(); }
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+
+ private:
+  std::stop_token stop_;
+};
+
+/// A part as its own copy in kernel units: the fuse may change tolerances of what it is given, and
+/// Breps are shared between threads.
+class PlacedPart {
+ public:
+  PlacedPart(const Part& part, double scale) : brep_(*part.brep) {
+    TopoDS_Compound cells;
+    BRep_Builder builder;
+    builder.MakeCompound(cells);
+    for (const int cell : part.cells) builder.Add(cells, shape_of(brep_, Element::Cell, cell));
+    const auto& m = part.where.m;
+    gp_Trsf place;
+    place.SetValues(m[0], m[1], m[2], m[3] * scale, m[4], m[5], m[6], m[7] * scale, m[8], m[9],
+                    m[10], m[11] * scale);
+    if (brep_.scale != scale) {
+      gp_Trsf rescale;
+      rescale.SetScaleFactor(scale / brep_.scale);
+      place.Multiply(rescale);
+    }
+    copy_.emplace(cells, place, /*theCopyGeom=*/true);
+
+    std::set<int> faces, edges, vertices;
+    for (const int c : part.cells)
+      for (const int f : brep_.cells[c].faces) {
+        faces.insert(f);
+        for (const int e : brep_.faces[f].edges) {
+          edges.insert(e);
+          vertices.insert(brep_.edges[e].vertices.begin(), brep_.edges[e].vertices.end());
+        }
+      }
+    elements_[0].assign(part.cells.begin(), part.cells.end());
+    elements_[1].assign(faces.begin(), faces.end());
+    elements_[2].assign(edges.begin(), edges.end());
+    elements_[3].assign(vertices.begin(), vertices.end());
+  }
+
+  [[nodiscard]] TopoDS_Shape shape() const { return copy_->Shape(); }
+  [[nodiscard]] const std::vector<int>& elements(Element kind) const {
+    return elements_[static_cast<int>(kind)];
+  }
+  [[nodiscard]] TopoDS_Shape copy_of(Element kind, int index) const {
+    return copy_->ModifiedShape(shape_of(brep_, kind, index));
+  }
+
+ private:
+  const Brep& brep_;
+  mutable std::optional<BRepBuilderAPI_Transform> copy_;
+  std::array<std::vector<int>, 4> elements_;
+};
+
+void refuse_alerts(const BOPAlgo_Options& algorithm, const char* what, const Run& run) {
+  run.poll();
+  if (!algorithm.HasErrors() && !algorithm.HasWarnings()) return;
+  std::ostringstream text;
+  text << what << ": ";
+  algorithm.DumpErrors(text);
+  algorithm.DumpWarnings(text);
+  throw error::kernel_failure(text.str());
+}
+
+Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run) {
+  BOPAlgo_PaveFiller filler;
+  BOPAlgo_Builder builder;
+  TopoDS_Shape result;
+  if (parts.size() > 1) {  // the fuse refuses a single argument
+    TopTools_ListOfShape arguments;
+    for (const PlacedPart& part : parts) arguments.Append(part.shape());
+    const Handle(StopIndicator) stop = new StopIndicator(run.stop);
+    filler.SetArguments(arguments);
+    filler.Perform(stop->Start());
+    refuse_alerts(filler, "intersecting the features", run);
+    const Handle(StopIndicator) stop_build = new StopIndicator(run.stop);
+    builder.SetArguments(arguments);
+    builder.PerformWithFiller(filler, stop_build->Start());
+    refuse_alerts(builder, "building the cells", run);
+    result = builder.Shape();
+  } else {
+    result = parts.front().shape();
+  }
+
+  Fusion fusion;
+  fusion.brep = describe(result, scale, {});
+  run.poll();
+  fusion.cells.resize(fusion.brep.cells.size());
+  fusion.faces.resize(fusion.brep.faces.size());
+  fusion.edges.resize(fusion.brep.edges.size());
+  fusion.vertices.resize(fusion.brep.vertices.size());
+  for (int p = 0; p < static_cast<int>(parts.size()); ++p) {
+    const auto trace = [&](Element kind, std::vector<std::vector<Source>>& sources) {
+      for (const int i : parts[p].elements(kind)) {
+        const TopoDS_Shape shape = parts[p].copy_of(kind, i);
+        const auto add = [&](const TopoDS_Shape& image) {
+          const int at = index_of(fusion.brep, kind, image);
+          if (at < 0) throw error::kernel_failure("the history names what the result lacks");
+          sources[at].push_back({p, i});
+        };
+        // An empty list means unchanged.
+        if (parts.size() > 1 && !builder.Modified(shape).IsEmpty()) {
+          for (const TopoDS_Shape& image : builder.Modified(shape)) add(image);
+        } else {
+          add(shape);
+        }
+      }
+      for (auto& list : sources) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+      }
+    };
+    trace(Element::Cell, fusion.cells);
+    trace(Element::Face, fusion.faces);
+    trace(Element::Edge, fusion.edges);
+    trace(Element::Vertex, fusion.vertices);
+  }
+  for (const auto& sources : fusion.cells)
+    if (sources.empty()) throw error::kernel_failure("a cell of the result has no owner");
+  for (const auto& sources : fusion.faces)
+    if (sources.empty()) throw error::kernel_failure("a face of the result has no owner");
+  return fusion;
+}
+
+}  // namespace
+
+Fusion general_fuse(std::span<const Part> parts, const Run& run) {
+  try {
+    const double scale = parts.front().brep->scale;
+    std::vector<PlacedPart> placed;
+    placed.reserve(parts.size());
+    for (const Part& part : parts) placed.emplace_back(part, scale);
+    return fuse_parts(placed, scale, run);
+  } catch (const Standard_Failure& failure) {
+    throw error::kernel_failure(failure.GetMessageString());
+  }
+}
+
+}  // namespace remeshd::kernel
