@@ -52,7 +52,8 @@ struct BrepVertex {
 /// own: model lengths times `scale`, a power of two that keeps its absolute tolerance of 1e-7 small
 /// against any model. All numbers here are in the model's unit.
 ///
-/// Inv: elements are ordered by geometry, never by the CAD kernel.
+/// Inv: elements of a fuse are ordered by geometry, never by the CAD kernel. A primitive has its
+/// cell, who bounds whom, labels and shapes only; measures and triangles come with the fuse.
 class Brep {
  public:
   std::vector<BrepCell> cells;

@@ -7,17 +7,36 @@
 
 #include "engine/kernel/brep.h"
 
+class TopoDS_Edge;
+class TopoDS_Face;
 class TopoDS_Shape;
 
 namespace remeshd::kernel {
 
-/// Reads every element of a CAD shape, triangulates it, and orders all of it by geometry.
+/// Reads every element of a CAD shape, measures and triangulates it, and orders all of it by
+/// geometry. The shape is the Brep's own from then on: triangulating changes it.
 ///
-/// `labels` names faces of the shape. The shape is the Brep's own from then on.
-/// Throws Error(KernelFailure) where the shape has no solid, a face has no triangulation, or
-/// anything of that kind.
-Brep describe(const TopoDS_Shape& shape, double scale,
-              const std::vector<std::pair<TopoDS_Shape, std::string>>& labels);
+/// Throws Error(KernelFailure) where the shape holds no solid or anything dangling, or a face
+/// cannot be triangulated.
+Brep describe(const TopoDS_Shape& shape, double scale);
+
+/// Reads a feature's solid: who bounds whom, and the names of its faces. No measures, no triangles,
+/// no order, because a primitive is only there to be fused.
+Brep describe_primitive(const TopoDS_Shape& solid, double scale,
+                        const std::vector<std::pair<TopoDS_Shape, std::string>>& labels);
+
+struct FaceMoments {
+  double area = 0;
+  Vec3 centroid;
+  double swept_volume = 0;  ///< of the pyramid to the reference point, positive before the face
+};
+FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference);
+
+/// Fills in the curve of an edge, kernel units.
+void measure_edge(const TopoDS_Edge& edge, BrepEdge& out);
+
+/// Fills in points and triangles, kernel units.
+void triangulate(Brep& brep, const TopoDS_Shape& shape);
 
 enum class Element { Cell, Face, Edge, Vertex };
 

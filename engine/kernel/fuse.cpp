@@ -112,7 +112,7 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
   }
 
   Fusion fusion;
-  fusion.brep = describe(result, scale, {});
+  fusion.brep = describe(result, scale);
   run.poll();
   fusion.cells.resize(fusion.brep.cells.size());
   fusion.faces.resize(fusion.brep.faces.size());

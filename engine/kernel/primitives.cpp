@@ -90,14 +90,14 @@ Brep make_round(const TopoDS_Shape& solid, double scale) {
     const bool low = flat && surface.Plane().Location().Z() <= 0;
     labels.emplace_back(it.Current(), !flat ? "wall" : low ? "bottom" : "top");
   }
-  return describe(solid, scale, labels);
+  return describe_primitive(solid, scale, labels);
 }
 
 Brep make_closed(const TopoDS_Shape& solid, double scale) {
   Labels labels;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
     labels.emplace_back(it.Current(), "surface");
-  return describe(solid, scale, labels);
+  return describe_primitive(solid, scale, labels);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ Brep make_prism(std::span<const ProfileCurve> profile, double height, double sca
     for (std::size_t i = 0; i < profile.size(); ++i)
       for (const TopoDS_Shape& face : sweep.Generated(base.edges[i]))
         labels.emplace_back(face, profile[i].label);
-    return describe(sweep.Shape(), scale, labels);
+    return describe_primitive(sweep.Shape(), scale, labels);
   });
 }
 
@@ -126,7 +126,7 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
     for (std::size_t i = 0; i < profile.size(); ++i)
       for (const TopoDS_Shape& face : sweep.Generated(base.edges[i]))
         labels.emplace_back(face, profile[i].label);
-    return describe(sweep.Shape(), scale, labels);
+    return describe_primitive(sweep.Shape(), scale, labels);
   });
 }
 

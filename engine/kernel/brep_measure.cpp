@@ -1,0 +1,74 @@
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Sinert.hxx>
+#include <BRepGProp_Vinert.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GCPnts_TangentialDeflection.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/kernel/brep_shapes.h"
+
+namespace remeshd::kernel {
+namespace {
+
+constexpr double kTurning = 0.1;     // rad between points of an edge; 6 degrees are promised
+constexpr double kDeflection = 0.5;  // kernel units: far above what the angle asks for
+
+Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+Vec3 vec(const gp_Pnt& p) { return vec(p.XYZ()); }
+
+}  // namespace
+
+/// Integrals over a face. BRepGProp's own entry takes another reference point for each face.
+FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference) {
+  BRepGProp_Face integrand(face);
+  BRepGProp_Domain domain(face);
+  const gp_Pnt origin(reference.x, reference.y, reference.z);
+  BRepGProp_Sinert surface(integrand, domain, origin);
+  domain.Init(face);
+  BRepGProp_Vinert volume(integrand, domain, origin);
+  return {surface.Mass(), vec(surface.CentreOfMass()), volume.Mass()};
+}
+
+void measure_edge(const TopoDS_Edge& edge, BrepEdge& out) {
+  const BRepAdaptor_Curve curve(edge);
+  const double first = curve.FirstParameter();
+  const double last = curve.LastParameter();
+  for (const int end : {0, 1}) {
+    gp_Pnt p;
+    gp_Vec d;
+    curve.D1(end == 0 ? first : last, p, d);
+    if (d.Magnitude() > gp::Resolution()) out.tangents[end] = vec(d.Normalized().XYZ());
+  }
+  switch (curve.GetType()) {
+    case GeomAbs_Line:
+      out.kind = BrepEdge::Kind::Line;
+      out.length = last - first;
+      out.points = {vec(curve.Value(first)), vec(curve.Value(last))};
+      break;
+    case GeomAbs_Circle: {
+      const gp_Circ circle = curve.Circle();
+      out.kind = BrepEdge::Kind::Circle;
+      out.centre = vec(circle.Location());
+      out.axis = vec(circle.Axis().Direction().XYZ());
+      out.radius = circle.Radius();
+      out.length = out.radius * (last - first);
+      const int n = std::max(2, static_cast<int>(std::ceil((last - first) / kTurning)));
+      for (int i = 0; i <= n; ++i)
+        out.points.push_back(vec(curve.Value(first + (last - first) * i / n)));
+      break;
+    }
+    default: {
+      out.length = GCPnts_AbscissaPoint::Length(curve, 1e-9);
+      const GCPnts_TangentialDeflection samples(curve, kTurning, kDeflection, 3);
+      for (int i = 1; i <= samples.NbPoints(); ++i) out.points.push_back(vec(samples.Value(i)));
+      break;
+    }
+  }
+}
+
+}  // namespace remeshd::kernel
