@@ -60,6 +60,7 @@ void repeat(const Revision& original, const PointSource& source, Revision& revis
   map.transforms = source.transforms();
   map.transform_features = {original.model.features[source.sources().front().original].id};
   revision.master = original.master;
+  revision.meshed_source = original.meshed_source;
   revision.meshed_model = original.meshed_model;
   revision.report.quality_before = original.report.quality_before;
   revision.report.free_share = 0;
@@ -80,6 +81,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   PhaseSeconds& seconds = report.seconds;
   revision.source = document;
   revision.model = evaluate(document);
+  revision.meshed_source = document;
   revision.meshed_model = revision.model;
   revision.options = options;
   run.report("cells", 0);

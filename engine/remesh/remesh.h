@@ -72,12 +72,14 @@ struct Master;
 
 /// One design revision as the engine sees it: immutable once made.
 struct Revision {
-  ModelSource source;         ///< as asked for
-  FeatureModel model;         ///< evaluated
-  FeatureModel meshed_model;  ///< the model that the mesh was made for (differs from `model` by
-                              ///< rounding only)
-  MeshOptions options;        ///< as resolved; an edit inherits these
-  double edge_length = 0;     ///< target edge length l; an edit inherits it as its density
+  ModelSource source;  ///< as asked for
+  FeatureModel model;  ///< evaluated
+  /// What the mesh was made for: `source` and `model` but for rounding and spelling, so that steps
+  /// too small to count cannot add up unseen.
+  ModelSource meshed_source;
+  FeatureModel meshed_model;
+  MeshOptions options;     ///< as resolved; an edit inherits these
+  double edge_length = 0;  ///< target edge length l; an edit inherits it as its density
   CellularModel cells;
   std::shared_ptr<const Master> master;
   Delivery delivery;

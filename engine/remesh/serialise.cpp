@@ -1,0 +1,137 @@
+#include <cereal/archives/portable_binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/variant.hpp>
+#include <cereal/types/vector.hpp>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "engine/remesh/master.h"
+#include "engine/remesh/remesh.h"
+
+// One `serialize` a struct, in the order of its members; cereal finds them by their arguments.
+namespace remeshd {
+
+namespace {
+/// Raised with every change of what follows: older bytes are refused, never misread.
+constexpr std::uint32_t kFormat = 1;
+}  // namespace
+
+template <class A>
+void serialize(A& a, Vec3& v) {
+  a(v.x, v.y, v.z);
+}
+template <class A>
+void serialize(A& a, Transform& t) {
+  a(t.m);
+}
+template <class A>
+void serialize(A& a, ProfileEntry& p) {
+  a(p.x, p.y, p.through);
+}
+template <class A>
+void serialize(A& a, PlacementSource& p) {
+  a(p.origin, p.z_axis, p.x_axis);
+}
+template <class A>
+void serialize(A& a, FeatureSource& f) {
+  a(f.id, f.nature, f.type, f.parameters, f.profile, f.placement, f.reference);
+}
+template <class A>
+void serialize(A& a, ModelSource& m) {
+  a(m.name, m.unit, m.parameters, m.features);
+}
+template <class A>
+void serialize(A& a, MeshOptions& o) {
+  a(o.nodes, o.size, o.iterations, o.seed, o.clean_up);
+}
+template <class A>
+void serialize(A& a, Support& s) {
+  a(s.kind, s.entity);
+}
+template <class A>
+void serialize(A& a, Master& m) {
+  a(m.positions, m.supports, m.tets, m.next_node_id, m.next_tet_id);
+}
+template <class A>
+void serialize(A& a, TetMesh& m) {
+  a(m.nodes, m.tets);
+}
+template <class A>
+void serialize(A& a, MeshFacet& f) {
+  a(f.nodes, f.tet, f.group);
+}
+template <class A>
+void serialize(A& a, MeshGroups& g) {
+  a(g.facets, g.facet_groups, g.tet_cell, g.cell_owners);
+}
+template <class A>
+void serialize(A& a, NodeMap& m) {
+  a(m.node_origin, m.original_node, m.node_transform, m.original_tet, m.transforms,
+    m.transform_features);
+}
+template <class A>
+void serialize(A& a, Delivery& d) {
+  a(d.mesh, d.node_ids, d.tet_ids, d.groups, d.map);
+}
+template <class A>
+void serialize(A& a, PhaseSeconds& s) {
+  a(s.setup, s.optimise, s.extract, s.difference, s.copy, s.total);
+}
+template <class A>
+void serialize(A& a, Counts& c) {
+  a(c.nodes, c.tets, c.boundary_facets, c.samples, c.active_samples, c.nodes_copied, c.nodes_new,
+    c.free_at_start, c.free_at_end, c.free_per_iteration, c.nodes_kept, c.nodes_moved, c.tets_kept,
+    c.iterations);
+}
+template <class A>
+void serialize(A& a, Quality& q) {
+  a(q.volume_length_mean, q.volume_length_p01, q.volume_length_min, q.dihedral_min, q.dihedral_max,
+    q.volume, q.histogram);
+}
+template <class A>
+void serialize(A& a, GroupArea& g) {
+  a(g.group, g.exact_area, g.mesh_area);
+}
+template <class A>
+void serialize(A& a, Report& r) {
+  a(r.revision, r.cached, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
+    r.exact_volume, r.quality_before, r.quality, r.groups, r.warnings);
+}
+
+std::string serialise(const Revision& revision) {
+  std::ostringstream out(std::ios::binary);
+  {
+    cereal::PortableBinaryOutputArchive archive(out);
+    archive(kFormat, revision.source, revision.meshed_source, revision.options,
+            revision.edge_length, *revision.master, revision.delivery, revision.report);
+  }
+  return std::move(out).str();
+}
+
+Revision deserialise(const std::string& bytes, const Run& run) {
+  Revision revision;
+  Master master;
+  try {
+    std::istringstream in(bytes, std::ios::binary);
+    cereal::PortableBinaryInputArchive archive(in);
+    std::uint32_t format = 0;
+    archive(format);
+    if (format != kFormat) throw error::internal("store", "a revision of another format");
+    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, master,
+            revision.delivery, revision.report);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw error::internal("store", std::string("a stored revision cannot be read: ") + e.what());
+  }
+  revision.model = evaluate(revision.source);
+  revision.meshed_model = evaluate(revision.meshed_source);
+  revision.cells = build_cells(revision.model, run);
+  revision.master = std::make_shared<const Master>(std::move(master));
+  return revision;
+}
+
+}  // namespace remeshd
