@@ -1,6 +1,7 @@
 #include "engine/improve/improve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 #include "engine/improve/boundary_rules.h"
@@ -14,6 +15,25 @@ namespace {
 /// Least gain of the worst quality for which a reconnection or a move is worth while; it also
 /// bounds the number of operations.
 constexpr double kGain = 1e-3;
+/// Tets of this measure and above have no dihedral angle that one asks to remove.
+constexpr double kNeverSharp = 0.7;
+/// By how much a move tries to raise a tet at least; a sharp one may be above the threshold
+/// already.
+constexpr double kSharpGain = 0.02;
+/// How far above the threshold the neighbours of a stubborn tet are raised.
+constexpr double kRelaxed = 0.15;
+
+/// Whether a positive tet has a dihedral angle whose cosine is above `cosine`.
+bool sharper(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double cosine) {
+  const std::array<Vec3, 4> normal{cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
+                                   cross(c - a, b - a)};
+  std::array<double, 4> length{};
+  for (int i = 0; i < 4; ++i) length[i] = norm(normal[i]);
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (-dot(normal[i], normal[j]) > cosine * length[i] * length[j]) return true;
+  return false;
+}
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
 struct Job {
@@ -37,12 +57,13 @@ class CleanUp {
         options_(options),
         run_(run),
         max_ring_(std::clamp(options.max_ring, 3, EdgeRing::kMaxTets)),
+        max_cosine_(std::cos(options.min_dihedral)),
         dirty_(dirty.begin(), dirty.end()),
         moved_(mesh.nodes.size(), 0) {}
 
   ImproveResult work() {
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!sweep()) break;
+      if (!sweep(pass > 0)) break;
     ImproveResult result;
     for (std::int32_t t = 0; t < mesh_.slots(); ++t)
       if (bad(t)) ++result.below_threshold;
@@ -53,11 +74,20 @@ class CleanUp {
 
  private:
   [[nodiscard]] bool bad(std::int32_t t) const {
-    return mesh_.used(t) && dirty_[t] != 0 && mesh_.quality(t) < options_.threshold;
+    if (!mesh_.used(t) || dirty_[t] == 0) return false;
+    const double quality = mesh_.quality(t);
+    return quality < options_.threshold || (quality < kNeverSharp && sharp(t));
   }
 
-  /// One pass, worst first, over all bad tets; true if anything changed.
-  bool sweep() {
+  [[nodiscard]] bool sharp(std::int32_t t) const {
+    const Tet& tet = mesh_.tet(t);
+    return sharper(mesh_.node(tet[0]), mesh_.node(tet[1]), mesh_.node(tet[2]), mesh_.node(tet[3]),
+                   max_cosine_);
+  }
+
+  /// One pass, worst first, over all bad tets; true if anything changed. A thorough one makes room
+  /// round tets on which nothing else works.
+  bool sweep(bool thorough) {
     for (std::int32_t t = 0; t < mesh_.slots(); ++t)
       if (bad(t)) jobs_.push({mesh_.quality(t), t, mesh_.stamp(t)});
     bool changed = false;
@@ -66,7 +96,7 @@ class CleanUp {
       const Job job = jobs_.top();
       jobs_.pop();
       if (!mesh_.used(job.tet) || mesh_.stamp(job.tet) != job.stamp) continue;
-      if (reconnect(job.tet) || smooth(job.tet)) changed = true;
+      if (reconnect(job.tet) || smooth(job.tet) || (thorough && relax(job.tet))) changed = true;
     }
     return changed;
   }
@@ -101,15 +131,36 @@ class CleanUp {
 
   bool smooth(std::int32_t t) {
     bool changed = false;
+    const double enough = std::max(options_.threshold, mesh_.quality(t) + kSharpGain);
     for (const std::int32_t node : mesh_.tet(t)) {
-      Vec3 position;
-      if (!smoother_.smooth(node, options_.threshold, kGain, position)) continue;
-      mesh_.move(node, position);
-      moved_[node] = 1;
+      if (!smooth_node(node, enough)) continue;
       changed = true;
-      for (const std::int32_t s : mesh_.tets_of(node)) touch(s);
-      if (mesh_.quality(t) >= options_.threshold) break;
+      if (!bad(t)) break;
     }
+    return changed;
+  }
+
+  bool smooth_node(std::int32_t node, double enough) {
+    Vec3 position;
+    if (!smoother_.smooth(node, enough, kGain, position)) return false;
+    mesh_.move(node, position);
+    moved_[node] = 1;
+    for (const std::int32_t s : mesh_.tets_of(node)) touch(s);
+    return true;
+  }
+
+  /// Moves the nodes round a tet apart, though their own tets are good enough, so that the tet's
+  /// nodes get room: where two nodes of a model edge are too near, each holds the other.
+  bool relax(std::int32_t t) {
+    std::vector<std::int32_t> nodes;
+    for (const std::int32_t node : mesh_.tet(t))
+      for (const std::int32_t s : mesh_.tets_of(node))
+        nodes.insert(nodes.end(), mesh_.tet(s).begin(), mesh_.tet(s).end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    bool changed = false;
+    for (const std::int32_t node : nodes)
+      if (smooth_node(node, options_.threshold + kRelaxed)) changed = true;
     return changed;
   }
 
@@ -124,6 +175,7 @@ class CleanUp {
   ImproveOptions options_;
   const Run& run_;
   int max_ring_;
+  double max_cosine_;  ///< of the smallest dihedral angle that is good enough
   std::vector<std::uint8_t> dirty_;
   std::vector<std::uint8_t> moved_;
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;

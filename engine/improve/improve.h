@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -11,9 +12,12 @@
 namespace remeshd {
 
 struct ImproveOptions {
-  /// Tets below this volume-length measure are worked on, worst first; .45 gives at least about 25
-  /// degrees of dihedral angle on a VTM mesh.
-  double threshold = 0.45;
+  /// Tets below this volume-length measure are worked on, worst first. On VTM meshes of 15,000 nodes
+  /// .45 alone leaves dihedral angles from 20 degrees in 10 ms, .52 from 23 in 20, .6 from 27 in 45.
+  double threshold = 0.52;
+  /// rad; so are tets with a smaller dihedral angle. The few that have one while their measure is
+  /// fair cost less here than by a higher threshold for all.
+  double min_dihedral = 25.2 * std::numbers::pi / 180;
   int max_ring = 8;  ///< largest ring of tets round an edge that edge removal tries
   int passes = 4;    ///< sweeps over what is still below the threshold
   /// A boundary node that slides may leave no boundary facet off its surface by more than this
