@@ -8,6 +8,8 @@
 namespace remeshd {
 namespace {
 
+constexpr int kSlides = 8;
+
 Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
   const Vec3 d = b - a;
   const double t = dot(p - a, d) / norm2(d);
@@ -45,8 +47,20 @@ Vec3 nearest_on_polyline(const BoundaryModel& boundary, const BoundaryEdge& edge
   }
   const bool at_end = best == edge.points.front() || best == edge.points.back();
   if ((at_end && edge.start >= 0) || edge.faces.size() != 2) return best;
-  return onto_both(boundary.faces[edge.faces[0]].surface, boundary.faces[edge.faces[1]].surface,
-                   best);
+  // The foot on a chord is not the foot on the curve: slide along the tangent until p is square to
+  // it, so that projecting twice is projecting once.
+  const Surface& a = boundary.faces[edge.faces[0]].surface;
+  const Surface& b = boundary.faces[edge.faces[1]].surface;
+  best = onto_both(a, b, best);
+  for (int k = 0; k < kSlides; ++k) {
+    const Vec3 t = cross(normal(a, best), normal(b, best));
+    if (norm2(t) < 1e-12) break;  // tangent surfaces: the chord has to do
+    const Vec3 slid = onto_both(a, b, best + (dot(p - best, t) / norm2(t)) * t);
+    const double moved2 = norm2(slid - best);
+    best = slid;
+    if (moved2 <= 1e-28 * norm2(edge.points.back() - edge.points.front()) || moved2 == 0) break;
+  }
+  return best;
 }
 
 bool contains(const std::vector<int>& sorted, int value) {

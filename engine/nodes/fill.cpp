@@ -55,8 +55,8 @@ std::vector<Vec3> fill(const std::vector<Box>& boxes,
                        const Run& run) {
   double h = kCellShare * options.edge_length;
   std::vector<Vec3> centres = cells_inside(boxes, h, inside, run);
-  // A region so thin that no centre lies in it still deserves nodes.
-  for (int k = 0; k < 3 && centres.empty(); ++k)
+  // A whole model so thin that no centre lies in it still deserves nodes; a newcell does not.
+  for (int k = 0; k < 3 && centres.empty() && options.count; ++k)
     centres = cells_inside(boxes, h *= 0.5, inside, run);
   std::vector<Vec3> nodes;
   if (centres.empty()) return nodes;

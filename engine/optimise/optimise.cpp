@@ -6,6 +6,7 @@
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/active_samples.h"
 #include "engine/optimise/pull.h"
+#include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
 
 namespace remeshd {
@@ -149,6 +150,9 @@ OptimiseResult optimise(NodeSet& nodes, const BoundaryModel& boundary, const Mem
   active.promote(
       pull_boundary(nodes, boundary, adjacency, samples, active.participants(), pull, run));
   result.tets = triangulator.tets(nodes);
+  result.nodes_recovered =
+      recover_edges(nodes, boundary, result.tets, [&] { return triangulator.tets(nodes); },
+                    {.edge_length = options.edge_length});
   result.samples_active = active.active_count();
   return result;
 }

@@ -22,6 +22,7 @@ struct OptimiseOptions {
 struct OptimiseResult {
   std::vector<Tet> tets;  ///< the Delaunay mesh of all nodes, outside included
   std::vector<std::uint32_t> free_per_iteration;
+  int nodes_recovered = 0;                     ///< inserted to make missing model edges present
   std::uint32_t samples_active = 0;  ///< at the end
 };
 

@@ -8,6 +8,7 @@
 #include "engine/nodes/place_supports.h"
 #include "engine/remesh/deliver.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/repair.h"
 #include "engine/remesh/stages.h"
 
 namespace remeshd {
@@ -15,6 +16,7 @@ namespace remeshd {
 namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
+constexpr int kRepairRounds = 8;
 
 /// Adds up the seconds between calls, each to a phase.
 class Stopwatch {
@@ -139,6 +141,20 @@ Revision make_revision(const Revision* original, const ModelSource& document,
         static_cast<std::uint32_t>(std::count(nodes.free.begin(), nodes.free.end(), 1));
     report.free_share = mean_free_share(loop, nodes.size());
     candidate = extract(std::move(nodes), std::move(loop), base, fresh, cells, options, run);
+    int repaired = 0;
+    for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
+      const int inserted = insert_where_missing(candidate.nodes, candidate.verification, samples,
+                                                density.edge_length);
+      if (inserted == 0) break;
+      repaired += inserted;
+      candidate.loop.tets =
+          triangulate_anew(candidate.nodes, cells.boundary, density.edge_length, run);
+      candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), base, fresh, cells,
+                          options, run);
+    }
+    if (repaired > 0)
+      report.warnings.push_back(std::to_string(repaired) +
+                                " nodes were inserted to make the boundary complete");
     valid = candidate.verification.valid;
     if (valid) {
       report.counts.free_per_iteration = candidate.loop.free_per_iteration;

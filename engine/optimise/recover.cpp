@@ -1,0 +1,145 @@
+#include "engine/optimise/recover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace remeshd {
+
+namespace {
+
+using Link = std::pair<std::int32_t, std::int32_t>;
+
+struct OnEdge {
+  double at;  ///< length along the edge
+  std::int32_t node;
+};
+
+/// Length along the edge's polyline to the point of it nearest to p.
+double length_to(const BoundaryEdge& edge, const Vec3& p) {
+  double best = HUGE_VAL, best_at = 0, passed = 0;
+  for (std::size_t k = 1; k < edge.points.size(); ++k) {
+    const Vec3 d = edge.points[k] - edge.points[k - 1];
+    const double length2 = norm2(d);
+    const double t =
+        length2 > 0 ? std::clamp(dot(p - edge.points[k - 1], d) / length2, 0.0, 1.0) : 0.0;
+    const double off = norm2(p - (edge.points[k - 1] + t * d));
+    if (off < best) {
+      best = off;
+      best_at = passed + t * std::sqrt(length2);
+    }
+    passed += std::sqrt(length2);
+  }
+  return best_at;
+}
+
+Vec3 point_at(const BoundaryEdge& edge, double at) {
+  for (std::size_t k = 1; k < edge.points.size(); ++k) {
+    const double chord = distance(edge.points[k - 1], edge.points[k]);
+    if (at <= chord || k + 1 == edge.points.size())
+      return edge.points[k - 1] +
+             (chord > 0 ? std::fmin(at / chord, 1.0) : 0.0) * (edge.points[k] - edge.points[k - 1]);
+    at -= chord;
+  }
+  return edge.points.back();
+}
+
+double polyline_length(const BoundaryEdge& edge) {
+  double length = 0;
+  for (std::size_t k = 1; k < edge.points.size(); ++k)
+    length += distance(edge.points[k - 1], edge.points[k]);
+  return length;
+}
+
+/// The nodes of each model edge in order along it, its vertices' included.
+std::vector<std::vector<OnEdge>> chains(const NodeSet& nodes, const BoundaryModel& boundary) {
+  std::vector<std::vector<OnEdge>> chain(boundary.edges.size());
+  std::vector<std::int32_t> at_vertex(boundary.vertices.size(), -1);
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    const Support& s = nodes.supports[n];
+    if (s.kind == Support::Kind::Vertex) at_vertex[s.entity] = n;
+    if (s.kind == Support::Kind::Edge)
+      chain[s.entity].push_back({length_to(boundary.edges[s.entity], nodes.positions[n]), n});
+  }
+  for (std::size_t e = 0; e < chain.size(); ++e) {
+    const BoundaryEdge& edge = boundary.edges[e];
+    std::sort(chain[e].begin(), chain[e].end(), [](const OnEdge& a, const OnEdge& b) {
+      return a.at != b.at ? a.at < b.at : a.node < b.node;
+    });
+    const double length = polyline_length(edge);
+    if (edge.start >= 0 && at_vertex[edge.start] >= 0)
+      chain[e].insert(chain[e].begin(), {0, at_vertex[edge.start]});
+    if (edge.end >= 0 && at_vertex[edge.end] >= 0)
+      chain[e].push_back({length, at_vertex[edge.end]});
+    if (edge.closed() && edge.start < 0 && !chain[e].empty())
+      chain[e].push_back({length + chain[e].front().at, chain[e].front().node});
+  }
+  return chain;
+}
+
+/// Where to split the link from a to b: in the middle, or on the shell nearest to it round the one
+/// end that is a model vertex.
+double split_at(const NodeSet& nodes, const OnEdge& a, const OnEdge& b, double edge_length) {
+  const double length = b.at - a.at;
+  const bool from_a = nodes.supports[a.node].kind == Support::Kind::Vertex;
+  const bool from_b = nodes.supports[b.node].kind == Support::Kind::Vertex;
+  if (from_a == from_b) return a.at + 0.5 * length;
+  const double shell = edge_length * std::exp2(std::round(std::log2(0.5 * length / edge_length)));
+  return from_a ? a.at + shell : b.at - shell;
+}
+
+std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const std::vector<Tet>& tets) {
+  std::vector<Link> links;
+  const auto on_edge = [&](std::int32_t n) {
+    return nodes.supports[n].kind >= Support::Kind::Edge;
+  };
+  for (const Tet& t : tets)
+    for (int i = 0; i < 4; ++i) {
+      if (!on_edge(t[i])) continue;
+      for (int j = i + 1; j < 4; ++j)
+        if (on_edge(t[j])) links.emplace_back(std::min(t[i], t[j]), std::max(t[i], t[j]));
+    }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+}  // namespace
+
+int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, std::vector<Tet>& tets,
+                  const std::function<std::vector<Tet>()>& triangulate,
+                  const RecoverOptions& options) {
+  int inserted = 0;
+  for (int round = 0; round < options.rounds; ++round) {
+    const std::vector<Link> links = links_between_edge_nodes(nodes, tets);
+    const std::vector<std::vector<OnEdge>> chain = chains(nodes, boundary);
+    const int before = inserted;
+    for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
+      const BoundaryEdge& edge = boundary.edges[e];
+      const double length = polyline_length(edge);
+      const auto insert = [&](double at) {
+        const double wrapped = at > length ? at - length : at;
+        nodes.add_new(project(boundary, edge, point_at(edge, wrapped)), {Support::Kind::Edge, e});
+        ++inserted;
+      };
+      // A closed edge needs three nodes to be a chain at all.
+      const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
+      if (edge.closed() && nodes_on < 3) {
+        const double from = chain[e].empty() ? 0 : chain[e].front().at;
+        for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);
+        continue;
+      }
+      for (std::size_t k = 1; k < chain[e].size(); ++k) {
+        const OnEdge &a = chain[e][k - 1], &b = chain[e][k];
+        if (!std::binary_search(links.begin(), links.end(),
+                                Link(std::min(a.node, b.node), std::max(a.node, b.node))))
+          insert(split_at(nodes, a, b, options.edge_length));
+      }
+    }
+    if (inserted == before) break;
+    tets = triangulate();
+  }
+  return inserted;
+}
+
+}  // namespace remeshd

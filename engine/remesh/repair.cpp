@@ -1,0 +1,57 @@
+#include "engine/remesh/repair.h"
+
+#include <numeric>
+
+#include "engine/kernel/delaunay.h"
+#include "engine/nodes/nearest.h"
+#include "engine/optimise/recover.h"
+
+namespace remeshd {
+
+namespace {
+constexpr double kAround = 1.0;   // x edge length: how far from a failure samples are looked at
+constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this to another
+}  // namespace
+
+int insert_where_missing(NodeSet& nodes, const Verification& verification, const Samples& samples,
+                         double edge_length) {
+  const NearestNode grid(nodes.positions, 0.8 * edge_length);
+  std::vector<Vec3> added;
+  for (const MeshDefect& defect : verification.failures) {
+    const Sample* best = nullptr;
+    double farthest = kClosest * edge_length * kClosest * edge_length;
+    for (const Sample& s : samples.points) {
+      if (norm2(s.position - defect.place) > kAround * kAround * edge_length * edge_length)
+        continue;
+      double d = norm2(s.position - nodes.positions[grid.nearest(s.position)]);
+      for (const Vec3& p : added) d = std::fmin(d, norm2(s.position - p));
+      if (d > farthest) {
+        farthest = d;
+        best = &s;
+      }
+    }
+    if (!best) continue;
+    added.push_back(best->position);
+    nodes.add_new(best->position, best->support);
+  }
+  return static_cast<int>(added.size());
+}
+
+std::vector<Tet> triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+                                  const Run& run) {
+  const auto triangulate = [&] {
+    kernel::Delaunay mesh(boundary.bounds);
+    std::vector<std::int32_t> all(nodes.positions.size());
+    std::iota(all.begin(), all.end(), 0);
+    mesh.insert(nodes.positions, all, run);
+    std::vector<Tet> tets;
+    tets.reserve(mesh.size());
+    mesh.for_each_tet([&](const Tet& t) { tets.push_back(t); });
+    return tets;
+  };
+  std::vector<Tet> tets = triangulate();
+  recover_edges(nodes, boundary, tets, triangulate, {.edge_length = edge_length});
+  return tets;
+}
+
+}  // namespace remeshd

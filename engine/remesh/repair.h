@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/boundary/samples.h"
+#include "engine/nodes/node_set.h"
+#include "engine/verify/verify.h"
+
+namespace remeshd {
+
+/// Inserts boundary nodes where a mesh failed to represent the boundary: near each place that
+/// verification names, at the sample that is farthest from any node. That is where the boundary is
+/// too thinly occupied for its facets to be Delaunay.
+///
+/// Returns the number of nodes inserted; 0 where every sample near the failures has its node.
+int insert_where_missing(NodeSet& nodes, const Verification& verification, const Samples& samples,
+                         double edge_length);
+
+/// The Delaunay mesh of all nodes, and model edges recovered in it.
+std::vector<Tet> triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+                                  const Run& run);
+
+}  // namespace remeshd
