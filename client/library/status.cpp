@@ -7,11 +7,13 @@ namespace remeshd::client {
 std::string describe(const remesh::v1::Error& error) {
   std::string where;
   const auto add = [&](const std::string& what, const std::string& name) {
-    if (name.empty()) return;
+    // Most messages say themselves where they belong.
+    if (name.empty() || error.message().find(name) != std::string::npos) return;
     if (!where.empty()) where += ", ";
     where += what + name;
   };
-  if (error.has_edit_index()) add("edit ", std::to_string(error.edit_index()));
+  const std::string edit = "edit " + std::to_string(error.edit_index());
+  if (error.has_edit_index()) add("", edit);
   add("feature ", error.feature());
   add("parameter ", error.parameter());
   std::string text = where.empty() ? "" : where + ": ";

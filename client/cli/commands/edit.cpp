@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "client/cli/base.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/exit_code.h"
+#include "client/cli/mesh_base.h"
+#include "client/cli/mesh_options.h"
+#include "client/cli/reply.h"
+
+namespace remeshd::cli {
+namespace {
+
+struct EditArguments {
+  std::string base, edit, mesh_file, report_file;
+  MeshingOptions meshing;
+};
+
+int edit(Session& session, const EditArguments& arguments) {
+  check_mesh_file(arguments.mesh_file);
+  const Base base = resolve_base(arguments.base);
+  remesh::v1::EditRevisionRequest request;
+  *request.mutable_edit() = read_edit(arguments.edit);
+  client::EditStream stream = session.stream();
+  // A base that is meshed here takes the options, and the edit inherits them.
+  const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
+  request.set_base(mesh_base(session, stream, base, arguments.meshing));
+  arguments.meshing.fill(request, !base_is_model);
+  const auto reply = stream.edit(std::move(request)).get();
+  session.console().end_progress();
+  deliver(session, reply, arguments.mesh_file, arguments.report_file);
+  return kFine;
+}
+
+}  // namespace
+
+void add_edit_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("edit", "Apply an edit to a revision and remesh it");
+  const auto arguments = std::make_shared<EditArguments>();
+  command
+      ->add_option("BASE", arguments->base,
+                   "Revision (design, design@N, id or 8 digits of it) or model file; a model file "
+                   "is meshed first, with the options given, if the daemon lacks it")
+      ->required();
+  command->add_option("EDIT.json", arguments->edit, "Edit document")->required();
+  command->add_option("-o,--output", arguments->mesh_file, "Mesh file: .vtu, .msh or .inp")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("--json", arguments->report_file, "Write the Report here; `-`: to stdout")
+      ->type_name("FILE");
+  arguments->meshing.add_to(*command);
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) { return edit(session, *arguments); };
+  });
+}
+
+}  // namespace remeshd::cli

@@ -1,0 +1,148 @@
+#include <google/protobuf/util/time_util.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "client/cli/commands/command.h"
+#include "client/cli/exit_code.h"
+#include "client/cli/reply.h"
+#include "client/cli/table.h"
+#include "proto/json_writer.h"
+
+namespace remeshd::cli {
+namespace {
+
+using Revisions = std::vector<remesh::v1::RevisionInfo>;
+
+constexpr std::size_t kShownDigits = 12;
+
+void list(Session& session, const Revisions& revisions, const std::string& json_file) {
+  if (!json_file.empty()) {
+    remesh::v1::ListRevisionsReply all;
+    for (const auto& revision : revisions) *all.add_revisions() = revision;
+    session.write_text(json_file, write_json(all));
+  }
+  if (json_file == "-") return;
+  std::vector<std::vector<std::string>> rows{
+      {"revision", "id", "parent", "nodes", "tets", "created", "head"}};
+  for (const auto& revision : revisions)
+    rows.push_back({short_name(revision), revision.id().substr(0, kShownDigits),
+                    revision.parent().empty() ? "-" : revision.parent().substr(0, kShownDigits),
+                    std::to_string(revision.nodes()), std::to_string(revision.tets()),
+                    google::protobuf::util::TimeUtil::ToString(revision.created()),
+                    revision.head() ? "*" : ""});
+  write_table(session.out(), rows);
+}
+
+void add_json_option(CLI::App& command, std::string& file) {
+  command.add_option("--json", file, "Write the list here; `-`: to stdout")->type_name("FILE");
+}
+
+void add_log(CLI::App& app, Action& action) {
+  struct Arguments {
+    std::string design, json;
+  };
+  auto* command = app.add_subcommand("log", "Revisions of a design");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("DESIGN", arguments->design, "Name of the design")->required();
+  add_json_option(*command, arguments->json);
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) {
+      list(session, session.client().log(arguments->design, session.call()), arguments->json);
+      return kFine;
+    };
+  });
+}
+
+void add_revisions(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand("revisions", "All revisions, by design");
+  const auto json = std::make_shared<std::string>();
+  add_json_option(*command, *json);
+  command->callback([json, &action] {
+    action = [json](Session& session) {
+      list(session, session.client().list(session.call()), *json);
+      return kFine;
+    };
+  });
+}
+
+void add_model(CLI::App& app, Action& action) {
+  struct Arguments {
+    std::string revision, file;
+  };
+  auto* command = app.add_subcommand("model", "Write the model of a revision, as it was written");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("REV", arguments->revision, "Revision")->required();
+  command->add_option("-o,--output", arguments->file, "Model document; `-`: to stdout")
+      ->required()
+      ->type_name("FILE");
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) {
+      const auto description = session.client().describe(arguments->revision, session.call());
+      session.write_text(arguments->file, write_document(description.model()));
+      return kFine;
+    };
+  });
+}
+
+void add_get(CLI::App& app, Action& action) {
+  struct Arguments {
+    std::string revision, mesh_file, report_file;
+  };
+  auto* command = app.add_subcommand("get", "Write the mesh of a revision");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("REV", arguments->revision, "Revision")->required();
+  command->add_option("-o,--output", arguments->mesh_file, "Mesh file: .vtu, .msh or .inp")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("--json", arguments->report_file, "Write its Report here; `-`: to stdout")
+      ->type_name("FILE");
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) {
+      check_mesh_file(arguments->mesh_file);
+      session.write_mesh_of(arguments->revision, arguments->mesh_file);
+      if (arguments->report_file.empty()) return kFine;
+      const auto description = session.client().describe(arguments->revision, session.call());
+      session.write_text(arguments->report_file, write_json(description.report()));
+      return kFine;
+    };
+  });
+}
+
+void add_rm(CLI::App& app, Action& action) {
+  struct Arguments {
+    std::vector<std::string> revisions;
+    bool allow_head = false;
+  };
+  auto* command = app.add_subcommand("rm", "Delete revisions");
+  const auto arguments = std::make_shared<Arguments>();
+  command
+      ->add_option("REV", arguments->revisions,
+                   "`design@N` takes it out of that design, an id out of all")
+      ->required();
+  command->add_flag("--allow-head", arguments->allow_head, "Delete the head of a design, too");
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) {
+      for (const std::string& revision : arguments->revisions) {
+        const auto reply = session.client().remove(revision, arguments->allow_head, session.call());
+        for (const auto& place : reply.removed())
+          session.console().note("removed " + place.design() + "@" +
+                                 std::to_string(place.number()) +
+                                 (reply.mesh_deleted() ? " and its mesh" : ""));
+      }
+      return kFine;
+    };
+  });
+}
+
+}  // namespace
+
+void add_revision_commands(CLI::App& app, Action& action) {
+  add_model(app, action);
+  add_log(app, action);
+  add_revisions(app, action);
+  add_get(app, action);
+  add_rm(app, action);
+}
+
+}  // namespace remeshd::cli

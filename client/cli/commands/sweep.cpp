@@ -1,0 +1,199 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
+#include "client/cli/base.h"
+#include "client/cli/commands/command.h"
+#include "client/cli/exit_code.h"
+#include "client/cli/mesh_base.h"
+#include "client/cli/mesh_options.h"
+#include "client/cli/reply.h"
+#include "client/cli/table.h"
+#include "proto/json_writer.h"
+
+namespace remeshd::cli {
+namespace {
+
+struct SweepArguments {
+  std::string base, parameter, folder;
+  std::string format = "vtu";
+  double from = 0, to = 0;
+  int steps = 0;
+  bool from_base = false;
+  MeshingOptions meshing;
+};
+
+/// Values are spread evenly, both ends included; a single step takes the first.
+double value_of(const SweepArguments& arguments, int step) {
+  if (step == 0) return arguments.from;
+  if (step == arguments.steps - 1) return arguments.to;
+  return arguments.from + (arguments.to - arguments.from) * step / (arguments.steps - 1);
+}
+
+/// Sets a parameter of the model, or one of a feature where the name has a dot.
+remesh::v1::ModelEdit edit_of(const std::string& parameter, double value) {
+  remesh::v1::ModelEdit edit;
+  const std::size_t dot = parameter.find('.');
+  if (dot == std::string::npos) {
+    auto* set = edit.add_edits()->mutable_set_parameter();
+    set->set_name(parameter);
+    set->mutable_value()->set_number_value(value);
+  } else {
+    auto* set = edit.add_edits()->mutable_set_feature_parameter();
+    set->set_feature(parameter.substr(0, dot));
+    set->set_name(parameter.substr(dot + 1));
+    set->mutable_value()->set_number_value(value);
+  }
+  return edit;
+}
+
+std::vector<std::string> row_of(const remesh::v1::RevisionReply& reply) {
+  const remesh::v1::Report& report = reply.report();
+  const auto& quality = report.quality();
+  return {"ok",
+          reply.revision().id(),
+          std::to_string(report.nodes()),
+          std::to_string(report.tets()),
+          std::to_string(report.nodes_kept()),
+          std::to_string(report.tets_kept()),
+          exact(report.free_share()),
+          exact(report.volume()),
+          exact(report.exact_volume()),
+          exact(quality.volume_length_mean()),
+          exact(quality.volume_length_min()),
+          exact(quality.dihedral_min()),
+          exact(report.seconds().total()),
+          report.cached() ? "true" : "false",
+          ""};
+}
+
+const std::vector<std::string> kHeading{"step",
+                                        "value",
+                                        "status",
+                                        "revision",
+                                        "nodes",
+                                        "tets",
+                                        "nodes_kept",
+                                        "tets_kept",
+                                        "free_share",
+                                        "volume",
+                                        "exact_volume",
+                                        "volume_length_mean",
+                                        "volume_length_min",
+                                        "dihedral_min",
+                                        "seconds",
+                                        "cached",
+                                        "error"};
+
+std::vector<std::string> row_of(const client::CallError& error) {
+  std::vector<std::string> row(kHeading.size() - 2);
+  row.front() = error.detail().reason().empty() ? remesh::v1::Error::Code_Name(error.code())
+                                                : error.detail().reason();
+  row.back() = error.what();
+  return row;
+}
+
+/// Failures after which the next step cannot fare better: nobody is there, or nobody may.
+bool is_final(const client::CallError& error) {
+  const ExitCode code = exit_code(error.detail());
+  return code == kUnreachable || code == kDenied;
+}
+
+std::string file_name(int step, int steps, const std::string& ending) {
+  const std::string number = std::to_string(step);
+  const std::size_t width = std::to_string(steps).size();
+  return "step-" + std::string(width - number.size(), '0') + number + ending;
+}
+
+void write_files(Session& session, const SweepArguments& arguments, int step,
+                 const remesh::v1::RevisionReply& reply) {
+  const std::filesystem::path folder = arguments.folder;
+  session.write_mesh_of(reply.revision().id(),
+                        folder / file_name(step, arguments.steps, "." + arguments.format));
+  session.write_text(folder / file_name(step, arguments.steps, ".json"),
+                     write_json(reply.report()));
+}
+
+int sweep(Session& session, const SweepArguments& arguments) {
+  if (!arguments.folder.empty()) {
+    std::error_code problem;
+    std::filesystem::create_directories(arguments.folder, problem);
+    if (problem) throw UsageError(arguments.folder + ": " + problem.message());
+  }
+  const Base base = resolve_base(arguments.base);
+  client::EditStream stream = session.stream();
+  const std::string first = mesh_base(session, stream, base, arguments.meshing);
+  const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
+  std::string previous = first;
+  int failures = 0;
+  write_tsv_row(session.out(), kHeading);
+  for (int step = 0; step < arguments.steps; ++step) {
+    const double value = value_of(arguments, step);
+    remesh::v1::EditRevisionRequest request;
+    request.set_base(arguments.from_base ? first : previous);
+    *request.mutable_edit() = edit_of(arguments.parameter, value);
+    arguments.meshing.fill(request, !base_is_model);
+    std::vector<std::string> row{std::to_string(step + 1), exact(value)};
+    std::vector<std::string> rest;
+    try {
+      const auto reply = stream.edit(std::move(request)).get();
+      session.console().end_progress();
+      for (const std::string& warning : reply.report().warnings())
+        session.console().note("warning (step " + row.front() + "): " + warning);
+      if (!arguments.folder.empty()) write_files(session, arguments, step + 1, reply);
+      previous = reply.revision().id();
+      rest = row_of(reply);
+    } catch (const client::CallError& error) {
+      session.poll();
+      if (is_final(error)) throw;
+      ++failures;
+      session.console().error("step " + row.front() + ": " + error.what());
+      rest = row_of(error);
+    }
+    row.insert(row.end(), rest.begin(), rest.end());
+    write_tsv_row(session.out(), row);
+  }
+  return failures == 0 ? kFine : kFailed;
+}
+
+}  // namespace
+
+void add_sweep_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "sweep", "Remesh for each of STEPS values of a parameter, from FROM to TO, over one stream");
+  const auto arguments = std::make_shared<SweepArguments>();
+  command->add_option("BASE", arguments->base, "Revision or model file")->required();
+  command
+      ->add_option("PARAMETER", arguments->parameter,
+                   "Parameter of the model, or feature.parameter")
+      ->required();
+  const auto finite = CLI::Validator(
+      [](const std::string& text) {
+        double value = 0;
+        const bool fine = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+        return fine ? std::string() : text + " is no finite number";
+      },
+      "", "");
+  command->add_option("FROM", arguments->from, "First value")->required()->check(finite);
+  command->add_option("TO", arguments->to, "Last value")->required()->check(finite);
+  command->add_option("STEPS", arguments->steps, "Number of values")
+      ->required()
+      ->check(CLI::Range(1, 1'000'000));
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "Write each step's mesh and Report into this folder")
+      ->type_name("DIR");
+  command->add_option("--format", arguments->format, "Format of the meshes: vtu, msh or inp [vtu]")
+      ->check(CLI::IsMember({"vtu", "msh", "inp"}));
+  command->add_flag("--from-base", arguments->from_base,
+                    "Let every step edit BASE, not the last step that went well");
+  arguments->meshing.add_to(*command);
+  command->footer(
+      "Prints a line for each step, tabs between the columns. A step that fails is told in its "
+      "line and the sweep goes on; the exit code is then 4.");
+  command->callback([arguments, &action] {
+    action = [arguments](Session& session) { return sweep(session, *arguments); };
+  });
+}
+
+}  // namespace remeshd::cli

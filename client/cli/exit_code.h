@@ -1,0 +1,38 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "engine/base/error.h"
+#include "remeshd/error.h"
+
+namespace remeshd::cli {
+
+/// What the shell gets to know. Part of the contract.
+enum ExitCode : int {
+  kFine = 0,
+  kUsage = 2,
+  kInvalid =
+      3,  ///< model, edit or name: wrong, empty, disconnected, unreadable, over-sized, unknown
+  kFailed = 4,  ///< meshing failed
+  kUnreachable = 5,
+  kBusy = 6,
+  kDenied = 7,
+  kInterrupted = 130,
+};
+
+/// A command line that says something impossible.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// An interrupt that came between two calls.
+class Interrupted : public std::exception {};
+
+/// The exit code that an error of the daemon calls for.
+ExitCode exit_code(const remesh::v1::Error& error);
+
+/// An error found on this side, before a call, in the words of the protocol.
+remesh::v1::Error to_detail(const ErrorInfo& info);
+
+}  // namespace remeshd::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "client/cli/base.h"
+#include "client/cli/mesh_options.h"
+#include "client/cli/session.h"
+
+namespace remeshd::cli {
+
+/// The revision that an edit starts from: the one named, or that of the model, which is meshed over
+/// the stream with the options given if the daemon lacks it. Throws CallError.
+std::string mesh_base(Session& session, client::EditStream& stream, const Base& base,
+                      const MeshingOptions& meshing);
+
+}  // namespace remeshd::cli

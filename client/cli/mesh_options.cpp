@@ -1,0 +1,69 @@
+#include "client/cli/mesh_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+
+namespace remeshd::cli {
+namespace {
+
+constexpr std::uint32_t kMostIterations = 1000;
+
+std::string check_size(const std::string& text) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value <= 0)
+    return text + " is no length above 0";
+  return {};
+}
+
+std::uint32_t to_iterations(const std::string& text) {
+  std::uint32_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  return problem == std::errc{} && stop == end ? value : 0;
+}
+
+std::string check_iterations(const std::string& text) {
+  if (text == "auto") return {};
+  const std::uint32_t value = to_iterations(text);
+  if (value < 1 || value > kMostIterations) return text + " is neither `auto` nor within 1..1000";
+  return {};
+}
+
+}  // namespace
+
+void MeshingOptions::add_to(CLI::App& command) {
+  auto* count = command.add_option("--nodes", nodes, "Nodes to aim at [15000]")
+                    ->check(CLI::Range(20U, 5'000'000U))
+                    ->type_name("N");
+  command.add_option("--size", size, "Edge length to aim at, in the model's unit")
+      ->check(CLI::Validator(check_size, "", ""))
+      ->type_name("L")
+      ->excludes(count);
+  command
+      .add_option("--iterations", iterations,
+                  "Iterations, or `auto`: until quality stops improving [auto]")
+      ->check(CLI::Validator(check_iterations, "", ""))
+      ->type_name("K|auto");
+  command.add_option("--seed", seed, "Seed of all random choices [1]")->type_name("S");
+  command.add_option("--threads", threads, "Threads; never change the result [1]")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N");
+  command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
+  command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
+      ->type_name("NAME");
+  command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
+}
+
+remesh::v1::MeshOptions MeshingOptions::to_message() const {
+  remesh::v1::MeshOptions message;
+  if (nodes) message.set_nodes(*nodes);
+  if (size) message.set_size(*size);
+  if (!iterations.empty())
+    message.set_iterations(iterations == "auto" ? 0 : to_iterations(iterations));
+  if (seed) message.set_seed(*seed);
+  if (no_clean_up) message.set_clean_up(false);
+  return message;
+}
+
+}  // namespace remeshd::cli

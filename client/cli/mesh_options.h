@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "remesh/v1/remesh.pb.h"
+
+namespace CLI {
+class App;
+}
+
+namespace remeshd::cli {
+
+/// The options of everything that meshes. What is not given stays unset in the request: the daemon
+/// has the defaults, and an edit inherits what its base has.
+struct MeshingOptions {
+  std::optional<std::uint32_t> nodes;
+  std::optional<double> size;
+  std::string iterations;  ///< empty, `auto` or a number
+  std::optional<std::uint64_t> seed;
+  std::uint32_t threads = 1;
+  bool no_clean_up = false;
+  std::string design;
+  bool keep_head = false;
+
+  void add_to(CLI::App& command);
+  [[nodiscard]] remesh::v1::MeshOptions to_message() const;
+
+  /// Fills everything that both kinds of request have.
+  template <class Request>
+  void fill(Request& request, bool with_mesh_options) const {
+    if (with_mesh_options) *request.mutable_options() = to_message();
+    request.set_design(design);
+    request.set_threads(threads);
+    if (keep_head) request.mutable_head()->set_advance(false);
+  }
+};
+
+}  // namespace remeshd::cli

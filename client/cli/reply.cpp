@@ -1,0 +1,56 @@
+#include "client/cli/reply.h"
+
+#include "client/cli/table.h"
+#include "proto/json_writer.h"
+
+namespace remeshd::cli {
+namespace {
+
+using remesh::v1::Report;
+
+std::string share(std::uint32_t part, std::uint32_t whole) {
+  if (whole == 0) return std::to_string(part);
+  return std::to_string(part) + " (" + rounded(100.0 * part / whole, 4) + " %)";
+}
+
+void write_summary(std::ostream& out, const remesh::v1::RevisionReply& reply) {
+  const Report& report = reply.report();
+  const auto& quality = report.quality();
+  write_table(
+      out, {{"revision", reply.revision().id()},
+            {"design", short_name(reply.revision())},
+            {"nodes", std::to_string(report.nodes())},
+            {"tets", std::to_string(report.tets())},
+            {"nodes kept", share(report.nodes_kept(), report.nodes())},
+            {"tets kept", share(report.tets_kept(), report.tets())},
+            {"volume", exact(report.volume()) + " (exact " + exact(report.exact_volume()) + ")"},
+            {"volume-length", "mean " + rounded(quality.volume_length_mean(), 4) +
+                                  ", 1st percentile " + rounded(quality.volume_length_p01(), 4) +
+                                  ", minimum " + rounded(quality.volume_length_min(), 4)},
+            {"dihedral", rounded(quality.dihedral_min(), 4) + " to " +
+                             rounded(quality.dihedral_max(), 4) + " degrees"},
+            {"seconds",
+             rounded(report.seconds().total(), 4) + (report.cached() ? " (from the cache)" : "")}});
+}
+
+}  // namespace
+
+std::string short_name(const remesh::v1::RevisionInfo& revision) {
+  if (revision.design().empty()) return revision.id().substr(0, 12);
+  return revision.design() + "@" + std::to_string(revision.number());
+}
+
+void deliver(Session& session, const remesh::v1::RevisionReply& reply,
+             const std::filesystem::path& mesh_file, const std::filesystem::path& report_file) {
+  for (const std::string& warning : reply.report().warnings())
+    session.console().note("warning: " + warning);
+  if (reply.head_moved())
+    session.console().note("the head of " + reply.revision().design() + " stays at " +
+                           std::to_string(reply.head_number()) +
+                           ": it is not the base of this edit any more");
+  session.write_mesh_of(reply.revision().id(), mesh_file);
+  if (!report_file.empty()) session.write_text(report_file, write_json(reply.report()));
+  if (report_file != "-") write_summary(session.out(), reply);
+}
+
+}  // namespace remeshd::cli

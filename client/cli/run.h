@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "remeshd/client.h"
+
+namespace remeshd::cli {
+
+/// Options that every command takes, before or after its name.
+struct GlobalOptions {
+  std::string address = "127.0.0.1:50051";  ///< of the daemon; environment REMESH_ADDRESS
+  bool local = false;                       ///< work in this process, without a daemon
+  std::filesystem::path store;              ///< of `local`; empty: by the XDG cache rules
+  std::optional<double> timeout;            ///< s, for each call
+};
+
+/// What surrounds a command.
+struct Surroundings {
+  std::ostream& out;      ///< data
+  std::ostream& err;      ///< messages
+  bool terminal = false;  ///< whether `err` is a terminal that shows progress bars
+  std::stop_token stop;   ///< requested by an interrupt
+  /// Makes the way to a daemon; called at most once.
+  std::function<client::Client(const GlobalOptions&)> connect;
+};
+
+/// Runs `remesh` with these arguments (the program's name is not among them) and returns its exit
+/// code. Throws nothing.
+int run(const std::vector<std::string>& arguments, const Surroundings& surroundings);
+
+}  // namespace remeshd::cli

@@ -1,0 +1,60 @@
+#include "client/cli/session.h"
+
+#include "client/cli/exit_code.h"
+#include "remeshd/mesh_file.h"
+
+namespace remeshd::cli {
+
+const client::Client& Session::client() {
+  if (!client_) client_.emplace(surroundings_.connect(options_));
+  return *client_;
+}
+
+client::CallOptions Session::call() const {
+  return {.stop = surroundings_.stop, .timeout = options_.timeout};
+}
+
+client::EditStream Session::stream() {
+  return client().stream(
+      [this](const std::string&, const remesh::v1::Progress& progress) {
+        console_.progress(progress);
+      },
+      call());
+}
+
+void Session::poll() const {
+  if (surroundings_.stop.stop_requested()) throw Interrupted();
+}
+
+void Session::write_text(const std::filesystem::path& file, const std::string& text) const {
+  if (file == "-")
+    out() << text << std::flush;
+  else
+    client::write_file(file, text);
+}
+
+void Session::write_mesh_of(const std::string& revision, const std::filesystem::path& file) {
+  const client::Mesh mesh =
+      client().get_mesh(revision, call(), [this](std::uint64_t done, std::uint64_t total) {
+        remesh::v1::Progress progress;
+        progress.set_stage("transfer");
+        progress.set_fraction(total == 0 ? 1
+                                         : static_cast<double>(done) / static_cast<double>(total));
+        if (console_.verbose()) console_.progress(progress);
+      });
+  console_.end_progress();
+  poll();
+  client::write_mesh(file, mesh);
+  console_.detail("wrote " + file.string());
+}
+
+void check_mesh_file(const std::filesystem::path& file) {
+  if (!client::is_mesh_file_name(file))
+    throw UsageError(file.string() + ": the ending must be .vtu, .msh or .inp");
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw UsageError(file.string() + ": there is no folder " + folder.string());
+}
+
+}  // namespace remeshd::cli

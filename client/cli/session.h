@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <stop_token>
+#include <string>
+
+#include "client/cli/console.h"
+#include "client/cli/run.h"
+#include "remeshd/client.h"
+
+namespace remeshd::cli {
+
+/// What a command works with: the daemon, the two output streams, and the interrupt.
+class Session {
+ public:
+  Session(const Surroundings& surroundings, const GlobalOptions& options, Console& console)
+      : surroundings_(surroundings), options_(options), console_(console) {}
+
+  [[nodiscard]] std::ostream& out() const { return surroundings_.out; }
+  [[nodiscard]] Console& console() const { return console_; }
+  /// Connects on first use.
+  [[nodiscard]] const client::Client& client();
+  /// How calls are made here: they end with an interrupt or after --timeout.
+  [[nodiscard]] client::CallOptions call() const;
+  /// A stream of edits that shows its progress.
+  [[nodiscard]] client::EditStream stream();
+  /// Throws Interrupted after an interrupt.
+  void poll() const;
+
+  /// Writes text to a file, or to the data stream where the name is `-`.
+  void write_text(const std::filesystem::path& file, const std::string& text) const;
+  /// Fetches the mesh of a revision and writes it in the format of the name's ending.
+  void write_mesh_of(const std::string& revision, const std::filesystem::path& file);
+
+ private:
+  const Surroundings& surroundings_;
+  const GlobalOptions& options_;
+  Console& console_;
+  std::optional<client::Client> client_;
+};
+
+/// Throws UsageError unless a mesh can be written to a file of this name: its ending is known and
+/// its folder is there. Asked before a mesh is made.
+void check_mesh_file(const std::filesystem::path& file);
+
+}  // namespace remeshd::cli
