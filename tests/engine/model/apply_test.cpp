@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include "engine/model/feature_model.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+using test::point;
+using Profile = std::vector<ProfileEntry>;
+
+const Profile kTriangle{point(0.0, 0.0), point(5.0, 0.0), point(0.0, 5.0)};
+
+ModelSource original() {
+  ModelSource model =
+      test::one_feature(test::feature("base", "block", {{"dx", "w"}, {"dy", 40.0}, {"dz", 10.0}}));
+  model.parameters = {{"w", 80.0}};
+  model.features.push_back(test::feature("rib", "prism", kTriangle, {{"height", 3.0}}));
+  model.features.push_back(
+      test::feature("ring", "revolution", {point(1.0, 0.0), point(2.0, 0.0), point(1.0, 2.0)}, {}));
+  return model;
+}
+
+std::vector<std::string> ids(const ModelSource& model) {
+  std::vector<std::string> result;
+  for (const FeatureSource& f : model.features) result.push_back(f.id);
+  return result;
+}
+
+ModelSource edited(std::vector<Edit> edits) { return apply(original(), {std::move(edits)}); }
+
+/// `index reason feature parameter` of the error; a sound edit goes before the one given.
+std::string failure_of(const Edit& edit) {
+  const ErrorInfo info = test::error_of([&] {
+    edited({SetParameter{"w", 90.0}, edit, SetParameter{"nope", 1.0}});
+  });
+  EXPECT_EQ(info.stage, "model");
+  EXPECT_FALSE(info.hint.empty() && info.reason != "WrongValueKind");
+  return (info.edit_index ? std::to_string(*info.edit_index) : "none") + " " + test::place_of(info);
+}
+
+TEST(Apply, LeavesItsArgumentAsItWas) {
+  const ModelSource before = original();
+  const ModelSource after = apply(before, {{RemoveFeature{"rib"}, SetParameter{"w", 1.0}}});
+  EXPECT_EQ(before, original());
+  EXPECT_NE(after, before);
+  EXPECT_EQ(apply(before, {}), before);
+}
+
+TEST(Apply, SetParameterTakesANumberOrAnExpression) {
+  EXPECT_EQ(edited({SetParameter{"w", 85.0}}).parameters.at("w"), Scalar(85.0));
+  EXPECT_EQ(edited({SetParameter{"w", "8*10"}}).parameters.at("w"), Scalar("8*10"));
+}
+
+TEST(Apply, SetFeatureParameterReplacesOneValueOrTheProfile) {
+  const ModelSource model = edited({SetFeatureParameter{"base", "dx", Scalar("w/2")},
+                                    SetFeatureParameter{"ring", "profile", kTriangle}});
+  EXPECT_EQ(model.features[0].parameters.at("dx"), Scalar("w/2"));
+  EXPECT_EQ(model.features[0].parameters.at("dy"), Scalar(40.0));
+  EXPECT_EQ(model.features[2].profile, kTriangle);
+}
+
+TEST(Apply, AParameterWithADefaultMayBeSetThoughItWasNotWritten) {
+  EXPECT_EQ(edited({SetFeatureParameter{"ring", "angle", Scalar(90.0)}})
+                .features[2]
+                .parameters.at("angle"),
+            Scalar(90.0));
+}
+
+TEST(Apply, SetPlacementReplacesTheWholePlacement) {
+  const PlacementSource first{{1.0, 2.0, 3.0}, std::array<Scalar, 3>{0.0, 1.0, 0.0}, {}};
+  const PlacementSource second{{"w", 0.0, 0.0}, {}, {}};
+  EXPECT_EQ(edited({SetPlacement{"rib", first}}).features[1].placement, first);
+  EXPECT_EQ(edited({SetPlacement{"rib", first}, SetPlacement{"rib", second}}).features[1].placement,
+            second);
+}
+
+TEST(Apply, AddFeatureGoesToTheEndOrAfterAnother) {
+  const FeatureSource pin = test::feature("pin", "sphere", {{"radius", 1.0}});
+  EXPECT_EQ(ids(edited({AddFeature{pin, ""}})),
+            (std::vector<std::string>{"base", "rib", "ring", "pin"}));
+  EXPECT_EQ(ids(edited({AddFeature{pin, "base"}})),
+            (std::vector<std::string>{"base", "pin", "rib", "ring"}));
+  EXPECT_EQ(ids(edited({AddFeature{pin, "ring"}})),
+            (std::vector<std::string>{"base", "rib", "ring", "pin"}));
+  EXPECT_EQ(edited({AddFeature{pin, ""}}).features.back(), pin);
+}
+
+TEST(Apply, EditsRunInOrder) {
+  const FeatureSource block =
+      test::feature("rib", "block", {{"dx", 1.0}, {"dy", 1.0}, {"dz", 1.0}});
+  const ModelSource model = edited({RemoveFeature{"rib"}, AddFeature{block, "base"},
+                                    SetFeatureParameter{"rib", "dz", Scalar(7.0)}});
+  EXPECT_EQ(ids(model), (std::vector<std::string>{"base", "rib", "ring"}));
+  EXPECT_EQ(model.features[1].parameters.at("dz"), Scalar(7.0));
+}
+
+TEST(Apply, RemoveFeatureTakesItOut) {
+  EXPECT_EQ(ids(edited({RemoveFeature{"rib"}})), (std::vector<std::string>{"base", "ring"}));
+}
+
+TEST(Apply, ResultIsNotYetValidated) {
+  EXPECT_NO_THROW(edited({RemoveFeature{"rib"}, RemoveFeature{"ring"}, RemoveFeature{"base"}}));
+  EXPECT_NO_THROW(edited({SetFeatureParameter{"base", "dx", Scalar(-1.0)}}));
+}
+
+TEST(Apply, UnknownNamesAreErrorsWithTheIndexOfTheEdit) {
+  const FeatureSource pin = test::feature("pin", "sphere", {{"radius", 1.0}});
+  EXPECT_EQ(failure_of(SetParameter{"W", 1.0}), "1 UnknownParameter - W");
+  EXPECT_EQ(failure_of(SetFeatureParameter{"Base", "dx", Scalar(1.0)}), "1 UnknownFeature Base -");
+  EXPECT_EQ(failure_of(SetFeatureParameter{"base", "radius", Scalar(1.0)}),
+            "1 UnknownParameter base radius");
+  EXPECT_EQ(failure_of(SetFeatureParameter{"base", "profile", kTriangle}),
+            "1 UnknownParameter base profile");
+  EXPECT_EQ(failure_of(SetPlacement{"nut", {}}), "1 UnknownFeature nut -");
+  EXPECT_EQ(failure_of(AddFeature{pin, "nut"}), "1 UnknownFeature nut -");
+  EXPECT_EQ(failure_of(RemoveFeature{"nut"}), "1 UnknownFeature nut -");
+  EXPECT_EQ(failure_of(RemoveFeature{""}), "1 UnknownFeature - -");
+}
+
+TEST(Apply, UnknownFeaturesAreNotFound) {
+  const ErrorInfo info = test::error_of([] { edited({RemoveFeature{"nut"}}); });
+  EXPECT_EQ(info.kind, ErrorKind::NotFound);
+}
+
+TEST(Apply, FeaturesThatExistOrHaveABadNameCannotBeAdded) {
+  FeatureSource f = test::feature("rib", "sphere", {{"radius", 1.0}});
+  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 DuplicateFeature rib -");
+  f.id = "rib 2";
+  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 InvalidName rib 2 id");
+}
+
+TEST(Apply, AProfileIsNoNumberAndANumberNoProfile) {
+  EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "profile", Scalar(3.0)}),
+            "1 WrongValueKind rib profile");
+  EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "height", kTriangle}),
+            "1 WrongValueKind rib height");
+}
+
+TEST(Apply, AFeatureOfUnknownTypeHasNoParametersToSet) {
+  EXPECT_EQ(failure_of(AddFeature{test::feature("blob", "blob"), "nowhere"}),
+            "1 UnknownFeature nowhere -");
+  const ErrorInfo info = test::error_of([] {
+    edited({AddFeature{test::feature("blob", "blob"), ""},
+            SetFeatureParameter{"blob", "size", Scalar(1.0)}});
+  });
+  EXPECT_EQ(test::place_of(info), "UnknownFeatureType blob type");
+  EXPECT_EQ(info.edit_index, 1);
+}
+
+}  // namespace
+}  // namespace remeshd
