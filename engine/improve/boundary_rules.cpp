@@ -60,8 +60,10 @@ Vec3 FacetFaces::outward(int face, const Vec3& p) const {
   return f.reversed ? -n : n;
 }
 
-double FacetFaces::deviation(int face, const Vec3& p) const {
-  return std::fabs(signed_distance(boundary_.faces[face].surface, p));
+double FacetFaces::height(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  const double d = signed_distance(f.surface, p);
+  return f.reversed ? -d : d;
 }
 
 BoundaryRules::BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,

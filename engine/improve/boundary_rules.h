@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -27,8 +28,11 @@ class FacetFaces {
   [[nodiscard]] int face_of(const Triangle& facet, std::span<const Vec3> nodes) const;
   /// Unit normal of the face out of the material.
   [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
-  /// Distance of p from the face's surface.
-  [[nodiscard]] double deviation(int face, const Vec3& p) const;
+  /// Signed distance of p from the face's surface, positive outside of the material.
+  [[nodiscard]] double height(int face, const Vec3& p) const;
+  [[nodiscard]] double deviation(int face, const Vec3& p) const {
+    return std::fabs(height(face, p));
+  }
 
  private:
   const BoundaryModel& boundary_;

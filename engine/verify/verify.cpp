@@ -20,6 +20,8 @@ constexpr std::uint32_t kKeptPerKind = 20;
 constexpr double kFlat = 1e-6;
 /// Share of the model's diagonal within which a node stands on its support.
 constexpr double kOnSupport = 1e-7;
+/// Share of the length of a curve that its nearest point may be off along it.
+constexpr double kAlongCurve = 1e-3;
 
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
@@ -42,10 +44,11 @@ class Checker {
     check_nodes();
     check_edges();
     check_faces();
-    const double error = std::fabs(result_.volume - exact_volume);
+    const double error = std::fabs(result_.volume + result_.chord_volume - exact_volume);
     if (!(error <= volume_tolerance * exact_volume))
       fail(MeshFailure::Volume, -1, 0.5 * (boundary_.bounds.lo + boundary_.bounds.hi),
-           "the volume is " + std::to_string(result_.volume) + ", the model's " +
+           "the volume is " + std::to_string(result_.volume) + ", chords apart " +
+               std::to_string(result_.volume + result_.chord_volume) + ", the model's " +
                std::to_string(exact_volume));
     result_.valid = result_.failures.empty();
     return std::move(result_);
@@ -137,6 +140,17 @@ class Checker {
     }
   }
 
+  [[nodiscard]] bool stands_on(const Support& support, const Vec3& p) const {
+    const double off = distance(project(boundary_, support, p), p);
+    if (support.kind != Support::Kind::Edge || off <= tolerance_) return off <= tolerance_;
+    // The nearest point of a curve that is no line or circle is known along it as well as its
+    // polyline is; the surfaces on its two sides are exact.
+    const BoundaryEdge& edge = boundary_.edges[support.entity];
+    return edge.curve.kind == Curve::Kind::Other && off <= kAlongCurve * edge.length &&
+           std::all_of(edge.faces.begin(), edge.faces.end(),
+                       [&](int face) { return faces_.deviation(face, p) <= tolerance_; });
+  }
+
   void check_nodes() {
     std::vector<std::int32_t> vertex_node(boundary_.vertices.size(), -1);
     for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
@@ -148,7 +162,7 @@ class Checker {
       }
       const Support& support = supports_[n];
       if (support.kind == Support::Kind::Interior) continue;
-      if (!(distance(project(boundary_, support, p), p) <= tolerance_))
+      if (!stands_on(support, p))
         fail(MeshFailure::NodeOffSupport, node, p, "a node away from where it should stand");
       if (support.kind == Support::Kind::Vertex && on_surface_[n] != 0)
         vertex_node[support.entity] = node;
@@ -200,6 +214,10 @@ class Checker {
         fail(MeshFailure::StrayFacet, facet.tet, centre,
              "a boundary facet that is turned over on its face");
       area[face] += facet_area;
+      if (boundary_.faces[face].surface.kind == Surface::Kind::Plane) continue;
+      // Exact for a surface that is quadratic over the facet (mid-edge rule).
+      for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
+        result_.chord_volume -= facet_area / 3 * faces_.height(face, middle);
       const double radius = radius_of_curvature(boundary_.faces[face].surface, centre);
       const double longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
       slack[face] += facet_area * std::min(1.0, 0.25 * longest2 / (radius * radius));

@@ -233,6 +233,15 @@ TEST(Verify, FindsAVolumeThatIsOffByMoreThanTheTolerance) {
   EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, 0.01).count(MeshFailure::Volume), 0U);
 }
 
+TEST(Verify, AcceptsACoarseCylinderWhoseChordsCutOffMoreThanTheTolerance) {
+  const SolidFixture s = make_cylinder(10, 20, 14, 3);
+  const Verification v = check(s);
+  EXPECT_TRUE(v.valid) << report(v);
+  EXPECT_LT(v.volume, 0.99 * s.volume);
+  EXPECT_NEAR(v.volume + v.chord_volume, s.volume, 0.001 * s.volume);
+  EXPECT_FALSE(verify(s.mesh, s.supports, s.boundary, 1.003 * s.volume).valid);
+}
+
 TEST(Verify, FindsEverythingMissingInAnEmptyMesh) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
   const Verification v = verify({}, {}, s.boundary, s.volume);
