@@ -1,0 +1,164 @@
+#include "engine/difference/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "engine/difference/combined_model.h"
+#include "engine/difference/feature_difference.h"
+#include "engine/difference/line_volumes.h"
+#include "engine/difference/point_areas.h"
+#include "engine/kernel/brep.h"
+
+namespace remeshd {
+namespace {
+
+constexpr double kBrepMotion = 1e-2;  // kernel units; DESIGN measured 1e-2 right, 1e-4 wrong
+constexpr double kBrepError = 1e-7;   // of the larger model's volume
+constexpr int kCheckLines = 1024;     // a lost or doubled cell shows in a few hundred
+constexpr int kMeasureLines = 65536;
+constexpr int kAreaSamples = 20000;
+
+using NameOf = std::string_view (*)(DifferenceClass);
+
+/// Classes above `least`; Artefact is no class.
+std::map<std::string, double> named(const ClassTotals& totals, NameOf name_of, double least) {
+  std::map<std::string, double> out;
+  for (const DifferenceClass c : kAllClasses)
+    if (totals[c] > least && c != DifferenceClass::Artefact) out.emplace(name_of(c), totals[c]);
+  return out;
+}
+
+struct Volumes {
+  std::vector<ClassTotals> features;
+  double copycells = 0, newcells = 0;
+};
+
+/// Whether every volume of the overlay lies within the error of the membership estimate.
+bool agree(const Volumes& brep, const VolumeEstimate& estimate, double rounding) {
+  const auto near = [&](double a, double b, double error) {
+    return std::fabs(a - b) <= 2 * error + rounding;
+  };
+  for (std::size_t f = 0; f < brep.features.size(); ++f)
+    for (const DifferenceClass c : kAllClasses)
+      if (c != DifferenceClass::Artefact &&
+          !near(brep.features[f][c], estimate.features[f][c], estimate.feature_errors[f][c]))
+        return false;
+  return near(brep.copycells, estimate.copycells, estimate.copycells_error) &&
+         near(brep.newcells, estimate.newcells, estimate.newcells_error);
+}
+
+/// The overlay's answer, or nothing and why.
+std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelView& original,
+                                       const ModelView& modified, const Run& run,
+                                       std::string& remark) {
+  const double volume = std::max(original.cells->volume, modified.cells->volume);
+  ModelComparison out;
+  Volumes volumes;
+  try {
+    for (const FeatureDifference& difference : difference_model(original, modified, run)) {
+      volumes.features.push_back(difference.cell_volumes);
+      const double rounding = 1e-12 * volume;
+      out.features.push_back({difference.id,
+                              named(difference.cell_volumes, cell_class_name, rounding),
+                              named(difference.face_areas, geometry_class_name, 0),
+                              named(difference.edge_lengths, geometry_class_name, 0),
+                              named(difference.vertex_counts, geometry_class_name, 0)});
+    }
+    const CombinedModel combined = combined_modified_model(original, modified, run);
+    out.copycells = volumes.copycells = combined.copycell_volume;
+    out.newcells = volumes.newcells = combined.newcell_volume;
+  } catch (const Error& failure) {
+    if (failure.info().kind == ErrorKind::Cancelled) throw;
+    remark = failure.info().message;
+    return std::nullopt;
+  }
+  if (!agree(volumes, estimate_volumes(classes, {kCheckLines, 1}, run), kBrepError * volume)) {
+    remark = "the overlay's volumes disagree with membership";
+    return std::nullopt;
+  }
+  out.method = "brep";
+  out.error_bound = kBrepError * volume;
+  return out;
+}
+
+/// Volume of a feature's cells of one nature in one model, exact.
+double owned_volume(const CellularModel& cells, int feature, bool positive) {
+  double volume = 0;
+  for (const Cell& cell : cells.cells)
+    if (cell.positive == positive && std::ranges::binary_search(cell.owners, feature))
+      volume += cell.volume;
+  return volume;
+}
+
+/// Takes what stayed the same from what each model's cells add up to, exactly, less what changed:
+/// so the error is as small as the change.
+void balance(ClassTotals& totals, const FeaturePair& pair, const ModelView& original) {
+  using enum DifferenceClass;
+  if (pair.original < 0 || pair.modified < 0) return;
+  totals[IdenticalYes] =
+      owned_volume(*original.cells, pair.original, true) - totals[ToNo] - totals[OldYes];
+  totals[IdenticalNo] =
+      owned_volume(*original.cells, pair.original, false) - totals[ToYes] - totals[OldNo];
+}
+
+ModelComparison by_membership(const PointClasses& classes, const ModelView& original,
+                              const ModelView& modified, const Run& run) {
+  using enum DifferenceClass;
+  VolumeEstimate estimate = estimate_volumes(classes, {kMeasureLines, 1}, run);
+  const std::vector<ClassTotals> areas =
+      estimate_areas(classes, original, modified, kAreaSamples, run);
+  const double diagonal = classes.modified().bounds().diagonal();
+  const double rounding = 1e-12 * diagonal * diagonal * diagonal;
+
+  ModelComparison out;
+  out.method = "membership";
+  out.newcells = estimate.newcells > rounding ? estimate.newcells : 0;
+  out.copycells = modified.cells->volume - out.newcells;
+  out.error_bound = estimate.newcells_error + rounding;
+  for (std::size_t f = 0; f < classes.features().size(); ++f) {
+    const FeaturePair& pair = classes.features()[f];
+    ClassTotals& totals = estimate.features[f];
+    const ClassTotals& errors = estimate.feature_errors[f];
+    balance(totals, pair, original);
+    double changed = 0;
+    for (const DifferenceClass c : {ToNo, ToYes, NewYes, NewNo, OldYes, OldNo})
+      changed += errors[c];
+    out.error_bound = std::max(out.error_bound, changed + rounding);
+    out.features.push_back({pair.id,
+                            named(totals, cell_class_name, rounding),
+                            named(areas[f], geometry_class_name, 0),
+                            {},
+                            {}});
+  }
+  return out;
+}
+
+}  // namespace
+
+ModelComparison compare(const FeatureModel& original, const FeatureModel& modified,
+                        const CellularModel* original_cells, const CellularModel* modified_cells,
+                        const Run& run) {
+  std::optional<CellularModel> built_original, built_modified;
+  if (original_cells == nullptr)
+    original_cells = &built_original.emplace(build_cells(original, run));
+  if (modified_cells == nullptr)
+    modified_cells = &built_modified.emplace(build_cells(modified, run));
+  const ModelView original_view{&original, original_cells};
+  const ModelView modified_view{&modified, modified_cells};
+  const PointClasses classes(original, modified);
+
+  std::string remark;
+  const double motion = smallest_motion(original, modified) * modified_cells->brep->scale;
+  if (motion < kBrepMotion) {
+    remark = "features moved by less than the overlay resolves";
+  } else if (auto answer = by_brep(classes, original_view, modified_view, run, remark)) {
+    return *std::move(answer);
+  }
+  ModelComparison out = by_membership(classes, original_view, modified_view, run);
+  out.remark = remark;
+  return out;
+}
+
+}  // namespace remeshd

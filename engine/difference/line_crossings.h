@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/surface.h"
+
+namespace remeshd {
+
+/// The points p + t * direction, t from `begin` to `end`.
+struct Line {
+  Vec3 p;
+  Vec3 direction;  ///< unit
+  double begin = 0, end = 0;
+};
+
+/// Appends every t at which the line crosses the surface, to rounding. A line that touches may give
+/// both of two equal values or none.
+void append_crossings(const Surface& surface, const Line& line, std::vector<double>& out);
+
+/// Whether the line meets the box.
+bool meets(const Line& line, const Box& box);
+
+}  // namespace remeshd
