@@ -97,4 +97,10 @@ Error wrong_kind(const DocumentPlace& place, std::string_view wanted, std::strin
   return Error(std::move(info));
 }
 
+Error not_finite(const DocumentPlace& place) {
+  ErrorInfo info = at(place, "NotFinite");
+  info.message = where(place) + "the number is NaN or infinite";
+  return Error(std::move(info));
+}
+
 }  // namespace remeshd::error

@@ -27,6 +27,8 @@ Error unknown_field(const DocumentPlace& place, std::string_view field, std::str
 Error missing_field(const DocumentPlace& place, std::string_view field);
 /// `wanted` reads like "a number or an expression".
 Error wrong_kind(const DocumentPlace& place, std::string_view wanted, std::string_view found);
+/// A number that is NaN or infinite, which no JSON but any message can carry.
+Error not_finite(const DocumentPlace& place);
 
 }  // namespace error
 }  // namespace remeshd

@@ -183,6 +183,16 @@ std::vector<PlaceRecord> Catalogue::places(const std::string& id) {
   return places;
 }
 
+std::optional<PlaceRecord> Catalogue::last_place(const std::string& design,
+                                                 const std::string& except) {
+  auto row = database_.prepare(
+      "SELECT design, number, id FROM places WHERE design = ? AND id <> ? "
+      "ORDER BY number DESC LIMIT 1");
+  row.bind(design).bind(except);
+  if (!row.step()) return std::nullopt;
+  return PlaceRecord{row.text(0), static_cast<std::uint32_t>(row.number(1)), row.text(2), false};
+}
+
 std::vector<ListedRevision> Catalogue::list(const std::string& design,
                                             const std::string& after_design,
                                             std::uint32_t after_number, int limit) {

@@ -38,6 +38,8 @@ class Catalogue {
   std::optional<DesignRecord> design(const std::string& name);
   /// Where a revision stands, in the order in which it got there.
   std::vector<PlaceRecord> places(const std::string& id);
+  /// The greatest number of a design that is not that of `except`.
+  std::optional<PlaceRecord> last_place(const std::string& design, const std::string& except);
   /// By design and number, after the given ones; of one design, or of all if `design` is empty.
   std::vector<ListedRevision> list(const std::string& design, const std::string& after_design,
                                    std::uint32_t after_number, int limit);

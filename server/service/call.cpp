@@ -1,0 +1,169 @@
+#include "server/service/call.h"
+
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+#include <grpcpp/support/proto_buffer_reader.h>
+
+#include <utility>
+
+#include "server/service/status.h"
+
+namespace remeshd {
+namespace {
+
+const char* name_of(grpc::StatusCode code) {
+  static constexpr const char* kNames[] = {"OK",
+                                           "CANCELLED",
+                                           "UNKNOWN",
+                                           "INVALID_ARGUMENT",
+                                           "DEADLINE_EXCEEDED",
+                                           "NOT_FOUND",
+                                           "ALREADY_EXISTS",
+                                           "PERMISSION_DENIED",
+                                           "RESOURCE_EXHAUSTED",
+                                           "FAILED_PRECONDITION",
+                                           "ABORTED",
+                                           "OUT_OF_RANGE",
+                                           "UNIMPLEMENTED",
+                                           "INTERNAL",
+                                           "UNAVAILABLE",
+                                           "DATA_LOSS",
+                                           "UNAUTHENTICATED"};
+  return code >= 0 && code <= grpc::StatusCode::UNAUTHENTICATED ? kNames[code] : "UNKNOWN";
+}
+
+Error unreadable(std::string reason, std::string message, std::string hint) {
+  ErrorInfo info;
+  info.kind = ErrorKind::InvalidArgument;
+  info.reason = std::move(reason);
+  info.message = std::move(message);
+  info.stage = "request";
+  info.hint = std::move(hint);
+  return Error(std::move(info));
+}
+
+/// What a client chose goes into the log without line breaks, and not without end.
+std::string loggable(std::string text) {
+  if (text.size() > 128) text.resize(128);
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) <= 0x20 || c == 0x7F) c = '_';
+  return text;
+}
+
+}  // namespace
+
+grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
+  std::string bytes;
+  {
+    google::protobuf::io::StringOutputStream stream(&bytes);
+    google::protobuf::io::CodedOutputStream coded(&stream);
+    coded.SetSerializationDeterministic(true);
+    message.SerializeToCodedStream(&coded);
+  }
+  const grpc::Slice slice(bytes);
+  return {&slice, 1};
+}
+
+void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
+                google::protobuf::Message& message) {
+  if (bytes.Length() > limit)
+    throw unreadable("MessageTooLarge",
+                     "the message has " + std::to_string(bytes.Length()) +
+                         " bytes, more than the limit of " + std::to_string(limit),
+                     "send a smaller document");
+  grpc::ByteBuffer copy(bytes);
+  grpc::ProtoBufferReader reader(&copy);
+  if (!reader.status().ok() || !message.ParseFromZeroCopyStream(&reader))
+    throw unreadable("MessageUnreadable",
+                     "the message cannot be read: it is cut off, has a text that is not UTF-8, or "
+                     "its values are nested too deep",
+                     "lists and objects may be nested at most 40 deep");
+}
+
+CallRecord::CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer)
+    : log_(std::move(log)), method_(std::move(method)), peer_(std::move(peer)) {
+  static std::atomic<std::uint64_t> counter{0};
+  number_ = ++counter;
+}
+
+void CallRecord::set_request_id(std::string id) {
+  const std::scoped_lock lock(mutex_);
+  request_id_ = loggable(std::move(id));
+}
+void CallRecord::set_status(const grpc::Status& status, std::string reason) {
+  const std::scoped_lock lock(mutex_);
+  status_ = name_of(status.error_code());
+  reason_ = std::move(reason);
+}
+void CallRecord::set_note(std::string note) {
+  const std::scoped_lock lock(mutex_);
+  note_ = std::move(note);
+}
+
+void CallRecord::end() const {
+  if (!log_) return;
+  const std::scoped_lock lock(mutex_);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start_;
+  std::string line = fmt::format("call={} method={} peer={} ms={:.1f} status={}", number_, method_,
+                                 peer_, spent.count(), status_);
+  if (!request_id_.empty()) line += " request=" + request_id_;
+  if (!reason_.empty()) line += " reason=" + reason_;
+  if (!note_.empty()) line += " " + note_;
+  log_->info(line);
+}
+
+std::shared_ptr<UnaryCall> UnaryCall::start(grpc::ByteBuffer* reply,
+                                            std::shared_ptr<CallRecord> record) {
+  auto call = std::make_shared<UnaryCall>(reply, std::move(record));
+  call->self_ = call;
+  return call;
+}
+
+void UnaryCall::reply(const google::protobuf::Message& message) {
+  if (ended_.exchange(true)) return;
+  *reply_ = to_bytes(message);
+  record_->set_status(grpc::Status::OK);
+  Finish(grpc::Status::OK);
+}
+
+void UnaryCall::fail(const Error& error) {
+  if (ended_.exchange(true)) return;
+  const grpc::Status status = to_status(error);
+  record_->set_status(status, error.info().reason);
+  Finish(status);
+}
+
+void UnaryCall::on_cancel(std::function<void()> action) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!cancelled_) {
+      on_cancel_ = std::move(action);
+      return;
+    }
+  }
+  action();
+}
+
+void UnaryCall::OnCancel() {
+  std::function<void()> action;
+  {
+    const std::scoped_lock lock(mutex_);
+    cancelled_ = true;
+    action = std::move(on_cancel_);
+  }
+  stop_.request_stop();
+  if (action) action();
+}
+
+void UnaryCall::OnDone() {
+  record_->end();
+  {
+    // The action may hold what holds this call.
+    const std::scoped_lock lock(mutex_);
+    on_cancel_ = nullptr;
+  }
+  // The last hold may be this one.
+  const auto self = std::move(self_);
+}
+
+}  // namespace remeshd

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <google/protobuf/message.h>
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
+#include <spdlog/logger.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+
+#include "engine/base/error.h"
+
+namespace remeshd {
+
+/// Bytes of a message; equal messages give equal bytes, maps included.
+grpc::ByteBuffer to_bytes(const google::protobuf::Message& message);
+
+/// Reads a message of at most `limit` bytes.
+/// Throws Error(InvalidArgument): `MessageTooLarge`, `MessageUnreadable` (which gRPC itself would
+/// turn into UNIMPLEMENTED without a word, for values nested too deep above all).
+void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
+                google::protobuf::Message& message);
+
+/// One line of the log, written when a call ends: number, method, peer, request id, duration,
+/// status.
+class CallRecord {
+ public:
+  CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer);
+
+  void set_request_id(std::string id);
+  void set_status(const grpc::Status& status, std::string reason = {});
+  /// For the calls that do more than one thing: what they did.
+  void set_note(std::string note);
+  /// Writes the line.
+  void end() const;
+
+ private:
+  std::shared_ptr<spdlog::logger> log_;
+  std::uint64_t number_;
+  std::string method_, peer_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  mutable std::mutex mutex_;
+  std::string request_id_, status_ = "CANCELLED", reason_, note_;
+};
+
+/// A call with one request and one reply, from raw bytes to raw bytes. Whoever works for it holds a
+/// shared_ptr; gRPC's own hold ends with OnDone.
+class UnaryCall final : public grpc::ServerUnaryReactor,
+                        public std::enable_shared_from_this<UnaryCall> {
+ public:
+  static std::shared_ptr<UnaryCall> start(grpc::ByteBuffer* reply,
+                                          std::shared_ptr<CallRecord> record);
+  /// Use `start`.
+  UnaryCall(grpc::ByteBuffer* reply, std::shared_ptr<CallRecord> record)
+      : reply_(reply), record_(std::move(record)) {}
+
+  /// Ends the call; only the first of these has an effect.
+  void reply(const google::protobuf::Message& message);
+  void fail(const Error& error);
+
+  /// What to do when the client cancels or its deadline passes; done at once where it has already.
+  void on_cancel(std::function<void()> action);
+  /// Stops when the client cancels or its deadline passes.
+  [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
+  CallRecord& record() { return *record_; }
+
+  void OnCancel() override;
+  void OnDone() override;
+
+ private:
+  grpc::ByteBuffer* reply_;
+  std::shared_ptr<CallRecord> record_;
+  std::stop_source stop_;
+  std::atomic<bool> ended_ = false;
+  std::mutex mutex_;
+  bool cancelled_ = false;
+  std::function<void()> on_cancel_;
+  std::shared_ptr<UnaryCall> self_;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+#include <grpcpp/support/server_callback.h>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "server/service/call.h"
+#include "server/service/mesh_messages.h"
+#include "server/session/session.h"
+
+namespace remeshd {
+
+/// One GetMesh: the revision is found on the quick pool, then message follows message as the client
+/// takes them.
+class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
+                       public std::enable_shared_from_this<MeshCall> {
+ public:
+  static MeshCall* start(Session& session, const grpc::ByteBuffer& request,
+                         std::size_t message_limit, std::shared_ptr<CallRecord> record);
+  /// Use `start`.
+  explicit MeshCall(std::shared_ptr<CallRecord> record) : record_(std::move(record)) {}
+
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override { stop_.request_stop(); }
+  void OnDone() override;
+
+ private:
+  void prepare(Session& session, const grpc::ByteBuffer& request, std::size_t message_limit);
+  void write_next();
+  void end(const grpc::Status& status, const std::string& reason = {});
+
+  const std::shared_ptr<CallRecord> record_;
+  std::shared_ptr<MeshCall> self_;
+  std::stop_source stop_;
+  std::optional<MeshMessages> messages_;
+  grpc::ByteBuffer outgoing_;
+};
+
+}  // namespace remeshd

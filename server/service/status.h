@@ -1,0 +1,17 @@
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include "engine/base/error.h"
+#include "remesh/v1/remesh.pb.h"
+
+namespace remeshd {
+
+/// What clients get to know of an Error: at most 4 KB, valid UTF-8.
+remesh::v1::Error to_message(const Error& error);
+
+/// The status that ends a call, with the message above, a google.rpc.ErrorInfo and, where there is
+/// a delay to keep, a google.rpc.RetryInfo in its details.
+grpc::Status to_status(const Error& error);
+
+}  // namespace remeshd

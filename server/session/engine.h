@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/remesh/remesh.h"
+
+namespace remeshd {
+
+/// What a model amounts to before it is meshed.
+struct ModelSummary {
+  double volume = 0;  ///< exact
+  double area = 0;    ///< of the boundary
+  std::uint32_t cells = 0;
+  std::uint32_t faces = 0, edges = 0, vertices = 0;  ///< of the merged boundary
+};
+
+/// The difference model in numbers: measures by class (Tables 1 and 2), per feature.
+struct FeatureDifference {
+  std::string id;
+  std::map<std::string, double> cells;     ///< volume
+  std::map<std::string, double> faces;     ///< area
+  std::map<std::string, double> edges;     ///< length
+  std::map<std::string, double> vertices;  ///< count
+};
+struct ModelDifference {
+  std::vector<FeatureDifference> features;
+  double copycells = 0, newcells = 0;  ///< volume
+  std::string method;
+  double error_bound = 0;  ///< relative
+};
+
+/// What the session asks of the engine. A test hands in a quick one; `production_engine()` is the
+/// one that meshes.
+struct Engine {
+  /// Part of every revision's id: raise it whenever the same request gives another mesh.
+  std::uint32_t algorithm_version = 1;
+  std::function<FeatureModel(const ModelSource&)> evaluate;
+  std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
+  std::function<ModelSummary(const FeatureModel&, const Run&)> summarise;
+  std::function<Revision(const Revision* original, const ModelSource&, const MeshOptions&,
+                         const Run&)>
+      make_revision;
+  /// The cellular models are those of the two models where they are at hand, else null.
+  std::function<ModelDifference(const FeatureModel& original, const FeatureModel& modified,
+                                const CellularModel*, const CellularModel*, const Run&)>
+      compare;
+  std::function<std::string(const Revision&)> serialise;
+  std::function<Revision(const std::string&, const Run&)> deserialise;
+  std::function<std::vector<FeatureTypeInfo>()> feature_types;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,359 @@
+#include "server/session/maker.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "server/session/revision_id.h"
+#include "server/session/session_error.h"
+
+namespace remeshd {
+namespace {
+
+std::int64_t nanoseconds_now() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Runs `work`; whatever it throws reaches `failed` as an Error.
+template <typename Work, typename Failed>
+void guarded(Work&& work, Failed&& failed) {
+  try {
+    work();
+  } catch (const Error& failure) {
+    failed(failure);
+  } catch (const std::bad_alloc&) {
+    failed(error::out_of_memory());
+  } catch (const std::exception& failure) {
+    failed(error::internal("request", failure.what()));
+  }
+}
+
+void check_options(const OptionsPatch& patch, std::uint32_t max_nodes) {
+  if (patch.nodes && patch.size)
+    throw error::option_invalid("nodes", "and `size` exclude each other");
+  if (patch.nodes && *patch.nodes < 20) throw error::option_invalid("nodes", "is less than 20");
+  if (patch.nodes && *patch.nodes > max_nodes) throw error::mesh_too_large(*patch.nodes, max_nodes);
+  if (patch.size && !(std::isfinite(*patch.size) && *patch.size > 0))
+    throw error::option_invalid("size", "is not a positive length");
+  if (patch.iterations && *patch.iterations > 1000)
+    throw error::option_invalid("iterations", "is more than 1000");
+}
+
+}  // namespace
+
+/// A command made definite.
+struct Maker::Prepared {
+  std::string id;
+  std::string design;
+  HeadRule head;
+  HeldRevisionPtr base;  ///< null for a first mesh
+  ModelSource source;
+  MeshOptions options;
+  int threads = 1;
+};
+
+struct Maker::Request : MakeRequest {
+  Maker* maker = nullptr;
+  Listener listener;
+  std::string design;
+  HeadRule head;
+  std::stop_source stop;              ///< of its preparation
+  std::weak_ptr<Computation> joined;  ///< guarded by the maker's mutex
+  std::atomic<bool> answered = false;
+  std::weak_ptr<Request> self;
+
+  void cancel() override {
+    const RequestPtr request = self.lock();
+    if (!request || answered) return;
+    stop.request_stop();
+    maker->fail(request, error::cancelled());
+  }
+};
+
+struct Maker::Computation {
+  Prepared prepared;
+  bool rewrite = false;  ///< the store's copy is damaged
+  std::stop_source stop;
+  Pool::JobId job = 0;
+  std::vector<RequestPtr> requests;  ///< guarded by the maker's mutex
+};
+
+Maker::Maker(const Engine& engine, Archive& archive, Pool& quick, Pool& workers, Limits limits)
+    : engine_(engine), archive_(archive), quick_(quick), workers_(workers), limits_(limits) {}
+
+Maker::~Maker() { stop(); }
+
+MeshOptions Maker::first_options(const OptionsPatch& patch) const {
+  check_options(patch, limits_.max_nodes);
+  constexpr std::uint32_t kDefaultNodes = 15000;
+  MeshOptions options;
+  options.nodes = patch.nodes;
+  options.size = patch.size;
+  if (!options.nodes && !options.size) options.nodes = kDefaultNodes;
+  options.iterations = patch.iterations.value_or(options.iterations);
+  options.seed = patch.seed.value_or(options.seed);
+  options.clean_up = patch.clean_up.value_or(options.clean_up);
+  return options;
+}
+
+MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& base) const {
+  check_options(patch, limits_.max_nodes);
+  MeshOptions options;
+  // Both left out means the base's density.
+  options.nodes = patch.nodes;
+  options.size = patch.size;
+  options.iterations = patch.iterations.value_or(base.iterations);
+  options.seed = patch.seed.value_or(base.seed);
+  options.clean_up = patch.clean_up.value_or(base.clean_up);
+  return options;
+}
+
+MakeRequestPtr Maker::create(CreateCommand command, Listener listener) {
+  auto request = std::make_shared<Request>();
+  request->listener = std::move(listener);
+  return start(request, [this, command = std::move(command)](const Run&) {
+    return prepare_create(command);
+  });
+}
+
+MakeRequestPtr Maker::edit(EditCommand command, Listener listener) {
+  auto request = std::make_shared<Request>();
+  request->listener = std::move(listener);
+  return start(request, [this, command = std::move(command)](const Run& run) {
+    return prepare_edit(command, run);
+  });
+}
+
+MakeRequestPtr Maker::start(const RequestPtr& request,
+                            std::function<Prepared(const Run&)> prepare) {
+  request->maker = this;
+  request->self = request;
+  {
+    const std::scoped_lock lock(mutex_);
+    requests_.insert(request);
+  }
+  guarded(
+      [&] {
+        quick_.submit(
+            [this, request, prepare = std::move(prepare)] {
+              const Run run{.stop = request->stop.get_token(), .on_progress = {}, .dumps = {}};
+              guarded([&] { proceed(request, prepare(run), run); },
+                      [&](const Error& why) { fail(request, why); });
+            },
+            [this, request](const Error& why) { fail(request, why); });
+      },
+      [&](const Error& why) { fail(request, why); });
+  return request;
+}
+
+Maker::Prepared Maker::prepare_create(const CreateCommand& command) const {
+  Prepared prepared;
+  prepared.options = first_options(command.options);
+  prepared.design = command.design.empty() ? command.source.name : command.design;
+  if (prepared.design.empty()) prepared.design = "model";
+  check_design_name(prepared.design);
+  engine_.evaluate(command.source);
+  prepared.source = command.source;
+  prepared.head = command.head;
+  prepared.threads = std::clamp(command.threads, 1, limits_.threads);
+  prepared.id = revision_id(prepared.source, prepared.options, "", engine_.algorithm_version);
+  return prepared;
+}
+
+Maker::Prepared Maker::prepare_edit(const EditCommand& command, const Run& run) const {
+  if (command.base.empty()) throw error::reference_missing("base");
+  const Reference base = archive_.resolve(command.base);
+  Prepared prepared;
+  prepared.design = command.design.empty() ? base.design : command.design;
+  if (prepared.design.empty()) {
+    const auto places =
+        archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
+    if (!places.empty()) prepared.design = places.front().design;
+  }
+  check_design_name(prepared.design);
+  prepared.base = archive_.get(base.id, run);
+  prepared.source = engine_.apply(prepared.base->revision.source, command.edit);
+  engine_.evaluate(prepared.source);
+  prepared.options = edit_options(command.options, prepared.base->revision.options);
+  prepared.head = command.head;
+  if (prepared.head.expected.empty()) prepared.head.expected = base.id;
+  prepared.threads = std::clamp(command.threads, 1, limits_.threads);
+  prepared.id = revision_id(prepared.source, prepared.options, base.id, engine_.algorithm_version);
+  return prepared;
+}
+
+HeldRevisionPtr Maker::find_or_mend(const std::string& id, bool& damaged, const Run& run) const {
+  try {
+    return archive_.find(id, run);
+  } catch (const Error& failure) {
+    // A damaged copy in the store is made anew: the request tells everything that it takes.
+    if (failure.info().kind != ErrorKind::Internal) throw;
+    damaged = true;
+    return nullptr;
+  }
+}
+
+void Maker::proceed(const RequestPtr& request, Prepared prepared, const Run& run) {
+  run.poll();
+  request->design = prepared.design;
+  request->head = prepared.head;
+  bool damaged = false;
+  if (const auto revision = find_or_mend(prepared.id, damaged, run)) {
+    hand_out(request, revision, true, false);
+  } else {
+    launch(request, prepared, damaged);
+  }
+}
+
+void Maker::launch(const RequestPtr& request, const Prepared& prepared, bool damaged) {
+  if (request->listener.progress && !request->answered)
+    request->listener.progress({.stage = "queued"});
+  bool late = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) throw error::shutting_down();
+    if (request->answered) return;
+    const auto under_way = computing_.find(prepared.id);
+    if (under_way != computing_.end()) {
+      under_way->second->requests.push_back(request);
+      request->joined = under_way->second;
+    } else if (archive_.held().contains(prepared.id)) {
+      // It was finished between the look into the archive and this one.
+      late = true;
+    } else {
+      archive_.check_room();
+      auto computation = std::make_shared<Computation>();
+      computation->prepared = prepared;
+      computation->rewrite = damaged;
+      computation->requests.push_back(request);
+      computation->job = workers_.submit([this, computation] { compute(computation); },
+                                         [this, computation](const Error& why) {
+                                           for (const RequestPtr& waiting : retire(computation))
+                                             fail(waiting, why);
+                                         });
+      request->joined = computation;
+      computing_.emplace(prepared.id, computation);
+    }
+  }
+  if (late) {
+    bool gone = false;
+    const Run run{.stop = request->stop.get_token(), .on_progress = {}, .dumps = {}};
+    if (const auto revision = find_or_mend(prepared.id, gone, run))
+      return hand_out(request, revision, true, false);
+    return launch(request, prepared, gone);
+  }
+}
+
+void Maker::compute(const ComputationPtr& computation) {
+  const Prepared& prepared = computation->prepared;
+  const Run run{.stop = computation->stop.get_token(),
+                .on_progress =
+                    [&](const Progress& progress) {
+                      std::vector<RequestPtr> listening;
+                      {
+                        const std::scoped_lock lock(mutex_);
+                        listening = computation->requests;
+                      }
+                      for (const RequestPtr& request : listening)
+                        if (request->listener.progress && !request->answered)
+                          request->listener.progress(progress);
+                    },
+                .threads = prepared.threads,
+                .dumps = {}};
+  guarded(
+      [&] {
+        run.poll();
+        auto made = std::make_shared<HeldRevision>();
+        made->revision = engine_.make_revision(prepared.base ? &prepared.base->revision : nullptr,
+                                               prepared.source, prepared.options, run);
+        run.poll();
+        Revision& revision = made->revision;
+        revision.report.revision = prepared.id;
+        revision.report.cached = false;
+        made->record = {.id = prepared.id,
+                        .parent = prepared.base ? prepared.base->record.id : "",
+                        .model_name = prepared.source.name,
+                        .object = "",
+                        .created_ns = nanoseconds_now(),
+                        .nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size()),
+                        .tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size())};
+        // In memory before it leaves the list, so that no moment is left to compute it twice.
+        archive_.hold(made);
+        bool first = true;
+        for (const RequestPtr& request : retire(computation)) {
+          hand_out(request, made, !first, computation->rewrite && first);
+          first = false;
+        }
+        archive_.drop_unfiled(prepared.id);
+      },
+      [&](const Error& why) {
+        for (const RequestPtr& request : retire(computation)) fail(request, why);
+      });
+}
+
+void Maker::hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached,
+                     bool rewrite) {
+  guarded(
+      [&] {
+        if (request->answered) return;
+        const Filed filed = archive_.file(revision, request->design, request->head, rewrite);
+        finish(request, [&](const Listener& listener) {
+          listener.made({revision, filed, cached});
+        });
+      },
+      [&](const Error& why) { fail(request, why); });
+}
+
+std::vector<Maker::RequestPtr> Maker::retire(const ComputationPtr& computation) {
+  const std::scoped_lock lock(mutex_);
+  const auto entry = computing_.find(computation->prepared.id);
+  if (entry != computing_.end() && entry->second == computation) computing_.erase(entry);
+  return std::exchange(computation->requests, {});
+}
+
+void Maker::leave(const RequestPtr& request) {
+  const std::scoped_lock lock(mutex_);
+  requests_.erase(request);
+  const ComputationPtr computation = request->joined.lock();
+  if (!computation) return;
+  auto& waiting = computation->requests;
+  const auto place = std::find(waiting.begin(), waiting.end(), request);
+  if (place == waiting.end()) return;
+  waiting.erase(place);
+  if (!waiting.empty()) return;
+  // Nobody waits any more: a request for the same revision from now on starts afresh.
+  computation->stop.request_stop();
+  workers_.withdraw(computation->job);
+  const auto entry = computing_.find(computation->prepared.id);
+  if (entry != computing_.end() && entry->second == computation) computing_.erase(entry);
+}
+
+void Maker::finish(const RequestPtr& request, const std::function<void(const Listener&)>& tell) {
+  if (request->answered.exchange(true)) return;
+  leave(request);
+  tell(request->listener);
+}
+
+void Maker::fail(const RequestPtr& request, const Error& why) {
+  finish(request, [&](const Listener& listener) { listener.failed(why); });
+}
+
+void Maker::stop() {
+  std::set<RequestPtr> requests;
+  {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+    requests = requests_;
+  }
+  for (const RequestPtr& request : requests) {
+    request->stop.request_stop();
+    fail(request, error::shutting_down());
+  }
+}
+
+}  // namespace remeshd

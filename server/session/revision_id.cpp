@@ -1,0 +1,110 @@
+#include "server/session/revision_id.h"
+
+#include <bit>
+#include <string_view>
+
+#include "proto/checksum.h"
+
+namespace remeshd {
+namespace {
+
+/// Bytes in which every piece says its length or has a fixed one, so that no two values of a type
+/// have the same.
+class Canonical {
+ public:
+  void byte(std::uint8_t value) { bytes_ += static_cast<char>(value); }
+  void number(std::uint64_t value) {
+    for (unsigned shift = 0; shift < 64; shift += 8)
+      byte(static_cast<std::uint8_t>(value >> shift & 255U));
+  }
+  void real(double value) { number(std::bit_cast<std::uint64_t>(value)); }
+  void text(std::string_view value) {
+    number(value.size());
+    bytes_ += value;
+  }
+  void scalar(const Scalar& value) {
+    byte(static_cast<std::uint8_t>(value.index()));
+    if (const auto* literal = std::get_if<double>(&value)) {
+      real(*literal);
+    } else {
+      text(std::get<std::string>(value));
+    }
+  }
+  void triple(const std::array<Scalar, 3>& values) {
+    for (const Scalar& value : values) scalar(value);
+  }
+  void optional_triple(const std::optional<std::array<Scalar, 3>>& values) {
+    byte(values ? 1 : 0);
+    if (values) triple(*values);
+  }
+  void scalars(const std::map<std::string, Scalar>& values) {
+    number(values.size());
+    for (const auto& [name, value] : values) {
+      text(name);
+      scalar(value);
+    }
+  }
+  void profile(const std::vector<ProfileEntry>& entries) {
+    number(entries.size());
+    for (const ProfileEntry& entry : entries) {
+      scalar(entry.x);
+      scalar(entry.y);
+      byte(entry.through ? 1 : 0);
+      if (entry.through)
+        for (const Scalar& value : *entry.through) scalar(value);
+    }
+  }
+  void feature(const FeatureSource& feature) {
+    text(feature.id);
+    byte(static_cast<std::uint8_t>(feature.nature));
+    text(feature.type);
+    scalars(feature.parameters);
+    byte(feature.profile ? 1 : 0);
+    if (feature.profile) profile(*feature.profile);
+    triple(feature.placement.origin);
+    optional_triple(feature.placement.z_axis);
+    optional_triple(feature.placement.x_axis);
+    byte(static_cast<std::uint8_t>(feature.reference.index()));
+    if (const auto* kind = std::get_if<ReferenceKind>(&feature.reference)) {
+      byte(static_cast<std::uint8_t>(*kind));
+    } else {
+      triple(std::get<std::array<Scalar, 3>>(feature.reference));
+    }
+  }
+  void model(const ModelSource& source) {
+    text(source.name);
+    text(source.unit);
+    scalars(source.parameters);
+    number(source.features.size());
+    for (const FeatureSource& each : source.features) feature(each);
+  }
+  void options(const MeshOptions& options) {
+    byte(options.nodes ? 1 : 0);
+    number(options.nodes.value_or(0));
+    byte(options.size ? 1 : 0);
+    real(options.size.value_or(0));
+    number(options.iterations);
+    number(options.seed);
+    byte(options.clean_up ? 1 : 0);
+  }
+
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string revision_id(const ModelSource& source, const MeshOptions& options,
+                        const std::string& parent, std::uint32_t algorithm_version) {
+  Canonical canonical;
+  canonical.text("remeshd revision");
+  canonical.number(algorithm_version);
+  canonical.model(source);
+  canonical.options(options);
+  canonical.text(parent);
+  return sha256_hex(canonical.bytes());
+}
+
+}  // namespace remeshd

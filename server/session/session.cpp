@@ -1,0 +1,123 @@
+#include "server/session/session.h"
+
+#include "server/session/session_error.h"
+
+namespace remeshd {
+namespace {
+
+constexpr int kQuickThreads = 4;
+constexpr std::size_t kQuickQueue = 1024;
+constexpr int kMostChildren = 1000;
+
+/// What a side of a comparison comes to.
+struct Side {
+  HeldRevisionPtr revision;  ///< null for a model that is no revision
+  ModelSource source;
+};
+
+}  // namespace
+
+Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits)
+    : engine_(std::move(engine)),
+      limits_(limits),
+      store_(std::move(store)),
+      archive_(engine_, *store_, limits_.memory),
+      quick_({.workers = kQuickThreads, .queue = kQuickQueue, .wait = limits_.wait}),
+      workers_({.workers = limits_.workers, .queue = limits_.queue, .wait = limits_.wait}),
+      maker_(engine_, archive_, quick_, workers_,
+             {.threads = limits_.threads, .max_nodes = limits_.max_nodes}) {}
+
+Session::~Session() { stop(); }
+
+void Session::stop() {
+  maker_.stop();
+  quick_.shutdown();
+  workers_.shutdown();
+}
+
+HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
+  if (reference.empty()) throw error::reference_missing("revision");
+  return archive_.get(archive_.resolve(reference).id, run);
+}
+
+Description Session::describe(const std::string& text, const Run& run) {
+  if (text.empty()) throw error::reference_missing("revision");
+  const Reference reference = archive_.resolve(text);
+  Description description;
+  description.revision = archive_.get(reference.id, run);
+  description.record = description.revision->record;
+  store_->read([&](Catalogue& catalogue) {
+    if (const auto record = catalogue.revision(reference.id)) description.record = *record;
+    description.places = catalogue.places(reference.id);
+    description.children = catalogue.children(reference.id, kMostChildren);
+  });
+  if (!description.places.empty()) description.place = description.places.front();
+  for (const PlaceRecord& place : description.places)
+    if (place.design == reference.design) description.place = place;
+  return description;
+}
+
+ModelDifference Session::compare(const ComparisonSide& original, const ComparisonSide& modified,
+                                 const Run& run) {
+  const auto take = [&](const ComparisonSide& side, const char* name) {
+    if (const auto* source = std::get_if<ModelSource>(&side)) return Side{nullptr, *source};
+    const auto& reference = std::get<std::string>(side);
+    if (reference.empty()) throw error::reference_missing(name);
+    const auto revision = archive_.get(archive_.resolve(reference).id, run);
+    return Side{revision, revision->revision.source};
+  };
+  if (std::holds_alternative<ModelEdit>(original))
+    throw error::side_invalid("original", "is an edit; it must be a revision or a model");
+  const Side before = take(original, "original");
+  const auto* edit = std::get_if<ModelEdit>(&modified);
+  const Side after = edit != nullptr ? Side{nullptr, engine_.apply(before.source, *edit)}
+                                     : take(modified, "modified");
+  const auto cells = [](const Side& side) {
+    return side.revision ? &side.revision->revision.cells : nullptr;
+  };
+  return engine_.compare(engine_.evaluate(before.source), engine_.evaluate(after.source),
+                         cells(before), cells(after), run);
+}
+
+Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
+                            const Run& run) {
+  static_cast<void>(maker_.first_options(options));  // for what it refuses
+  return {source, engine_.summarise(engine_.evaluate(source), run)};
+}
+
+Validated Session::validate_edit(const std::variant<std::string, ModelSource>& base,
+                                 const ModelEdit& edit, const OptionsPatch& options,
+                                 const Run& run) {
+  const auto* model = std::get_if<ModelSource>(&base);
+  if (model != nullptr) return validate(engine_.apply(*model, edit), options, run);
+  const auto& reference = std::get<std::string>(base);
+  if (reference.empty()) throw error::reference_missing("base");
+  return validate(engine_.apply(get(reference, run)->revision.source, edit), options, run);
+}
+
+std::vector<ListedRevision> Session::list(const std::string& design,
+                                          const std::string& after_design,
+                                          std::uint32_t after_number, int limit) {
+  return store_->read([&](Catalogue& catalogue) {
+    if (!design.empty() && !catalogue.design(design)) throw error::design_not_found(design);
+    return catalogue.list(design, after_design, after_number, limit);
+  });
+}
+
+std::vector<DesignRecord> Session::designs(const std::string& after, int limit) {
+  return store_->read([&](Catalogue& catalogue) { return catalogue.designs(after, limit); });
+}
+
+Load Session::load() {
+  Load load{.running = workers_.running(),
+            .queued = workers_.queued(),
+            .held = archive_.held().count(),
+            .held_bytes = archive_.held().bytes()};
+  store_->read([&](Catalogue& catalogue) {
+    load.revisions = catalogue.count_revisions();
+    load.designs = catalogue.count_designs();
+  });
+  return load;
+}
+
+}  // namespace remeshd

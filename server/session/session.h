@@ -1,0 +1,110 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/session/archive.h"
+#include "server/session/commands.h"
+#include "server/session/engine.h"
+#include "server/session/maker.h"
+#include "server/session/pool.h"
+#include "server/store/store.h"
+
+namespace remeshd {
+
+struct SessionLimits {
+  int workers = 1;                    ///< computations at a time
+  int threads = 1;                    ///< at most, for one computation
+  std::size_t queue = 64;             ///< computations that may wait
+  double wait = 60;                   ///< s that one may wait
+  std::uint64_t memory = 1ULL << 30;  ///< bytes of revisions held
+  std::uint32_t max_nodes = 5000000;  ///< that may be asked for
+};
+
+/// A revision with all that is known of it.
+struct Description {
+  HeldRevisionPtr revision;
+  RevisionRecord record;
+  PlaceRecord place;  ///< by which it was named, else its first
+  std::vector<PlaceRecord> places;
+  std::vector<std::string> children;
+};
+
+/// A model that was found fit for meshing.
+struct Validated {
+  ModelSource source;
+  ModelSummary summary;
+};
+
+struct Load {
+  std::size_t running = 0, queued = 0;
+  std::size_t held = 0;
+  std::uint64_t held_bytes = 0;
+  std::uint32_t revisions = 0, designs = 0;
+};
+
+/// Everything that clients may do, in the engine's terms. All functions may be called by any thread
+/// at the same time. Those with a Run block and belong on the quick pool (`later`).
+class Session {
+ public:
+  Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits);
+  /// As `stop`.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  MakeRequestPtr create(CreateCommand command, Listener listener) {
+    return maker_.create(std::move(command), std::move(listener));
+  }
+  MakeRequestPtr edit(EditCommand command, Listener listener) {
+    return maker_.edit(std::move(command), std::move(listener));
+  }
+
+  /// Runs `work` on the quick pool, or calls `refused`. Throws what Pool::submit throws.
+  void later(std::function<void()> work, std::function<void(const Error&)> refused) {
+    quick_.submit(std::move(work), std::move(refused));
+  }
+
+  HeldRevisionPtr get(const std::string& reference, const Run& run);
+  Description describe(const std::string& reference, const Run& run);
+  ModelDifference compare(const ComparisonSide& original, const ComparisonSide& modified,
+                          const Run& run);
+  /// Everything that is checked before a mesh is made.
+  Validated validate(const ModelSource& source, const OptionsPatch& options, const Run& run);
+  /// The same for the model that the edit makes of a revision or a model.
+  Validated validate_edit(const std::variant<std::string, ModelSource>& base, const ModelEdit& edit,
+                          const OptionsPatch& options, const Run& run);
+  Archive::Removed remove(const std::string& reference, bool allow_head) {
+    return archive_.remove(reference, allow_head);
+  }
+
+  std::vector<ListedRevision> list(const std::string& design, const std::string& after_design,
+                                   std::uint32_t after_number, int limit);
+  std::vector<DesignRecord> designs(const std::string& after, int limit);
+  [[nodiscard]] std::vector<FeatureTypeInfo> feature_types() const {
+    return engine_.feature_types();
+  }
+  Load load();
+  [[nodiscard]] const SessionLimits& limits() const { return limits_; }
+  [[nodiscard]] std::uint32_t algorithm_version() const { return engine_.algorithm_version; }
+  [[nodiscard]] bool persistent() { return archive_.store().persistent(); }
+
+  /// Answers whatever is under way with Unavailable, and returns when every thread has come to
+  /// rest.
+  void stop();
+
+ private:
+  const Engine engine_;
+  const SessionLimits limits_;
+  const std::unique_ptr<Store> store_;
+  Archive archive_;
+  Pool quick_;
+  Pool workers_;
+  Maker maker_;
+};
+
+}  // namespace remeshd

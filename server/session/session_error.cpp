@@ -1,0 +1,137 @@
+#include "server/session/session_error.h"
+
+#include <string>
+#include <utility>
+
+namespace remeshd::error {
+namespace {
+
+ErrorInfo request_info(ErrorKind kind, std::string reason, std::string message) {
+  ErrorInfo info;
+  info.kind = kind;
+  info.reason = std::move(reason);
+  info.message = std::move(message);
+  info.stage = "request";
+  return info;
+}
+
+std::string name(std::string_view text) {
+  std::string out("`");
+  out.append(text.substr(0, 160));
+  out.push_back('`');
+  return out;
+}
+
+}  // namespace
+
+Error revision_not_found(std::string_view reference, std::string_view hint) {
+  ErrorInfo info = request_info(ErrorKind::NotFound, "RevisionNotFound",
+                                "there is no revision " + name(reference));
+  info.hint = hint;
+  return Error(std::move(info));
+}
+
+Error revision_ambiguous(std::string_view prefix) {
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "RevisionAmbiguous",
+                                "more than one revision's id begins with " + name(prefix));
+  info.hint = "give more digits";
+  return Error(std::move(info));
+}
+
+Error reference_missing(std::string_view field) {
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "RevisionMissing",
+                                "the request names no revision in " + name(field));
+  info.parameter = field;
+  info.hint = "a design, design@number, an id, or at least 8 digits of one";
+  return Error(std::move(info));
+}
+
+Error design_not_found(std::string_view design) {
+  return Error(
+      request_info(ErrorKind::NotFound, "DesignNotFound", "there is no design " + name(design)));
+}
+
+Error design_empty(std::string_view design) {
+  return Error(request_info(ErrorKind::NotFound, "DesignEmpty",
+                            "the design " + name(design) + " has no revisions left"));
+}
+
+Error design_name_invalid(std::string_view why) {
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "DesignNameInvalid",
+                                "the design's name " + std::string(why));
+  info.parameter = "design";
+  info.hint =
+      "a design is named by at most 128 bytes without `@` and control characters; without "
+      "a name of its own it takes the model's";
+  return Error(std::move(info));
+}
+
+Error head_protected(std::string_view design, std::uint32_t number) {
+  ErrorInfo info = request_info(
+      ErrorKind::FailedPrecondition, "HeadProtected",
+      "revision " + std::to_string(number) + " is the head of the design " + name(design));
+  info.hint = "allow it to delete a head, or make another revision the head first";
+  return Error(std::move(info));
+}
+
+Error option_invalid(std::string_view option, std::string_view why) {
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "OptionsInvalid",
+                                "the option " + name(option) + " " + std::string(why));
+  info.parameter = option;
+  return Error(std::move(info));
+}
+
+Error side_invalid(std::string_view side, std::string_view why) {
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "SideInvalid",
+                                "the " + std::string(side) + " side " + std::string(why));
+  info.parameter = side;
+  return Error(std::move(info));
+}
+
+Error mesh_too_large(std::uint64_t nodes, std::uint64_t limit) {
+  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MeshTooLarge",
+                                std::to_string(nodes) + " nodes are more than the " +
+                                    std::to_string(limit) + " that this daemon meshes");
+  info.parameter = "nodes";
+  info.hint = "ask for fewer nodes, or start remeshd with a larger --max-nodes";
+  return Error(std::move(info));
+}
+
+Error busy(std::size_t waiting, double retry_after) {
+  ErrorInfo info =
+      request_info(ErrorKind::ResourceExhausted, "Busy",
+                   "the daemon is busy: " + std::to_string(waiting) + " requests are waiting");
+  info.retry_after = retry_after;
+  info.hint = "try again later";
+  return Error(std::move(info));
+}
+
+Error waited_too_long(double seconds, double retry_after) {
+  ErrorInfo info = request_info(
+      ErrorKind::ResourceExhausted, "WaitedTooLong",
+      "the request waited " + std::to_string(static_cast<long>(seconds)) + " s for a worker");
+  info.retry_after = retry_after;
+  info.hint = "try again later";
+  return Error(std::move(info));
+}
+
+Error memory_full(std::uint64_t used, std::uint64_t budget) {
+  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MemoryFull",
+                                "revisions fill " + std::to_string(used >> 20U) + " MiB of the " +
+                                    std::to_string(budget >> 20U) + " MiB they may have");
+  info.hint = "delete revisions, or start remeshd with a --store or a larger --cache";
+  return Error(std::move(info));
+}
+
+Error out_of_memory() {
+  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "OutOfMemory",
+                                "there is not enough memory for this request");
+  info.hint = "ask for fewer nodes";
+  return Error(std::move(info));
+}
+
+Error shutting_down() {
+  return Error(request_info(ErrorKind::Unavailable, "ShuttingDown", "the daemon is shutting down"));
+}
+
+}  // namespace remeshd::error

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/base/error.h"
+
+namespace remeshd::error {
+
+Error revision_not_found(std::string_view reference, std::string_view hint);
+Error revision_ambiguous(std::string_view prefix);
+Error reference_missing(std::string_view field);
+Error design_not_found(std::string_view design);
+Error design_empty(std::string_view design);
+Error design_name_invalid(std::string_view why);
+Error head_protected(std::string_view design, std::uint32_t number);
+Error option_invalid(std::string_view option, std::string_view why);
+Error side_invalid(std::string_view side, std::string_view why);
+Error mesh_too_large(std::uint64_t nodes, std::uint64_t limit);
+Error busy(std::size_t waiting, double retry_after);
+Error waited_too_long(double seconds, double retry_after);
+Error memory_full(std::uint64_t used, std::uint64_t budget);
+Error out_of_memory();
+Error shutting_down();
+
+}  // namespace remeshd::error
