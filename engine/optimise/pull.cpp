@@ -11,17 +11,35 @@ namespace {
 
 constexpr double kGridCell = 0.8;  // of the edge length: fastest for one-nearest queries
 
-void connect(std::vector<std::vector<int>>& sets, const std::vector<int>& members) {
-  for (const int a : members)
-    for (const int b : members)
-      if (a != b) sets[a].push_back(b);
-}
+/// Cosine of 120 degrees: normals turned further apart leave a wedge of less than 60 degrees.
+constexpr double kSharp = -0.5;
 
 void tidy(std::vector<std::vector<int>>& sets) {
   for (auto& s : sets) {
     std::sort(s.begin(), s.end());
     s.erase(std::unique(s.begin(), s.end()), s.end());
   }
+}
+
+bool holds(const std::vector<std::vector<int>>& sets, int a, int b) {
+  return std::binary_search(sets[a].begin(), sets[a].end(), b);
+}
+
+/// Whether two faces meet in a wedge, of material or of void, of less than 60 degrees somewhere
+/// along their edge.
+bool sharp_along(const BoundaryModel& boundary, const BoundaryEdge& edge) {
+  if (edge.faces.size() != 2) return false;
+  const BoundaryFace &f = boundary.faces[edge.faces[0]], &g = boundary.faces[edge.faces[1]];
+  const double sign = f.reversed == g.reversed ? 1 : -1;
+  return std::any_of(edge.points.begin(), edge.points.end(), [&](const Vec3& p) {
+    return sign * dot(normal(f.surface, p), normal(g.surface, p)) < kSharp;
+  });
+}
+
+/// Direction in which an edge leaves one of its vertices.
+Vec3 leaving(const BoundaryEdge& edge, int vertex) {
+  const auto& p = edge.points;
+  return normalised(edge.start == vertex ? p[1] - p[0] : p[p.size() - 2] - p.back());
 }
 
 /// What one set of samples, those of one face or edge, pulls on one node with.
@@ -78,12 +96,16 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
     const Pull& winner = pulls[strongest];
     nodes.supports[winner.node] = {kind, winner.entity};
     nodes.positions[winner.node] = target(boundary, nodes.supports[winner.node], winner);
+    const Vec3 placed = nodes.positions[winner.node];
+    const double apart = options.split_distance * options.edge_length;
     for (std::size_t k = first; k < last && options.split; ++k) {
-      if (k == strongest || pulls[k].weight < options.split_ratio * winner.weight ||
-          adjacency.adjacent(kind, winner.entity, pulls[k].entity))
-        continue;
+      if (k == strongest || pulls[k].weight < options.split_ratio * winner.weight) continue;
+      const Meeting meeting = adjacency.meeting(kind, winner.entity, pulls[k].entity);
+      if (meeting == Meeting::Blunt) continue;
       const Support support{kind, pulls[k].entity};
-      nodes.add_new(target(boundary, support, pulls[k]), support);
+      const Vec3 place = target(boundary, support, pulls[k]);
+      if (meeting == Meeting::Sharp && norm2(place - placed) < apart * apart) continue;
+      nodes.add_new(place, support);
     }
     first = last;
   }
@@ -125,16 +147,35 @@ void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std:
 }  // namespace
 
 Adjacency::Adjacency(const BoundaryModel& boundary)
-    : faces_(boundary.faces.size()), edges_(boundary.edges.size()) {
-  for (const BoundaryEdge& edge : boundary.edges) connect(faces_, edge.faces);
-  for (const BoundaryVertex& vertex : boundary.vertices) connect(edges_, vertex.edges);
-  tidy(faces_);
-  tidy(edges_);
+    : faces_(boundary.faces.size()),
+      edges_(boundary.edges.size()),
+      sharp_faces_(boundary.faces.size()),
+      sharp_edges_(boundary.edges.size()) {
+  const auto join = [](std::vector<std::vector<int>>& sets, int a, int b) {
+    sets[a].push_back(b);
+    sets[b].push_back(a);
+  };
+  for (const BoundaryEdge& edge : boundary.edges) {
+    if (edge.faces.size() != 2) continue;
+    join(faces_, edge.faces[0], edge.faces[1]);
+    if (sharp_along(boundary, edge)) join(sharp_faces_, edge.faces[0], edge.faces[1]);
+  }
+  for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v) {
+    const auto& round = boundary.vertices[v].edges;
+    for (std::size_t i = 0; i < round.size(); ++i)
+      for (std::size_t j = i + 1; j < round.size(); ++j) {
+        join(edges_, round[i], round[j]);
+        const BoundaryEdge &a = boundary.edges[round[i]], &b = boundary.edges[round[j]];
+        if (dot(leaving(a, v), leaving(b, v)) > -kSharp) join(sharp_edges_, round[i], round[j]);
+      }
+  }
+  for (auto* sets : {&faces_, &edges_, &sharp_faces_, &sharp_edges_}) tidy(*sets);
 }
 
-bool Adjacency::adjacent(Support::Kind kind, int a, int b) const {
-  const auto& set = kind == Support::Kind::Face ? faces_[a] : edges_[a];
-  return std::binary_search(set.begin(), set.end(), b);
+Meeting Adjacency::meeting(Support::Kind kind, int a, int b) const {
+  const bool face = kind == Support::Kind::Face;
+  if (!holds(face ? faces_ : edges_, a, b)) return Meeting::Apart;
+  return holds(face ? sharp_faces_ : sharp_edges_, a, b) ? Meeting::Sharp : Meeting::Blunt;
 }
 
 std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& boundary,

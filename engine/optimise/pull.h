@@ -9,20 +9,26 @@
 
 namespace remeshd {
 
-/// Which faces share an edge and which edges share a vertex: a node pulled on by adjacent sets is
-/// not split (Sect. 3.3).
+/// How two faces, or two edges, meet.
+enum class Meeting { Apart, Blunt, Sharp };
+
+/// Which faces share an edge and which edges share a vertex, and whether at less than 60 degrees. A
+/// node pulled on by sets that meet bluntly is not split (Sect. 3.3).
 class Adjacency {
  public:
   explicit Adjacency(const BoundaryModel& boundary);
   /// `kind` is Face or Edge.
-  [[nodiscard]] bool adjacent(Support::Kind kind, int a, int b) const;
+  [[nodiscard]] Meeting meeting(Support::Kind kind, int a, int b) const;
 
  private:
-  std::vector<std::vector<int>> faces_, edges_;  ///< neighbours, ascending
+  std::vector<std::vector<int>> faces_, edges_, sharp_faces_, sharp_edges_;  ///< ascending
 };
 
 struct PullOptions {
-  double edge_length = 0;     ///< target edge length l
+  double edge_length = 0;  ///< target edge length l
+  /// Sets that meet sharply split a node where they pull it to places this share of l apart: one
+  /// node cannot serve both sides of a narrow wedge.
+  double split_distance = 0.3;
   double split_ratio = 0.25;  ///< weaker to stronger pull above which a node is split
   /// Share of l beyond which a model vertex does not pull in a node but gets a new one.
   double vertex_reach = 0.75;
@@ -32,7 +38,8 @@ struct PullOptions {
 /// The boundary procedure of one iteration (Sect. 3.3): faces pull first, then edges, then
 /// vertices. Free nodes that nothing pulls on become interior; the others move to the weighted mean
 /// of the samples that pull on them, projected on their face or edge. Nodes pulled on by two sets
-/// that are not adjacent are split in two. Fixed nodes stay, and so do the samples nearest to them
+/// that are not adjacent are split in two, and so are those torn apart in a sharp
+/// wedge. Fixed nodes stay, and so do the samples nearest to them
 /// without effect; only a vertex without a node frees the one nearest to it.
 ///
 /// `active`: indices of the samples that take part, ascending.
