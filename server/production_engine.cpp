@@ -1,0 +1,30 @@
+#include "server/daemon.h"
+
+namespace remeshd {
+namespace {
+
+ModelSummary summarise(const FeatureModel& model, const Run& run) {
+  const CellularModel cells = build_cells(model, run);
+  return {.volume = cells.volume,
+          .area = cells.area,
+          .cells = static_cast<std::uint32_t>(cells.cells.size()),
+          .faces = static_cast<std::uint32_t>(cells.boundary.faces.size()),
+          .edges = static_cast<std::uint32_t>(cells.boundary.edges.size()),
+          .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size())};
+}
+
+}  // namespace
+
+Engine production_engine() {
+  return {.algorithm_version = 1,
+          .evaluate = evaluate,
+          .apply = apply,
+          .summarise = summarise,
+          .make_revision = make_revision,
+          .compare = {},
+          .serialise = serialise,
+          .deserialise = deserialise,
+          .feature_types = [] { return feature_types(); }};
+}
+
+}  // namespace remeshd
