@@ -41,13 +41,37 @@ std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& 
   return angles;
 }
 
+namespace {
+
+/// Cosines of the smallest and the largest dihedral angle: what orders angles without a call per
+/// angle.
+std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const std::array<Vec3, 4> outward{cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
+                                    cross(c - a, b - a)};
+  std::array<double, 4> scale{};
+  for (int i = 0; i < 4; ++i) scale[i] = 1 / norm(outward[i]);
+  double highest = -1;
+  double lowest = 1;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) {
+      const double cosine = -dot(outward[i], outward[j]) * scale[i] * scale[j];
+      highest = std::max(highest, cosine);
+      lowest = std::min(lowest, cosine);
+    }
+  return {highest, lowest};
+}
+
+}  // namespace
+
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets) {
   Quality quality;
   if (tets.empty()) return quality;
   std::vector<double> measures;
   measures.reserve(tets.size());
-  double smallest_angle = std::numbers::pi;
-  double largest_angle = 0;
+  double highest_cosine = -HUGE_VAL;
+  double lowest_cosine = HUGE_VAL;
+  Tet sharpest = tets[0];
+  Tet bluntest = tets[0];
   double sum = 0;
   for (const Tet& tet : tets) {
     const Vec3& a = nodes[tet[0]];
@@ -60,9 +84,14 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets) 
     quality.volume += tet_volume(a, b, c, d);
     const auto bin = static_cast<int>(std::clamp(measure * 20.0, 0.0, 19.0));
     ++quality.histogram[bin];
-    for (const double angle : dihedral_angles(a, b, c, d)) {
-      smallest_angle = std::min(smallest_angle, angle);
-      largest_angle = std::max(largest_angle, angle);
+    const auto [highest, lowest] = extreme_cosines(a, b, c, d);
+    if (highest > highest_cosine) {
+      highest_cosine = highest;
+      sharpest = tet;
+    }
+    if (lowest < lowest_cosine) {
+      lowest_cosine = lowest;
+      bluntest = tet;
     }
   }
   quality.volume_length_mean = sum / static_cast<double>(measures.size());
@@ -73,8 +102,11 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets) 
   quality.volume_length_p01 = measures[rank];
   quality.volume_length_min = *std::min_element(measures.begin(), measures.end());
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  quality.dihedral_min = smallest_angle * kDegrees;
-  quality.dihedral_max = largest_angle * kDegrees;
+  const auto angles = [&](const Tet& t) {
+    return dihedral_angles(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  };
+  quality.dihedral_min = std::ranges::min(angles(sharpest)) * kDegrees;
+  quality.dihedral_max = std::ranges::max(angles(bluntest)) * kDegrees;
   return quality;
 }
 

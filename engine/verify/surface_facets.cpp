@@ -10,7 +10,9 @@ namespace {
 struct Entry {
   std::int32_t mid, high;
   std::int32_t facet;  ///< 4 * tet + corner opposite
-  std::int8_t turn;    ///< sign of the permutation that sorts the outward facet; 0 once matched
+  std::int32_t next;   ///< entry of the same bucket with the same `mid`, -1 at the end
+  std::int8_t turn;    ///< sign of the permutation that sorts the outward facet
+  std::int8_t tets;    ///< met so far, 2 standing for more
 };
 
 struct Sorted {
@@ -56,25 +58,30 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count) {
     for (int i = 0; i < 4; ++i) {
       const Sorted s = sorted(tets[t], i);
       entries[end[s.nodes[0]]++] = {s.nodes[1], s.nodes[2], static_cast<std::int32_t>(4 * t + i),
-                                    s.turn};
+                                    -1,         s.turn,     1};
     }
 
   FacetMatch match;
   std::vector<std::int32_t> alone;
+  std::vector<std::int32_t> head(node_count, -1);  // first entry of this bucket by its `mid`
   std::uint32_t begin = 0;
   for (std::size_t n = 0; n < node_count; ++n) {
-    for (std::uint32_t a = begin; a < end[n]; ++a) {
-      if (entries[a].turn == 0) continue;
-      int partners = 0;
-      for (std::uint32_t b = a + 1; b < end[n]; ++b) {
-        if (entries[b].turn == 0 || entries[b].mid != entries[a].mid ||
-            entries[b].high != entries[a].high)
-          continue;
-        if (++partners > 1 || entries[b].turn == entries[a].turn)
-          match.clashes.push_back(entries[b].facet / 4);
-        entries[b].turn = 0;
+    for (std::uint32_t b = begin; b < end[n]; ++b) {
+      Entry& entry = entries[b];
+      std::int32_t a = head[entry.mid];
+      while (a >= 0 && entries[a].high != entry.high) a = entries[a].next;
+      if (a < 0) {
+        entry.next = std::exchange(head[entry.mid], static_cast<std::int32_t>(b));
+        continue;
       }
-      if (partners == 0) alone.push_back(entries[a].facet);
+      entry.tets = 0;
+      if (entries[a].tets == 2 || entries[a].turn == entry.turn)
+        match.clashes.push_back(entry.facet / 4);
+      entries[a].tets = 2;
+    }
+    for (std::uint32_t b = begin; b < end[n]; ++b) {
+      head[entries[b].mid] = -1;
+      if (entries[b].tets == 1) alone.push_back(entries[b].facet);
     }
     begin = end[n];
   }
