@@ -9,19 +9,20 @@ namespace {
 /// Facets between the apexes a and b, found outwards from the first one as a tree.
 class Sandwich {
  public:
-  Sandwich(const LocalMesh& mesh, std::int32_t a, std::int32_t b, Reconnection& out)
-      : mesh_(mesh), a_(a), b_(b), out_(out) {}
+  Sandwich(const LocalMesh& mesh, std::int32_t a, std::int32_t b, double floor, Reconnection& out)
+      : mesh_(mesh), a_(a), b_(b), floor_(floor), out_(out) {}
 
   /// What lies beyond the edge u-w of a facet that is taken out, where (a, facet) turns u to w:
-  /// either the new tet on u-w, or, if that serves better, the next facet and what lies beyond it.
-  /// Returns the worst fresh tet; sets `worst_old` to the worst tet that goes.
+  /// either the new tet on u-w, or, where that is not above the floor and it serves better, the
+  /// next facet and what lies beyond it. Returns the worst fresh tet; sets `worst_old` to the worst
+  /// tet that goes.
   double beyond(std::int32_t u, std::int32_t w, int depth, double& worst_old) {
     const double alone =
         volume_length(mesh_.node(a_), mesh_.node(b_), mesh_.node(u), mesh_.node(w));
     worst_old = std::numeric_limits<double>::infinity();
     std::int32_t upper = -1;
     std::int32_t lower = -1;
-    const std::int32_t x = depth > 0 ? next(u, w, upper, lower) : -1;
+    const std::int32_t x = depth > 0 && alone <= floor_ ? next(u, w, upper, lower) : -1;
     if (x >= 0) {
       const std::size_t fresh_mark = out_.fresh.size();
       const std::size_t old_mark = out_.old_tets.size();
@@ -77,6 +78,7 @@ class Sandwich {
 
   const LocalMesh& mesh_;
   std::int32_t a_, b_;
+  double floor_;
   Reconnection& out_;
 };
 
@@ -100,7 +102,7 @@ bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double fl
 
   out.clear();
   out.old_tets = {tet, below};
-  Sandwich sandwich(mesh, a, b, out);
+  Sandwich sandwich(mesh, a, b, floor, out);
   double worst_old = std::min(mesh.quality(tet), mesh.quality(below));
   out.quality = std::numeric_limits<double>::infinity();
   for (const auto& [p, q] : {std::pair{u, v}, std::pair{v, w}, std::pair{w, u}}) {
