@@ -1,3 +1,4 @@
+#include "engine/difference/compare.h"
 #include "server/daemon.h"
 
 namespace remeshd {
@@ -21,7 +22,7 @@ Engine production_engine() {
           .apply = apply,
           .summarise = summarise,
           .make_revision = make_revision,
-          .compare = {},
+          .compare = compare,
           .serialise = serialise,
           .deserialise = deserialise,
           .feature_types = [] { return feature_types(); }};

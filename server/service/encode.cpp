@@ -197,9 +197,9 @@ v1::DesignInfo encode(const DesignRecord& design) {
   return out;
 }
 
-v1::Comparison encode(const ModelDifference& difference) {
+v1::Comparison encode(const ModelComparison& comparison) {
   v1::Comparison out;
-  for (const FeatureDifference& feature : difference.features) {
+  for (const FeatureComparison& feature : comparison.features) {
     v1::Comparison::Feature& message = *out.add_features();
     message.set_id(feature.id);
     message.mutable_cells()->insert(feature.cells.begin(), feature.cells.end());
@@ -207,10 +207,11 @@ v1::Comparison encode(const ModelDifference& difference) {
     message.mutable_edges()->insert(feature.edges.begin(), feature.edges.end());
     message.mutable_vertices()->insert(feature.vertices.begin(), feature.vertices.end());
   }
-  out.set_copycells(difference.copycells);
-  out.set_newcells(difference.newcells);
-  out.set_method(difference.method);
-  out.set_error_bound(difference.error_bound);
+  out.set_copycells(comparison.copycells);
+  out.set_newcells(comparison.newcells);
+  out.set_method(comparison.method);
+  out.set_error_bound(comparison.error_bound);
+  out.set_remark(comparison.remark);
   return out;
 }
 

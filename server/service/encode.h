@@ -13,7 +13,7 @@ remesh::v1::RevisionReply encode(const Made& made, const std::string& request_id
 remesh::v1::RevisionDescription encode(const Description& description);
 remesh::v1::RevisionDescription::Place encode(const PlaceRecord& place);
 remesh::v1::DesignInfo encode(const DesignRecord& design);
-remesh::v1::Comparison encode(const ModelDifference& difference);
+remesh::v1::Comparison encode(const ModelComparison& comparison);
 remesh::v1::ValidateReply encode(const Validated& validated);
 remesh::v1::FeatureType encode(const FeatureTypeInfo& type);
 remesh::v1::Progress encode(const Progress& progress);

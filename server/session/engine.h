@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "engine/difference/compare.h"
 #include "engine/remesh/remesh.h"
 
 namespace remeshd {
@@ -16,21 +16,6 @@ struct ModelSummary {
   double area = 0;    ///< of the boundary
   std::uint32_t cells = 0;
   std::uint32_t faces = 0, edges = 0, vertices = 0;  ///< of the merged boundary
-};
-
-/// The difference model in numbers: measures by class (Tables 1 and 2), per feature.
-struct FeatureDifference {
-  std::string id;
-  std::map<std::string, double> cells;     ///< volume
-  std::map<std::string, double> faces;     ///< area
-  std::map<std::string, double> edges;     ///< length
-  std::map<std::string, double> vertices;  ///< count
-};
-struct ModelDifference {
-  std::vector<FeatureDifference> features;
-  double copycells = 0, newcells = 0;  ///< volume
-  std::string method;
-  double error_bound = 0;  ///< relative
 };
 
 /// What the session asks of the engine. A test hands in a quick one; `production_engine()` is the
@@ -45,7 +30,7 @@ struct Engine {
                          const Run&)>
       make_revision;
   /// The cellular models are those of the two models where they are at hand, else null.
-  std::function<ModelDifference(const FeatureModel& original, const FeatureModel& modified,
+  std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
   std::function<std::string(const Revision&)> serialise;

@@ -57,7 +57,7 @@ Description Session::describe(const std::string& text, const Run& run) {
   return description;
 }
 
-ModelDifference Session::compare(const ComparisonSide& original, const ComparisonSide& modified,
+ModelComparison Session::compare(const ComparisonSide& original, const ComparisonSide& modified,
                                  const Run& run) {
   const auto take = [&](const ComparisonSide& side, const char* name) {
     if (const auto* source = std::get_if<ModelSource>(&side)) return Side{nullptr, *source};

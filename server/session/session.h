@@ -71,7 +71,7 @@ class Session {
 
   HeldRevisionPtr get(const std::string& reference, const Run& run);
   Description describe(const std::string& reference, const Run& run);
-  ModelDifference compare(const ComparisonSide& original, const ComparisonSide& modified,
+  ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
   /// Everything that is checked before a mesh is made.
   Validated validate(const ModelSource& source, const OptionsPatch& options, const Run& run);
