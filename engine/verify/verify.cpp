@@ -20,9 +20,6 @@ constexpr std::uint32_t kKeptPerKind = 20;
 constexpr double kFlat = 1e-6;
 /// Share of the model's diagonal within which a node stands on its support.
 constexpr double kOnSupport = 1e-7;
-/// Share of the length of a curve that its nearest point may be off along it.
-constexpr double kAlongCurve = 1e-3;
-
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
@@ -140,17 +137,6 @@ class Checker {
     }
   }
 
-  [[nodiscard]] bool stands_on(const Support& support, const Vec3& p) const {
-    const double off = distance(project(boundary_, support, p), p);
-    if (support.kind != Support::Kind::Edge || off <= tolerance_) return off <= tolerance_;
-    // The nearest point of a curve that is no line or circle is known along it as well as its
-    // polyline is; the surfaces on its two sides are exact.
-    const BoundaryEdge& edge = boundary_.edges[support.entity];
-    return edge.curve.kind == Curve::Kind::Other && off <= kAlongCurve * edge.length &&
-           std::all_of(edge.faces.begin(), edge.faces.end(),
-                       [&](int face) { return faces_.deviation(face, p) <= tolerance_; });
-  }
-
   void check_nodes() {
     std::vector<std::int32_t> vertex_node(boundary_.vertices.size(), -1);
     for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
@@ -162,7 +148,7 @@ class Checker {
       }
       const Support& support = supports_[n];
       if (support.kind == Support::Kind::Interior) continue;
-      if (!stands_on(support, p))
+      if (!(distance(project(boundary_, support, p), p) <= tolerance_))
         fail(MeshFailure::NodeOffSupport, node, p, "a node away from where it should stand");
       if (support.kind == Support::Kind::Vertex && on_surface_[n] != 0)
         vertex_node[support.entity] = node;
