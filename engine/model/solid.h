@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -73,7 +75,7 @@ double volume_of(const Shape& shape);
 std::vector<SolidFace> faces_of(const Feature& feature);
 
 /// Which features contain a point, and so its nature: that of the last owner in history order,
-/// negative where there is none.
+/// negative where there is none. A question looks only at the features near the point.
 class Membership {
  public:
   explicit Membership(const FeatureModel& model);
@@ -94,9 +96,19 @@ class Membership {
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 
  private:
+  /// Features whose boxes reach into the grid cell of p, ascending; empty outside of the grid.
+  [[nodiscard]] std::span<const int> candidates(const Vec3& p) const;
+  [[nodiscard]] std::array<int, 3> grid_index(const Vec3& p) const;
+  void build_grid();
+
   std::vector<Solid> solids_;
   std::vector<Nature> natures_;
   Box bounds_;
+  Box all_;  ///< box of all features, which the grid divides
+  int cells_per_axis_ = 1;
+  Vec3 cells_per_length_;
+  std::vector<int> first_;  ///< per grid cell, where its features start in `features_`
+  std::vector<int> features_;
 };
 
 }  // namespace remeshd

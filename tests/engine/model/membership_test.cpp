@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "engine/base/random.h"
 #include "engine/model/solid.h"
 #include "tests/support/cases.h"
+#include "tests/support/random_frame.h"
 
 namespace remeshd {
 namespace {
@@ -87,6 +89,51 @@ TEST(Membership, CellsOfFigure5HaveTheirVolumes) {
       }
   EXPECT_EQ(volume, (std::map<int, int>{
                         {0b001, 51680}, {0b011, 6560}, {0b111, 1440}, {0b101, 1080 + 3240}}));
+}
+
+/// Rotated boxes of all sizes, every third one subtractive.
+FeatureModel clutter(int count, double largest) {
+  Random random(43);
+  FeatureModel model;
+  for (int k = 0; k < count; ++k) {
+    Feature f;
+    f.id = "f" + std::to_string(k);
+    f.nature = k % 3 == 2 ? Nature::Subtractive : Nature::Additive;
+    const double size = random.uniform(0.1, largest);
+    f.shape = Block{size, 0.5 * size, 2 * size};
+    f.placement = test::random_frame(random);
+    model.features.push_back(f);
+  }
+  return model;
+}
+
+TEST(Membership, AgreesWithAskingEveryFeature) {
+  for (const auto& [count, largest] :
+       std::vector<std::pair<int, double>>{{1, 9}, {40, 5}, {500, 2}, {500, 60}}) {
+    const Membership m(clutter(count, largest));
+    Random random(47);
+    int inside = 0;
+    for (int k = 0; k < 5000; ++k) {
+      const Vec3 p = test::random_point(random, 20);
+      std::vector<int> expected, found;
+      for (int f = 0; f < count; ++f)
+        if (m.solids()[f].contains(p)) expected.push_back(f);
+      m.owners(p, found);
+      EXPECT_EQ(found, expected);
+      EXPECT_EQ(m.last_owner(p), expected.empty() ? -1 : expected.back());
+      EXPECT_EQ(m.inside(p), !expected.empty() && expected.back() % 3 != 2);
+      inside += m.inside(p);
+    }
+    EXPECT_GT(inside, 0);
+  }
+}
+
+TEST(Membership, TakesBoxesThatRoundingFlattens) {
+  FeatureSource speck = test::feature("speck", "sphere", {{"radius", 1e-9}});
+  speck.placement.origin = {1e9, 1e9, 1e9};
+  const Membership m(evaluate(test::one_feature(speck)));
+  EXPECT_TRUE(m.inside({1e9, 1e9, 1e9}));
+  EXPECT_FALSE(m.inside({0, 0, 0}));
 }
 
 TEST(Membership, BoundsAreThoseOfAdditiveFeatures) {
