@@ -16,6 +16,13 @@ std::string check_size(const std::string& text) {
   return {};
 }
 
+/// CLI11 alone would take -1 for the largest number there is.
+std::string check_digits(const std::string& text) {
+  return text.find_first_not_of("0123456789") == std::string::npos
+             ? std::string()
+             : text + " is no whole number from 0";
+}
+
 std::uint32_t to_iterations(const std::string& text) {
   std::uint32_t value = 0;
   const char* end = text.data() + text.size();
@@ -45,7 +52,9 @@ void MeshingOptions::add_to(CLI::App& command) {
                   "Iterations, or `auto`: until quality stops improving [auto]")
       ->check(CLI::Validator(check_iterations, "", ""))
       ->type_name("K|auto");
-  command.add_option("--seed", seed, "Seed of all random choices [1]")->type_name("S");
+  command.add_option("--seed", seed, "Seed of all random choices [1]")
+      ->check(CLI::Validator(check_digits, "", ""))
+      ->type_name("S");
   command.add_option("--threads", threads, "Threads; never change the result [1]")
       ->check(CLI::Range(1U, 1024U))
       ->type_name("N");

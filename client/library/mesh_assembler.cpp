@@ -1,10 +1,7 @@
 #include "client/library/mesh_assembler.h"
 
-#include <openssl/evp.h>
-
 #include <array>
 #include <bit>
-#include <boost/crc.hpp>
 #include <cstring>
 
 #include "remeshd/error.h"
@@ -97,30 +94,6 @@ void check_mesh(const Mesh& mesh) {
 
 }  // namespace
 
-std::uint32_t crc32c(std::string_view bytes) {
-  boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return crc.checksum();
-}
-
-struct MeshAssembler::Sha256 {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-  Sha256() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
-  ~Sha256() { EVP_MD_CTX_free(context); }
-  Sha256(const Sha256&) = delete;
-  Sha256& operator=(const Sha256&) = delete;
-
-  void update(std::string_view bytes) { EVP_DigestUpdate(context, bytes.data(), bytes.size()); }
-  std::string finish() {
-    std::string digest(32, '\0');
-    EVP_DigestFinal_ex(context, reinterpret_cast<unsigned char*>(digest.data()), nullptr);
-    return digest;
-  }
-};
-
-MeshAssembler::MeshAssembler() : sha256_(std::make_unique<Sha256>()) {}
-MeshAssembler::~MeshAssembler() = default;
-
 void MeshAssembler::add(const remesh::v1::MeshMessage& message) {
   if (ended_) lost("something follows its end");
   switch (message.message_case()) {
@@ -161,7 +134,7 @@ void MeshAssembler::add_part(const remesh::v1::MeshPart& part) {
     lost(name_of(part.array()) + " is longer than announced");
   if (crc32c(part.data()) != part.crc32c())
     lost("wrong CRC-32C in part " + std::to_string(parts_) + " of " + name_of(part.array()));
-  sha256_->update(part.data());
+  sha256_.update(part.data());
   bytes += part.data();
   received_ += part.data().size();
   ++parts_;
@@ -173,7 +146,7 @@ void MeshAssembler::add_end(const remesh::v1::MeshEnd& end) {
   for (const auto& array : header_.arrays())
     if (arrays_[array.array()].size() != array.bytes())
       lost(name_of(array.array()) + " is not complete");
-  if (end.sha256() != sha256_->finish()) lost("wrong SHA-256");
+  if (end.sha256() != sha256_.finish()) lost("wrong SHA-256");
   ended_ = true;
 }
 

@@ -3,15 +3,12 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <string_view>
 
+#include "proto/checksum.h"
 #include "remesh/v1/remesh.pb.h"
 #include "remeshd/mesh.h"
 
 namespace remeshd::client {
-
-/// CRC-32C (Castagnoli) of bytes.
-std::uint32_t crc32c(std::string_view bytes);
 
 /// Puts the messages of a GetMesh stream together and checks all of them.
 ///
@@ -19,11 +16,6 @@ std::uint32_t crc32c(std::string_view bytes);
 /// index is wrong.
 class MeshAssembler {
  public:
-  MeshAssembler();
-  ~MeshAssembler();
-  MeshAssembler(const MeshAssembler&) = delete;
-  MeshAssembler& operator=(const MeshAssembler&) = delete;
-
   void add(const remesh::v1::MeshMessage& message);
   /// The mesh, once the end has come.
   [[nodiscard]] Mesh finish() const;
@@ -36,8 +28,7 @@ class MeshAssembler {
   void add_part(const remesh::v1::MeshPart& part);
   void add_end(const remesh::v1::MeshEnd& end);
 
-  struct Sha256;
-  std::unique_ptr<Sha256> sha256_;
+  Sha256 sha256_;
   remesh::v1::MeshHeader header_;
   bool has_header_ = false;
   bool ended_ = false;

@@ -61,6 +61,7 @@ class FakeService final : public remesh::v1::Remesh::Service {
   remesh::v1::Comparison comparison;
   std::vector<remesh::v1::RevisionInfo> revisions;
   std::uint32_t page = 1000;
+  bool head_moved = false;
 
   // What came.
   std::vector<remesh::v1::EditStreamRequest> requests;
@@ -195,9 +196,11 @@ class FakeService final : public remesh::v1::Remesh::Service {
   }
 
  private:
-  static remesh::v1::RevisionReply revision(int k, const std::string& design,
-                                            const std::string& parent) {
+  [[nodiscard]] remesh::v1::RevisionReply revision(int k, const std::string& design,
+                                                   const std::string& parent) const {
     remesh::v1::RevisionReply reply;
+    reply.set_head_moved(head_moved);
+    reply.set_head_number(9);
     reply.mutable_revision()->set_id("rev-" + std::to_string(k));
     reply.mutable_revision()->set_design(design.empty() ? "d" : design);
     reply.mutable_revision()->set_number(static_cast<std::uint32_t>(k));

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <openssl/sha.h>
-
 #include <cstring>
 #include <string>
 #include <vector>
 
-#include "client/library/mesh_assembler.h"
+#include "proto/checksum.h"
 #include "remesh/v1/remesh.pb.h"
 #include "remeshd/mesh.h"
 
@@ -75,10 +73,9 @@ inline std::vector<remesh::v1::MeshMessage> mesh_messages(const Mesh& mesh, std:
   }
   const auto parts = static_cast<std::uint32_t>(messages.size() - 1);
   auto* end = messages.emplace_back().mutable_end();
-  std::string digest(SHA256_DIGEST_LENGTH, '\0');
-  SHA256(reinterpret_cast<const unsigned char*>(all.data()), all.size(),
-         reinterpret_cast<unsigned char*>(digest.data()));
-  end->set_sha256(digest);
+  Sha256 digest;
+  digest.update(all);
+  end->set_sha256(digest.finish());
   end->set_bytes(all.size());
   end->set_parts(parts);
   return messages;

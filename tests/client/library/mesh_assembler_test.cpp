@@ -19,12 +19,6 @@ Mesh assemble(const Messages& messages) {
   return assembler.finish();
 }
 
-TEST(Crc32c, HasTheValueOfItsStandard) {
-  // RFC 3720, B.4, and the check value of the CRC catalogue.
-  EXPECT_EQ(crc32c("123456789"), 0xE3069283U);
-  EXPECT_EQ(crc32c(std::string(32, '\0')), 0x8A9136AAU);
-}
-
 TEST(MeshAssembler, PutsTheMeshTogetherWhateverTheSizeOfTheParts) {
   const Mesh mesh = sample_mesh(2);
   for (const std::size_t size : {std::size_t{1000}, std::size_t{13}, std::size_t{1} << 20})
@@ -62,10 +56,9 @@ void forge(remesh::v1::MeshPart& part, const std::string& data) {
 void sign(Messages& messages) {
   std::string all;
   for (const auto& message : messages) all += message.part().data();
-  std::string digest(SHA256_DIGEST_LENGTH, '\0');
-  SHA256(reinterpret_cast<const unsigned char*>(all.data()), all.size(),
-         reinterpret_cast<unsigned char*>(digest.data()));
-  messages.back().mutable_end()->set_sha256(digest);
+  Sha256 digest;
+  digest.update(all);
+  messages.back().mutable_end()->set_sha256(digest.finish());
 }
 
 INSTANTIATE_TEST_SUITE_P(
