@@ -30,6 +30,8 @@ struct FaceMoments {
   Vec3 centroid;
   double swept_volume = 0;  ///< of the pyramid to the reference point, positive before the face
 };
+/// Integrals over a face, exact to 1e-9. BRepGProp's own entry takes another reference point for
+/// each face, so that they do not add up to volumes.
 FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference);
 
 /// Fills in the curve of an edge, kernel units.

@@ -1,9 +1,12 @@
 #include "engine/kernel/primitives.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
@@ -14,7 +17,9 @@
 #include <GeomAbs_SurfaceType.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -82,6 +87,28 @@ ProfileFace make_face(std::span<const ProfileCurve> profile, const ProfilePlane&
   return out;
 }
 
+gp_Pnt middle(const TopoDS_Edge& edge) {
+  const BRepAdaptor_Curve curve(edge);
+  return curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+}
+
+int index_in(const TopoDS_Shape& solid, const TopoDS_Shape& face) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  return faces.FindIndex(face);
+}
+
+/// Labels the face that the point lies on, if there is one: a side on the axis sweeps none.
+void label_face_at(const TopoDS_Shape& solid, const gp_Pnt& p, const std::string& label,
+                   Labels& labels) {
+  const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(p);
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+    const BRepExtrema_DistShapeShape gap(vertex, it.Current());
+    if (gap.IsDone() && gap.Value() < 10 * Precision::Confusion())
+      labels.emplace_back(it.Current(), label);
+  }
+}
+
 Brep make_round(const TopoDS_Shape& solid, double scale) {
   Labels labels;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
@@ -123,9 +150,19 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
                                        : BRepPrimAPI_MakeRevol(base.face, axis, angle);
     Labels labels;
     if (!full) labels = {{sweep.FirstShape(), "start"}, {sweep.LastShape(), "end"}};
-    for (std::size_t i = 0; i < profile.size(); ++i)
-      for (const TopoDS_Shape& face : sweep.Generated(base.edges[i]))
+    gp_Trsf half_way;
+    half_way.SetRotation(axis, 0.5 * (full ? 2 * std::numbers::pi : angle));
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      bool found = false;
+      for (const TopoDS_Shape& face : sweep.Generated(base.edges[i])) {
         labels.emplace_back(face, profile[i].label);
+        found = index_in(sweep.Shape(), face) > 0;
+      }
+      // OCCT forgets the flat faces of a full turn: look where the side's middle came through.
+      if (!found)
+        label_face_at(sweep.Shape(), middle(base.edges[i]).Transformed(half_way), profile[i].label,
+                      labels);
+    }
     return describe_primitive(sweep.Shape(), scale, labels);
   });
 }

@@ -1,0 +1,245 @@
+#include "engine/cellular/cellular_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+#include "engine/base/error.h"
+#include "engine/model/solid.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+const Run kRun;
+
+using std::numbers::pi;
+using test::case_features;
+using test::error_of;
+using ::testing::ElementsAre;
+
+FeatureSource block(std::string id, std::array<Scalar, 3> origin, std::array<double, 3> size) {
+  FeatureSource source =
+      test::feature(std::move(id), "block", {{"dx", size[0]}, {"dy", size[1]}, {"dz", size[2]}});
+  source.placement.origin = std::move(origin);
+  return source;
+}
+
+FeatureSource cylinder(std::string id, std::array<Scalar, 3> origin, double radius, double height) {
+  FeatureSource source =
+      test::feature(std::move(id), "cylinder", {{"radius", radius}, {"height", height}});
+  source.placement.origin = std::move(origin);
+  return source;
+}
+
+FeatureSource minus(FeatureSource source) {
+  source.nature = Nature::Subtractive;
+  return source;
+}
+
+FeatureModel model_of(std::vector<FeatureSource> features) {
+  ModelSource source;
+  source.name = "test";
+  source.features = std::move(features);
+  return evaluate(source);
+}
+
+CellularModel cells_of(std::vector<FeatureSource> features) {
+  return build_cells(model_of(std::move(features)), kRun);
+}
+
+/// Owners by id with nature and volume, so that a failure reads like the paper's Fig. 5.
+std::multimap<std::string, double> cells_by_owners(const FeatureModel& model,
+                                                   const CellularModel& cells) {
+  std::multimap<std::string, double> out;
+  for (const Cell& cell : cells.cells) {
+    std::string key = cell.positive ? "+" : "-";
+    for (const int owner : cell.owners) key += " " + model.features[owner].id;
+    out.emplace(key, std::round(cell.volume * 1e6) / 1e6);
+  }
+  return out;
+}
+
+TEST(CellularModelTest, TwoSlotsCutTheBaseOfFigure5IntoFiveCells) {
+  const FeatureModel model = case_features("fig5");
+  const CellularModel cells = build_cells(model, kRun);
+  EXPECT_THAT(cells_by_owners(model, cells),
+              ::testing::UnorderedElementsAre(
+                  ::testing::Pair("+ base", 51680), ::testing::Pair("- base slot1", 6560),
+                  ::testing::Pair("- base slot1 slot2", 1440),
+                  ::testing::Pair("- base slot2", 1080), ::testing::Pair("- base slot2", 3240)));
+  EXPECT_NEAR(cells.volume, 51680, 1e-6);
+}
+
+TEST(CellularModelTest, VolumesOfAllCasesAreExact) {
+  for (const test::EditCase& edit : test::seven_cases()) {
+    EXPECT_NEAR(build_cells(case_features(edit.original), kRun).volume, edit.original_volume, 1e-6)
+        << edit.original;
+    EXPECT_NEAR(build_cells(case_features(edit.modified), kRun).volume, edit.modified_volume, 1e-6)
+        << edit.modified;
+  }
+}
+
+TEST(CellularModelTest, TheLastOwnerInHistoryGivesACellItsNature) {
+  // The plug stands after the pocket in history, so it fills a part of it again.
+  const CellularModel plugged = cells_of({block("base", {0.0, 0.0, 0.0}, {40, 40, 10}),
+                                          minus(cylinder("pocket", {0.0, 0.0, 4.0}, 8, 6)),
+                                          cylinder("plug", {0.0, 0.0, 0.0}, 3, 10)});
+  EXPECT_NEAR(plugged.volume, 16000 - 6 * 64 * pi + 6 * 9 * pi, 1e-6);
+  const CellularModel drilled = cells_of({block("base", {0.0, 0.0, 0.0}, {40, 40, 10}),
+                                          cylinder("boss", {0.0, 0.0, 0.0}, 8, 20),
+                                          minus(cylinder("hole", {0.0, 0.0, 0.0}, 5, 20))});
+  EXPECT_NEAR(drilled.volume, 16000 + 640 * pi - 500 * pi, 1e-6);
+  const CellularModel covered = cells_of({block("base", {0.0, 0.0, 0.0}, {40, 40, 10}),
+                                          minus(cylinder("hole", {0.0, 0.0, 0.0}, 5, 20)),
+                                          cylinder("boss", {0.0, 0.0, 0.0}, 8, 20)});
+  EXPECT_NEAR(covered.volume, 16000 + 640 * pi, 1e-6);
+}
+
+TEST(CellularModelTest, APointInsideEveryCellBelongsToItsOwners) {
+  for (const char* name : {"tool1-a", "tool2-d", "tool3-b", "fig5", "fig11-a"}) {
+    const FeatureModel model = case_features(name);
+    const Membership membership(model);
+    for (const Cell& cell : build_cells(model, kRun).cells) {
+      std::vector<int> owners;
+      membership.owners(cell.inside, owners);
+      EXPECT_EQ(owners, cell.owners) << name;
+    }
+  }
+}
+
+TEST(CellularModelTest, AFaceIsBoundaryWhereTheNaturesOnItsSidesDiffer) {
+  const CellularModel cells = build_cells(case_features("fig6-a"), kRun);
+  double foot = 0, boundary = 0;
+  for (const CellFace& face : cells.faces) {
+    const auto positive = [&](int c) { return c >= 0 && cells.cells[c].positive; };
+    EXPECT_EQ(face.boundary, positive(face.cells[0]) != positive(face.cells[1]));
+    (face.boundary ? boundary : foot) += face.area;
+  }
+  EXPECT_NEAR(foot, 300 + 2 * 16 * pi, 1e-8) << "the feet of rib and knobs";
+  EXPECT_NEAR(boundary, cells.area, 1e-9);
+}
+
+TEST(CellularModelTest, FeaturesOwnWhatBoundsTheirCellsWhereverItCameFrom) {
+  // The base owns the foot of the rib, its edges and vertices, though they are the rib's own.
+  const FeatureModel model = case_features("fig6-a");
+  const CellularModel cells = build_cells(model, kRun);
+  int edges = 0, vertices = 0;
+  for (const CellEdge& edge : cells.edges) edges += edge.owners == std::vector{0, 1};
+  for (const CellVertex& vertex : cells.vertices) vertices += vertex.owners == std::vector{0, 1};
+  EXPECT_EQ(edges, 4);
+  EXPECT_EQ(vertices, 4);
+}
+
+TEST(CellularModelTest, WhereARibIsFlushWithItsBaseTheSplitIsAnEdgeOfTheCellsButNotOfTheModel) {
+  const CellularModel cells = build_cells(case_features("fig11-a"), kRun);
+  double inner = 0;
+  for (const CellEdge& edge : cells.edges)
+    if (!edge.boundary) inner += edge.length;
+  EXPECT_NEAR(inner, 2 * 10, 1e-9) << "the ends of the rib's foot";
+}
+
+TEST(CellularModelTest, TheSameModelInAnotherUnitHasTheSameCells) {
+  for (const double unit : {1e-6, 1e-3, 25.4, 1e6}) {
+    const auto scaled = [&](double x) { return x * unit; };
+    const CellularModel cells =
+        cells_of({block("base", {0.0, 0.0, 0.0}, {scaled(80), scaled(50), scaled(15)}),
+                  minus(cylinder("hole", {scaled(-20), 0.0, 0.0}, scaled(8), scaled(15)))});
+    EXPECT_EQ(cells.cells.size(), 2u);
+    EXPECT_NEAR(cells.volume / (unit * unit * unit), 60000 - 960 * pi, 1e-6) << unit;
+    EXPECT_EQ(cells.boundary.edges.size(), 14u);
+  }
+}
+
+TEST(CellularModelTest, FarFromTheOriginVolumesStayExact) {
+  const CellularModel cells = cells_of({block("base", {1e5, -2e5, 3e5}, {80, 50, 15}),
+                                        minus(cylinder("hole", {1e5, -2e5, 3e5}, 8, 15))});
+  EXPECT_NEAR(cells.volume, 60000 - 960 * pi, 1e-4);
+}
+
+TEST(CellularModelTest, AModelThatIsAllSubtractedIsEmpty) {
+  const ErrorInfo error = error_of([] {
+    cells_of(
+        {block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), minus(block("b", {0.0, 0.0, -1.0}, {3, 3, 3}))});
+  });
+  EXPECT_EQ(error.reason, "EmptyModel");
+  EXPECT_EQ(error.kind, ErrorKind::FailedPrecondition);
+}
+
+TEST(CellularModelTest, BodiesApartAreDisconnected) {
+  const ErrorInfo error = error_of([] {
+    cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {5.0, 0.0, 0.0}, {1, 1, 1})});
+  });
+  EXPECT_EQ(error.reason, "DisconnectedModel");
+  EXPECT_THAT(error.message, ::testing::HasSubstr("2 pieces"));
+}
+
+TEST(CellularModelTest, BodiesThatShareAnEdgeOrAVertexOnlyAreDisconnected) {
+  for (const double z : {0.0, 1.0}) {
+    const ErrorInfo error = error_of([&] {
+      cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {1.0, 1.0, z}, {1, 1, 1})});
+    });
+    EXPECT_EQ(error.reason, "DisconnectedModel") << z;
+  }
+}
+
+TEST(CellularModelTest, ABodyCutInTwoIsDisconnected) {
+  const ErrorInfo error = error_of([] {
+    cells_of({block("a", {0.0, 0.0, 0.0}, {10, 1, 1}),
+              minus(block("cut", {0.0, 0.0, -1.0}, {1, 3, 3}))});
+  });
+  EXPECT_EQ(error.reason, "DisconnectedModel");
+}
+
+TEST(CellularModelTest, ABodyThatTouchesItselfAlongAnEdgeIsRefused) {
+  // Two towers on one base whose corners meet in a line.
+  const ErrorInfo error = error_of([] {
+    cells_of({block("base", {0.0, 0.0, 0.0}, {10, 10, 1}),
+              block("t1", {-1.0, -1.0, 1.0}, {2, 2, 3}), block("t2", {1.0, 1.0, 1.0}, {2, 2, 3})});
+  });
+  EXPECT_EQ(error.reason, "NonManifoldModel");
+  EXPECT_EQ(error.kind, ErrorKind::FailedPrecondition);
+  EXPECT_THAT(error.message, ::testing::HasSubstr("(0, 0, 2.5)"));
+}
+
+TEST(CellularModelTest, ABodyThatTouchesItselfAtAVertexIsRefused) {
+  // Two holes in a block that meet in one corner.
+  const ErrorInfo error = error_of([] {
+    cells_of({block("base", {0.0, 0.0, -5.0}, {10, 10, 10}),
+              minus(block("c1", {-1.0, -1.0, -2.0}, {2, 2, 2})),
+              minus(block("c2", {1.0, 1.0, 0.0}, {2, 2, 2}))});
+  });
+  EXPECT_EQ(error.reason, "NonManifoldModel");
+  EXPECT_THAT(error.message, ::testing::HasSubstr("at a vertex"));
+}
+
+TEST(CellularModelTest, AHoleThatTouchesAWallFromInsideIsRefused) {
+  const ErrorInfo error = error_of([] {
+    cells_of({block("base", {0.0, 0.0, 0.0}, {20, 20, 5}),
+              minus(cylinder("hole", {5.0, 0.0, 0.0}, 5, 5))});
+  });
+  EXPECT_THAT(error.reason, ::testing::AnyOf("NonManifoldModel", "DisconnectedModel"));
+}
+
+TEST(CellularModelTest, ACavityInsideIsBoundaryToo) {
+  const CellularModel cells = cells_of({block("base", {0.0, 0.0, 0.0}, {20, 20, 20}),
+                                        minus(block("cavity", {0.0, 0.0, 5.0}, {4, 4, 4}))});
+  EXPECT_NEAR(cells.volume, 8000 - 64, 1e-9);
+  EXPECT_EQ(cells.boundary.faces.size(), 12u);
+  EXPECT_EQ(cells.boundary.vertices.size(), 16u);
+}
+
+TEST(CellularModelTest, AStopRequestEndsIt) {
+  std::stop_source stop;
+  stop.request_stop();
+  remeshd::Run run;
+  run.stop = stop.get_token();
+  EXPECT_EQ(error_of([&] { build_cells(case_features("tool1-a"), run); }).kind,
+            ErrorKind::Cancelled);
+}
+
+}  // namespace
+}  // namespace remeshd
