@@ -57,9 +57,10 @@ def boundary_faults(facets):
     return 0, fans - len(np.unique(facets))
 
 
-def missing_edges(mesh, edges, near, facets):
+def missing_edges(mesh, edges, near, probe, facets):
     """How many of the points spread over the model's edges have no mesh edge beside them that runs
-    along the same two surfaces."""
+    along the same two surfaces. A point may lie beyond an edge's end by the radius of the probe that
+    found it."""
     ends = np.unique(np.sort(facets[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0)
     missing = 0
     for a, b, points in edges:
@@ -71,7 +72,8 @@ def missing_edges(mesh, edges, near, facets):
         for x in points:
             s = ((x - p) * d).sum(1) / size ** 2
             off = np.linalg.norm(x - p - s[:, None] * d, axis=1)
-            missing += not ((s > -1e-9) & (s < 1 + 1e-9) & (off < .25 * size)).any()
+            beyond = np.maximum(-s, s - 1) * size
+            missing += not ((beyond < 2 * probe) & (off < .25 * size)).any()
     return missing
 
 
@@ -82,14 +84,15 @@ def missing_vertices(mesh, vertices, near):
 
 @functools.cache
 def expected(model_path):
-    """The model's edges as points about 1/300 of its size apart, its vertices, and how near counts."""
+    """The model's edges as points about 1/300 of its size apart, its vertices, how near counts and
+    the radius of the probe that found the edges."""
     model = Model(model_path)
-    return list(model.edges(model.diagonal / 300)), model.vertices(), 1e-6 * model.diagonal
+    return list(model.edges(model.diagonal / 300)), model.vertices(), 1e-6 * model.diagonal, model.probe
 
 
 def faults(mesh, model_path, exact_volume):
     """What is wrong with the mesh, as a list of sentences; empty for a valid one."""
-    edges, vertices, near = expected(model_path)
+    edges, vertices, near, probe = expected(model_path)
     measured = mesh.quality(exact_volume)
     facets, crowded = mesh.boundary_facets()
     open_edges, extra_fans = boundary_faults(facets)
@@ -101,7 +104,7 @@ def faults(mesh, model_path, exact_volume):
                         (open_edges, "boundary edges do not have two facets"),
                         (extra_fans, "boundary nodes join separate sheets"),
                         (len(mesh.nodes) - measured["nodes"], "nodes belong to no tet"),
-                        (missing_edges(mesh, edges, near, facets), "points of model edges are not on the mesh"),
+                        (missing_edges(mesh, edges, near, probe, facets), "points of model edges are not on the mesh"),
                         (missing_vertices(mesh, vertices, near), "model vertices have no node")):
         if count:
             found.append(f"{count} {what}")

@@ -78,6 +78,7 @@ class Model:
         every = [s for _, surfaces in self.features for s in surfaces]
         points = np.array([s.origin for s in every])
         self.diagonal = float(np.linalg.norm(points.max(0) - points.min(0)))
+        self.probe = 1e-4 * self.diagonal  # radius of what counts as round a point
         self.surfaces = []
         for s in every:
             if not any(s.same(t, 1e-9 * self.diagonal) for t in self.surfaces):
@@ -97,7 +98,7 @@ class Model:
         i = np.arange(400) + .5  # directions spread evenly over the sphere
         z, t = 1 - 2 * i / 400, math.pi * (1 + 5 ** .5) * i
         directions = np.stack([np.cos(t) * np.sqrt(1 - z * z), np.sin(t) * np.sqrt(1 - z * z), z], 1)
-        around = points[:, None, :] + 1e-4 * self.diagonal * directions
+        around = points[:, None, :] + self.probe * directions
         filled = self.inside(around.reshape(-1, 3)).reshape(len(points), -1)
         towards = filled @ directions
         towards /= np.maximum(np.linalg.norm(towards, axis=1), 1e-300)[:, None]
@@ -111,6 +112,11 @@ class Model:
         for a, b in itertools.combinations(self.surfaces, 2):
             points = self._curve(a, b, spacing)
             points = points[self.is_sharp(points)]
+            if len(points):
+                # Where the curve only crosses an edge of other surfaces it is sharp to neither side.
+                along = np.cross(_normal(a, points), _normal(b, points))
+                along *= 3 * self.probe / np.linalg.norm(along, axis=1)[:, None]
+                points = points[self.is_sharp(points + along) | self.is_sharp(points - along)]
             if len(points):
                 yield a, b, points
 
@@ -159,18 +165,19 @@ class Model:
 
     def _meetings(self, a, b, c):
         """Points on all three surfaces, by Newton's method from the curves of two of them."""
-        found = []
-        for start in self._curve(a, b, self.diagonal / 40):
+        found, step = [], self.diagonal / 40
+        starts = self._curve(a, b, step)
+        for start in starts[abs(c.distance(starts)) < step]:
             p = start
             for _ in range(30):
                 f = np.array([s.distance(p[None])[0] for s in (a, b, c)])
                 jacobian = np.array([_normal(s, p) for s in (a, b, c)])
                 if abs(np.linalg.det(jacobian)) < 1e-6:
                     break
-                step = np.linalg.solve(jacobian, f)
-                p = p - step
-                if np.linalg.norm(step) < 1e-13 * self.diagonal:
-                    if np.linalg.norm(p - start) < self.diagonal / 4 and not any(
+                move = np.linalg.solve(jacobian, f)
+                p = p - move
+                if np.linalg.norm(move) < 1e-13 * self.diagonal:
+                    if np.linalg.norm(p - start) < 4 * step and not any(
                             np.linalg.norm(p - q) < 1e-7 * self.diagonal for q in found):
                         found.append(p)
                     break
@@ -196,11 +203,12 @@ class Model:
 
 
 def _normal(surface, p):
+    """Unit normal at a point or at each of several."""
     if isinstance(surface, Plane):
-        return surface.normal
+        return np.broadcast_to(surface.normal, p.shape)
     d = p - surface.origin
-    d = d - (d @ surface.axis) * surface.axis
-    return d / np.linalg.norm(d)
+    d = d - np.multiply.outer(d @ surface.axis, surface.axis)
+    return d / np.linalg.norm(d, axis=-1, keepdims=True)
 
 
 def _surfaces(feature, value):
