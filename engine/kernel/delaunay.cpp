@@ -10,18 +10,47 @@
 namespace remeshd::kernel {
 
 namespace {
+
 constexpr int kPollEvery = 512;
 constexpr double kFarDistance = 12;  // diagonals; hull facets are Delaunay long before that
-}  // namespace
+constexpr double kNear = 0.25;       // of the distance of the far corners: well within them
 
-Delaunay::Delaunay(const Box& bounds) : edges_(256, EdgeEntry{0, 0, 0}) {
+std::array<Vec3, 4> far_corners(const Box& bounds) {
   const Vec3 c = 0.5 * (bounds.lo + bounds.hi);
   const double r = kFarDistance * std::fmax(bounds.diagonal(), 1e-300);
-  points_ = {c + Vec3{r, r, r}, c + Vec3{r, -r, -r}, c + Vec3{-r, r, -r}, c + Vec3{-r, -r, r}};
+  return {c + Vec3{r, r, r}, c + Vec3{r, -r, -r}, c + Vec3{-r, r, -r}, c + Vec3{-r, -r, r}};
+}
+
+std::array<std::int32_t, 3> sorted_key(std::int32_t a, std::int32_t b, std::int32_t c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
+}
+
+/// Whether b is a rotation of a.
+bool same_turn(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
+  return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[2]) ||
+         (a[0] == b[2] && a[1] == b[0]);
+}
+
+}  // namespace
+
+Delaunay::Delaunay(std::span<const Vec3> far)
+    : points_(far.begin(), far.begin() + kFar), edges_(kEdgeTable) {
   Slot s{{0, 1, 2, 3}, {-1, -1, -1, -1}};
   if (orientation(points_[0], points_[1], points_[2], points_[3]) < 0) std::swap(s.v[2], s.v[3]);
   slots_.push_back(s);
   seen_.push_back(0);
+}
+
+Delaunay::Delaunay(const Box& bounds) : Delaunay(std::span<const Vec3>(far_corners(bounds))) {}
+
+bool Delaunay::encloses(const Box& box) const {
+  const Vec3 centre = 0.25 * (points_[0] + points_[1] + points_[2] + points_[3]);
+  const double reach = kNear * distance(points_[0], centre);
+  const Vec3 half = 0.5 * (box.hi - box.lo);
+  return distance(0.5 * (box.lo + box.hi), centre) + norm(half) <= reach;
 }
 
 void Delaunay::insert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
@@ -148,6 +177,126 @@ bool Delaunay::insert_one(std::int32_t vertex) {
     hint_ = t;
   }
   return true;
+}
+
+bool Delaunay::remove(std::span<const std::int32_t> nodes, const Run& run) {
+  if (nodes.empty()) return true;
+  std::vector<std::uint8_t> role(points_.size(), 0);  // 1: goes, 2: at the rim of a hole
+  for (const std::int32_t node : nodes) role[node + kFar] = 1;
+  std::vector<std::uint8_t> gone(slots_.size(), 0);
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const auto& v = slots_[t].v;
+    if (v[0] == kDead) continue;
+    gone[t] = role[v[0]] == 1 || role[v[1]] == 1 || role[v[2]] == 1 || role[v[3]] == 1;
+  }
+  std::vector<Wall> walls;
+  std::vector<std::int32_t> rim;
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    if (!gone[t]) continue;
+    const Slot& s = slots_[t];
+    for (int i = 0; i < 4; ++i) {
+      if (role[s.v[i]] == 0) {
+        role[s.v[i]] = 2;
+        if (s.v[i] >= kFar) rim.push_back(s.v[i] - kFar);
+      }
+      if (s.n[i] >= 0 && gone[s.n[i] >> 2]) continue;
+      const auto& f = kTetFacets[i];
+      walls.push_back(
+          {sorted_key(s.v[f[0]], s.v[f[1]], s.v[f[2]]), s.n[i], {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
+    }
+  }
+  // A wall is seen from inside its hole; the same three nodes may bound holes on both sides.
+  std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
+    return a.key != b.key ? a.key < b.key : a.outer < b.outer;
+  });
+  std::vector<Vec3> positions(points_.size() - kFar);
+  for (const std::int32_t n : rim) positions[n] = points_[n + kFar];
+  Delaunay filling{std::span<const Vec3>(points_)};
+  filling.insert(positions, rim, run);
+  const std::optional<std::vector<Fill>> fill = fit(filling, walls);
+  if (!fill) return false;
+
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    if (!gone[t]) continue;
+    slots_[t].v[0] = kDead;
+    free_.push_back(static_cast<std::int32_t>(t));
+  }
+  std::vector<std::int32_t> place(filling.slots_.size(), -1);
+  for (const Fill& f : *fill) place[f.tet] = allocate();
+  for (const Fill& f : *fill) {
+    Slot& s = slots_[place[f.tet]];
+    s.v = filling.slots_[f.tet].v;
+    seen_[place[f.tet]] = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (f.wall[i] < 0) {
+        const std::int32_t across = filling.slots_[f.tet].n[i];
+        s.n[i] = 4 * place[across >> 2] + (across & 3);
+        continue;
+      }
+      s.n[i] = walls[f.wall[i]].outer;
+      if (s.n[i] >= 0) slots_[s.n[i] >> 2].n[s.n[i] & 3] = 4 * place[f.tet] + i;
+    }
+    hint_ = place[f.tet];
+  }
+  return true;
+}
+
+std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling,
+                                                         const std::vector<Wall>& walls) {
+  const auto wall_at = [&](const Slot& s, int i) -> std::int32_t {
+    const auto& f = kTetFacets[i];
+    const auto key = sorted_key(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
+    auto at = std::lower_bound(walls.begin(), walls.end(), key,
+                               [](const Wall& w, const auto& k) { return w.key < k; });
+    for (; at != walls.end() && at->key == key; ++at)
+      // Seen from inside, a wall turns the other way than the tet's own outward facet.
+      if (same_turn(at->v, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}))
+        return static_cast<std::int32_t>(at - walls.begin());
+    return -1;
+  };
+  std::vector<std::int32_t> inside(filling.slots_.size(), -1);
+  std::vector<Fill> fill;
+  const auto take = [&](std::int32_t t) {
+    if (inside[t] >= 0) return;
+    inside[t] = static_cast<std::int32_t>(fill.size());
+    fill.push_back({t, {-1, -1, -1, -1}});
+  };
+  std::size_t met = 0;
+  for (std::size_t t = 0; t < filling.slots_.size(); ++t) {
+    if (filling.slots_[t].v[0] == kDead) continue;
+    for (int i = 0; i < 4; ++i)
+      if (wall_at(filling.slots_[t], i) >= 0) take(static_cast<std::int32_t>(t));
+  }
+  for (std::size_t k = 0; k < fill.size(); ++k) {
+    const Slot& s = filling.slots_[fill[k].tet];
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t wall = wall_at(s, i);
+      fill[k].wall[i] = wall;
+      if (wall >= 0) {
+        ++met;
+      } else {
+        if (s.n[i] < 0) return std::nullopt;  // out through the far corners
+        take(s.n[i] >> 2);
+      }
+    }
+  }
+  if (met != walls.size()) return std::nullopt;
+  return fill;
+}
+
+void Delaunay::rename(std::span<const std::int32_t> names, std::int32_t count) {
+  std::vector<Vec3> points(points_.begin(), points_.begin() + kFar);
+  points.resize(static_cast<std::size_t>(count) + kFar);
+  for (Slot& s : slots_) {
+    if (s.v[0] == kDead) continue;
+    for (std::int32_t& v : s.v) {
+      if (v < kFar) continue;
+      const std::int32_t name = names[v - kFar] + kFar;
+      points[name] = points_[v];
+      v = name;
+    }
+  }
+  points_ = std::move(points);
 }
 
 }  // namespace remeshd::kernel

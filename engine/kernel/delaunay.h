@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,9 +14,9 @@ namespace remeshd::kernel {
 /// Delaunay tetrahedralisation in flat arrays, by incremental insertion (Bowyer 1981, Watson 1981)
 /// with exact predicates, inside a tetrahedron far around the points.
 ///
-/// Copying one is a copy of three arrays: the mesh of the fixed nodes is built once and copied in
-/// every iteration, and only the free nodes are inserted (Sect. 8: "initialise the mesh with the
-/// free and fixed nodes").
+/// Copying one is a copy of three arrays: the mesh of the fixed nodes is kept and copied in every
+/// iteration, and only the free nodes are inserted (Sect. 8: "initialise the mesh with the free and
+/// fixed nodes"). That mesh in turn comes from the original's by taking nodes out.
 ///
 /// Inv: the tets are those of the Delaunay mesh of the inserted nodes and four far corners; where
 /// five nodes or more share an empty sphere, one of the possible meshes.
@@ -25,11 +26,28 @@ class Delaunay {
   using Corners = std::array<std::int32_t, 4>;
 
   explicit Delaunay(const Box& bounds);
+  /// Only to be filled by `visit_state`.
+  Delaunay() : edges_(kEdgeTable) {}
+
+  /// Whether nodes anywhere in the box are well within the far corners.
+  [[nodiscard]] bool encloses(const Box& box) const;
+
+  /// A mesh without nodes inside the same far corners.
+  [[nodiscard]] Delaunay emptied() const { return Delaunay(std::span<const Vec3>(points_)); }
 
   /// Inserts nodes at `positions[node]`, in an order along a space-filling curve of its own choice.
   /// A node at the very place of an inserted one stays out.
   /// Pre: none of them is inserted yet.
   void insert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes, const Run& run);
+
+  /// Takes inserted nodes out again: the tets at them leave holes, which are filled with tets of
+  /// the Delaunay mesh of the nodes round the holes. Returns false, and leaves everything as it
+  /// was, where these do not fit, which takes nodes on a common empty sphere; build anew then.
+  [[nodiscard]] bool remove(std::span<const std::int32_t> nodes, const Run& run);
+
+  /// Renames every node n to `names[n]`.
+  /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.
+  void rename(std::span<const std::int32_t> names, std::int32_t count);
 
   /// Calls f(corners) for every tet that has no far corner.
   template <class F>
@@ -41,11 +59,22 @@ class Delaunay {
   /// Number of tets, those at the far corners included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 
+  /// For storing: calls f with each of the arrays that make up the mesh.
+  template <class F>
+  void visit_state(F&& f) {
+    f(points_, slots_, free_, hint_);
+    seen_.resize(slots_.size(), 0);
+  }
+
  private:
   static constexpr std::int32_t kFar = 4;  ///< vertices below are the far corners
   static constexpr std::int32_t kDead = -1;
 
   struct Slot {
+    template <class A>
+    void serialize(A& archive) {
+      archive(v, n);
+    }
     std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
     std::array<std::int32_t, 4> n;  ///< 4 * neighbour + its facet, opposite v[i]; -1: none
   };
@@ -59,6 +88,21 @@ class Delaunay {
     std::uint32_t epoch;
   };
 
+  static constexpr std::size_t kEdgeTable = 256;
+
+  struct Wall {                       ///< a facet round a hole, seen from inside
+    std::array<std::int32_t, 3> key;  ///< its vertices, ascending
+    std::int32_t outer;               ///< 4 * tet + facet beyond it, -1: none
+    std::array<std::int32_t, 3> v;
+  };
+  struct Fill {  ///< a tet of the filling that lies in a hole, and the walls it touches
+    std::int32_t tet;
+    std::array<std::int32_t, 4> wall;
+  };
+
+  explicit Delaunay(std::span<const Vec3> far_corners);
+  static std::optional<std::vector<Fill>> fit(const Delaunay& filling,
+                                              const std::vector<Wall>& walls);
   bool insert_one(std::int32_t vertex);
   [[nodiscard]] std::int32_t locate(const Vec3& p) const;
   [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;

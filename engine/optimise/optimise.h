@@ -5,6 +5,7 @@
 
 #include "engine/base/run.h"
 #include "engine/boundary/samples.h"
+#include "engine/kernel/delaunay.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/model/solid.h"
 #include "engine/nodes/node_set.h"
@@ -16,13 +17,21 @@ struct OptimiseOptions {
   std::uint32_t iterations = 0;  ///< loops; 0: until quality stops improving
   std::uint32_t auto_min = 4, auto_max = 30;
   double auto_gain = 0.002;  ///< improvement of the mean volume-length below which `auto` stops
-  double reach = 3;          ///< x l: how far from the first free nodes expansion may go
+  /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
+  /// is, on the boundary until the last repositioning, and counts as free.
+  double freeze = 0.02;
+};
+
+/// The Delaunay mesh to start from: that of some of the fixed nodes.
+struct StartMesh {
+  kernel::Delaunay mesh;
+  std::vector<std::uint8_t> holds;  ///< by node: 1 if it is in the mesh
 };
 
 struct OptimiseResult {
-  std::vector<Tet> tets;  ///< the Delaunay mesh of all nodes, outside included
+  kernel::Delaunay mesh;  ///< of all nodes
   std::vector<std::uint32_t> free_per_iteration;
-  int nodes_recovered = 0;                     ///< inserted to make missing model edges present
+  int nodes_recovered = 0;           ///< inserted to make missing model edges present
   std::uint32_t samples_active = 0;  ///< at the end
 };
 
@@ -31,8 +40,9 @@ struct OptimiseResult {
 /// iterations 1 and 4 the layer of fixed nodes next to the free ones is freed too. Nodes may be
 /// added by splitting.
 ///
-/// A first mesh is the case of all nodes free.
-OptimiseResult optimise(NodeSet& nodes, const BoundaryModel& boundary, const Membership& membership,
-                        const Samples& samples, const OptimiseOptions& options, const Run& run);
+/// A first mesh is the case of all nodes free and an empty start.
+OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& boundary,
+                        const Membership& membership, const Samples& samples,
+                        const OptimiseOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -88,17 +88,18 @@ double split_at(const NodeSet& nodes, const OnEdge& a, const OnEdge& b, double e
   return from_a ? a.at + shell : b.at - shell;
 }
 
-std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const std::vector<Tet>& tets) {
+std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const kernel::Delaunay& mesh) {
   std::vector<Link> links;
   const auto on_edge = [&](std::int32_t n) {
     return nodes.supports[n].kind >= Support::Kind::Edge;
   };
-  for (const Tet& t : tets)
+  mesh.for_each_tet([&](const kernel::Delaunay::Corners& t) {
     for (int i = 0; i < 4; ++i) {
       if (!on_edge(t[i])) continue;
       for (int j = i + 1; j < 4; ++j)
         if (on_edge(t[j])) links.emplace_back(std::min(t[i], t[j]), std::max(t[i], t[j]));
     }
+  });
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   return links;
@@ -106,12 +107,12 @@ std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const std::vect
 
 }  // namespace
 
-int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, std::vector<Tet>& tets,
-                  const std::function<std::vector<Tet>()>& triangulate,
+int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, kernel::Delaunay& mesh,
+                  const std::function<kernel::Delaunay()>& triangulate,
                   const RecoverOptions& options) {
   int inserted = 0;
   for (int round = 0; round < options.rounds; ++round) {
-    const std::vector<Link> links = links_between_edge_nodes(nodes, tets);
+    const std::vector<Link> links = links_between_edge_nodes(nodes, mesh);
     const std::vector<std::vector<OnEdge>> chain = chains(nodes, boundary);
     const int before = inserted;
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
@@ -137,7 +138,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, std::vector<Tet
       }
     }
     if (inserted == before) break;
-    tets = triangulate();
+    mesh = triangulate();
   }
   return inserted;
 }

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "engine/boundary/samples.h"
-#include "engine/mesh/tet_mesh.h"
+#include "engine/cellular/support.h"
+#include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -15,14 +15,14 @@ struct RecoverOptions {
 };
 
 /// Makes model edges present that the optimisation left missing: a model edge has to be a chain of
-/// mesh edges between its nodes (Sect. 3.4), and where one link is not in the Delaunay mesh, a node is
-/// inserted into it. Near a model vertex the insertion keeps to shells of radius l / 2^k round it, so
-/// that edges meeting at a sharp angle do not split each other for ever (Ruppert 1995).
+/// mesh edges between its nodes (Sect. 3.4), and where one link is not in the Delaunay mesh, a node
+/// is inserted into it. Near a model vertex the insertion keeps to shells of radius l / 2^k round
+/// it, so that edges meeting at a sharp angle do not split each other for ever (Ruppert 1995).
 ///
-/// `triangulate` gives the Delaunay mesh of the nodes; `tets` is the present one and is replaced.
+/// `triangulate` gives the Delaunay mesh of the nodes; `mesh` is the present one and is replaced.
 /// Returns the number of nodes inserted.
-int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, std::vector<Tet>& tets,
-                  const std::function<std::vector<Tet>()>& triangulate,
+int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, kernel::Delaunay& mesh,
+                  const std::function<kernel::Delaunay()>& triangulate,
                   const RecoverOptions& options);
 
 }  // namespace remeshd

@@ -36,6 +36,7 @@ std::size_t order_nodes(Candidate& c) {
   for (auto* tets : {&c.mesh.tets, &c.delaunay})
     for (Tet& t : *tets)
       for (std::int32_t& n : t) n = number[n];
+  c.loop.mesh.rename(number, c.nodes.size());
   return used;
 }
 
@@ -127,6 +128,7 @@ void deliver(Candidate c, const Revision* original, const PointSource& source, R
   d.mesh = std::move(c.mesh);
   master.positions = std::move(c.nodes.positions);
   master.supports = std::move(c.nodes.supports);
+  master.mesh = std::move(c.loop.mesh);
   master.tets = std::move(c.delaunay);
   revision.master = std::make_shared<const Master>(std::move(master));
   account(revision);

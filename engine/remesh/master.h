@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/cellular/support.h"
+#include "engine/kernel/delaunay.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -13,6 +14,7 @@ namespace remeshd {
 struct Master {
   std::vector<Vec3> positions;
   std::vector<Support> supports;   ///< entities of the revision's BoundaryModel
+  kernel::Delaunay mesh;           ///< of all nodes, the outside included
   std::vector<Tet> tets;           ///< peeled: inside the model
   std::uint64_t next_node_id = 1;  ///< permanent ids below are taken along the chain of ancestors
   std::uint64_t next_tet_id = 1;

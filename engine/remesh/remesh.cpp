@@ -134,7 +134,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     watch.lap(seconds.setup);
 
     OptimiseResult loop =
-        optimise(nodes, cells.boundary, fresh.modified(), samples,
+        optimise(nodes, start_mesh(base, nodes, fresh, cells.boundary.bounds, run), cells.boundary,
+                 fresh.modified(), samples,
                  {.edge_length = density.edge_length, .iterations = options.iterations}, run);
     watch.lap(seconds.optimise);
     report.counts.free_at_end =
@@ -147,7 +148,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
                                                 density.edge_length);
       if (inserted == 0) break;
       repaired += inserted;
-      candidate.loop.tets =
+      candidate.loop.mesh =
           triangulate_anew(candidate.nodes, cells.boundary, density.edge_length, run);
       candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), base, fresh, cells,
                           options, run);

@@ -37,21 +37,18 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification, const
   return static_cast<int>(added.size());
 }
 
-std::vector<Tet> triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
                                   const Run& run) {
   const auto triangulate = [&] {
     kernel::Delaunay mesh(boundary.bounds);
     std::vector<std::int32_t> all(nodes.positions.size());
     std::iota(all.begin(), all.end(), 0);
     mesh.insert(nodes.positions, all, run);
-    std::vector<Tet> tets;
-    tets.reserve(mesh.size());
-    mesh.for_each_tet([&](const Tet& t) { tets.push_back(t); });
-    return tets;
+    return mesh;
   };
-  std::vector<Tet> tets = triangulate();
-  recover_edges(nodes, boundary, tets, triangulate, {.edge_length = edge_length});
-  return tets;
+  kernel::Delaunay mesh = triangulate();
+  recover_edges(nodes, boundary, mesh, triangulate, {.edge_length = edge_length});
+  return mesh;
 }
 
 }  // namespace remeshd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/boundary/samples.h"
+#include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
 #include "engine/verify/verify.h"
 
@@ -15,7 +16,7 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification, const
                          double edge_length);
 
 /// The Delaunay mesh of all nodes, and model edges recovered in it.
-std::vector<Tet> triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
                                   const Run& run);
 
 }  // namespace remeshd

@@ -53,6 +53,7 @@ void serialize(A& a, Support& s) {
 }
 template <class A>
 void serialize(A& a, Master& m) {
+  m.mesh.visit_state(a);
   a(m.positions, m.supports, m.tets, m.next_node_id, m.next_tet_id);
 }
 template <class A>

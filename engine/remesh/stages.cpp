@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "engine/base/error.h"
 #include "engine/extract/peel.h"
@@ -9,6 +10,7 @@
 #include "engine/nodes/copy_nodes.h"
 #include "engine/nodes/density.h"
 #include "engine/nodes/fill.h"
+#include "engine/optimise/triangulator.h"
 #include "engine/remesh/master.h"
 
 namespace remeshd {
@@ -18,14 +20,18 @@ namespace {
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
-/// Leaves out the nodes that no tet uses and renumbers the tets.
-void drop_unused(NodeSet& nodes, std::vector<Tet>& tets) {
+/// Leaves out the nodes that no tet uses and renumbers the tets and the Delaunay mesh.
+void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh, const Run& run) {
   std::vector<std::int32_t> number(nodes.positions.size(), -1);
   for (const Tet& t : tets)
     for (const std::int32_t n : t) number[n] = 0;
+  std::vector<std::int32_t> unused;
   std::int32_t next = 0;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    if (number[n] < 0) continue;
+    if (number[n] < 0) {
+      unused.push_back(n);
+      continue;
+    }
     nodes.positions[next] = nodes.positions[n];
     nodes.supports[next] = nodes.supports[n];
     nodes.free[next] = nodes.free[n];
@@ -33,6 +39,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets) {
     nodes.transform[next] = nodes.transform[n];
     number[n] = next++;
   }
+  if (unused.empty()) return;
   nodes.positions.resize(next);
   nodes.supports.resize(next);
   nodes.free.resize(next);
@@ -40,6 +47,14 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets) {
   nodes.transform.resize(next);
   for (Tet& t : tets)
     for (std::int32_t& n : t) n = number[n];
+  if (mesh.remove(unused, run)) {
+    mesh.rename(number, next);
+  } else {
+    mesh = mesh.emptied();
+    std::vector<std::int32_t> all(next);
+    std::iota(all.begin(), all.end(), 0);
+    mesh.insert(nodes.positions, all, run);
+  }
 }
 
 }  // namespace
@@ -92,6 +107,27 @@ NodeSet initial_nodes(const Revision* original, const PointSource& source, const
   return nodes;
 }
 
+StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const PointSource& source,
+                     const Box& bounds, const Run& run) {
+  StartMesh start{kernel::Delaunay(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
+  if (!original || !original->master->mesh.encloses(bounds)) return start;
+  std::vector<std::int32_t> name(original->master->positions.size(), -1);
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (nodes.original[n] >= 0 && !nodes.free[n] &&
+        source.transforms()[nodes.transform[n]].is_identity())
+      name[nodes.original[n]] = n;
+  std::vector<std::int32_t> others;
+  for (std::size_t o = 0; o < name.size(); ++o)
+    if (name[o] < 0) others.push_back(static_cast<std::int32_t>(o));
+  kernel::Delaunay mesh = original->master->mesh;
+  if (!mesh.remove(others, run)) return start;
+  mesh.rename(name, nodes.size());
+  for (const std::int32_t n : name)
+    if (n >= 0) start.holds[n] = 1;
+  start.mesh = std::move(mesh);
+  return start;
+}
+
 Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
                   const PointSource& source, const CellularModel& cells, const MeshOptions& options,
                   const Run& run) {
@@ -99,9 +135,8 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   run.report("extract", 0.8);
-  c.delaunay = peel(c.nodes, c.loop.tets, cells.boundary, source.modified(), {}, run);
-  c.loop.tets.clear();
-  drop_unused(c.nodes, c.delaunay);
+  c.delaunay = peel(c.nodes, tets_of(c.loop.mesh), cells.boundary, source.modified(), {}, run);
+  drop_unused(c.nodes, c.delaunay, c.loop.mesh, run);
 
   CarriedMesh carried;
   if (original && options.clean_up) {

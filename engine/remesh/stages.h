@@ -28,6 +28,10 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
 NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
                       std::uint64_t seed, const Run& run);
 
+/// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the original's.
+StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const PointSource& source,
+                     const Box& bounds, const Run& run);
+
 /// A mesh on its way from the optimisation loop to delivery.
 struct Candidate {
   NodeSet nodes;              ///< those of the mesh only
