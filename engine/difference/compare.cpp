@@ -92,15 +92,26 @@ double owned_volume(const CellularModel& cells, int feature, bool positive) {
   return volume;
 }
 
-/// Takes what stayed the same from what each model's cells add up to, exactly, less what changed:
-/// so the error is as small as the change.
-void balance(ClassTotals& totals, const FeaturePair& pair, const ModelView& original) {
+/// Takes from the cells' exact volumes what follows from them: all of a feature that only one model
+/// has, and what stayed the same as the whole less what changed. So the error is as small as the
+/// change.
+void balance(ClassTotals& totals, ClassTotals& errors, const FeaturePair& pair,
+             const ModelView& original, const ModelView& modified) {
   using enum DifferenceClass;
-  if (pair.original < 0 || pair.modified < 0) return;
-  totals[IdenticalYes] =
-      owned_volume(*original.cells, pair.original, true) - totals[ToNo] - totals[OldYes];
-  totals[IdenticalNo] =
-      owned_volume(*original.cells, pair.original, false) - totals[ToYes] - totals[OldNo];
+  if (pair.original < 0) {
+    totals[NewYes] = owned_volume(*modified.cells, pair.modified, true);
+    totals[NewNo] = owned_volume(*modified.cells, pair.modified, false);
+    errors = {};
+  } else if (pair.modified < 0) {
+    totals[OldYes] = owned_volume(*original.cells, pair.original, true);
+    totals[OldNo] = owned_volume(*original.cells, pair.original, false);
+    errors = {};
+  } else {
+    totals[IdenticalYes] =
+        owned_volume(*original.cells, pair.original, true) - totals[ToNo] - totals[OldYes];
+    totals[IdenticalNo] =
+        owned_volume(*original.cells, pair.original, false) - totals[ToYes] - totals[OldNo];
+  }
 }
 
 ModelComparison by_membership(const PointClasses& classes, const ModelView& original,
@@ -120,8 +131,8 @@ ModelComparison by_membership(const PointClasses& classes, const ModelView& orig
   for (std::size_t f = 0; f < classes.features().size(); ++f) {
     const FeaturePair& pair = classes.features()[f];
     ClassTotals& totals = estimate.features[f];
-    const ClassTotals& errors = estimate.feature_errors[f];
-    balance(totals, pair, original);
+    ClassTotals& errors = estimate.feature_errors[f];
+    balance(totals, errors, pair, original, modified);
     double changed = 0;
     for (const DifferenceClass c : {ToNo, ToYes, NewYes, NewNo, OldYes, OldNo})
       changed += errors[c];

@@ -101,7 +101,7 @@ void append_crossings(const Surface& surface, const Line& line, std::vector<doub
             out.end());
 }
 
-bool meets(const Line& line, const Box& box) {
+bool clip(Line& line, const Box& box) {
   double begin = line.begin, end = line.end;
   const std::array<std::array<double, 4>, 3> axes{
       {{line.p.x, line.direction.x, box.lo.x, box.hi.x},
@@ -116,7 +116,9 @@ bool meets(const Line& line, const Box& box) {
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
   }
-  return begin <= end;
+  line.begin = begin;
+  line.end = end;
+  return begin < end;
 }
 
 }  // namespace remeshd

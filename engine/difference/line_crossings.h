@@ -17,7 +17,7 @@ struct Line {
 /// both of two equal values or none.
 void append_crossings(const Surface& surface, const Line& line, std::vector<double>& out);
 
-/// Whether the line meets the box.
-bool meets(const Line& line, const Box& box);
+/// Shortens the line to the part within the box; false where nothing is left.
+bool clip(Line& line, const Box& box);
 
 }  // namespace remeshd

@@ -84,14 +84,15 @@ Estimate along_lines(const Box& box, const std::vector<Obstacles>& obstacles,
     for (int i = 0; i < n; ++i) {
       if (i % 256 == 0) run.poll();
       double whole = 0;
-      const Line line = sheaf.line(std::modf(u + static_cast<double>(i) / n, &whole),
-                                   std::modf(v + static_cast<double>(i) * step / n, &whole));
+      Line line = sheaf.line(std::modf(u + static_cast<double>(i) / n, &whole),
+                             std::modf(v + static_cast<double>(i) * step / n, &whole));
+      if (!clip(line, box)) continue;
       stops = {line.begin, line.end};
       for (const Obstacles& at : obstacles) {
         const Line there{at.where.apply(line.p), at.where.rotate(line.direction), line.begin,
                          line.end};
         for (const Solid& solid : at.model->solids())
-          if (meets(there, solid.bounds()))
+          if (Line within = there; clip(within, solid.bounds()))
             for (const SolidFace& face : solid.faces())
               append_crossings(face.surface, there, stops);
       }
@@ -113,10 +114,31 @@ Estimate along_lines(const Box& box, const std::vector<Obstacles>& obstacles,
   return out;
 }
 
-void add_moved(Box& box, const Box& other, const Transform& where) {
+/// Adds up what is not persistent-identical over boxes apart; sets nothing else.
+void measure_changes(Estimate& out, const std::vector<Box>& boxes,
+                     const std::vector<Obstacles>& obstacles,
+                     const std::function<DifferenceClass(const Vec3&)>& class_at,
+                     LineOptions options, const Run& run) {
+  using enum DifferenceClass;
+  for (const DifferenceClass c : kAllClasses)
+    if (c != IdenticalYes && c != IdenticalNo) out.volumes[c] = out.errors[c] = 0;
+  options.lines = std::max(1024, options.lines / std::max(1, static_cast<int>(boxes.size())));
+  for (const Box& box : boxes) {
+    ++options.seed;  // else the errors of equal boxes add up
+    const Estimate part = along_lines(box, obstacles, class_at, options, run);
+    for (const DifferenceClass c : {ToNo, ToYes, NewYes, NewNo, OldYes, OldNo}) {
+      out.volumes[c] += part.volumes[c];
+      out.errors[c] += part.errors[c];
+    }
+  }
+}
+
+Box moved(const Box& box, const Transform& where) {
+  Box out;
   for (int i = 0; i < 8; ++i)
-    box.add(where.apply({i & 1 ? other.hi.x : other.lo.x, i & 2 ? other.hi.y : other.lo.y,
-                         i & 4 ? other.hi.z : other.lo.z}));
+    out.add(where.apply(
+        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z}));
+  return out;
 }
 
 }  // namespace
@@ -134,14 +156,13 @@ VolumeEstimate estimate_volumes(const PointClasses& classes, const LineOptions& 
       obstacles.push_back({&classes.modified(), {}});
     }
     if (pair.original >= 0) {
-      add_moved(box, classes.original().solids()[pair.original].bounds(),
-                rigid_inverse(pair.to_original));
+      box.add(moved(classes.original().solids()[pair.original].bounds(),
+                    rigid_inverse(pair.to_original)));
       obstacles.push_back({&classes.original(), pair.to_original});
     }
-    Estimate estimate = along_lines(
-        box, obstacles, [&](const Vec3& p) { return classes.cell(f, p); }, options, run);
-    // Points outside of the feature are no volume of it.
-    estimate.volumes[DifferenceClass::Artefact] = estimate.errors[DifferenceClass::Artefact] = 0;
+    const auto class_at = [&](const Vec3& p) { return classes.cell(f, p); };
+    Estimate estimate = along_lines(box, obstacles, class_at, options, run);
+    measure_changes(estimate, classes.changed(f), obstacles, class_at, options, run);
     out.features.push_back(estimate.volumes);
     out.feature_errors.push_back(estimate.errors);
   }
@@ -152,13 +173,12 @@ VolumeEstimate estimate_volumes(const PointClasses& classes, const LineOptions& 
         std::none_of(obstacles.begin() + 1, obstacles.end(),
                      [&](const Obstacles& at) { return at.where == pair.to_original; }))
       obstacles.push_back({&classes.original(), pair.to_original});
-  const Estimate estimate = along_lines(
-      classes.modified().bounds(), obstacles,
-      [&](const Vec3& p) {
-        if (classes.in_copycell(p)) return DifferenceClass::IdenticalYes;
-        return classes.in_newcell(p) ? DifferenceClass::NewYes : DifferenceClass::Artefact;
-      },
-      options, run);
+  const auto class_at = [&](const Vec3& p) {
+    if (classes.in_copycell(p)) return DifferenceClass::IdenticalYes;
+    return classes.in_newcell(p) ? DifferenceClass::NewYes : DifferenceClass::Artefact;
+  };
+  Estimate estimate = along_lines(classes.modified().bounds(), obstacles, class_at, options, run);
+  measure_changes(estimate, classes.changed(), obstacles, class_at, options, run);
   out.copycells = estimate.volumes[DifferenceClass::IdenticalYes];
   out.copycells_error = estimate.errors[DifferenceClass::IdenticalYes];
   out.newcells = estimate.volumes[DifferenceClass::NewYes];

@@ -16,15 +16,16 @@ struct VolumeEstimate {
 };
 
 struct LineOptions {
-  int lines = 16384;       ///< for each feature, and once for copycells and newcells
+  int lines = 16384;       ///< for each feature twice, and twice for copycells and newcells
   std::uint64_t seed = 1;  ///< of the shifts
 };
 
 /// Measures every class along sheaves of parallel lines in 16 directions: on each line all
 /// crossings with the surfaces of both models are exact, so a layer counts however thin it is.
 ///
-/// Each sheaf is a Fibonacci lattice with a shift of its own and gives an estimate of its own; the
-/// error bounds are five standard errors of their mean.
+/// What changed is measured in the boxes where anything may have, so its error is as small as it
+/// is. Each sheaf is a Fibonacci lattice with a shift of its own and gives an estimate of its own;
+/// the error bounds are five standard errors of their mean.
 VolumeEstimate estimate_volumes(const PointClasses& classes, const LineOptions& options,
                                 const Run& run);
 

@@ -22,21 +22,78 @@ Mark face_mark(const Membership& model, int feature, const Vec3& before, const V
   return model.inside(before) != model.inside(behind) ? Mark::Yes : Mark::No;
 }
 
+/// The feature in the frame that differences align on, alone.
+FeatureModel aligned(Feature feature) {
+  feature.placement = rigid_inverse(feature.alignment) * feature.placement;
+  feature.alignment = Transform::translation({0, 0, 0});
+  return {"", {std::move(feature)}};
+}
+
+Box moved(const Box& box, const Transform& where) {
+  if (where.is_identity()) return box;
+  Box out;
+  for (int i = 0; i < 8; ++i)
+    out.add(where.apply(
+        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z}));
+  return out;
+}
+
+/// Whether two motions take the points of a box to the same places, but for rounding.
+bool same_motion(const Transform& a, const Transform& b, const Box& box) {
+  if (a == b) return true;
+  const Box from_a = moved(box, a), from_b = moved(box, b);
+  double gap = std::max(distance(from_a.lo, from_b.lo), distance(from_a.hi, from_b.hi));
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 p{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
+                 i & 4 ? box.hi.z : box.lo.z};
+    gap = std::max(gap, distance(a.apply(p), b.apply(p)));
+  }
+  return gap <= 1e-12 * box.diagonal();
+}
+
+Box intersection(const Box& a, const Box& b) {
+  return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)},
+          {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
+}
+
+bool has_volume(const Box& box) {
+  return box.lo.x < box.hi.x && box.lo.y < box.hi.y && box.lo.z < box.hi.z;
+}
+
+/// Adds a box to boxes that lie apart, joining it with those it meets.
+void join(std::vector<Box>& boxes, Box box) {
+  for (auto it = boxes.begin(); it != boxes.end();) {
+    if (has_volume(intersection(*it, box))) {
+      box.add(*it);
+      boxes.erase(it);
+      it = boxes.begin();
+    } else {
+      ++it;
+    }
+  }
+  boxes.push_back(box);
+}
+
 }  // namespace
 
 PointClasses::PointClasses(const FeatureModel& original, const FeatureModel& modified)
     : original_(original), modified_(modified) {
+  int last_in_order = -1;
   for (int i = 0; i < static_cast<int>(modified.features.size()); ++i) {
-    FeaturePair pair{modified.features[i].id, -1, i, {}};
+    FeaturePair pair{modified.features[i].id, -1, i, {}, false};
     pair.original = original.index_of(pair.id);
-    if (pair.original >= 0)
-      pair.to_original =
-          remeshd::to_original(original.features[pair.original], modified.features[i]);
+    if (pair.original >= 0) {
+      const Feature& before = original.features[pair.original];
+      pair.to_original = remeshd::to_original(before, modified.features[i]);
+      pair.same = pair.original > last_in_order && before.nature == modified.features[i].nature &&
+                  same_geometry(aligned(before), aligned(modified.features[i]));
+      last_in_order = std::max(last_in_order, pair.original);
+    }
     features_.push_back(std::move(pair));
   }
   for (int i = 0; i < static_cast<int>(original.features.size()); ++i)
     if (modified.index_of(original.features[i].id) < 0)
-      features_.push_back({original.features[i].id, i, -1, {}});
+      features_.push_back({original.features[i].id, i, -1, {}, false});
 }
 
 DifferenceClass PointClasses::cell(int feature, const Vec3& p) const {
@@ -65,5 +122,32 @@ bool PointClasses::in_copycell(const Vec3& p) const {
 bool PointClasses::in_newcell(const Vec3& p) const {
   return modified_.inside(p) && !in_copycell(p);
 }
+
+std::vector<Box> PointClasses::changed_seen_from(const Transform& to_original,
+                                                 const Box& within) const {
+  const Transform to_modified = rigid_inverse(to_original);
+  std::vector<Box> boxes;
+  const auto add = [&](const Box& box) {
+    if (const Box part = intersection(box, within); has_volume(part)) join(boxes, part);
+  };
+  for (const FeaturePair& pair : features_) {
+    if (pair.same && same_motion(pair.to_original, to_original, within)) continue;
+    if (pair.modified >= 0) add(modified_.solids()[pair.modified].bounds());
+    if (pair.original >= 0) add(moved(original_.solids()[pair.original].bounds(), to_modified));
+  }
+  return boxes;
+}
+
+std::vector<Box> PointClasses::changed(int feature) const {
+  const FeaturePair& pair = features_[feature];
+  Box within;
+  if (pair.modified >= 0) within.add(modified_.solids()[pair.modified].bounds());
+  if (pair.original >= 0)
+    within.add(moved(original_.solids()[pair.original].bounds(), rigid_inverse(pair.to_original)));
+  if (pair.original < 0 || pair.modified < 0) return {within};
+  return changed_seen_from(pair.to_original, within);
+}
+
+std::vector<Box> PointClasses::changed() const { return changed_seen_from({}, modified_.bounds()); }
 
 }  // namespace remeshd

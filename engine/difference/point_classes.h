@@ -14,6 +14,8 @@ struct FeaturePair {
   int original = -1;      ///< index, -1 if not there
   int modified = -1;      ///< index, -1 if not there
   Transform to_original;  ///< A_orig * A_mod^-1; the identity where only one model has it
+  /// Whether both models have it with the same shape, nature and place in history.
+  bool same = false;
 };
 
 /// Tables 1 and 2 by point membership: the same classes as the overlay's, with no near-coincidence
@@ -44,7 +46,16 @@ class PointClasses {
   /// Whether p lies in material of the modified model that no owner can bring along.
   [[nodiscard]] bool in_newcell(const Vec3& p) const;
 
+  /// Boxes, apart from each other, that hold everything that is not persistent-identical to a
+  /// feature, in the coordinates its points are given in.
+  [[nodiscard]] std::vector<Box> changed(int feature) const;
+  /// The same for newcells, in modified coordinates.
+  [[nodiscard]] std::vector<Box> changed() const;
+
  private:
+  [[nodiscard]] std::vector<Box> changed_seen_from(const Transform& to_original,
+                                                   const Box& within) const;
+
   Membership original_, modified_;
   std::vector<FeaturePair> features_;
 };
