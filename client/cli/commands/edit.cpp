@@ -27,6 +27,7 @@ int edit(Session& session, const EditArguments& arguments) {
   request.set_base(mesh_base(session, stream, base, arguments.meshing));
   arguments.meshing.fill(request, !base_is_model);
   const auto reply = stream.edit(std::move(request)).get();
+  stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.mesh_file, arguments.report_file);
   return kFine;

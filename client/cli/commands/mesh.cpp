@@ -22,6 +22,7 @@ int mesh(Session& session, const MeshArguments& arguments) {
   arguments.meshing.fill(request, true);
   client::EditStream stream = session.stream();
   const auto reply = stream.create(std::move(request)).get();
+  stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.mesh_file, arguments.report_file);
   return kFine;

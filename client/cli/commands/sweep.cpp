@@ -153,6 +153,7 @@ int sweep(Session& session, const SweepArguments& arguments) {
     row.insert(row.end(), rest.begin(), rest.end());
     write_tsv_row(session.out(), row);
   }
+  stream.finish();
   return failures == 0 ? kFine : kFailed;
 }
 
