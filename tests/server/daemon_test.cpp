@@ -1,0 +1,267 @@
+#include "server/daemon.h"
+
+#include <grpcpp/generic/generic_stub.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/ostream_sink.h>
+
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "tests/server/daemon_fixture.h"
+
+namespace remeshd::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Daemons : public DaemonTest {
+ protected:
+  /// A call of bytes to bytes.
+  grpc::Status call(const std::string& method, const std::string& request, std::string* reply) {
+    grpc::GenericStub generic(channel_);
+    grpc::ClientContext context;
+    grpc::CompletionQueue queue;
+    const grpc::Slice slice(request);
+    auto call = generic.PrepareUnaryCall(&context, method, grpc::ByteBuffer(&slice, 1), &queue);
+    call->StartCall();
+    grpc::ByteBuffer answer;
+    grpc::Status status;
+    call->Finish(&answer, &status, nullptr);
+    void* tag = nullptr;
+    bool ok = false;
+    queue.Next(&tag, &ok);
+    grpc::Slice all;
+    if (status.ok() && answer.DumpToSingleSlice(&all).ok())
+      reply->assign(reinterpret_cast<const char*>(all.begin()), all.size());
+    return status;
+  }
+};
+
+TEST_F(Daemons, TakeAFreePortAndTellIt) {
+  start();
+  EXPECT_GT(daemon_->port(), 0);
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(Daemons, ServeInTheirOwnProcessWithoutAPort) {
+  options_.listen.clear();
+  Daemon daemon(options_, engine_.engine());
+  EXPECT_EQ(daemon.port(), 0);
+  const auto stub = v1::Remesh::NewStub(daemon.in_process_channel());
+  grpc::ClientContext context;
+  v1::RevisionReply reply;
+  EXPECT_TRUE(stub->CreateRevision(&context, create_request(plate()), &reply).ok());
+  EXPECT_EQ(reply.revision().nodes(), 100U);
+}
+
+TEST_F(Daemons, GiveTheSameBytesInTheirOwnProcessAsOverThePort) {
+  create(plate());
+  const auto over_port = create(plate());
+  options_.listen.clear();
+  Daemon daemon(options_, engine_.engine());
+  const auto stub = v1::Remesh::NewStub(daemon.in_process_channel());
+  grpc::ClientContext context;
+  v1::RevisionReply reply;
+  ASSERT_TRUE(stub->CreateRevision(&context, create_request(plate()), &reply).ok());
+  EXPECT_EQ(reply.revision().id(), over_port.revision().id());
+}
+
+TEST_F(Daemons, DoNotShareAPort) {
+  start();
+  options_.listen = "127.0.0.1:" + std::to_string(daemon_->port());
+  try {
+    const Daemon second(options_, engine_.engine());
+    FAIL() << "two daemons share a port";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.info().reason, "ListenFailed");
+  }
+}
+
+TEST_F(Daemons, RefuseAnAddressThatIsNone) {
+  options_.listen = "nonsense";
+  EXPECT_THROW(Daemon(options_, engine_.engine()), Error);
+}
+
+TEST_F(Daemons, AnswerTheHealthService) {
+  start();
+  std::string reply;
+  // HealthCheckRequest.service is field 1; HealthCheckResponse.status is field 1, SERVING 1.
+  const std::string name = "remesh.v1.Remesh";
+  std::string request = "\x0a";
+  request += static_cast<char>(name.size());
+  request += name;
+  for (const std::string& service : {std::string(), request}) {
+    ASSERT_TRUE(call("/grpc.health.v1.Health/Check", service, &reply).ok());
+    EXPECT_EQ(reply, "\x08\x01");
+  }
+}
+
+TEST_F(Daemons, ReflectTheirService) {
+  start();
+  grpc::GenericStub generic(channel_);
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const auto wait = [&queue] {
+    void* tag = nullptr;
+    bool ok = false;
+    queue.Next(&tag, &ok);
+    return ok;
+  };
+  auto call = generic.PrepareCall(
+      &context, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", &queue);
+  call->StartCall(nullptr);
+  ASSERT_TRUE(wait());
+  const std::string list_services("\x3a\x00", 2);  // field 7, an empty text
+  const grpc::Slice slice(list_services);
+  call->Write(grpc::ByteBuffer(&slice, 1), nullptr);
+  ASSERT_TRUE(wait());
+  grpc::ByteBuffer answer;
+  call->Read(&answer, nullptr);
+  ASSERT_TRUE(wait());
+  grpc::Slice all;
+  ASSERT_TRUE(answer.DumpToSingleSlice(&all).ok());
+  EXPECT_THAT(std::string(reinterpret_cast<const char*>(all.begin()), all.size()),
+              HasSubstr("remesh.v1.Remesh"));
+  call->WritesDone(nullptr);
+  wait();
+  grpc::Status status;
+  call->Finish(&status, nullptr);
+  wait();
+}
+
+TEST_F(Daemons, AnswerUnknownMethodsWithUnimplemented) {
+  start();
+  std::string reply;
+  EXPECT_EQ(call("/remesh.v1.Remesh/Nothing", "", &reply).error_code(),
+            grpc::StatusCode::UNIMPLEMENTED);
+}
+
+TEST_F(Daemons, SurviveBytesThatAreNoMessage) {
+  start();
+  std::string reply;
+  for (const char* method : {"CreateRevision", "EditRevision", "Compare", "DescribeRevision"}) {
+    const auto status = call(std::string("/remesh.v1.Remesh/") + method, "\xFF\xFF\xFF", &reply);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
+    EXPECT_EQ(detail(status).reason(), "MessageUnreadable");
+  }
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(Daemons, TellTheirLimitsAndLoad) {
+  options_.memory = 123 << 20;
+  create(plate());
+  const auto about = info();
+  EXPECT_EQ(about.protocol(), "remesh.v1");
+  EXPECT_EQ(about.algorithm_version(), 7U);
+  EXPECT_EQ(about.workers(), 2U);
+  EXPECT_EQ(about.threads(), 3U);
+  EXPECT_EQ(about.revisions(), 1U);
+  EXPECT_EQ(about.designs(), 1U);
+  EXPECT_EQ(about.cached_revisions(), 1U);
+  EXPECT_GT(about.cached_bytes(), 100U * 24);
+  EXPECT_EQ(about.cache_budget_bytes(), 123U << 20);
+  EXPECT_FALSE(about.persistent());
+  EXPECT_FALSE(about.version().empty());
+}
+
+TEST_F(Daemons, TellFeatureTypes) {
+  grpc::ClientContext context;
+  v1::ListFeatureTypesReply reply;
+  ASSERT_TRUE(stub().ListFeatureTypes(&context, {}, &reply).ok());
+  ASSERT_EQ(reply.types_size(), 8);
+  EXPECT_EQ(reply.types(0).name(), "block");
+  EXPECT_EQ(reply.types(0).parameters(0).name(), "dx");
+  EXPECT_EQ(reply.types(0).faces_size(), 6);
+}
+
+TEST_F(Daemons, ValidateModelsAndEditsWithoutMeshing) {
+  v1::ValidateReply reply;
+  {
+    grpc::ClientContext context;
+    v1::ValidateModelRequest request;
+    *request.mutable_model() = plate();
+    ASSERT_TRUE(stub().ValidateModel(&context, request, &reply).ok());
+    EXPECT_EQ(reply.volume(), 2000);
+  }
+  v1::ValidateEditRequest request;
+  *request.mutable_model() = plate();
+  request.mutable_edit()->add_edits()->mutable_remove_feature()->set_feature("hole");
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub().ValidateEdit(&context, request, &reply).ok());
+    EXPECT_EQ(reply.volume(), 1000);
+    EXPECT_EQ(reply.model().features_size(), 1);
+  }
+  EXPECT_EQ(engine_.started(), 0);
+  create(plate());
+  request.set_base("plate");
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub().ValidateEdit(&context, request, &reply).ok());
+    EXPECT_EQ(reply.volume(), 1000);
+  }
+  request.mutable_edit()->mutable_edits(0)->mutable_remove_feature()->set_feature("knob");
+  grpc::ClientContext context;
+  EXPECT_EQ(detail(stub().ValidateEdit(&context, request, &reply)).feature(), "knob");
+  EXPECT_EQ(engine_.started(), 1);
+}
+
+TEST_F(Daemons, CompareRevisionsModelsAndEdits) {
+  create(plate());
+  v1::Comparison reply;
+  v1::CompareRequest request;
+  request.mutable_original()->set_revision("plate");
+  request.mutable_modified()->mutable_edit()->add_edits()->mutable_remove_feature()->set_feature(
+      "hole");
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub().Compare(&context, request, &reply).ok());
+    ASSERT_EQ(reply.features_size(), 1);
+    EXPECT_EQ(reply.features(0).id(), "plate");
+    EXPECT_EQ(reply.features(0).cells().at(".+"), 2);
+    EXPECT_EQ(reply.copycells(), 2);
+    EXPECT_EQ(reply.method(), "membership");
+  }
+  *request.mutable_modified()->mutable_model() = plate(7);
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub().Compare(&context, request, &reply).ok());
+    EXPECT_EQ(reply.features_size(), 2);
+  }
+  *request.mutable_original()->mutable_edit() = set("at", 3);
+  {
+    grpc::ClientContext context;
+    EXPECT_EQ(detail(stub().Compare(&context, request, &reply)).reason(), "SideInvalid");
+  }
+  request.clear_original();
+  grpc::ClientContext context;
+  EXPECT_EQ(detail(stub().Compare(&context, request, &reply)).parameter(), "original");
+}
+
+TEST_F(Daemons, LogOneLineACallWithIdDurationAndStatus) {
+  std::ostringstream text;
+  options_.log = std::make_shared<spdlog::logger>(
+      "test", std::make_shared<spdlog::sinks::ostream_sink_mt>(text));
+  start();
+  auto request = create_request(plate());
+  request.set_request_id("try 7\nforged=line");
+  create(request);
+  v1::RevisionReply reply;
+  EXPECT_FALSE(try_edit(edit_request("plank", set("at", 1)), &reply).ok());
+  stop();
+  const std::string log = text.str();
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2) << log;
+  EXPECT_THAT(log, testing::ContainsRegex("call=[0-9]+ method=CreateRevision peer=[^ ]+ "
+                                          "ms=[0-9.]+ status=OK request=try_7_forged=line"));
+  EXPECT_THAT(log, HasSubstr("method=EditRevision"));
+  EXPECT_THAT(log, HasSubstr("status=NOT_FOUND reason=RevisionNotFound"));
+}
+
+TEST_F(Daemons, EndTwiceAsOnce) {
+  start();
+  daemon_->shutdown();
+  daemon_->shutdown();
+}
+
+}  // namespace
+}  // namespace remeshd::test

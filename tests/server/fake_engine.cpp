@@ -1,0 +1,296 @@
+#include "tests/server/fake_engine.h"
+
+#include <cstring>
+#include <thread>
+
+#include "engine/base/error.h"
+#include "engine/base/random.h"
+#include "server/service/decode.h"
+#include "server/service/encode.h"
+
+namespace remeshd::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Numbers and texts one after the other, and back.
+class Writer {
+ public:
+  template <typename T>
+  void value(const T& v) {
+    bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
+  }
+  template <typename T>
+  void list(const std::vector<T>& values) {
+    value(values.size());
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+  void text(const std::string& s) {
+    value(s.size());
+    bytes += s;
+  }
+  std::string bytes;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+  template <typename T>
+  void value(T& v) {
+    take(&v, sizeof v);
+  }
+  template <typename T>
+  void list(std::vector<T>& values) {
+    std::size_t size = 0;
+    value(size);
+    values.resize(size);
+    take(values.data(), size * sizeof(T));
+  }
+  void text(std::string& s) {
+    std::size_t size = 0;
+    value(size);
+    s.resize(size);
+    take(s.data(), size);
+  }
+
+ private:
+  void take(void* to, std::size_t size) {
+    if (at_ + size > bytes_.size()) throw error::internal("serialise", "cut off");
+    if (size > 0) std::memcpy(to, bytes_.data() + at_, size);
+    at_ += size;
+  }
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+std::string serialise_fake(const Revision& r) {
+  Writer out;
+  out.text(encode(r.source).SerializeAsString());
+  out.value(r.options);
+  out.value(r.edge_length);
+  out.list(r.delivery.mesh.nodes);
+  out.list(r.delivery.mesh.tets);
+  out.list(r.delivery.node_ids);
+  out.list(r.delivery.tet_ids);
+  out.list(r.delivery.map.node_origin);
+  out.list(r.delivery.map.original_node);
+  out.list(r.delivery.map.node_transform);
+  out.list(r.delivery.map.original_tet);
+  out.text(r.report.revision);
+  out.value(r.report.seconds.total);
+  out.value(r.report.counts.nodes);
+  out.value(r.report.counts.tets);
+  out.value(r.report.counts.nodes_kept);
+  return out.bytes;
+}
+
+/// Groups and cells, which follow from the model.
+void name_parts(Revision& r) {
+  MeshGroups& groups = r.delivery.groups;
+  groups.facets = {{{0, 1, 2}, 0, 0}, {{1, 2, 3}, 0, 1}};
+  groups.facet_groups = {{r.source.features.front().id + ".top"},
+                         {r.source.features.back().id + ".wall", "plate.top"}};
+  groups.tet_cell.assign(r.delivery.mesh.tets.size(), 0);
+  groups.cell_owners = {{}};
+  for (const FeatureSource& feature : r.source.features)
+    groups.cell_owners[0].push_back(feature.id);
+  r.delivery.map.transforms = {Transform{}, Transform::translation({0, 0, 3})};
+  r.delivery.map.transform_features = {"plate", "rib"};
+}
+
+Revision deserialise_fake(const std::string& bytes) {
+  Reader in(bytes);
+  Revision r;
+  std::string model;
+  in.text(model);
+  remesh::v1::FeatureModel message;
+  if (!message.ParseFromString(model)) throw error::internal("serialise", "no model");
+  r.source = decode(message);
+  r.model = evaluate(r.source);
+  in.value(r.options);
+  in.value(r.edge_length);
+  in.list(r.delivery.mesh.nodes);
+  in.list(r.delivery.mesh.tets);
+  in.list(r.delivery.node_ids);
+  in.list(r.delivery.tet_ids);
+  in.list(r.delivery.map.node_origin);
+  in.list(r.delivery.map.original_node);
+  in.list(r.delivery.map.node_transform);
+  in.list(r.delivery.map.original_tet);
+  in.text(r.report.revision);
+  in.value(r.report.seconds.total);
+  in.value(r.report.counts.nodes);
+  in.value(r.report.counts.tets);
+  in.value(r.report.counts.nodes_kept);
+  name_parts(r);
+  return r;
+}
+
+}  // namespace
+
+struct FakeEngine::State {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool open = true;
+  int started = 0, at_gate = 0, made = 0, stopped = 0, loaded = 0, threads = 0;
+
+  template <typename Count>
+  void count(Count&& change) {
+    const std::scoped_lock lock(mutex);
+    change();
+    changed.notify_all();
+  }
+  void pass_gate(const Run& run) {
+    std::unique_lock lock(mutex);
+    ++at_gate;
+    changed.notify_all();
+    while (!open) {
+      changed.wait_for(lock, 1ms);
+      if (run.stop.stop_requested()) break;
+    }
+    --at_gate;
+    changed.notify_all();
+  }
+
+  Revision make(const Revision* original, const ModelSource& source, const MeshOptions& options,
+                const Run& run) {
+    count([&] {
+      ++started;
+      threads = run.threads;
+    });
+    Revision r;
+    r.source = source;
+    r.model = evaluate(source);
+    const auto r_value = source.parameters.find("r");
+    if (r_value != source.parameters.end() && r_value->second == Scalar(100.0))
+      throw Error({.kind = ErrorKind::FailedPrecondition,
+                   .reason = "EmptyModel",
+                   .message = "no cell of the model is positive",
+                   .stage = "cells",
+                   .hint = "add an additive feature"});
+    r.options = options;
+    run.report("cells", 0.1);
+    pass_gate(run);
+    try {
+      run.poll();
+    } catch (const Error&) {
+      count([&] { ++stopped; });
+      throw;
+    }
+    run.report("optimise", 0.5, 1);
+    run.report("optimise", 0.7, 2);
+
+    std::size_t nodes = 100;
+    if (options.nodes) {
+      nodes = *options.nodes;
+    } else if (original != nullptr) {
+      nodes = original->delivery.mesh.nodes.size();
+    }
+    r.edge_length = original != nullptr ? original->edge_length : options.size.value_or(2.5);
+    std::uint64_t mix = options.seed + r.model.features.size() + options.iterations;
+    for (const Feature& feature : r.model.features)
+      mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (feature.placement.m[3] + 1000));
+    for (const auto& [name, value] : source.parameters)
+      if (const auto* number = std::get_if<double>(&value))
+        mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (*number + 1000));
+    Random random(mix);
+    Delivery& d = r.delivery;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      d.mesh.nodes.push_back({random.uniform(), random.uniform(), random.uniform()});
+      d.node_ids.push_back(1000 + i);
+      const bool kept = original != nullptr && i % 2 == 0;
+      d.map.node_origin.push_back(kept ? NodeOrigin::Kept : NodeOrigin::New);
+      d.map.original_node.push_back(kept ? static_cast<std::int32_t>(i) : -1);
+      d.map.node_transform.push_back(kept ? 0 : -1);
+      r.report.counts.nodes_kept += kept ? 1 : 0;
+    }
+    for (std::int32_t i = 0; i + 3 < static_cast<std::int32_t>(nodes); ++i) {
+      d.mesh.tets.push_back({i, i + 1, i + 2, i + 3});
+      d.tet_ids.push_back(static_cast<std::uint64_t>(i));
+      d.map.original_tet.push_back(-1);
+    }
+    name_parts(r);
+    r.report.counts.nodes = static_cast<std::uint32_t>(d.mesh.nodes.size());
+    r.report.counts.tets = static_cast<std::uint32_t>(d.mesh.tets.size());
+    // A clock's reading, as the real one has it: never twice the same.
+    count([&] {
+      ++made;
+      r.report.seconds.total = 0.001 * made;
+    });
+    return r;
+  }
+};
+
+FakeEngine::FakeEngine() : state_(std::make_shared<State>()) {}
+
+Engine FakeEngine::engine() const {
+  const auto state = state_;
+  return {
+      .algorithm_version = 7,
+      .evaluate = evaluate,
+      .apply = apply,
+      .summarise =
+          [](const FeatureModel& model, const Run&) {
+            ModelSummary summary;
+            summary.volume = 1000.0 * static_cast<double>(model.features.size());
+            summary.cells = static_cast<std::uint32_t>(model.features.size());
+            return summary;
+          },
+      .make_revision =
+          [state](const Revision* original, const ModelSource& source, const MeshOptions& options,
+                  const Run& run) { return state->make(original, source, options, run); },
+      .compare =
+          [](const FeatureModel& original, const FeatureModel& modified, const CellularModel*,
+             const CellularModel*, const Run&) {
+            ModelComparison comparison;
+            comparison.method = "membership";
+            comparison.copycells = static_cast<double>(original.features.size());
+            for (const Feature& feature : modified.features)
+              comparison.features.push_back({feature.id, {{"++", 1}, {".+", 2}}, {}, {}, {}});
+            return comparison;
+          },
+      .serialise = serialise_fake,
+      .deserialise =
+          [state](const std::string& bytes, const Run&) {
+            state->count([&] { ++state->loaded; });
+            return deserialise_fake(bytes);
+          },
+      .feature_types = [] { return feature_types(); }};
+}
+
+void FakeEngine::close_gate() {
+  state_->count([&] { state_->open = false; });
+}
+void FakeEngine::open_gate() {
+  state_->count([&] { state_->open = true; });
+}
+bool FakeEngine::wait_at_gate(int computations) const {
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_for(lock, 10s, [&] { return state_->at_gate == computations; });
+}
+bool FakeEngine::wait_stopped(int computations) const {
+  std::unique_lock lock(state_->mutex);
+  return state_->changed.wait_for(lock, 10s, [&] { return state_->stopped == computations; });
+}
+int FakeEngine::made() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->made;
+}
+int FakeEngine::started() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->started;
+}
+int FakeEngine::stopped() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->stopped;
+}
+int FakeEngine::loaded() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->loaded;
+}
+int FakeEngine::threads() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->threads;
+}
+
+}  // namespace remeshd::test

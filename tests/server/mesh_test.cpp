@@ -1,0 +1,131 @@
+#include <cstring>
+
+#include "proto/checksum.h"
+#include "tests/server/daemon_fixture.h"
+
+namespace remeshd::test {
+namespace {
+
+class Mesh : public DaemonTest {};
+
+v1::GetMeshRequest all_of(const std::string& revision) {
+  v1::GetMeshRequest request;
+  request.set_revision(revision);
+  return request;
+}
+
+/// The arrays of a stream by name, put together from its parts, which are checked on the way.
+std::map<v1::MeshArray, std::string> assemble(const std::vector<v1::MeshMessage>& messages) {
+  std::map<v1::MeshArray, std::string> arrays;
+  Sha256 sum;
+  std::uint64_t bytes = 0;
+  std::uint32_t parts = 0;
+  EXPECT_TRUE(messages.front().has_header());
+  EXPECT_TRUE(messages.back().has_end());
+  for (const v1::MeshMessage& message : messages) {
+    EXPECT_LE(message.ByteSizeLong(), std::size_t{1} << 20);
+    if (!message.has_part()) continue;
+    const v1::MeshPart& part = message.part();
+    EXPECT_EQ(part.offset(), arrays[part.array()].size());
+    EXPECT_EQ(part.crc32c(), crc32c(part.data()));
+    arrays[part.array()] += part.data();
+    sum.update(part.data());
+    bytes += part.data().size();
+    ++parts;
+  }
+  EXPECT_EQ(messages.back().end().sha256(), sum.finish());
+  EXPECT_EQ(messages.back().end().bytes(), bytes);
+  EXPECT_EQ(messages.back().end().parts(), parts);
+  for (const auto& array : messages.front().header().arrays())
+    EXPECT_EQ(arrays[array.array()].size(), array.bytes()) << array.array();
+  return arrays;
+}
+
+template <typename T>
+std::vector<T> values(const std::string& bytes) {
+  std::vector<T> out(bytes.size() / sizeof(T));
+  std::memcpy(out.data(), bytes.data(), bytes.size());
+  return out;
+}
+
+TEST_F(Mesh, ComesAsHeaderPartsAndEndWithEveryArray) {
+  create(plate());
+  const auto child = edit("plate", set("at", 11));
+  const auto messages = mesh(all_of("plate"));
+  const auto& header = messages.front().header();
+  EXPECT_EQ(header.revision(), child.revision().id());
+  EXPECT_EQ(header.parent(), child.revision().parent());
+  EXPECT_EQ(header.nodes(), 100U);
+  EXPECT_EQ(header.tets(), 97U);
+  EXPECT_EQ(header.facets(), 2U);
+
+  auto arrays = assemble(messages);
+  EXPECT_EQ(arrays.size(), 14U);
+  EXPECT_EQ(values<double>(arrays[v1::NODES]).size(), 300U);
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::TETS])[5], 2);  // second tet: 1 2 3 4
+  EXPECT_EQ(values<std::uint64_t>(arrays[v1::NODE_IDS])[7], 1007U);
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::FACETS]),
+            (std::vector<std::int32_t>{0, 1, 2, 0, 0, 1, 2, 3, 0, 1}));
+  EXPECT_EQ(arrays[v1::FACET_GROUPS], "plate.top\nhole.wall plate.top\n");
+  EXPECT_EQ(arrays[v1::CELL_OWNERS], "plate hole\n");
+  EXPECT_EQ(arrays[v1::NODE_ORIGINS].substr(0, 4), std::string("\1\0\1\0", 4));
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::ORIGINAL_NODES])[1], -1);
+  const auto transforms = values<double>(arrays[v1::TRANSFORMS]);
+  ASSERT_EQ(transforms.size(), 24U);
+  EXPECT_EQ(transforms[23], 3);  // the third row's translation of the second one
+  EXPECT_EQ(arrays[v1::TRANSFORM_FEATURES], "plate\nrib\n");
+}
+
+TEST_F(Mesh, LargerThanAMessageComesInSeveralParts) {
+  create(create_request(plate(), 200000));
+  const auto messages = mesh(all_of("plate"));
+  auto arrays = assemble(messages);
+  EXPECT_EQ(arrays[v1::NODES].size(), 200000U * 24);
+  EXPECT_GT(messages.size(), 15U);
+}
+
+TEST_F(Mesh, ComesInTheArraysAskedForAlone) {
+  create(plate());
+  auto request = all_of("plate");
+  request.add_arrays(v1::TETS);
+  request.add_arrays(v1::NODES);
+  const auto arrays = assemble(mesh(request));
+  EXPECT_EQ(arrays.size(), 2U);
+}
+
+TEST_F(Mesh, IsTheSameBytesEveryTime) {
+  create(plate());
+  EXPECT_EQ(mesh_bytes("plate"), mesh_bytes("plate@1"));
+}
+
+TEST_F(Mesh, OfAnUnknownRevisionOrArrayIsAnError) {
+  create(plate());
+  auto request = all_of("plank");
+  grpc::ClientContext first;
+  v1::MeshMessage message;
+  auto reader = stub().GetMesh(&first, request);
+  EXPECT_FALSE(reader->Read(&message));
+  EXPECT_EQ(detail(reader->Finish()).reason(), "RevisionNotFound");
+
+  request.set_revision("plate");
+  request.add_arrays(static_cast<v1::MeshArray>(99));
+  grpc::ClientContext second;
+  reader = stub().GetMesh(&second, request);
+  EXPECT_FALSE(reader->Read(&message));
+  EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+}
+
+TEST_F(Mesh, LeftInTheMiddleDoesNotDisturbTheDaemon) {
+  create(create_request(plate(), 500000));
+  {
+    grpc::ClientContext context;
+    auto reader = stub().GetMesh(&context, all_of("plate"));
+    v1::MeshMessage message;
+    ASSERT_TRUE(reader->Read(&message));
+    context.TryCancel();
+  }
+  EXPECT_TRUE(serves());
+}
+
+}  // namespace
+}  // namespace remeshd::test

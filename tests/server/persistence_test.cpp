@@ -1,0 +1,188 @@
+#include <google/protobuf/util/message_differencer.h>
+
+#include <fstream>
+
+#include "engine/base/error.h"
+#include "tests/server/daemon_fixture.h"
+
+namespace remeshd::test {
+namespace {
+
+namespace fs = std::filesystem;
+using google::protobuf::util::MessageDifferencer;
+
+class Persistence : public DaemonTest {
+ protected:
+  void SetUp() override { use_store(); }
+
+  /// The only file below objects/, or the n-th by size.
+  std::vector<fs::path> objects() const {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "objects"))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    return files;
+  }
+  static void flip_byte(const fs::path& file, std::int64_t at) {
+    std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
+    f.seekg(at);
+    const char byte = static_cast<char>(f.get() ^ 1);
+    f.seekp(at);
+    f.put(byte);
+  }
+  v1::Error describe_error(const std::string& revision) {
+    grpc::ClientContext context;
+    v1::DescribeRevisionRequest request;
+    request.set_revision(revision);
+    v1::RevisionDescription reply;
+    return detail(stub().DescribeRevision(&context, request, &reply));
+  }
+  void damage_index() { std::ofstream(folder_ / "index.sqlite") << std::string(5000, 'x'); }
+};
+
+TEST_F(Persistence, RevisionsDesignsAndMeshesAreThereAfterARestartToTheByte) {
+  create(plate());
+  const auto child = edit("plate", set("at", 11));
+  const std::string described = describe("plate").SerializeAsString();
+  const std::string listed = list().SerializeAsString();
+  const std::string bytes = mesh_bytes("plate");
+  start();
+  EXPECT_EQ(engine_.loaded(), 0);
+  EXPECT_EQ(list().SerializeAsString(), listed);
+  EXPECT_TRUE(MessageDifferencer::Equals(describe("plate"), [&] {
+    v1::RevisionDescription before;
+    before.ParseFromString(described);
+    return before;
+  }()));
+  EXPECT_EQ(mesh_bytes("plate"), bytes);
+  EXPECT_EQ(engine_.made(), 2);
+  EXPECT_TRUE(info().persistent());
+}
+
+TEST_F(Persistence, AStoredAnswerIsTheCachedOneOfBefore) {
+  create(plate());
+  const auto cached = create(plate());
+  start();
+  EXPECT_EQ(create(plate()).SerializeAsString(), cached.SerializeAsString());
+  EXPECT_EQ(engine_.made(), 1);
+}
+
+TEST_F(Persistence, AnEditOfALoadedBaseIsTheEditOfTheOneInMemory) {
+  create(plate());
+  const auto in_memory = edit("plate@1", set("at", 11));
+  const std::string bytes = mesh_bytes(in_memory.revision().id());
+  ASSERT_TRUE(remove(in_memory.revision().id(), true).ok());
+  start();
+  const auto loaded = edit("plate@1", set("at", 11));
+  EXPECT_EQ(loaded.revision().id(), in_memory.revision().id());
+  EXPECT_FALSE(loaded.report().cached());
+  EXPECT_EQ(mesh_bytes(loaded.revision().id()), bytes);
+  EXPECT_EQ(loaded.revision().number(), 3U);  // 2 was given away
+}
+
+TEST_F(Persistence, RevisionsBeyondTheMemoryBudgetGoToTheStoreAndComeBack) {
+  options_.memory = 50000;
+  std::vector<std::string> ids;
+  for (int i = 0; i < 5; ++i)
+    ids.push_back(create(create_request(plate(1 + i), 1000)).revision().id());
+  EXPECT_LT(info().cached_revisions(), 5U);
+  EXPECT_LE(info().cached_bytes(), 200000U);
+  for (const auto& id : ids) EXPECT_EQ(describe(id).revision().id(), id);
+  EXPECT_GT(engine_.loaded(), 0);
+  EXPECT_EQ(engine_.made(), 5);
+}
+
+TEST_F(Persistence, ADamagedFileIsNoticedAndTheRequestThatMadeItHealsIt) {
+  const auto before = create(plate());
+  const std::string bytes = mesh_bytes("plate");
+  ASSERT_EQ(objects().size(), 1U);
+  const auto size = static_cast<std::int64_t>(fs::file_size(objects()[0]));
+  for (const std::int64_t at : {std::int64_t{0}, size / 2, size - 1}) {
+    stop();
+    flip_byte(objects()[0], at);
+    const auto error = describe_error("plate");
+    EXPECT_EQ(error.reason(), "StoreCorrupted");
+    EXPECT_EQ(error.code(), v1::Error::INTERNAL);
+    const auto again = create(plate());
+    EXPECT_FALSE(again.report().cached());
+    EXPECT_EQ(again.revision().number(), 1U);
+    EXPECT_EQ(again.revision().created().seconds(), before.revision().created().seconds());
+    start();
+    EXPECT_EQ(mesh_bytes("plate"), bytes);
+    EXPECT_EQ(objects().size(), 1U);
+  }
+}
+
+TEST_F(Persistence, AMissingFileIsNoticed) {
+  create(plate());
+  stop();
+  fs::remove(objects()[0]);
+  EXPECT_EQ(describe_error("plate").reason(), "StoreCorrupted");
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(Persistence, TheIndexIsMadeAgainFromTheJournal) {
+  create(plate());
+  edit("plate", set("at", 11));
+  ASSERT_TRUE(remove("plate@1", false).ok());
+  const std::string listed = list().SerializeAsString();
+  stop();
+  for (const char* file : {"index.sqlite", "index.sqlite-wal", "index.sqlite-shm"})
+    fs::remove(folder_ / file);
+  EXPECT_EQ(list().SerializeAsString(), listed);
+  stop();
+  damage_index();
+  EXPECT_EQ(list().SerializeAsString(), listed);
+  EXPECT_EQ(edit("plate", set("at", 12)).revision().number(), 3U);
+}
+
+TEST_F(Persistence, AnIndexOfAnotherJournalIsNotBelieved) {
+  create(plate());
+  stop();
+  fs::copy_file(folder_ / "index.sqlite", folder_ / "old.sqlite");
+  const auto kept = fs::file_size(folder_ / "journal");
+  fs::resize_file(folder_ / "journal", kept - 5);  // the last line is torn now
+  EXPECT_EQ(list().revisions_size(), 0);
+  // Its object was an orphan.
+  EXPECT_TRUE(objects().empty());
+}
+
+TEST_F(Persistence, WithoutItsJournalTheStoreIsMadeAgainFromTheRevisions) {
+  create(plate());
+  const auto child = edit("plate", set("at", 11));
+  const std::string bytes = mesh_bytes("plate");
+  stop();
+  fs::remove(folder_ / "journal");
+  EXPECT_EQ(list("plate").revisions_size(), 2);
+  EXPECT_EQ(describe("plate").revision().id(), child.revision().id());
+  EXPECT_EQ(mesh_bytes("plate"), bytes);
+}
+
+TEST_F(Persistence, DeletedRevisionsLeaveNoFile) {
+  create(plate());
+  edit("plate", set("at", 11));
+  EXPECT_EQ(objects().size(), 2U);
+  ASSERT_TRUE(remove("plate@1", false).ok());
+  EXPECT_EQ(objects().size(), 1U);
+  ASSERT_TRUE(remove("plate", true).ok());
+  EXPECT_TRUE(objects().empty());
+  start();
+  EXPECT_EQ(create(plate()).revision().number(), 3U);
+}
+
+TEST_F(Persistence, OneProcessAtATimeHasAStore) {
+  start();
+  try {
+    const Daemon second(options_, engine_.engine());
+    FAIL() << "two daemons share a store";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.info().reason, "StoreLocked");
+  }
+}
+
+TEST_F(Persistence, AStoreThatCannotBeMadeIsAnError) {
+  options_.store = "/proc/remeshd-test";
+  EXPECT_THROW(Daemon(options_, engine_.engine()), Error);
+}
+
+}  // namespace
+}  // namespace remeshd::test
