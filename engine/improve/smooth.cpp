@@ -15,6 +15,10 @@ constexpr int kMaxHalvings = 5;
 constexpr double kBand = 0.06;
 /// A step may be at most this share of the mean edge length at the node.
 constexpr double kMaxStep = 0.3;
+/// The same for one easing step, which is repeated.
+constexpr double kEaseStep = 0.1;
+/// Easing keeps away from tets of this measure and below.
+constexpr double kLeastEased = 0.05;
 
 }  // namespace
 
@@ -97,6 +101,50 @@ Vec3 Smoother::ascent(double worst, double band) const {
   return v;
 }
 
+bool Smoother::slide(std::int32_t node, const Vec3& p, Vec3& direction) const {
+  const double probe = 1e-3 * length_;
+  const Vec3 slid = rules_.settle(node, p + (probe / norm(direction)) * direction) - p;
+  const double kept = norm(slid);
+  if (!(kept > 1e-3 * probe)) return false;
+  const double along = dot(direction, slid) / kept;
+  direction = (along / kept) * slid;
+  return along > 0;
+}
+
+double Smoother::energy(const Vec3& p, double limit) const {
+  double sum = 0;
+  for (const Opposite& o : star_) {
+    const double q = volume_length(p, o.b, o.c, o.d);
+    if (!(q > kLeastEased)) return HUGE_VAL;
+    const double q4 = q * q * q * q;
+    sum += 1 / (q4 * q4);
+    if (sum >= limit) break;
+  }
+  return sum;
+}
+
+bool Smoother::ease(std::int32_t node, Vec3& position) {
+  if (!rules_.facets_at(node, facets_)) return false;
+  gather(node);
+  const Vec3& p = mesh_.node(node);
+  const bool slides = !facets_.empty();
+  if (!(slopes(p) > kLeastEased)) return false;
+  Vec3 direction;
+  for (const Slope& s : slopes_) direction += std::pow(s.quality, -9) * s.gradient;
+  if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
+  const Vec3 unit = normalised(direction);
+  const double now = energy(p, HUGE_VAL);
+  double reach = kEaseStep * length_;
+  for (int halving = 0; halving < kMaxHalvings; ++halving, reach *= 0.5) {
+    const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
+    if (!(energy(candidate, now) < now)) continue;
+    if (slides && !rules_.may_move(node, candidate, facets_)) continue;
+    position = candidate;
+    return true;
+  }
+  return false;
+}
+
 bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
@@ -111,15 +159,9 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
     double steepness = norm(direction);
     if (steepness * length_ < 1e-3) break;
     if (slides) {
-      // Only what is left of the direction on the surface or curve counts.
-      const double probe = 1e-3 * length_;
-      const Vec3 slid = rules_.settle(node, p + (probe / steepness) * direction) - p;
-      const double kept = norm(slid);
-      if (!(kept > 1e-3 * probe)) break;
-      const double along = dot(direction, slid) / kept;
-      direction = (along / kept) * slid;
+      if (!slide(node, p, direction)) break;
       steepness = norm(direction);
-      if (!(along > 0) || steepness * length_ < 1e-3) break;
+      if (steepness * length_ < 1e-3) break;
     }
     const Vec3 unit = direction / steepness;
     // First-order guess of where another tet becomes the worst.

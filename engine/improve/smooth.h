@@ -19,6 +19,12 @@ class Smoother {
   /// least `gain`. Ends early once the worst is at `enough` or above.
   bool smooth(std::int32_t node, double enough, double gain, Vec3& position);
 
+  /// One step down the sum of measure^-8 over the node's tets. Where several nodes hold each other
+  /// in place because each has a tet that is worst, rounds of such steps over all of them still get
+  /// on; the worst tet of a single node may get worse on the way.
+  /// Post: true with the new place in `position` where the sum gets less; no tet is inverted.
+  bool ease(std::int32_t node, Vec3& position);
+
  private:
   /// A tet at the node: (node, b, c, d) is positive.
   struct Opposite {
@@ -36,6 +42,11 @@ class Smoother {
   double slopes(const Vec3& p);
   /// Shortest vector in the hull of the gradients of all tets within `band` of the worst.
   [[nodiscard]] Vec3 ascent(double worst, double band) const;
+
+  /// What is left of a direction on the node's surface or curve; false where that is next to
+  /// nothing.
+  bool slide(std::int32_t node, const Vec3& p, Vec3& direction) const;
+  [[nodiscard]] double energy(const Vec3& p, double limit) const;
 
   const LocalMesh& mesh_;
   const BoundaryRules& rules_;
