@@ -27,27 +27,15 @@ finish() {
 trap finish EXIT
 trap 'exit 130' INT TERM
 
-start_daemon() { # on the first of some ports that is free
-  local port try
-  for try in 1 2 3 4 5 6 7 8; do
-    port=$((20000 + (RANDOM % 20000)))
-    address=127.0.0.1:$port
-    "$bin/remeshd" --listen "$address" --store "$store/revisions" >"$store/remeshd.log" 2>&1 &
-    daemon=$!
-    for _ in $(seq 50); do
-      kill -0 "$daemon" 2>/dev/null || break
-      "$bin/remesh" --address "$address" revisions >/dev/null 2>&1 && return 0
-      sleep 0.1
-    done
-    kill "$daemon" 2>/dev/null || true
-    wait "$daemon" 2>/dev/null || true
-    daemon=
-  done
-  echo "demo.sh: remeshd does not start (try $try)" >&2
-  return 1
-}
-
-start_daemon
+"$bin/remeshd" --listen 127.0.0.1:0 --store "$store/revisions" >"$store/remeshd.log" 2>&1 &
+daemon=$!
+address=
+for _ in $(seq 100); do
+  address=$(sed -n 's/.* serving remesh.v1 on \([^,]*\),.*/\1/p' "$store/remeshd.log")
+  [ -z "$address" ] || break
+  kill -0 "$daemon"
+  sleep 0.1
+done
 echo "remeshd listens on $address"
 "$bin/edit_loop" "$address" "$out" 15000 "$cases/tool1-a.json" "$cases/tool1-ac.edit.json" \
   "$here/demo/pins-5.edit.json" "$here/demo/hub-20.edit.json"

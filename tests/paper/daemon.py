@@ -1,8 +1,7 @@
 """A daemon of one's own and the CLI that talks to it."""
 import json
 import os
-import signal
-import socket
+import re
 import subprocess
 import tempfile
 import time
@@ -17,29 +16,28 @@ class Daemon:
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="remesh-paper-")
-        with socket.socket() as s:
-            s.bind(("127.0.0.1", 0))
-            self.address = "127.0.0.1:%d" % s.getsockname()[1]
-        self.log = open(self.file("remeshd.log"), "w")
-        self.process = subprocess.Popen(
-            [self.binaries / "remeshd", "--listen", self.address, "--store", self.file("store")],
-            stdin=subprocess.DEVNULL, stdout=self.log, stderr=subprocess.STDOUT)
-        for _ in range(100):
-            if self.process.poll() is not None:
-                raise RuntimeError("remeshd ended at once: " + Path(self.log.name).read_text())
-            if self._cli("revisions").returncode == 0:
+        log = Path(self.file("remeshd.log"))
+        with log.open("w") as out:
+            self.process = subprocess.Popen(
+                [self.binaries / "remeshd", "--listen", "127.0.0.1:0", "--store", self.file("store")],
+                stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
+        for _ in range(300):
+            if found := re.search(r" serving remesh\.v1 on ([^,]+),", log.read_text()):
+                self.address = found[1]
                 return self
+            if self.process.poll() is not None:
+                break
             time.sleep(0.1)
+        said = log.read_text()
         self.__exit__()
-        raise RuntimeError("remeshd does not answer")
+        raise RuntimeError("remeshd does not start: " + said)
 
     def __exit__(self, *_):
-        self.process.send_signal(signal.SIGTERM)
+        self.process.terminate()
         try:
             self.process.wait(20)
         finally:
             self.process.kill()
-            self.log.close()
             self.folder.cleanup()
 
     def file(self, name):
