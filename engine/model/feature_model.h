@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
@@ -20,14 +21,32 @@ struct ProfileSide {
   bool counter_clockwise = true;   ///< arcs only: the way from `from` to `to`
 };
 
-struct Block { double dx, dy, dz; };
-struct Cylinder { double radius, height; };
-struct Cone { double radius_bottom, radius_top, height; };
-struct Sphere { double radius; };
-struct Torus { double major_radius, minor_radius; };
-struct Prism { std::vector<ProfileSide> profile; double height; };
-struct Revolution { std::vector<ProfileSide> profile; double angle; };  ///< angle: rad, (0, 2 pi]
-struct Slot { double length, width, height; };
+struct Block {
+  double dx, dy, dz;
+};
+struct Cylinder {
+  double radius, height;
+};
+struct Cone {
+  double radius_bottom, radius_top, height;
+};
+struct Sphere {
+  double radius;
+};
+struct Torus {
+  double major_radius, minor_radius;
+};
+struct Prism {
+  std::vector<ProfileSide> profile;
+  double height;
+};
+struct Revolution {
+  std::vector<ProfileSide> profile;
+  double angle;
+};  ///< angle: rad, (0, 2 pi]
+struct Slot {
+  double length, width, height;
+};
 
 /// Local geometry of DESIGN's table of types; all lengths positive and finite.
 using Shape = std::variant<Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot>;

@@ -37,8 +37,8 @@ struct FeatureSource {
   std::string id;
   Nature nature = Nature::Additive;
   std::string type;
-  std::map<std::string, Scalar> parameters;            ///< all but the profile
-  std::optional<std::vector<ProfileEntry>> profile;    ///< prism and revolution
+  std::map<std::string, Scalar> parameters;          ///< all but the profile
+  std::optional<std::vector<ProfileEntry>> profile;  ///< prism and revolution
   PlacementSource placement;
   ReferenceSource reference = ReferenceKind::Origin;
   friend bool operator==(const FeatureSource&, const FeatureSource&) = default;
@@ -74,7 +74,8 @@ struct AddFeature {
 struct RemoveFeature {
   std::string feature;
 };
-using Edit = std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature, RemoveFeature>;
+using Edit =
+    std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature, RemoveFeature>;
 
 /// Edits of one request: run in order, all or none.
 struct ModelEdit {

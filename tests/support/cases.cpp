@@ -107,8 +107,7 @@ ModelSource case_model(const std::string& name) {
 ModelEdit case_edit(const std::string& name) {
   const json j = read_json(name + ".edit.json");
   ModelEdit edit;
-  for (const json& one : j.at("edits"))
-    edit.edits.push_back(edit_of(one));
+  for (const json& one : j.at("edits")) edit.edits.push_back(edit_of(one));
   return edit;
 }
 

@@ -12,7 +12,6 @@
 namespace remeshd {
 namespace {
 
-using test::arc;
 using test::feature;
 using test::point;
 
