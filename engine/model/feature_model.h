@@ -42,13 +42,14 @@ struct Prism {
 };
 struct Revolution {
   std::vector<ProfileSide> profile;
-  double angle;
-};  ///< angle: rad, (0, 2 pi]
+  double angle;  ///< rad, (0, 2 pi]
+};
 struct Slot {
   double length, width, height;
 };
 
-/// Local geometry of DESIGN's table of types; all lengths positive and finite.
+/// Local geometry of DESIGN's table of types; all lengths positive and finite, but one radius
+/// of a cone may be 0.
 using Shape = std::variant<Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot>;
 
 /// An evaluated feature: numbers only.
