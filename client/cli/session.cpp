@@ -51,6 +51,11 @@ void Session::write_mesh_of(const std::string& revision, const std::filesystem::
 void check_mesh_file(const std::filesystem::path& file) {
   if (!client::is_mesh_file_name(file))
     throw UsageError(file.string() + ": the ending must be .vtu, .msh or .inp");
+  check_text_file(file);
+}
+
+void check_text_file(const std::filesystem::path& file) {
+  if (file.empty() || file == "-") return;
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))

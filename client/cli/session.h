@@ -45,5 +45,7 @@ class Session {
 /// Throws UsageError unless a mesh can be written to a file of this name: its ending is known and
 /// its folder is there. Asked before a mesh is made.
 void check_mesh_file(const std::filesystem::path& file);
+/// The same for a text file; an empty name and `-` are fine.
+void check_text_file(const std::filesystem::path& file);
 
 }  // namespace remeshd::cli

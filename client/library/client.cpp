@@ -41,6 +41,12 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const ConnectOptions& opti
   return grpc::SslCredentials(tls);
 }
 
+/// gRPC would ask a proxy of the environment even for the way to this machine.
+bool is_loopback(const std::string& address) {
+  return address.starts_with("127.") || address.starts_with("localhost:") ||
+         address.starts_with("[::1]:");
+}
+
 }  // namespace
 
 struct Client::Impl {
@@ -53,6 +59,7 @@ Client Client::connect(const std::string& address, const ConnectOptions& options
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, options.keepalive * 1000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeout);
   arguments.SetMaxReceiveMessageSize(kMaxMessage);
+  if (is_loopback(address)) arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   return Client(grpc::CreateCustomChannel(address, credentials(options), arguments));
 }
 

@@ -154,8 +154,10 @@ class FakeService final : public remesh::v1::Remesh::Service {
                                 const remesh::v1::DescribeRevisionRequest* request,
                                 remesh::v1::RevisionDescription* reply) override {
     if (failure) return status_of(*failure);
-    reply->mutable_revision()->set_id(request->revision());
+    reply->mutable_revision()->set_id("id-of-" + request->revision());
     reply->mutable_model()->set_name("described");
+    (*reply->mutable_model()->mutable_parameters())["top_x"].set_number_value(1);
+    reply->mutable_model()->add_features()->set_id("hub");
     return grpc::Status::OK;
   }
 

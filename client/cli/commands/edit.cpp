@@ -18,6 +18,7 @@ struct EditArguments {
 
 int edit(Session& session, const EditArguments& arguments) {
   check_mesh_file(arguments.mesh_file);
+  check_text_file(arguments.report_file);
   const Base base = resolve_base(arguments.base);
   remesh::v1::EditRevisionRequest request;
   *request.mutable_edit() = read_edit(arguments.edit);

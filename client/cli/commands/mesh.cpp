@@ -17,6 +17,7 @@ struct MeshArguments {
 
 int mesh(Session& session, const MeshArguments& arguments) {
   check_mesh_file(arguments.mesh_file);
+  check_text_file(arguments.report_file);
   remesh::v1::CreateRevisionRequest request;
   *request.mutable_model() = read_model(arguments.model);
   arguments.meshing.fill(request, true);

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -28,6 +29,40 @@ double value_of(const SweepArguments& arguments, int step) {
   if (step == 0) return arguments.from;
   if (step == arguments.steps - 1) return arguments.to;
   return arguments.from + (arguments.to - arguments.from) * step / (arguments.steps - 1);
+}
+
+Error unknown_parameter(const std::string& name) {
+  ErrorInfo info;
+  info.kind = ErrorKind::InvalidArgument;
+  info.reason = "UnknownParameter";
+  info.message = "the model has no parameter '" + name + "' to sweep";
+  info.stage = "request";
+  info.hint = "PARAMETER is a parameter of the model, or feature.parameter";
+  return Error(std::move(info));
+}
+
+/// A wrong name would fail in every step: it is told before the first.
+void check_parameter(const remesh::v1::FeatureModel& model, const std::string& parameter) {
+  const std::size_t dot = parameter.find('.');
+  const bool known =
+      dot == std::string::npos
+          ? model.parameters().contains(parameter)
+          : std::ranges::any_of(model.features(), [&](const remesh::v1::Feature& feature) {
+              return feature.id() == parameter.substr(0, dot);
+            });
+  if (!known) throw unknown_parameter(parameter);
+}
+
+/// The id of the revision to start from, which is meshed first where the base is a model.
+std::string start(Session& session, client::EditStream& stream, const Base& base,
+                  const SweepArguments& arguments) {
+  if (const auto* model = std::get_if<remesh::v1::FeatureModel>(&base)) {
+    check_parameter(*model, arguments.parameter);
+    return mesh_base(session, stream, base, arguments.meshing);
+  }
+  const auto description = session.client().describe(std::get<std::string>(base), session.call());
+  check_parameter(description.model(), arguments.parameter);
+  return description.revision().id();
 }
 
 /// Sets a parameter of the model, or one of a feature where the name has a dot.
@@ -122,7 +157,7 @@ int sweep(Session& session, const SweepArguments& arguments) {
   }
   const Base base = resolve_base(arguments.base);
   client::EditStream stream = session.stream();
-  const std::string first = mesh_base(session, stream, base, arguments.meshing);
+  const std::string first = start(session, stream, base, arguments);
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
   std::string previous = first;
   int failures = 0;

@@ -187,7 +187,7 @@ TEST_F(Cli, SweepSendsEachStepOnTheLastOneAndPrintsARowForIt) {
   ASSERT_EQ(run({"sweep", "simple", "top_x", "-5", "5", "3", "-o", file("steps")}), kFine)
       << err_.str();
   ASSERT_THAT(service_.requests, SizeIs(3));
-  const std::vector<std::string> bases{"simple", "rev-1", "rev-2"};
+  const std::vector<std::string> bases{"id-of-simple", "rev-1", "rev-2"};
   const std::vector<double> values{-5, 0, 5};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& edit = service_.requests[k].edit();
@@ -224,7 +224,15 @@ TEST_F(Cli, SweepGoesOnPastAFailedStepFromTheLastGoodOneAndThenExits4) {
 
 TEST_F(Cli, SweepFromBaseEditsTheBaseInEveryStep) {
   ASSERT_EQ(run({"sweep", "simple", "top_x", "1", "2", "2", "--from-base"}), kFine);
-  EXPECT_EQ(service_.requests[1].edit().base(), "simple");
+  EXPECT_EQ(service_.requests[1].edit().base(), "id-of-simple");
+}
+
+TEST_F(Cli, SweepOfAParameterThatIsNotThereExits3BeforeTheFirstStep) {
+  EXPECT_EQ(run({"sweep", "simple", "no_such", "1", "2", "2"}), kInvalid);
+  EXPECT_EQ(run({"sweep", "simple", "rib.radius", "1", "2", "2"}), kInvalid);
+  EXPECT_EQ(run({"sweep", kCases + "/simple-a.json", "no_such", "1", "2", "2"}), kInvalid);
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_THAT(service_.requests, SizeIs(0));
 }
 
 TEST_F(Cli, SweepEndsWhereTheDaemonIsGone) {
@@ -271,7 +279,9 @@ TEST_F(Cli, ValidateTakesAModelOrAnEditWithItsBase) {
   ASSERT_EQ(run({"validate", kCases + "/simple-ab.edit.json", "--base", kCases + "/simple-a.json"}),
             kFine);
   EXPECT_EQ(service_.edit_request.model().name(), "simple-a");
-  EXPECT_EQ(run({"validate", kCases + "/simple-ab.edit.json"}), kUsage);
+  EXPECT_EQ(run({"validate", kCases + "/simple-ab.edit.json"}), kFine);
+  EXPECT_EQ(run({"validate", "simple"}), kInvalid);
+  EXPECT_EQ(run({"validate", kCases + "/simple-a.json", "--base", "simple"}), kUsage);
 }
 
 TEST_F(Cli, ListsModelsAndDeletesRevisions) {
@@ -306,6 +316,7 @@ TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
       {"mesh", model},
       {"mesh", model, "-o", file("m.stl")},
       {"mesh", model, "-o", file("nowhere/m.vtu")},
+      {"mesh", model, "-o", file("m.vtu"), "--json", file("nowhere/r.json")},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "10", "--size", "1"},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "19"},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "1.5"},
