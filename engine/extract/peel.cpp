@@ -28,16 +28,17 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
 
 }  // namespace
 
-std::vector<Tet> peel(const NodeSet& nodes, std::span<const Tet> delaunay,
+std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
                       const BoundaryModel& boundary, const Membership& membership,
                       const PeelOptions& options, const Run& run) {
   const FacesOf faces(boundary);
   std::vector<Tet> tets;
   tets.reserve(delaunay.size());
-  for (std::size_t k = 0; k < delaunay.size(); ++k) {
-    if (k % 8192 == 0) run.poll();
-    if (contributes(nodes, boundary, faces, membership, delaunay[k])) tets.push_back(delaunay[k]);
-  }
+  std::size_t count = 0;
+  delaunay.for_each_tet([&](const Tet& t) {
+    if (count++ % 8192 == 0) run.poll();
+    if (contributes(nodes, boundary, faces, membership, t)) tets.push_back(t);
+  });
 
   auto neighbours = tet_neighbours(tets, nodes.positions.size());
   std::vector<std::uint8_t> gone(tets.size(), 0);

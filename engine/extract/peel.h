@@ -1,9 +1,9 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "engine/base/run.h"
+#include "engine/kernel/delaunay.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/model/solid.h"
 #include "engine/nodes/node_set.h"
@@ -18,7 +18,7 @@ struct PeelOptions {
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
-std::vector<Tet> peel(const NodeSet& nodes, std::span<const Tet> delaunay,
+std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
                       const BoundaryModel& boundary, const Membership& membership,
                       const PeelOptions& options, const Run& run);
 

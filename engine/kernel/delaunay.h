@@ -45,6 +45,15 @@ class Delaunay {
   /// was, where these do not fit, which takes nodes on a common empty sphere; build anew then.
   [[nodiscard]] bool remove(std::span<const std::int32_t> nodes, const Run& run);
 
+  /// Moves inserted nodes to `positions[node]` and makes the mesh Delaunay again: by flips where
+  /// the moves leave every tet positive, by taking the others out and putting them in again.
+  /// Returns false where nodes could not be taken out; the mesh is unusable then: build anew.
+  [[nodiscard]] bool move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                          const Run& run);
+
+  /// Where an inserted node is.
+  [[nodiscard]] const Vec3& position(std::int32_t node) const { return points_[node + kFar]; }
+
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.
   void rename(std::span<const std::int32_t> names, std::int32_t count);
@@ -103,6 +112,21 @@ class Delaunay {
   explicit Delaunay(std::span<const Vec3> far_corners);
   static std::optional<std::vector<Fill>> fit(const Delaunay& filling,
                                               const std::vector<Wall>& walls);
+  /// Puts moved vertices back, from `old`, until no tet is inverted; their roles become kHeld.
+  /// Returns how many.
+  std::size_t hold_back(std::vector<std::uint8_t>& roles, const std::vector<Vec3>& old);
+  /// Flips facets that are not locally Delaunay, from those of tets with a moved vertex. Returns
+  /// the facets that resisted when they were looked at, 4 * tet + facet.
+  std::vector<std::int32_t> flip_all(const std::vector<std::uint8_t>& roles, const Run& run);
+  /// Returns whether the facet is locally Delaunay now or gone.
+  bool flip(std::int32_t facet, std::vector<std::int32_t>& stack);
+  [[nodiscard]] int facet_opposite(std::int32_t tet, std::int32_t vertex) const;
+  [[nodiscard]] bool positive_with(std::int32_t tet, int corner, std::int32_t vertex) const;
+  void join(std::int32_t facet, std::int32_t other);
+  void flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack);
+  bool flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b, std::vector<std::int32_t>& stack);
+  bool flip_4_4(std::int32_t facet, std::int32_t s, std::vector<std::int32_t>& stack);
+
   bool insert_one(std::int32_t vertex);
   [[nodiscard]] std::int32_t locate(const Vec3& p) const;
   [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;

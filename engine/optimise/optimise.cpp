@@ -1,16 +1,23 @@
 #include "engine/optimise/optimise.h"
 
 #include <algorithm>
+#include <string>
 
+#include "engine/nodes/dump.h"
 #include "engine/optimise/active_samples.h"
+#include "engine/optimise/live_mesh.h"
 #include "engine/optimise/pull.h"
 #include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
-#include "engine/optimise/triangulator.h"
 
 namespace remeshd {
 
 namespace {
+
+/// `07-optimise-04`.
+std::string dump_name(std::uint32_t iteration) {
+  return (iteration < 10 ? "07-optimise-0" : "07-optimise-") + std::to_string(iteration);
+}
 
 std::uint32_t count_free(const NodeSet& nodes) {
   return static_cast<std::uint32_t>(std::count(nodes.free.begin(), nodes.free.end(), 1));
@@ -83,7 +90,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   const bool all_free = count_free(nodes) == static_cast<std::uint32_t>(nodes.size());
   ActiveSamples active =
       all_free ? ActiveSamples(samples) : ActiveSamples(samples, nodes, options.edge_length);
-  Triangulator triangulator(nodes, std::move(start.mesh), std::move(start.holds), run);
+  LiveMesh live(nodes, std::move(start.mesh), start.holds, run);
   Frozen frozen;
   const auto pull_now = [&] {
     active.promote(
@@ -96,9 +103,10 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     run.report("optimise", 0.15 + 0.6 * (k - 1) / last, static_cast<int>(k));
     const std::vector<Vec3> before = nodes.positions;
     pull_now();
-    triangulator.update(nodes);
+    live.follow(nodes);
     result.free_per_iteration.push_back(count_free(nodes) + frozen.count());
-    const std::vector<Tet> tets = tets_of(triangulator.complete(nodes));
+    const std::vector<Tet> tets = live.tets();
+    dump_nodes(run, dump_name(k), nodes, tets);
     const double now = relocate(nodes, tets, membership);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, tets, membership))
@@ -109,11 +117,10 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   }
   frozen.thaw_boundary(nodes);
   pull_now();
-  triangulator.update(nodes);
-  result.mesh = triangulator.complete(nodes);
+  live.follow(nodes);
   result.nodes_recovered =
-      recover_edges(nodes, boundary, result.mesh, [&] { return triangulator.complete(nodes); },
-                    {.edge_length = options.edge_length});
+      recover_edges(nodes, boundary, live, {.edge_length = options.edge_length});
+  result.mesh = live.mesh();
   frozen.thaw_all(nodes);
   result.samples_active = active.active_count();
   return result;

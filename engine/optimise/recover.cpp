@@ -107,12 +107,11 @@ std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const kernel::D
 
 }  // namespace
 
-int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, kernel::Delaunay& mesh,
-                  const std::function<kernel::Delaunay()>& triangulate,
+int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options) {
   int inserted = 0;
   for (int round = 0; round < options.rounds; ++round) {
-    const std::vector<Link> links = links_between_edge_nodes(nodes, mesh);
+    const std::vector<Link> links = links_between_edge_nodes(nodes, live.mesh());
     const std::vector<std::vector<OnEdge>> chain = chains(nodes, boundary);
     const int before = inserted;
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
@@ -138,7 +137,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, kernel::Delauna
       }
     }
     if (inserted == before) break;
-    mesh = triangulate();
+    live.follow(nodes);
   }
   return inserted;
 }

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "engine/cellular/support.h"
-#include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
+#include "engine/optimise/live_mesh.h"
 
 namespace remeshd {
 
@@ -19,10 +18,8 @@ struct RecoverOptions {
 /// is inserted into it. Near a model vertex the insertion keeps to shells of radius l / 2^k round
 /// it, so that edges meeting at a sharp angle do not split each other for ever (Ruppert 1995).
 ///
-/// `triangulate` gives the Delaunay mesh of the nodes; `mesh` is the present one and is replaced.
 /// Returns the number of nodes inserted.
-int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, kernel::Delaunay& mesh,
-                  const std::function<kernel::Delaunay()>& triangulate,
+int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options);
 
 }  // namespace remeshd

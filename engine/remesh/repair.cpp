@@ -1,8 +1,5 @@
 #include "engine/remesh/repair.h"
 
-#include <numeric>
-
-#include "engine/kernel/delaunay.h"
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/recover.h"
 
@@ -39,16 +36,10 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification, const
 
 kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
                                   const Run& run) {
-  const auto triangulate = [&] {
-    kernel::Delaunay mesh(boundary.bounds);
-    std::vector<std::int32_t> all(nodes.positions.size());
-    std::iota(all.begin(), all.end(), 0);
-    mesh.insert(nodes.positions, all, run);
-    return mesh;
-  };
-  kernel::Delaunay mesh = triangulate();
-  recover_edges(nodes, boundary, mesh, triangulate, {.edge_length = edge_length});
-  return mesh;
+  LiveMesh live(nodes, kernel::Delaunay(boundary.bounds),
+                std::vector<std::uint8_t>(nodes.positions.size(), 0), run);
+  recover_edges(nodes, boundary, live, {.edge_length = edge_length});
+  return live.mesh();
 }
 
 }  // namespace remeshd

@@ -9,8 +9,8 @@
 #include "engine/nodes/active_faces.h"
 #include "engine/nodes/copy_nodes.h"
 #include "engine/nodes/density.h"
+#include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
-#include "engine/optimise/triangulator.h"
 #include "engine/remesh/master.h"
 
 namespace remeshd {
@@ -104,6 +104,7 @@ NodeSet initial_nodes(const Revision* original, const PointSource& source, const
       run);
   for (const Vec3& p : added) nodes.add_new(p);
   if (original) free_at_active_faces(nodes, source, density.edge_length, run);
+  dump_nodes(run, "05-nodes", nodes);
   return nodes;
 }
 
@@ -135,8 +136,9 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   run.report("extract", 0.8);
-  c.delaunay = peel(c.nodes, tets_of(c.loop.mesh), cells.boundary, source.modified(), {}, run);
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, source.modified(), {}, run);
   drop_unused(c.nodes, c.delaunay, c.loop.mesh, run);
+  dump_nodes(run, "08-peel", c.nodes, c.delaunay);
 
   CarriedMesh carried;
   if (original && options.clean_up) {

@@ -1,0 +1,271 @@
+// Moving nodes: Delaunay again by bistellar flips, and by taking out and putting in what flips
+// cannot mend.
+#include <algorithm>
+#include <cassert>
+
+#include "engine/kernel/delaunay.h"
+#include "engine/kernel/predicates.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd::kernel {
+
+namespace {
+
+enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kStuck = 3 };
+
+/// Share of the moved nodes that may have to be held back before flips do not pay any more.
+constexpr double kManyHeld = 0.06;
+constexpr int kPollEvery = 4096;
+
+}  // namespace
+
+bool Delaunay::move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                    const Run& run) {
+  std::vector<std::uint8_t> roles(points_.size(), kStill);
+  std::vector<Vec3> old(points_.size());
+  std::vector<std::int32_t> moved;
+  for (const std::int32_t n : nodes) {
+    if (points_[n + kFar] == positions[n]) continue;
+    moved.push_back(n);
+    roles[n + kFar] = kMoved;
+    old[n + kFar] = points_[n + kFar];
+    points_[n + kFar] = positions[n];
+  }
+  if (moved.empty()) return true;
+  std::vector<std::int32_t> again;
+  if (hold_back(roles, old) > kManyHeld * static_cast<double>(moved.size())) {
+    for (const std::int32_t n : moved) points_[n + kFar] = old[n + kFar];
+    again = std::move(moved);
+  } else {
+    const std::vector<std::int32_t> unmended = flip_all(roles, run);
+    for (const std::int32_t n : moved)
+      if (roles[n + kFar] == kHeld) again.push_back(n);
+    // What flips could not mend: the corners of a facet that is not Delaunay come out too.
+    for (const std::int32_t facet : unmended) {
+      const Slot& s = slots_[facet >> 2];
+      const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];
+      if (across < 0 || !conflicts(facet >> 2, points_[slots_[across >> 2].v[across & 3]]))
+        continue;
+      for (const int c : kTetFacets[facet & 3]) {
+        const std::int32_t v = s.v[c];
+        if (v < kFar || roles[v] == kHeld || roles[v] == kStuck) continue;
+        roles[v] = kStuck;
+        again.push_back(v - kFar);
+      }
+    }
+  }
+  if (again.empty()) return true;
+  std::vector<Vec3> places(points_.size() - kFar);
+  for (const std::int32_t n : again)
+    places[n] = roles[n + kFar] == kStuck ? points_[n + kFar] : positions[n];
+  if (!remove(again, run)) return false;
+  insert(places, again, run);
+  return true;
+}
+
+std::size_t Delaunay::hold_back(std::vector<std::uint8_t>& roles, const std::vector<Vec3>& old) {
+  std::size_t held = 0;
+  std::vector<std::uint8_t> fresh(points_.size(), 1);  // put back in the last sweep
+  for (bool first = true, again = true; again; first = false) {
+    again = false;
+    std::vector<std::int32_t> back;
+    for (const Slot& s : slots_) {
+      if (s.v[0] == kDead) continue;
+      const auto any = [&](auto&& f) { return f(s.v[0]) || f(s.v[1]) || f(s.v[2]) || f(s.v[3]); };
+      if (!any([&](std::int32_t v) { return roles[v] == kMoved; })) continue;
+      if (!first && !any([&](std::int32_t v) { return fresh[v] != 0; })) continue;
+      if (orientation(points_[s.v[0]], points_[s.v[1]], points_[s.v[2]], points_[s.v[3]]) > 0)
+        continue;
+      for (const std::int32_t v : s.v)
+        if (roles[v] == kMoved) back.push_back(v);
+    }
+    fresh.assign(points_.size(), 0);
+    for (const std::int32_t v : back) {
+      if (roles[v] == kHeld) continue;
+      roles[v] = kHeld;
+      fresh[v] = 1;
+      points_[v] = old[v];
+      ++held;
+      again = true;
+    }
+  }
+  return held;
+}
+
+std::vector<std::int32_t> Delaunay::flip_all(const std::vector<std::uint8_t>& roles,
+                                             const Run& run) {
+  std::vector<std::int32_t> stack, unmended;
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const Slot& s = slots_[t];
+    if (s.v[0] == kDead) continue;
+    const bool moved = roles[s.v[0]] == kMoved || roles[s.v[1]] == kMoved ||
+                       roles[s.v[2]] == kMoved || roles[s.v[3]] == kMoved;
+    if (!moved) continue;
+    for (int i = 0; i < 4; ++i)
+      if (s.n[i] >= 0) stack.push_back(static_cast<std::int32_t>(4 * t + i));
+  }
+  int count = 0;
+  // Every flip lowers the lifted surface, so that this ends.
+  while (!stack.empty()) {
+    if (++count % kPollEvery == 0) run.poll();
+    const std::int32_t facet = stack.back();
+    stack.pop_back();
+    if (!flip(facet, stack)) unmended.push_back(facet);
+  }
+  return unmended;
+}
+
+bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
+  const std::int32_t t = facet >> 2;
+  const int i = facet & 3;
+  const Slot& s = slots_[t];
+  if (s.v[0] == kDead || s.n[i] < 0) return true;
+  const std::int32_t q = slots_[s.n[i] >> 2].v[s.n[i] & 3];
+  if (!conflicts(t, points_[q])) return true;
+  int flat = -1, reflex = -1, bad = 0;
+  for (const int c : kTetFacets[i]) {
+    Vec3 corner[4] = {points_[s.v[0]], points_[s.v[1]], points_[s.v[2]], points_[s.v[3]]};
+    corner[c] = points_[q];
+    const int side = orientation(corner[0], corner[1], corner[2], corner[3]);
+    if (side > 0) continue;
+    ++bad;
+    (side == 0 ? flat : reflex) = c;
+  }
+  if (bad > 1) return false;
+  if (bad == 0) {
+    flip_2_3(facet, stack);
+    return true;
+  }
+  // The edge that the new one would pass: the facet's without corner c.
+  const int c = flat >= 0 ? flat : reflex;
+  std::int32_t edge[2];
+  int k = 0;
+  for (const int other : kTetFacets[i])
+    if (other != c) edge[k++] = s.v[other];
+  return flip_3_2(t, edge[0], edge[1], stack) || (flat >= 0 && flip_4_4(facet, s.v[c], stack));
+}
+
+int Delaunay::facet_opposite(std::int32_t tet, std::int32_t vertex) const {
+  const auto& v = slots_[tet].v;
+  for (int i = 0; i < 4; ++i)
+    if (v[i] == vertex) return i;
+  return -1;
+}
+
+bool Delaunay::positive_with(std::int32_t tet, int corner, std::int32_t vertex) const {
+  auto v = slots_[tet].v;
+  v[corner] = vertex;
+  return orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0;
+}
+
+void Delaunay::join(std::int32_t facet, std::int32_t other) {
+  slots_[facet >> 2].n[facet & 3] = other;
+  if (other >= 0) slots_[other >> 2].n[other & 3] = facet;
+}
+
+void Delaunay::flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack) {
+  const std::int32_t t = facet >> 2, u = slots_[t].n[facet & 3] >> 2;
+  const int ip = facet & 3;
+  const Slot old_t = slots_[t], old_u = slots_[u];
+  const std::int32_t q = old_u.v[old_t.n[ip] & 3];
+  // One new tet for each corner of the facet: t with that corner replaced by q.
+  std::array<std::int32_t, 4> made{};
+  int count = 0;
+  for (const int c : kTetFacets[ip])
+    made[c] = count == 0 ? t : count == 1 ? u : allocate(), ++count;
+  for (const int c : kTetFacets[ip]) {
+    Slot& s = slots_[made[c]];
+    s.v = old_t.v;
+    s.v[c] = q;
+    seen_[made[c]] = 0;
+  }
+  for (const int c : kTetFacets[ip]) {
+    int in_u = 0;
+    while (old_u.v[in_u] != old_t.v[c]) ++in_u;
+    join(4 * made[c] + c, old_t.n[c]);
+    join(4 * made[c] + ip, old_u.n[in_u]);
+    for (const int r : kTetFacets[ip])
+      if (r != c) slots_[made[c]].n[r] = 4 * made[r] + c;
+    stack.push_back(4 * made[c] + c);
+    stack.push_back(4 * made[c] + ip);
+  }
+  hint_ = t;
+}
+
+bool Delaunay::flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b,
+                        std::vector<std::int32_t>& stack) {
+  const Slot t1 = slots_[tet];
+  const int ia = facet_opposite(tet, a), ib = facet_opposite(tet, b);
+  int ic = 0;
+  while (ic == ia || ic == ib) ++ic;
+  const int id = 6 - ia - ib - ic;
+  if (t1.n[ic] < 0 || t1.n[id] < 0) return false;
+  const std::int32_t t2 = t1.n[ic] >> 2, t3 = t1.n[id] >> 2;  // beyond (a, b, d) and (a, b, c)
+  const Slot s2 = slots_[t2], s3 = slots_[t3];
+  const std::int32_t e = s2.v[t1.n[ic] & 3];
+  if (e != s3.v[t1.n[id] & 3]) return false;
+  const int d_in_2 = facet_opposite(t2, t1.v[id]);
+  if (s2.n[d_in_2] >> 2 != t3) return false;  // not the same tet round the edge
+  if (!positive_with(tet, ib, e) || !positive_with(tet, ia, e)) return false;
+  const auto across = [](const Slot& s, std::int32_t v) {
+    int i = 0;
+    while (s.v[i] != v) ++i;
+    return s.n[i];
+  };
+  // N_a keeps a, in the slot of t1; N_b keeps b, in that of t2.
+  const std::array<std::int32_t, 3> out_a{across(t1, b), across(s2, b), across(s3, b)};
+  const std::array<std::int32_t, 3> out_b{across(t1, a), across(s2, a), across(s3, a)};
+  slots_[tet].v = t1.v;
+  slots_[tet].v[ib] = e;
+  slots_[t2].v = t1.v;
+  slots_[t2].v[ia] = e;
+  slots_[t3].v[0] = kDead;
+  free_.push_back(t3);
+  // N_a: e stands in b's place; its facets opposite e, c, d come from t1, t2, t3.
+  join(4 * tet + ib, out_a[0]);
+  join(4 * tet + ic, out_a[1]);
+  join(4 * tet + id, out_a[2]);
+  join(4 * t2 + ia, out_b[0]);
+  join(4 * t2 + ic, out_b[1]);
+  join(4 * t2 + id, out_b[2]);
+  slots_[tet].n[ia] = 4 * t2 + ib;
+  slots_[t2].n[ib] = 4 * tet + ia;
+  for (int k = 0; k < 4; ++k) {
+    if (k != ia) stack.push_back(4 * tet + k);
+    if (k != ib) stack.push_back(4 * t2 + k);
+  }
+  hint_ = tet;
+  return true;
+}
+
+bool Delaunay::flip_4_4(std::int32_t facet, std::int32_t s, std::vector<std::int32_t>& stack) {
+  // t = (p, x, y, s) and u = (q, x, y, s) with p, q, x, y in one plane: the edge xy gives way to
+  // pq, also on the other side of the plane, where two tets with a common corner w have to stand.
+  const std::int32_t t = facet >> 2, u = slots_[t].n[facet & 3] >> 2;
+  const std::int32_t beyond_t = slots_[t].n[facet_opposite(t, s)];
+  const std::int32_t beyond_u = slots_[u].n[facet_opposite(u, s)];
+  if (beyond_t < 0 || beyond_u < 0) return false;
+  const std::int32_t t2 = beyond_t >> 2, u2 = beyond_u >> 2;
+  const std::int32_t w = slots_[t2].v[beyond_t & 3];
+  if (w != slots_[u2].v[beyond_u & 3] || t2 == u2) return false;
+  const std::int32_t p = slots_[t].v[facet & 3];
+  const std::int32_t q = slots_[u].v[slots_[t].n[facet & 3] & 3];
+  std::int32_t x = -1, y = -1;
+  for (const int c : kTetFacets[facet & 3])
+    if (const std::int32_t v = slots_[t].v[c]; v != s) (x < 0 ? x : y) = v;
+  const int p_in_2 = facet_opposite(t2, p);
+  if (p_in_2 < 0 || slots_[t2].n[p_in_2] < 0 || slots_[t2].n[p_in_2] >> 2 != u2) return false;
+  // All four tets of the result have to be positive.
+  const auto turned = [&](std::int32_t tet, std::int32_t from, std::int32_t to) {
+    return positive_with(tet, facet_opposite(tet, from), to);
+  };
+  if (!turned(t, x, q) || !turned(t, y, q) || !turned(t2, x, q) || !turned(t2, y, q)) return false;
+  flip_2_3(facet, stack);
+  // Among the three there is the flat tet (p, q, x, y) now, the third at the edge xy beside t2 and
+  // u2.
+  const bool done = flip_3_2(t2, x, y, stack);
+  assert(done);
+  return done;
+}
+
+}  // namespace remeshd::kernel
