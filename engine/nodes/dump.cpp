@@ -1,0 +1,64 @@
+#include "engine/nodes/dump.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "engine/base/error.h"
+
+namespace remeshd {
+
+namespace {
+
+/// One DataArray; `value(i)` is what is written for element i.
+template <class Value>
+void array(std::ostream& out, const char* type, const char* name, int components, std::size_t count,
+           const Value& value) {
+  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+      << components << "\" format=\"ascii\">\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    value(i);
+    out << '\n';
+  }
+  out << "</DataArray>\n";
+}
+
+}  // namespace
+
+void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
+                std::span<const Tet> tets) {
+  if (run.dumps.empty()) return;
+  std::filesystem::create_directories(run.dumps);
+  std::ofstream out(run.dumps / (std::string(name) + ".vtu"));
+  out.precision(17);
+  const std::size_t count = nodes.positions.size();
+  const bool points = tets.empty();
+  const std::size_t cells = points ? count : tets.size();
+  out << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">\n<UnstructuredGrid>\n"
+      << "<Piece NumberOfPoints=\"" << count << "\" NumberOfCells=\"" << cells << "\">\n"
+      << "<PointData>\n";
+  array(out, "Int32", "new", 1, count, [&](std::size_t n) { out << (nodes.original[n] < 0); });
+  array(out, "Int32", "free", 1, count, [&](std::size_t n) { out << int{nodes.free[n]}; });
+  array(out, "Int32", "boundary", 1, count,
+        [&](std::size_t n) { out << (nodes.supports[n].kind != Support::Kind::Interior); });
+  out << "</PointData>\n<Points>\n";
+  array(out, "Float64", "Points", 3, count, [&](std::size_t n) {
+    const Vec3& p = nodes.positions[n];
+    out << p.x << ' ' << p.y << ' ' << p.z;
+  });
+  out << "</Points>\n<Cells>\n";
+  array(out, "Int64", "connectivity", 1, cells, [&](std::size_t i) {
+    if (points)
+      out << i;
+    else
+      out << tets[i][0] << ' ' << tets[i][1] << ' ' << tets[i][2] << ' ' << tets[i][3];
+  });
+  array(out, "Int64", "offsets", 1, cells,
+        [&](std::size_t i) { out << (points ? 1 : 4) * (i + 1); });
+  array(out, "UInt8", "types", 1, cells, [&](std::size_t) { out << (points ? 1 : 10); });
+  out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  out.close();
+  if (!out) throw error::internal("dump", "a dump could not be written to " + run.dumps.string());
+}
+
+}  // namespace remeshd
