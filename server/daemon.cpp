@@ -43,7 +43,8 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .queue = options.queue,
           .wait = options.queue_wait,
           .memory = options.memory,
-          .max_nodes = options.max_nodes};
+          .max_nodes = options.max_nodes,
+          .dumps = options.dumps};
 }
 
 std::unique_ptr<Store> open_store(const DaemonOptions& options) {

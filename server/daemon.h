@@ -28,6 +28,7 @@ struct DaemonOptions {
   double queue_wait = 60;               ///< s that one may wait
   std::uint64_t memory = 1ULL << 30;    ///< bytes of revisions held in memory
   std::uint32_t max_nodes = 5000000;    ///< that may be asked for
+  std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;  ///< null: no log
 };
 

@@ -87,6 +87,8 @@ int main(int argc, char** argv) {
   app.add_option("--max-nodes", options.max_nodes, "most nodes that a request may ask for")
       ->capture_default_str()
       ->check(CLI::Range(20, 5000000));
+  app.add_option("--dumps", options.dumps,
+                 "folder in which every computation leaves its stages, for debugging");
   app.add_option("--log-level", level, "trace, debug, info, warning, error, off")
       ->capture_default_str()
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));

@@ -264,7 +264,7 @@ void Maker::compute(const ComputationPtr& computation) {
                           request->listener.progress(progress);
                     },
                 .threads = prepared.threads,
-                .dumps = {}};
+                .dumps = limits_.dumps.empty() ? limits_.dumps : limits_.dumps / prepared.id};
   guarded(
       [&] {
         run.poll();

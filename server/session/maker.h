@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -33,6 +34,9 @@ class Maker {
   struct Limits {
     int threads = 1;                    ///< at most, for one computation
     std::uint32_t max_nodes = 5000000;  ///< that may be asked for
+    /// Folder in which a computation leaves its stages, in one of its own by its revision's id;
+    /// empty: none.
+    std::filesystem::path dumps;
   };
 
   /// Everything referred to must outlive the maker.

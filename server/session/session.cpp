@@ -25,7 +25,8 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
       quick_({.workers = kQuickThreads, .queue = kQuickQueue, .wait = limits_.wait}),
       workers_({.workers = limits_.workers, .queue = limits_.queue, .wait = limits_.wait}),
       maker_(engine_, archive_, quick_, workers_,
-             {.threads = limits_.threads, .max_nodes = limits_.max_nodes}) {}
+             {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
+}
 
 Session::~Session() { stop(); }
 

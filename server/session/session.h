@@ -1,6 +1,6 @@
 #pragma once
 
-#include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -23,6 +23,7 @@ struct SessionLimits {
   double wait = 60;                   ///< s that one may wait
   std::uint64_t memory = 1ULL << 30;  ///< bytes of revisions held
   std::uint32_t max_nodes = 5000000;  ///< that may be asked for
+  std::filesystem::path dumps;        ///< as Maker::Limits
 };
 
 /// A revision with all that is known of it.

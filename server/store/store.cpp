@@ -182,8 +182,14 @@ void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
   }
   catalogue_->apply(transaction, size, mark);
   if (!persistent()) return;
-  for (const std::string& object : objects)
-    if (!object.empty() && !catalogue_->has_object(object)) objects_->remove(object);
+  for (const std::string& object : objects) {
+    if (object.empty() || catalogue_->has_object(object)) continue;
+    try {
+      objects_->remove(object);
+    } catch (const Error&) {
+      // The transaction has happened all the same; the next opening drops the orphan.
+    }
+  }
 }
 
 }  // namespace remeshd

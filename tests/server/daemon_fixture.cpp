@@ -53,7 +53,7 @@ DaemonTest::~DaemonTest() {
 
 void DaemonTest::start() {
   stop();
-  daemon_ = std::make_unique<Daemon>(options_, engine_.engine());
+  daemon_ = std::make_unique<Daemon>(options_, make_engine());
   // A channel of its own: channels of one process to one address share their connection.
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);

@@ -35,6 +35,8 @@ class DaemonTest : public testing::Test {
   }
   ~DaemonTest() override;
 
+  /// The engine to start with.
+  [[nodiscard]] virtual Engine make_engine() const { return engine_.engine(); }
   /// Starts with `options_`, or starts anew.
   void start();
   void stop();

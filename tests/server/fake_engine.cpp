@@ -133,6 +133,7 @@ struct FakeEngine::State {
   std::condition_variable changed;
   bool open = true;
   int started = 0, at_gate = 0, made = 0, stopped = 0, loaded = 0, threads = 0;
+  std::filesystem::path dumps;
 
   template <typename Count>
   void count(Count&& change) {
@@ -157,6 +158,7 @@ struct FakeEngine::State {
     count([&] {
       ++started;
       threads = run.threads;
+      dumps = run.dumps;
     });
     Revision r;
     r.source = source;
@@ -291,6 +293,10 @@ int FakeEngine::loaded() const {
 int FakeEngine::threads() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->threads;
+}
+std::filesystem::path FakeEngine::dumps() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->dumps;
 }
 
 }  // namespace remeshd::test

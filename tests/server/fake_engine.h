@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -33,6 +34,8 @@ class FakeEngine {
   [[nodiscard]] int loaded() const;
   /// The threads that the last computation was given.
   [[nodiscard]] int threads() const;
+  /// The folder for dumps that the last computation was given.
+  [[nodiscard]] std::filesystem::path dumps() const;
 
  private:
   struct State;

@@ -96,6 +96,15 @@ TEST_F(Revisions, ThreadsAreThoseAskedForUpToTheLimit) {
   EXPECT_EQ(engine_.threads(), 3);
 }
 
+TEST_F(Revisions, DumpsGoToAFolderOfTheirRevisionWhereTheyAreWanted) {
+  create(plate());
+  EXPECT_EQ(engine_.dumps(), "");
+  options_.dumps = "/somewhere";
+  start();
+  const std::string id = create(plate()).revision().id();
+  EXPECT_EQ(engine_.dumps(), std::filesystem::path("/somewhere") / id);
+}
+
 TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   auto request = create_request(plate());
   request.mutable_options()->set_iterations(5);

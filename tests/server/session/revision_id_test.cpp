@@ -1,0 +1,90 @@
+#include "server/session/revision_id.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+namespace remeshd {
+namespace {
+
+ModelSource model() {
+  FeatureSource plate{.id = "plate", .nature = Nature::Additive, .type = "prism"};
+  plate.parameters = {{"height", 4.0}};
+  plate.profile = {{.x = 0.0, .y = 0.0, .through = {}}, {.x = 1.0, .y = 0.0, .through = {}}};
+  FeatureSource hole{.id = "hole", .nature = Nature::Subtractive, .type = "cylinder"};
+  hole.parameters = {{"radius", "r"}, {"height", 4.0}};
+  return {.name = "m", .unit = "mm", .parameters = {{"r", 4.0}}, .features = {plate, hole}};
+}
+
+TEST(RevisionId, IsSixtyFourHexadecimalDigitsAndTheSameEverywhere) {
+  // Ids are stored and shared: a change here orphans every store, and takes a new algorithm
+  // version.
+  EXPECT_EQ(revision_id(model(), {.nodes = 100}, "", 1),
+            revision_id(model(), {.nodes = 100}, "", 1));
+  EXPECT_EQ(revision_id({}, {}, "", 1).find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_EQ(revision_id({}, {}, "", 1).size(), 64U);
+}
+
+TEST(RevisionId, DiffersWithEverythingThatADocumentSays) {
+  const std::vector<std::function<void(ModelSource&)>> changes{
+      [](ModelSource&) {},
+      [](ModelSource& m) { m.name = "n"; },
+      [](ModelSource& m) { m.unit = "cm"; },
+      [](ModelSource& m) { m.parameters["r"] = 5.0; },
+      [](ModelSource& m) { m.parameters["r"] = "4"; },
+      [](ModelSource& m) { m.parameters["s"] = 4.0; },
+      [](ModelSource& m) { std::swap(m.features[0], m.features[1]); },
+      [](ModelSource& m) { m.features[1].id = "bore"; },
+      [](ModelSource& m) { m.features[1].nature = Nature::Additive; },
+      [](ModelSource& m) { m.features[1].type = "cone"; },
+      [](ModelSource& m) { m.features[1].parameters["radius"] = 4.0; },
+      [](ModelSource& m) { m.features[1].parameters["height"] = -0.0; },
+      [](ModelSource& m) { m.features[1].parameters["height"] = 0.0; },
+      [](ModelSource& m) { m.features[0].profile.reset(); },
+      [](ModelSource& m) { (*m.features[0].profile)[1].x = 2.0; },
+      [](ModelSource& m) {
+        (*m.features[0].profile)[1].through = {{0.5, 1.0}};
+      },
+      [](ModelSource& m) { m.features[1].placement.origin[2] = 1.0; },
+      [](ModelSource& m) {
+        m.features[1].placement.z_axis = {{0.0, 0.0, 1.0}};
+      },
+      [](ModelSource& m) {
+        m.features[1].placement.x_axis = {{0.0, 0.0, 1.0}};
+      },
+      [](ModelSource& m) { m.features[1].reference = ReferenceKind::Centre; },
+      [](ModelSource& m) {
+        m.features[1].reference = std::array<Scalar, 3>{0.0, 0.0, 0.0};
+      },
+      [](ModelSource& m) { m.features.pop_back(); }};
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    ModelSource changed = model();
+    changes[i](changed);
+    EXPECT_TRUE(ids.insert(revision_id(changed, {}, "", 1)).second) << "change " << i;
+  }
+}
+
+TEST(RevisionId, DiffersWithOptionsParentAndAlgorithm) {
+  std::set<std::string> ids;
+  for (const MeshOptions& options :
+       {MeshOptions{}, MeshOptions{.nodes = 100}, MeshOptions{.nodes = 101},
+        MeshOptions{.size = 100}, MeshOptions{.nodes = 100, .iterations = 5},
+        MeshOptions{.nodes = 100, .seed = 2}, MeshOptions{.nodes = 100, .clean_up = false}})
+    EXPECT_TRUE(ids.insert(revision_id(model(), options, "", 1)).second);
+  EXPECT_TRUE(ids.insert(revision_id(model(), {}, std::string(64, 'a'), 1)).second);
+  EXPECT_TRUE(ids.insert(revision_id(model(), {}, "", 2)).second);
+}
+
+TEST(RevisionId, DoesNotMixUpNeighbouringTexts) {
+  ModelSource a = model(), b = model();
+  a.name = "xy";
+  a.unit = "z";
+  b.name = "x";
+  b.unit = "yz";
+  EXPECT_NE(revision_id(a, {}, "", 1), revision_id(b, {}, "", 1));
+}
+
+}  // namespace
+}  // namespace remeshd
