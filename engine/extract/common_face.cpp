@@ -10,6 +10,8 @@ FacesOf::FacesOf(const BoundaryModel& boundary)
       edge_(boundary.edges.size()),
       vertex_(boundary.vertices.size()) {
   std::iota(face_.begin(), face_.end(), 0);
+  for (const BoundaryFace& face : boundary.faces)
+    plane_.push_back(face.surface.kind == Surface::Kind::Plane);
   for (std::size_t e = 0; e < edge_.size(); ++e) edge_[e] = boundary.edges[e].faces;
   for (std::size_t v = 0; v < vertex_.size(); ++v) {
     for (const int e : boundary.vertices[v].edges)
@@ -34,14 +36,17 @@ std::span<const int> FacesOf::operator()(const Support& support) const {
 }
 
 int FacesOf::common(std::span<const Support> supports) const {
+  int first = -1;
   for (const int face : (*this)(supports[0])) {
     const bool shared = std::all_of(supports.begin() + 1, supports.end(), [&](const Support& s) {
       const auto faces = (*this)(s);
       return std::binary_search(faces.begin(), faces.end(), face);
     });
-    if (shared) return face;
+    if (!shared) continue;
+    if (plane_[face]) return face;
+    if (first < 0) first = face;
   }
-  return -1;
+  return first;
 }
 
 }  // namespace remeshd

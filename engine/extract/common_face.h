@@ -17,12 +17,13 @@ class FacesOf {
   /// the interior.
   [[nodiscard]] std::span<const int> operator()(const Support& support) const;
 
-  /// The lowest face that all these supports share, -1 if there is none.
+  /// The first plane that all these supports share, else the lowest face, -1 if there is none.
   [[nodiscard]] int common(std::span<const Support> supports) const;
 
  private:
   std::vector<int> face_;  ///< identity, so that a face gives a span too
   std::vector<std::vector<int>> edge_, vertex_;
+  std::vector<std::uint8_t> plane_;  ///< by face: whether it is one
 };
 
 }  // namespace remeshd

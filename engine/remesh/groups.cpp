@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/extract/common_face.h"
+#include "engine/improve/boundary_rules.h"
 #include "engine/mesh/adjacency.h"
 
 namespace remeshd {
@@ -110,7 +110,7 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
                        const FeatureModel& model, const Membership& membership,
                        const BoundaryModel& boundary, const Run& run) {
   MeshGroups groups;
-  const FacesOf faces(boundary);
+  const FacetFaces faces(boundary, supports);
   const FacetNames names(model, membership, boundary);
   Numbering<std::vector<std::string>> facet_groups;
   Numbering<std::vector<int>> cells;
@@ -123,8 +123,7 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
     for (int i = 0; i < 4; ++i) {
       if (neighbours[k][i] >= 0) continue;
       const Triangle f{t[kTetFacets[i][0]], t[kTetFacets[i][1]], t[kTetFacets[i][2]]};
-      const std::array<Support, 3> on{supports[f[0]], supports[f[1]], supports[f[2]]};
-      const int face = faces.common(on);
+      const int face = faces.face_of(f, mesh.nodes);
       std::vector<std::string> group;
       if (face >= 0)
         group = names(face, (mesh.nodes[f[0]] + mesh.nodes[f[1]] + mesh.nodes[f[2]]) / 3.0);

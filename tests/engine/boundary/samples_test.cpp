@@ -1,0 +1,94 @@
+#include "engine/boundary/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "engine/cellular/cellular_model.h"
+#include "engine/nodes/nearest.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+struct Sampled {
+  FeatureModel model;
+  CellularModel cells;
+  Membership membership;
+  Samples samples;
+};
+
+Sampled sample(const std::string& name, double edge_length, std::uint64_t seed = 1) {
+  FeatureModel model = test::case_features(name);
+  CellularModel cells = build_cells(model, kRun);
+  Membership membership(model);
+  Samples samples = sample_boundary(cells.boundary, membership, edge_length, seed, {}, kRun);
+  return {std::move(model), std::move(cells), std::move(membership), std::move(samples)};
+}
+
+TEST(Samples, WeightsAddUpToAreasAndLengths) {
+  const Sampled s = sample("tool2-d", 3);
+  std::map<int, double> area, length;
+  for (const Sample& p : s.samples.points) {
+    if (p.support.kind == Support::Kind::Face) area[p.support.entity] += p.weight;
+    if (p.support.kind == Support::Kind::Edge) length[p.support.entity] += p.weight;
+  }
+  const BoundaryModel& b = s.cells.boundary;
+  ASSERT_EQ(area.size(), b.faces.size());
+  ASSERT_EQ(length.size(), b.edges.size());
+  for (const auto& [f, a] : area) EXPECT_NEAR(a, b.faces[f].area, 1e-9 * b.faces[f].area);
+  for (const auto& [e, l] : length) EXPECT_NEAR(l, b.edges[e].length, 1e-9 * b.edges[e].length);
+}
+
+TEST(Samples, LieOnTheirEntityAndOnTheBoundary) {
+  const Sampled s = sample("tool1-a", 3);
+  for (const Sample& p : s.samples.points) {
+    ASSERT_LT(distance(project(s.cells.boundary, p.support, p.position), p.position), 1e-9);
+    if (p.support.kind != Support::Kind::Face) continue;
+    const BoundaryFace& f = s.cells.boundary.faces[p.support.entity];
+    const Vec3 out = (f.reversed ? -1.0 : 1.0) * normal(f.surface, p.position);
+    ASSERT_TRUE(s.membership.inside(p.position - 1e-6 * out));
+    ASSERT_FALSE(s.membership.inside(p.position + 1e-6 * out));
+  }
+}
+
+TEST(Samples, CoverEveryFaceWithoutHoles) {
+  const double l = 3;
+  const Sampled s = sample("tool3-a", l);
+  std::vector<Vec3> positions;
+  for (const Sample& p : s.samples.points) positions.push_back(p.position);
+  const NearestNode grid(positions, l);
+  for (const BoundaryFace& f : s.cells.boundary.faces)
+    for (const auto& t : f.triangles) {
+      const Vec3 c = project(f.surface, (f.points[t[0]] + f.points[t[1]] + f.points[t[2]]) / 3.0);
+      EXPECT_LT(distance(positions[grid.nearest(c)], c), 0.4 * l);
+    }
+}
+
+TEST(Samples, AboutSevenStandForOneBoundaryNode) {
+  const Sampled s = sample("tool1-a", 2.4);
+  const double per_node = s.samples.edges_begin / (s.cells.area / (0.866 * 2.4 * 2.4));
+  EXPECT_GT(per_node, 5.5);
+  EXPECT_LT(per_node, 8.5);
+}
+
+TEST(Samples, ComeInTheOrderFacesEdgesVertices) {
+  const Sampled s = sample("fig11-a", 4);
+  for (std::size_t k = 0; k < s.samples.points.size(); ++k)
+    EXPECT_EQ(s.samples.points[k].support.kind, k < s.samples.edges_begin ? Support::Kind::Face
+                                                : k < s.samples.vertices_begin
+                                                    ? Support::Kind::Edge
+                                                    : Support::Kind::Vertex);
+}
+
+TEST(Samples, TheSeedDecidesThem) {
+  const Sampled a = sample("simple-a", 5, 1), b = sample("simple-a", 5, 1),
+                c = sample("simple-a", 5, 2);
+  EXPECT_EQ(a.samples.points.front().position, b.samples.points.front().position);
+  EXPECT_NE(a.samples.points.front().position, c.samples.points.front().position);
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,185 @@
+#include "engine/kernel/delaunay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/base/random.h"
+#include "engine/kernel/predicates.h"
+#include "engine/mesh/quality.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd::kernel {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+Box unit_box() {
+  Box box;
+  box.add(Vec3{0, 0, 0});
+  box.add(Vec3{1, 1, 1});
+  return box;
+}
+
+std::vector<std::int32_t> all(std::size_t n) {
+  std::vector<std::int32_t> nodes(n);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return nodes;
+}
+
+std::vector<Vec3> cloud(int n, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points(n);
+  for (Vec3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
+  return points;
+}
+
+Delaunay mesh_of(const std::vector<Vec3>& points) {
+  Delaunay mesh(unit_box());
+  mesh.insert(points, all(points.size()), kRun);
+  return mesh;
+}
+
+std::vector<Tet> sorted_tets(const Delaunay& mesh) {
+  std::vector<Tet> tets;
+  mesh.for_each_tet([&](Tet t) {
+    std::sort(t.begin(), t.end());
+    tets.push_back(t);
+  });
+  std::sort(tets.begin(), tets.end());
+  return tets;
+}
+
+/// Every node outside every circumsphere, every tet positive.
+void expect_delaunay(const Delaunay& mesh, const std::vector<Vec3>& p,
+                     const std::vector<std::int32_t>& nodes) {
+  int count = 0, bad = 0;
+  mesh.for_each_tet([&](const Tet& t) {
+    ++count;
+    ASSERT_GT(orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]), 0);
+    for (const std::int32_t n : nodes)
+      if (std::find(t.begin(), t.end(), n) == t.end())
+        bad += in_sphere(p[t[0]], p[t[1]], p[t[2]], p[t[3]], p[n]) > 0;
+  });
+  EXPECT_GT(count, 0);
+  EXPECT_EQ(bad, 0);
+}
+
+TEST(Delaunay, NoNodeLiesInACircumsphere) {
+  const auto points = cloud(300, 1);
+  expect_delaunay(mesh_of(points), points, all(300));
+}
+
+TEST(Delaunay, TheMeshOfACubesCornersFillsTheCube) {
+  std::vector<Vec3> points;  // eight cospherical nodes, and coplanar ones on every side
+  for (int k = 0; k < 27; ++k) points.push_back({0.5 * (k % 3), 0.5 * (k / 3 % 3), 0.5 * (k / 9)});
+  double volume = 0;
+  mesh_of(points).for_each_tet([&](const Tet& t) {
+    volume += tet_volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+  });
+  EXPECT_NEAR(volume, 1, 1e-12);
+}
+
+TEST(Delaunay, TheOrderOfInsertionDoesNotMatter) {
+  const auto points = cloud(400, 2);
+  auto backwards = all(400);
+  std::reverse(backwards.begin(), backwards.end());
+  Delaunay mesh(unit_box());
+  mesh.insert(points, {backwards.data(), 150}, kRun);
+  mesh.insert(points, {backwards.data() + 150, 250}, kRun);
+  EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
+}
+
+TEST(Delaunay, ANodeAtTheVeryPlaceOfAnotherStaysOut) {
+  auto points = cloud(50, 3);
+  points.push_back(points[17]);
+  EXPECT_EQ(sorted_tets(mesh_of(points)), sorted_tets(mesh_of({points.begin(), points.end() - 1})));
+}
+
+TEST(Delaunay, TakingNodesOutGivesTheMeshOfTheOthers) {
+  const auto points = cloud(500, 4);
+  for (const std::size_t count : {1U, 30U, 250U, 499U}) {
+    Delaunay mesh = mesh_of(points);
+    std::vector<std::int32_t> out;
+    for (std::size_t k = 0; k < count; ++k) out.push_back(static_cast<std::int32_t>((k * 7) % 500));
+    ASSERT_TRUE(mesh.remove(out, kRun));
+    std::vector<std::int32_t> rest;
+    for (const std::int32_t n : all(500))
+      if (std::find(out.begin(), out.end(), n) == out.end()) rest.push_back(n);
+    Delaunay expected(unit_box());
+    expected.insert(points, rest, kRun);
+    EXPECT_EQ(sorted_tets(mesh), sorted_tets(expected)) << count << " nodes taken out";
+  }
+}
+
+TEST(Delaunay, NodesTakenOutCanBePutInAgain) {
+  const auto points = cloud(400, 5);
+  Delaunay mesh = mesh_of(points);
+  const std::vector<std::int32_t> some{3, 5, 100, 101, 102, 399};
+  ASSERT_TRUE(mesh.remove(some, kRun));
+  mesh.insert(points, some, kRun);
+  EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
+}
+
+TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
+  for (const double step : {1e-6, 1e-3, 1e-2, 5e-2, 0.5}) {
+    auto points = cloud(600, 6);
+    Delaunay mesh = mesh_of(points);
+    Random random(11);
+    for (int round = 0; round < 3; ++round) {
+      for (std::size_t k = 0; k < points.size(); k += 2)
+        for (double* v : {&points[k].x, &points[k].y, &points[k].z})
+          *v = std::clamp(*v + step * random.uniform(-1, 1), 0.0, 1.0);
+      ASSERT_TRUE(mesh.move(points, all(600), kRun));
+      ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points))) << "steps of " << step;
+    }
+  }
+}
+
+TEST(Delaunay, NodesSlidingInAPlaneAreFlippedThere) {
+  // A layer of coplanar nodes between two others: moves in the plane need 4-4 flips.
+  Random random(12);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 300; ++k)
+    points.push_back({random.uniform(), random.uniform(),
+                      k % 3 == 0   ? 0.5
+                      : k % 3 == 1 ? random.uniform(0, 0.4)
+                                   : random.uniform(0.6, 1)});
+  Delaunay mesh = mesh_of(points);
+  for (int round = 0; round < 5; ++round) {
+    for (std::size_t k = 0; k < points.size(); k += 3) {
+      points[k].x = std::clamp(points[k].x + 0.01 * random.uniform(-1, 1), 0.0, 1.0);
+      points[k].y = std::clamp(points[k].y + 0.01 * random.uniform(-1, 1), 0.0, 1.0);
+    }
+    ASSERT_TRUE(mesh.move(points, all(300), kRun));
+    ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
+  }
+}
+
+TEST(Delaunay, RenamedNodesKeepTheirPlaces) {
+  const auto points = cloud(100, 8);
+  Delaunay mesh = mesh_of(points);
+  std::vector<std::int32_t> names(100);
+  for (int k = 0; k < 100; ++k) names[k] = 149 - k;
+  mesh.rename(names, 150);
+  std::vector<Vec3> renamed(150);
+  for (int k = 0; k < 100; ++k) renamed[149 - k] = points[k];
+  std::vector<std::int32_t> inserted(100);
+  std::iota(inserted.begin(), inserted.end(), 50);
+  expect_delaunay(mesh, renamed, inserted);
+  EXPECT_EQ(mesh.position(149), points[0]);
+}
+
+TEST(Delaunay, AStopRequestEndsInsertion) {
+  std::stop_source source;
+  source.request_stop();
+  remeshd::Run run;
+  run.stop = source.get_token();
+  Delaunay mesh(unit_box());
+  const auto points = cloud(1000, 9);
+  EXPECT_ANY_THROW(mesh.insert(points, all(1000), run));
+}
+
+}  // namespace
+}  // namespace remeshd::kernel

@@ -1,0 +1,59 @@
+#include "engine/nodes/nearest.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "engine/base/random.h"
+
+namespace remeshd {
+namespace {
+
+std::vector<Vec3> cloud(int n, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points(n);
+  for (Vec3& p : points) p = {random.uniform(0, 10), random.uniform(0, 2), random.uniform(-5, 5)};
+  return points;
+}
+
+std::int32_t by_hand(const std::vector<Vec3>& points, const Vec3& p) {
+  std::int32_t best = -1;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (best < 0 || norm2(points[k] - p) < norm2(points[best] - p)) best = static_cast<int>(k);
+  return best;
+}
+
+TEST(NearestNode, FindsWhatASearchThroughAllFinds) {
+  const auto points = cloud(500, 1);
+  Random random(2);
+  for (const double cell : {0.05, 0.5, 3.0, 40.0}) {
+    const NearestNode grid(points, cell);
+    for (int k = 0; k < 500; ++k) {
+      const Vec3 p{random.uniform(-5, 15), random.uniform(-5, 5), random.uniform(-9, 9)};
+      ASSERT_EQ(grid.nearest(p), by_hand(points, p)) << "cell " << cell;
+    }
+  }
+}
+
+TEST(NearestNode, OfEquallyNearNodesTheLowestWins) {
+  const std::vector<Vec3> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  EXPECT_EQ(NearestNode(points, 0.3).nearest({0, 0, 0}), 0);
+}
+
+TEST(NearestNode, AnEmptySetHasNone) { EXPECT_EQ(NearestNode({}, 1).nearest({0, 0, 0}), -1); }
+
+TEST(NearestNode, VisitsAllWithinTheRadiusAndNoOther) {
+  const auto points = cloud(400, 3);
+  const NearestNode grid(points, 0.7);
+  const Vec3 p{4, 1, 0};
+  std::set<std::int32_t> seen;
+  grid.for_each_within(p, 1.5, [&](std::int32_t n, double d) {
+    EXPECT_DOUBLE_EQ(d, norm2(points[n] - p));
+    EXPECT_TRUE(seen.insert(n).second);
+  });
+  for (std::size_t k = 0; k < points.size(); ++k)
+    EXPECT_EQ(seen.count(static_cast<int>(k)) == 1, norm2(points[k] - p) <= 1.5 * 1.5);
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,76 @@
+#include "engine/optimise/relocate.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/mesh/quality.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+Membership cube() {
+  return Membership(evaluate(
+      test::one_feature(test::feature("cube", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}))));
+}
+
+/// A node in an octahedron of six fixed ones, off its centre.
+struct Octahedron {
+  NodeSet nodes;
+  std::vector<Tet> tets;
+
+  explicit Octahedron(const Vec3& middle) {
+    for (const Vec3& p : {Vec3{1, 0, 2}, Vec3{-1, 0, 2}, Vec3{0, 1, 2}, Vec3{0, -1, 2},
+                          Vec3{0, 0, 3}, Vec3{0, 0, 1}}) {
+      nodes.add_new(p);
+      nodes.free.back() = 0;
+    }
+    nodes.add_new(middle);
+    for (const std::int32_t x : {0, 1})
+      for (const std::int32_t y : {2, 3})
+        for (const std::int32_t z : {4, 5}) {
+          Tet t{x, y, z, 6};
+          const auto& p = nodes.positions;
+          if (tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < 0) std::swap(t[0], t[1]);
+          tets.push_back(t);
+        }
+  }
+};
+
+TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
+  Octahedron o({0.2, -0.1, 2.15});
+  relocate(o.nodes, o.tets, cube());
+  // Formula (1) by hand, with circumcentres from the three bisector planes.
+  Vec3 sum{};
+  double volume = 0;
+  const Octahedron before({0.2, -0.1, 2.15});
+  for (const Tet& t : before.tets) {
+    const auto& p = before.nodes.positions;
+    const Vec3 a = p[t[0]], u = p[t[1]] - a, v = p[t[2]] - a, w = p[t[3]] - a;
+    const double det = 2 * dot(u, cross(v, w));
+    const Vec3 c =
+        a + (norm2(u) * cross(v, w) + norm2(v) * cross(w, u) + norm2(w) * cross(u, v)) / det;
+    sum += (det / 12) * c;
+    volume += det / 12;
+  }
+  EXPECT_LT(distance(o.nodes.positions[6], sum / volume), 1e-12);
+}
+
+TEST(Relocate, TheCentreOfASymmetricRingStays) {
+  Octahedron o({0, 0, 2});
+  relocate(o.nodes, o.tets, cube());
+  EXPECT_LT(distance(o.nodes.positions[6], {0, 0, 2}), 1e-14);
+}
+
+TEST(Relocate, FixedAndBoundaryNodesStay) {
+  Octahedron fixed({0.2, 0, 2});
+  fixed.nodes.free[6] = 0;
+  relocate(fixed.nodes, fixed.tets, cube());
+  EXPECT_EQ(fixed.nodes.positions[6], (Vec3{0.2, 0, 2}));
+  Octahedron boundary({0.2, 0, 2});
+  boundary.nodes.supports[6] = {Support::Kind::Face, 0};
+  relocate(boundary.nodes, boundary.tets, cube());
+  EXPECT_EQ(boundary.nodes.positions[6], (Vec3{0.2, 0, 2}));
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,291 @@
+#include "engine/remesh/remesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "engine/base/error.h"
+#include "engine/remesh/master.h"
+#include "engine/remesh/tet_index.h"
+#include "engine/verify/verify.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+constexpr MeshOptions kSmall{.nodes = 2500, .iterations = 5};
+constexpr MeshOptions kInherit{.iterations = 5};
+
+Revision first(const std::string& name, const MeshOptions& options = kSmall) {
+  return make_revision(nullptr, test::case_model(name), options, kRun);
+}
+
+Revision edit(const Revision& original, const ModelEdit& change,
+              const MeshOptions& options = kInherit) {
+  return make_revision(&original, apply(original.source, change), options, kRun);
+}
+
+Revision edit(const Revision& original, const std::string& name) {
+  return edit(original, test::case_edit(name));
+}
+
+std::string bytes_without_seconds(Revision revision) {
+  revision.report.seconds = {};
+  return serialise(revision);
+}
+
+void expect_valid(const Revision& r) {
+  const Verification v =
+      verify(r.delivery.mesh, r.master->supports, r.cells.boundary, r.cells.volume);
+  EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
+}
+
+class SevenCases : public testing::TestWithParam<test::EditCase> {};
+
+TEST_P(SevenCases, GiveValidMeshesThatKeepMostOfTheOriginal) {
+  const test::EditCase& c = GetParam();
+  const Revision original = first(c.original);
+  expect_valid(original);
+  EXPECT_NEAR(original.delivery.mesh.nodes.size(), 2500, 0.03 * 2500);
+  EXPECT_NEAR(original.cells.volume, c.original_volume, 1e-6 * c.original_volume);
+  const Revision remesh = edit(original, c.edit);
+  expect_valid(remesh);
+  EXPECT_NEAR(remesh.cells.volume, c.modified_volume, 1e-6 * c.modified_volume);
+  EXPECT_NEAR(remesh.report.volume, c.modified_volume, 0.01 * c.modified_volume);
+  const double kept =
+      static_cast<double>(remesh.report.counts.nodes_kept) / remesh.report.counts.nodes;
+  EXPECT_GT(kept, c.edit == "tool3-ab" ? 0.1 : 0.5);
+  EXPECT_LT(remesh.report.free_share, 1.0);
+  EXPECT_GT(remesh.report.quality.dihedral_min, 15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Remesh, SevenCases, testing::ValuesIn(test::seven_cases()),
+                         [](const auto& param) {
+                           std::string name = param.param.edit;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(Remesh, AKeptNodeIsItsOriginalUnderTheTransformationToTheBit) {
+  const Revision original = first("simple-a"), remesh = edit(original, "simple-ab");
+  const NodeMap& map = remesh.delivery.map;
+  std::set<std::int32_t> transforms;
+  for (std::size_t n = 0; n < map.node_origin.size(); ++n) {
+    const std::int32_t o = map.original_node[n];
+    if (map.node_origin[n] == NodeOrigin::New) {
+      EXPECT_EQ(o, -1);
+      continue;
+    }
+    const Vec3 copied =
+        map.transforms[map.node_transform[n]].apply(original.delivery.mesh.nodes[o]);
+    EXPECT_EQ(remesh.delivery.mesh.nodes[n] == copied, map.node_origin[n] == NodeOrigin::Kept);
+    transforms.insert(map.node_transform[n]);
+  }
+  EXPECT_EQ(transforms.size(), 2U);  // the base stayed, the top moved
+}
+
+TEST(Remesh, AKeptTetStoodInTheOriginal) {
+  const Revision original = first("tool1-a"), remesh = edit(original, "tool1-ac");
+  const NodeMap& map = remesh.delivery.map;
+  int kept = 0;
+  for (std::size_t k = 0; k < map.original_tet.size(); ++k) {
+    if (map.original_tet[k] < 0) continue;
+    ++kept;
+    Tet then = sorted_nodes(original.delivery.mesh.tets[map.original_tet[k]]);
+    Tet now{};
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t n = remesh.delivery.mesh.tets[k][i];
+      EXPECT_EQ(map.node_origin[n], NodeOrigin::Kept);
+      now[i] = map.original_node[n];
+    }
+    ASSERT_EQ(sorted_nodes(now), then);
+  }
+  EXPECT_EQ(kept, static_cast<int>(remesh.report.counts.tets_kept));
+  EXPECT_GT(kept, 0.4 * map.original_tet.size());
+}
+
+TEST(Remesh, PermanentIdsSurviveEditsAndAreNeverUsedTwice) {
+  const Revision a = first("tool2-a");
+  const Revision b = edit(a, "tool2-ab");
+  const Revision c = edit(b, "tool2-bc");
+  std::set<std::uint64_t> seen(a.delivery.node_ids.begin(), a.delivery.node_ids.end());
+  EXPECT_EQ(seen.size(), a.delivery.node_ids.size());
+  const Revision* parent = &a;
+  for (const Revision* r : {&b, &c}) {
+    std::set<std::uint64_t> own;
+    for (std::size_t n = 0; n < r->delivery.node_ids.size(); ++n) {
+      const std::uint64_t id = r->delivery.node_ids[n];
+      EXPECT_TRUE(own.insert(id).second);
+      const std::int32_t o = r->delivery.map.original_node[n];
+      if (o >= 0)
+        EXPECT_EQ(id, parent->delivery.node_ids[o]);
+      else
+        EXPECT_TRUE(seen.insert(id).second);
+    }
+    parent = r;
+  }
+}
+
+TEST(Remesh, TheSameRequestGivesTheSameBytes) {
+  const Revision original = first("tool1-a");
+  EXPECT_EQ(bytes_without_seconds(original), bytes_without_seconds(first("tool1-a")));
+  EXPECT_EQ(bytes_without_seconds(edit(original, "tool1-ab")),
+            bytes_without_seconds(edit(original, "tool1-ab")));
+}
+
+TEST(Remesh, AnotherSeedGivesAnotherMesh) {
+  MeshOptions other = kSmall;
+  other.seed = 2;
+  EXPECT_NE(first("simple-a").delivery.mesh.nodes, first("simple-a", other).delivery.mesh.nodes);
+}
+
+TEST(Remesh, AStoredRevisionIsEditedLikeTheOneInMemory) {
+  const Revision original = first("tool2-b");
+  const Revision restored = deserialise(serialise(original), kRun);
+  EXPECT_EQ(serialise(restored), serialise(original));
+  EXPECT_EQ(bytes_without_seconds(edit(original, "tool2-bc")),
+            bytes_without_seconds(edit(restored, "tool2-bc")));
+}
+
+TEST(Remesh, MalformedBytesAreAnError) {
+  const std::string bytes = serialise(first("simple-a", {.nodes = 300, .iterations = 3}));
+  EXPECT_THROW(deserialise(bytes.substr(0, bytes.size() / 2), kRun), Error);
+  EXPECT_THROW(deserialise("", kRun), Error);
+  EXPECT_THROW(deserialise("not a revision at all", kRun), Error);
+}
+
+TEST(Remesh, WithoutAChangeEverythingIsKept) {
+  const Revision original = first("fig11-a");
+  const Revision same = edit(original, ModelEdit{{SetParameter{"rib_dx", 10.0}}});
+  EXPECT_EQ(same.delivery.mesh.tets, original.delivery.mesh.tets);
+  EXPECT_EQ(same.delivery.mesh.nodes, original.delivery.mesh.nodes);
+  EXPECT_EQ(same.report.counts.nodes_kept, original.report.counts.nodes);
+  EXPECT_EQ(same.report.counts.tets_kept, original.report.counts.tets);
+}
+
+TEST(Remesh, ARotatedFeatureTakesItsNodesWithIt) {
+  // Fine enough that the rib has an inside that no expansion reaches.
+  const Revision original = first("fig6-a", {.nodes = 9000, .iterations = 3});
+  const double a = 30 * std::numbers::pi / 180;
+  ModelEdit turn;
+  turn.edits.push_back(SetPlacement{
+      "rib",
+      PlacementSource{
+          {-20.0, 0.0, 10.0}, std::nullopt, std::array<Scalar, 3>{std::cos(a), std::sin(a), 0.0}}});
+  const Revision remesh = edit(original, turn);
+  expect_valid(remesh);
+  const NodeMap& map = remesh.delivery.map;
+  int turned = 0;
+  for (std::size_t n = 0; n < map.node_origin.size(); ++n)
+    turned +=
+        map.node_origin[n] == NodeOrigin::Kept && map.transforms[map.node_transform[n]].m[1] != 0;
+  EXPECT_GT(turned, 20);
+}
+
+TEST(Remesh, FeaturesComeAndGo) {
+  const Revision original = first("tool3-a");
+  const Revision without = edit(original, ModelEdit{{RemoveFeature{"pocket"}}});
+  expect_valid(without);
+  EXPECT_NEAR(without.cells.volume - original.cells.volume, 20 * 30 * 8, 1e-6);
+  FeatureSource slot =
+      test::feature("groove", "slot", {{"length", 40.0}, {"width", 8.0}, {"height", 5.0}});
+  slot.nature = Nature::Subtractive;
+  slot.placement.origin = {0.0, 0.0, 0.0};
+  const Revision with = edit(without, ModelEdit{{AddFeature{slot, ""}}});
+  expect_valid(with);
+  EXPECT_LT(with.cells.volume, without.cells.volume);
+}
+
+TEST(Remesh, EveryFacetKnowsItsFacesAndEveryTetItsOwners) {
+  const Revision r = first("tool1-a");
+  const MeshGroups& g = r.delivery.groups;
+  std::map<std::string, double> area;
+  for (const MeshFacet& f : g.facets) {
+    const auto& names = g.facet_groups[f.group];
+    ASSERT_FALSE(names.empty());
+    const auto& p = r.delivery.mesh.nodes;
+    const double a =
+        0.5 * norm(cross(p[f.nodes[1]] - p[f.nodes[0]], p[f.nodes[2]] - p[f.nodes[0]]));
+    for (const std::string& name : names) area[name] += a;
+    const Tet& t = r.delivery.mesh.tets[f.tet];
+    for (const std::int32_t n : f.nodes) EXPECT_NE(std::find(t.begin(), t.end(), n), t.end());
+  }
+  EXPECT_NEAR(area["hole1.wall"], 2 * std::numbers::pi * 5 * 12, 8);
+  EXPECT_NEAR(area["hub.top"], std::numbers::pi * (18 * 18 - 9 * 9), 30);
+  EXPECT_GT(area["pin1.top"], 0);
+  EXPECT_EQ(area.count("hub.bottom"), 0U);
+  std::map<std::vector<std::string>, double> volume;
+  for (std::size_t k = 0; k < r.delivery.mesh.tets.size(); ++k) {
+    const Tet& t = r.delivery.mesh.tets[k];
+    const auto& p = r.delivery.mesh.nodes;
+    volume[g.cell_owners[g.tet_cell[k]]] += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+  }
+  const double hub = std::numbers::pi * (18 * 18 - 9 * 9) * 25;
+  EXPECT_NEAR((volume[{"hub"}]), hub, 0.03 * hub);
+}
+
+TEST(Remesh, CoincidentFacesGiveAFacetBothNames) {
+  // Mounts reach through the base: their bottoms are no boundary; the wall's y faces continue the
+  // base's.
+  const Revision r = first("tool2-a");
+  std::set<std::vector<std::string>> groups(r.delivery.groups.facet_groups.begin(),
+                                            r.delivery.groups.facet_groups.end());
+  EXPECT_TRUE(groups.count({"wall.y_min"}) == 1);
+  EXPECT_TRUE(groups.count({"base.y_min"}) == 1);
+  for (const auto& g : groups) EXPECT_LE(g.size(), 2U);
+}
+
+TEST(Remesh, AStopRequestEndsTheRunAsCancelled) {
+  std::stop_source source;
+  remeshd::Run run;
+  run.stop = source.get_token();
+  run.on_progress = [&](const Progress& p) {
+    if (p.stage == "optimise" && p.iteration == 2) source.request_stop();
+  };
+  try {
+    make_revision(nullptr, test::case_model("tool1-a"), kSmall, run);
+    FAIL() << "it went on";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.info().kind, ErrorKind::Cancelled);
+  }
+}
+
+TEST(Remesh, ProgressNeverGoesBack) {
+  remeshd::Run run;
+  double last = 0;
+  std::vector<std::string> stages;
+  run.on_progress = [&](const Progress& p) {
+    EXPECT_GE(p.fraction, last);
+    last = p.fraction;
+    if (stages.empty() || stages.back() != p.stage) stages.emplace_back(p.stage);
+  };
+  make_revision(nullptr, test::case_model("simple-a"), {.nodes = 500, .iterations = 3}, run);
+  EXPECT_EQ(stages, (std::vector<std::string>{"cells", "difference", "nodes", "optimise", "extract",
+                                              "improve", "verify"}));
+}
+
+TEST(Remesh, OptionsOutOfRangeAreRefused) {
+  for (const MeshOptions& bad :
+       {MeshOptions{.nodes = 3}, MeshOptions{.size = 0.0}, MeshOptions{.size = -1.0},
+        MeshOptions{.nodes = 100, .size = 1.0}, MeshOptions{.size = 1e-4}})
+    try {
+      make_revision(nullptr, test::case_model("simple-a"), bad, kRun);
+      ADD_FAILURE() << "accepted";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.info().reason, "OptionsInvalid");
+    }
+}
+
+TEST(Remesh, AutoIterationsStopBeforeTheirLimit) {
+  const Revision r = first("simple-a", {.nodes = 1500, .iterations = 0});
+  EXPECT_GE(r.report.counts.iterations, 4U);
+  EXPECT_LT(r.report.counts.iterations, 30U);
+}
+
+}  // namespace
+}  // namespace remeshd
