@@ -1,6 +1,8 @@
 #include "engine/cellular/cellular_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -23,7 +25,18 @@ struct Fused {
   kernel::Fusion fusion;
 };
 
-Fused fuse_features(const FeatureModel& model, const Membership& membership, const Run& run) {
+/// Whether the CAD kernel begins and ends the feature's faces at a seam in its xz plane.
+bool has_seam(const Shape& shape) {
+  if (const auto* revolution = std::get_if<Revolution>(&shape))
+    return revolution->angle > 2 * std::numbers::pi - 1e-12;
+  return !std::holds_alternative<Block>(shape) && !std::holds_alternative<Prism>(shape) &&
+         !std::holds_alternative<Slot>(shape);
+}
+
+/// `seam`: where round features are cut open, rad about their axis. The model does not depend on
+/// it, but the kernel may fail where a seam meets other features.
+Fused fuse_features(const FeatureModel& model, const Membership& membership, double seam,
+                    const Run& run) {
   Box box;
   for (const Solid& solid : membership.solids()) box.add(solid.bounds());
   const double scale = kernel::unit_scale(box.diagonal());
@@ -32,9 +45,15 @@ Fused fuse_features(const FeatureModel& model, const Membership& membership, con
     fused.features.push_back(feature_brep(feature, scale));
     run.poll();
   }
+  const double c = std::cos(seam), t = std::sin(seam);
+  const Transform turn = Transform::frame({c, t, 0}, {-t, c, 0}, {0, 0, 1}, {});
   std::vector<kernel::Part> parts;
-  for (std::size_t i = 0; i < model.features.size(); ++i)
-    parts.push_back({&fused.features[i], {0}, model.features[i].placement});
+  for (std::size_t i = 0; i < model.features.size(); ++i) {
+    const Feature& feature = model.features[i];
+    const bool turned = seam != 0 && has_seam(feature.shape);
+    parts.push_back(
+        {&fused.features[i], {0}, turned ? feature.placement * turn : feature.placement});
+  }
   fused.fusion = kernel::general_fuse(parts, run);
   return fused;
 }
@@ -134,7 +153,7 @@ std::vector<BoundaryPiece> describe_faces(const CellularModel& model, const Fuse
   return pieces;
 }
 
-/// `boundary` tells which faces count; null: all.
+/// Of the boundary's faces, or of all.
 Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces, bool boundary) {
   std::vector<SkeletonFace> faces;
   for (std::size_t f = 0; f < pieces.size(); ++f) {
@@ -165,12 +184,9 @@ void fill_edges_and_vertices(CellularModel& out, const Brep& brep, const Skeleto
           {vertex_owners[v], boundary.vertex[v] != 0, brep.vertices[v].position, v});
 }
 
-}  // namespace
-
-CellularModel build_cells(const FeatureModel& model, const Run& run) {
-  run.poll();
-  const Membership membership(model);
-  const Fused fused = fuse_features(model, membership, run);
+CellularModel build_with_seam(const FeatureModel& model, const Membership& membership, double seam,
+                              const Run& run) {
+  const Fused fused = fuse_features(model, membership, seam, run);
   const Brep& brep = fused.fusion.brep;
 
   CellularModel out;
@@ -186,6 +202,22 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
   out.boundary = build_boundary(brep, pieces, boundary);
   out.brep = std::make_shared<const Brep>(brep);
   return out;
+}
+
+}  // namespace
+
+CellularModel build_cells(const FeatureModel& model, const Run& run) {
+  run.poll();
+  const Membership membership(model);
+  // Twice more where the kernel fails; the last failure is the one to tell.
+  for (const double seam : {0.0, 0.7}) {
+    try {
+      return build_with_seam(model, membership, seam, run);
+    } catch (const Error& failure) {
+      if (failure.info().reason != "KernelFailure") throw;
+    }
+  }
+  return build_with_seam(model, membership, 2.5, run);
 }
 
 }  // namespace remeshd

@@ -110,7 +110,7 @@ TopoDS_Face forward_face(const TopoDS_Shape& face) {
 }
 
 /// Puts all elements into the order of their geometry; returns the faces' moments in theirs.
-std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes) {
+std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Run& run) {
   sort_shapes(shapes.vertices, [](const TopoDS_Shape& v) {
     Key key;
     append(key, position(v));
@@ -128,6 +128,7 @@ std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes) {
   TopTools_DataMapOfShapeInteger at;
   std::vector<FaceMoments> measured;
   for (int i = 1; i <= shapes.faces.Extent(); ++i) {
+    run.poll();
     at.Bind(shapes.faces(i), i - 1);
     measured.push_back(moments_of(forward_face(shapes.faces(i)), reference));
   }
@@ -217,15 +218,15 @@ void fill_measures(Brep& brep, const std::vector<FaceMoments>& moments) {
 
 double unit_scale(double diagonal) { return std::exp2(7 - std::floor(std::log2(diagonal))); }
 
-Brep describe(const TopoDS_Shape& shape, double scale) {
+Brep describe(const TopoDS_Shape& shape, double scale, const Run& run) {
   try {
     Brep brep;
     const auto shapes = collect(shape);
-    const std::vector<FaceMoments> moments = sort_by_geometry(*shapes);
+    const std::vector<FaceMoments> moments = sort_by_geometry(*shapes, run);
     brep.shapes = shapes;
     connect(brep);
     fill_measures(brep, moments);
-    triangulate(brep, shape);
+    triangulate(brep, shape, run);
     unscale(brep, scale);
     return brep;
   } catch (const Standard_Failure& failure) {

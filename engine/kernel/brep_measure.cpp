@@ -7,7 +7,6 @@
 #include <BRepGProp_Vinert.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
-#include <GCPnts_TangentialDeflection.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -22,10 +21,44 @@ namespace {
 
 constexpr double kTurning = 0.1;           // rad between points of an edge; 6 degrees are promised
 constexpr double kMomentTolerance = 1e-9;  // relative
-constexpr double kDeflection = 0.5;        // kernel units: far above what the angle asks for
+constexpr double kShortest = 1e-3;  // kernel units: below, a chord says nothing of a direction
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 Vec3 vec(const gp_Pnt& p) { return vec(p.XYZ()); }
+
+/// Points of a curve dense enough for kTurning between the chords, by halving.
+std::vector<Vec3> sample(const BRepAdaptor_Curve& curve, double first, double last) {
+  struct Sample {
+    double t;
+    Vec3 p, tangent;
+  };
+  const auto at = [&](double t) {
+    gp_Pnt p;
+    gp_Vec d;
+    curve.D1(t, p, d);
+    return Sample{t, vec(p), d.Magnitude() > gp::Resolution() ? vec(d.Normalized().XYZ()) : Vec3{}};
+  };
+  const auto turns = [](const Sample& a, const Sample& b) {
+    const Vec3 chord = b.p - a.p;
+    if (norm(chord) < kShortest) return false;
+    const Vec3 u = normalised(chord);
+    return norm(u - a.tangent) > 0.5 * kTurning || norm(u - b.tangent) > 0.5 * kTurning;
+  };
+  std::vector<Vec3> points{at(first).p};
+  std::vector<Sample> ahead{at(last), at(0.5 * (first + last))};
+  Sample here = at(first);
+  while (!ahead.empty()) {
+    const Sample next = ahead.back();
+    if (turns(here, next)) {
+      ahead.push_back(at(0.5 * (here.t + next.t)));
+      continue;
+    }
+    ahead.pop_back();
+    points.push_back(next.p);
+    here = next;
+  }
+  return points;
+}
 
 /// Whether Gauss's rule is exact to rounding on the face: its border is straight in parameters, or
 /// of lines and circles in a plane. On other borders it errs by 1e-5 and refinement is worth its
@@ -91,12 +124,10 @@ void measure_edge(const TopoDS_Edge& edge, BrepEdge& out) {
         out.points.push_back(vec(curve.Value(first + (last - first) * i / n)));
       break;
     }
-    default: {
+    default:
       out.length = GCPnts_AbscissaPoint::Length(curve, 1e-9);
-      const GCPnts_TangentialDeflection samples(curve, kTurning, kDeflection, 3);
-      for (int i = 1; i <= samples.NbPoints(); ++i) out.points.push_back(vec(samples.Value(i)));
+      out.points = sample(curve, first, last);
       break;
-    }
   }
 }
 

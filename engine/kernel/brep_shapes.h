@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "engine/kernel/brep.h"
 
+class Message_ProgressRange;
 class TopoDS_Edge;
 class TopoDS_Face;
 class TopoDS_Shape;
@@ -17,8 +19,8 @@ namespace remeshd::kernel {
 /// geometry. The shape is the Brep's own from then on: triangulating changes it.
 ///
 /// Throws Error(KernelFailure) where the shape holds no solid or anything dangling, or a face
-/// cannot be triangulated.
-Brep describe(const TopoDS_Shape& shape, double scale);
+/// cannot be triangulated, Error(Cancelled).
+Brep describe(const TopoDS_Shape& shape, double scale, const Run& run);
 
 /// Reads a feature's solid: who bounds whom, and the names of its faces. No measures, no triangles,
 /// no order, because a primitive is only there to be fused.
@@ -38,7 +40,12 @@ FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference);
 void measure_edge(const TopoDS_Edge& edge, BrepEdge& out);
 
 /// Fills in points and triangles, kernel units.
-void triangulate(Brep& brep, const TopoDS_Shape& shape);
+void triangulate(Brep& brep, const TopoDS_Shape& shape, const Run& run);
+
+/// Lets a stop request break off what the CAD kernel does in `work`.
+///
+/// Throws Error(Cancelled) where one did.
+void with_progress(const Run& run, const std::function<void(const Message_ProgressRange&)>& work);
 
 enum class Element { Cell, Face, Edge, Vertex };
 

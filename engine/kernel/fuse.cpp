@@ -1,8 +1,11 @@
+#include <BOPAlgo_Alerts.hxx>
 #include <BOPAlgo_Builder.hxx>
 #include <BOPAlgo_PaveFiller.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
-#include <Message_ProgressIndicator.hxx>
+#include <Message_Alert.hxx>
+#include <Message_ProgressRange.hxx>
+#include <Message_Report.hxx>
 #include <Standard_Failure.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
@@ -18,19 +21,6 @@
 
 namespace remeshd::kernel {
 namespace {
-
-/// Lets a stop request break off a computation of the CAD kernel.
-class StopIndicator : public Message_ProgressIndicator {
- public:
-  explicit StopIndicator(std::stop_token stop) : stop_(std::move(stop)) {}
-
- protected:
-  Standard_Boolean UserBreak() override { return stop_.stop_requested(); }
-  void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
-
- private:
-  std::stop_token stop_;
-};
 
 /// A part as its own copy in kernel units: the fuse may change tolerances of what it is given, and
 /// Breps are shared between threads.
@@ -81,14 +71,17 @@ class PlacedPart {
   std::array<std::vector<int>, 4> elements_;
 };
 
+/// One warning is let pass: that the kernel could not tell whether a split face looks the way its
+/// original did. Natures here come from the cells' own orientation, and samples and volumes check
+/// those.
 void refuse_alerts(const BOPAlgo_Options& algorithm, const char* what, const Run& run) {
   run.poll();
-  if (!algorithm.HasErrors() && !algorithm.HasWarnings()) return;
   std::ostringstream text;
-  text << what << ": ";
-  algorithm.DumpErrors(text);
-  algorithm.DumpWarnings(text);
-  throw error::kernel_failure(text.str());
+  for (const Message_Gravity gravity : {Message_Fail, Message_Alarm, Message_Warning})
+    for (const Handle(Message_Alert) & alert : algorithm.GetReport()->GetAlerts(gravity))
+      if (!alert->IsKind(STANDARD_TYPE(BOPAlgo_AlertUnableToOrientTheShape)))
+        text << ' ' << alert->GetMessageKey();
+  if (!text.str().empty()) throw error::kernel_failure(what + text.str());
 }
 
 Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run) {
@@ -98,22 +91,20 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
   if (parts.size() > 1) {  // the fuse refuses a single argument
     TopTools_ListOfShape arguments;
     for (const PlacedPart& part : parts) arguments.Append(part.shape());
-    const Handle(StopIndicator) stop = new StopIndicator(run.stop);
     filler.SetArguments(arguments);
-    filler.Perform(stop->Start());
-    refuse_alerts(filler, "intersecting the features", run);
-    const Handle(StopIndicator) stop_build = new StopIndicator(run.stop);
+    with_progress(run, [&](const Message_ProgressRange& range) { filler.Perform(range); });
+    refuse_alerts(filler, "intersecting the features:", run);
     builder.SetArguments(arguments);
-    builder.PerformWithFiller(filler, stop_build->Start());
-    refuse_alerts(builder, "building the cells", run);
+    with_progress(
+        run, [&](const Message_ProgressRange& range) { builder.PerformWithFiller(filler, range); });
+    refuse_alerts(builder, "building the cells:", run);
     result = builder.Shape();
   } else {
     result = parts.front().shape();
   }
 
   Fusion fusion;
-  fusion.brep = describe(result, scale);
-  run.poll();
+  fusion.brep = describe(result, scale, run);
   fusion.cells.resize(fusion.brep.cells.size());
   fusion.faces.resize(fusion.brep.faces.size());
   fusion.edges.resize(fusion.brep.edges.size());
