@@ -1,0 +1,229 @@
+#include <cstring>
+#include <map>
+#include <thread>
+
+#include "tests/server/daemon_fixture.h"
+
+namespace remeshd::test {
+namespace {
+
+using testing::DoubleNear;
+
+class RealEngine : public DaemonTest {
+ protected:
+  [[nodiscard]] Engine make_engine() const override { return production_engine(); }
+
+  static std::string case_text(const std::string& name) {
+    return read_document(std::string(REMESHD_CASES_DIR) + "/" + name + ".json");
+  }
+  static v1::FeatureModel model(const std::string& name) { return parse_model(case_text(name)); }
+  static v1::ModelEdit change(const std::string& name) {
+    return parse_edit(case_text(name + ".edit"));
+  }
+  static v1::CreateRevisionRequest coarse(const std::string& name) {
+    auto request = create_request(model(name), 1500);
+    request.mutable_options()->set_iterations(5);
+    return request;
+  }
+  std::map<v1::MeshArray, std::string> arrays(const std::string& revision) {
+    v1::GetMeshRequest request;
+    request.set_revision(revision);
+    std::map<v1::MeshArray, std::string> out;
+    for (const v1::MeshMessage& message : mesh(request))
+      if (message.has_part()) out[message.part().array()] += message.part().data();
+    return out;
+  }
+  /// A report without what a clock had a part in.
+  static std::string timeless(v1::Report report) {
+    report.clear_seconds();
+    report.clear_cached();
+    return report.SerializeAsString();
+  }
+};
+
+template <typename T>
+std::vector<T> values(const std::string& bytes) {
+  std::vector<T> out(bytes.size() / sizeof(T));
+  std::memcpy(out.data(), bytes.data(), bytes.size());
+  return out;
+}
+
+struct Case {
+  std::string original, edit;
+  double volume;  ///< of the modified model, tests/cases/README.md
+};
+class EveryCase : public RealEngine, public testing::WithParamInterface<Case> {};
+
+TEST_P(EveryCase, IsRemeshedAndItsMapsLeadToTheParentToTheBit) {
+  const auto base = create(coarse(GetParam().original));
+  const auto child = edit(GetParam().original, change(GetParam().edit));
+  EXPECT_NEAR(child.report().exact_volume(), GetParam().volume, 1e-6 * GetParam().volume);
+  EXPECT_NEAR(child.report().volume(), GetParam().volume, 0.02 * GetParam().volume);
+  EXPECT_GT(child.report().nodes_kept(), 0U);
+
+  auto before = arrays(base.revision().id());
+  auto after = arrays(child.revision().id());
+  const auto original = values<double>(before[v1::NODES]);
+  const auto nodes = values<double>(after[v1::NODES]);
+  const auto origins = values<std::uint8_t>(after[v1::NODE_ORIGINS]);
+  const auto sources = values<std::int32_t>(after[v1::ORIGINAL_NODES]);
+  const auto by = values<std::int32_t>(after[v1::NODE_TRANSFORMS]);
+  const auto transforms = values<Transform>(after[v1::TRANSFORMS]);
+  const auto ids = values<std::uint64_t>(after[v1::NODE_IDS]);
+  const auto original_ids = values<std::uint64_t>(before[v1::NODE_IDS]);
+  std::uint32_t kept = 0;
+  for (std::size_t n = 0; n < origins.size(); ++n) {
+    if (origins[n] == 0) continue;
+    const auto source = static_cast<std::size_t>(sources[n]);
+    EXPECT_EQ(ids[n], original_ids[source]);
+    if (origins[n] != 1) continue;
+    ++kept;
+    const Vec3 there = transforms[static_cast<std::size_t>(by[n])].apply(
+        {original[3 * source], original[3 * source + 1], original[3 * source + 2]});
+    ASSERT_EQ(there, (Vec3{nodes[3 * n], nodes[3 * n + 1], nodes[3 * n + 2]})) << "node " << n;
+  }
+  EXPECT_EQ(kept, child.report().nodes_kept());
+
+  const auto tets = values<std::array<std::int32_t, 4>>(after[v1::TETS]);
+  const auto original_tets = values<std::array<std::int32_t, 4>>(before[v1::TETS]);
+  std::uint32_t kept_tets = 0;
+  for (std::size_t t = 0;
+       const std::int32_t source : values<std::int32_t>(after[v1::ORIGINAL_TETS])) {
+    const auto tet = tets[t++];
+    if (source < 0) continue;
+    ++kept_tets;
+    std::array<std::int32_t, 4> now{}, then = original_tets[static_cast<std::size_t>(source)];
+    for (std::size_t k = 0; k < 4; ++k) now[k] = sources[static_cast<std::size_t>(tet[k])];
+    std::sort(now.begin(), now.end());
+    std::sort(then.begin(), then.end());
+    ASSERT_EQ(now, then) << "tet " << t - 1;
+  }
+  EXPECT_EQ(kept_tets, child.report().tets_kept());
+}
+
+INSTANTIATE_TEST_SUITE_P(Paper, EveryCase,
+                         testing::Values(Case{"simple-a", "simple-ab", 258000},
+                                         Case{"tool1-a", "tool1-ab", 113295.255866},
+                                         Case{"tool1-a", "tool1-ac", 109525.344682},
+                                         Case{"tool2-a", "tool2-ab", 172863.715790},
+                                         Case{"tool2-b", "tool2-bc", 172863.715790},
+                                         Case{"tool2-c", "tool2-cd", 172779.646351},
+                                         Case{"tool3-a", "tool3-ab", 173327.875959}),
+                         [](const auto& info) {
+                           std::string name = info.param.edit;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_F(RealEngine, ALoadedBaseGivesTheSameBytesAsTheOneInMemory) {
+  use_store();
+  create(coarse("tool1-a"));
+  const auto first = edit("tool1-a", change("tool1-ac"));
+  const auto second = edit("tool1-a", change("tool1-ab"));
+  const auto bytes = arrays(second.revision().id());
+  const auto base_bytes = arrays("tool1-a@1");
+  ASSERT_TRUE(remove(second.revision().id(), true).ok());
+  start();
+  EXPECT_EQ(arrays("tool1-a@1"), base_bytes);
+  const auto again = edit(first.revision().id(), change("tool1-ab"));
+  EXPECT_FALSE(again.report().cached());
+  EXPECT_EQ(again.revision().id(), second.revision().id());
+  EXPECT_EQ(timeless(again.report()), timeless(second.report()));
+  EXPECT_EQ(arrays(again.revision().id()), bytes);
+}
+
+TEST_F(RealEngine, ThreadsChangeNoByte) {
+  create(coarse("tool2-a"));
+  const auto bytes = arrays("tool2-a");
+  const auto edited = edit("tool2-a", change("tool2-ab"));
+  const auto edited_bytes = arrays("tool2-a");
+  start();
+  auto request = coarse("tool2-a");
+  request.set_threads(3);
+  create(request);
+  EXPECT_EQ(arrays("tool2-a"), bytes);
+  auto edit_again = edit_request("tool2-a", change("tool2-ab"));
+  edit_again.set_threads(3);
+  const auto again = edit(edit_again);
+  EXPECT_EQ(timeless(again.report()), timeless(edited.report()));
+  EXPECT_EQ(arrays("tool2-a"), edited_bytes);
+}
+
+TEST_F(RealEngine, CancellingTheCallFreesItsWorkerInEveryStage) {
+  start();
+  std::vector<std::string> stages{"cells", "nodes", "optimise", "extract", "improve"};
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    grpc::ClientContext context;
+    const auto stream = stub().EditStream(&context);
+    v1::EditStreamRequest request;
+    *request.mutable_create() = create_request(model("tool1-a"), 15000);
+    request.mutable_create()->mutable_options()->set_seed(i);
+    ASSERT_TRUE(stream->Write(request));
+    v1::EditStreamReply reply;
+    bool ended = false;
+    while (!ended && stream->Read(&reply)) {
+      ended = !reply.has_progress();
+      if (reply.progress().stage() == stages[i]) break;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    context.TryCancel();
+    stream->Finish();
+    while (info().running() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    RecordProperty("ms_in_" + stages[i], std::to_string(spent.count()));
+    EXPECT_FALSE(ended) << stages[i] << " went by unseen";
+  }
+  EXPECT_EQ(info().revisions(), 0U);
+}
+
+TEST_F(RealEngine, ValidatesAModelByItsExactVolume) {
+  grpc::ClientContext context;
+  v1::ValidateModelRequest request;
+  *request.mutable_model() = model("tool1-a");
+  v1::ValidateReply reply;
+  const auto status = stub().ValidateModel(&context, request, &reply);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_THAT(reply.volume(), DoubleNear(109525.344682, 1e-3));
+  EXPECT_GT(reply.cells(), 10U);
+}
+
+TEST_F(RealEngine, RefusesEmptyAndDisconnectedModelsByName) {
+  auto swallowed = plate();
+  auto& hole = *swallowed.mutable_features(1);
+  hole.set_type("block");
+  hole.clear_parameters();
+  for (const char* side : {"dx", "dy", "dz"})
+    (*hole.mutable_parameters())[side].set_number_value(200);
+  v1::RevisionReply reply;
+  EXPECT_EQ(detail(try_create(create_request(swallowed), &reply)).reason(), "EmptyModel");
+
+  auto torn = plate(2, 0);
+  auto& island = *torn.add_features();
+  island = torn.features(0);
+  island.set_id("island");
+  island.mutable_placement()->mutable_origin(0)->set_number_value(500);
+  EXPECT_EQ(detail(try_create(create_request(torn), &reply)).reason(), "DisconnectedModel");
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(RealEngine, ComparesAsThePapersFigureElevenShows) {
+  grpc::ClientContext context;
+  v1::CompareRequest request;
+  *request.mutable_original()->mutable_model() = model("fig11-a");
+  *request.mutable_modified()->mutable_edit() = change("fig11-ab");
+  v1::Comparison reply;
+  const auto status = stub().Compare(&context, request, &reply);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  std::map<std::string, std::map<std::string, double>> cells;
+  for (const auto& feature : reply.features())
+    cells[feature.id()] = {feature.cells().begin(), feature.cells().end()};
+  EXPECT_THAT(cells["base"]["++"], DoubleNear(55686.11, 0.01));
+  EXPECT_THAT(cells["base"]["-+"], DoubleNear(2617.43, 0.01));
+  EXPECT_THAT(cells["rib"][".+"], DoubleNear(6000, 0.01));
+  EXPECT_THAT(reply.newcells(), DoubleNear(2617.43 + 6000, 0.02));
+  EXPECT_FALSE(reply.method().empty());
+}
+
+}  // namespace
+}  // namespace remeshd::test
