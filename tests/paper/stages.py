@@ -67,7 +67,7 @@ def evolution(folder, model, out):
         inside = stage.tets[model.inside(stage.nodes[stage.tets].mean(1))]
         polygons, owners = slice_polygons(stage.nodes, inside, 6)
         drawn = PolyCollection(polygons, array=volume_length(stage.nodes, inside)[owners], cmap="viridis",
-                               edgecolors="k", linewidths=.25)
+                               edgecolors="k", linewidths=.4)
         drawn.set_clim(0, 1)
         ax.add_collection(drawn)
         ax.set_title(f"{letter}) {title}")
@@ -106,8 +106,8 @@ def free_nodes(folder, out):
         dots(ax, nodes, colour)
     ax = figure.add_subplot(2, 2, 4, projection="3d", elev=35, azim=-60)
     ax.set_title("d) expanded free nodes, rotated")
-    ax.scatter(*last.nodes[ever].T, s=1, c=FREE, linewidths=0)
-    ax.set_aspect("equal")
+    ax.scatter(*last.nodes[ever].T, s=2, c=FREE, linewidths=0)
+    ax.set_box_aspect(np.ptp(last.nodes[ever], axis=0), zoom=1.25)
     ax.set_axis_off()
     save(figure, out / "fig16-free.png")
 
@@ -134,10 +134,12 @@ def main(binaries, out=Path(__file__).with_name("pictures")):
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([Path(binaries) / "dump_stages", CASE.name, "15000", folder], check=True)
-        evolution(Path(folder) / "original", Model(CASE.path(CASE.original)), out)
-        copied_and_new(Path(folder) / "remesh", out)
-        free_nodes(Path(folder) / "remesh", out)
+        fine, coarse = Path(folder) / "fine", Path(folder) / "coarse"
+        for nodes, dumps in ((15000, fine), (4000, coarse)):
+            subprocess.run([Path(binaries) / "dump_stages", CASE.name, str(nodes), dumps], check=True)
+        evolution(coarse / "original", Model(CASE.path(CASE.original)), out)
+        copied_and_new(fine / "remesh", out)
+        free_nodes(fine / "remesh", out)
 
 
 if __name__ == "__main__":
