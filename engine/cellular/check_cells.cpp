@@ -12,17 +12,26 @@ namespace {
 constexpr int kSamplesPerCell = 8;
 constexpr double kVolumeTolerance = 1e-6;  // of the feature's own volume
 
-/// How far the facets of a cell may lie from its true faces: neighbouring facets of a circle of
-/// the model's size turn by kMeshAngle at most. Samples deeper than this are proofs.
-double facet_error(const kernel::Brep& brep, int cell) {
-  // A chord that turns by angle a over length l stands l * a / 8 off its arc.
-  double longest = 0;
+/// How far the facets of a cell stand off the true faces. Samples deeper than twice this are
+/// proofs.
+double facet_gap(const kernel::Brep& brep, int cell, const Membership& membership) {
+  double gap = 0;
+  const auto look = [&](const Vec3& p) {
+    double nearest = HUGE_VAL;
+    for (const Solid& solid : membership.solids())
+      for (const SolidFace& face : solid.faces())
+        nearest = std::min(nearest, std::fabs(signed_distance(face.surface, p)));
+    gap = std::max(gap, nearest);
+  };
   for (const int f : brep.cells[cell].faces)
-    for (const auto& triangle : brep.faces[f].triangles)
-      for (int i = 0; i < 3; ++i)
-        longest = std::max(longest,
-                           distance(brep.points[triangle[i]], brep.points[triangle[(i + 1) % 3]]));
-  return longest * 0.03;
+    for (const auto& [i, j, k] : brep.faces[f].triangles) {
+      const Vec3 a = brep.points[i], b = brep.points[j], c = brep.points[k];
+      look((a + b + c) / 3);
+      look(0.5 * (a + b));
+      look(0.5 * (b + c));
+      look(0.5 * (c + a));
+    }
+  return gap;
 }
 
 /// The first owner that one side knows and the other does not.
@@ -44,7 +53,6 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
   };
   for (int c = 0; c < static_cast<int>(cells.cells.size()); ++c) {
     Cell& cell = cells.cells[c];
-    const double proof = facet_error(brep, c);
     bool found = false;
     const std::vector<CellSample> samples = sample_cell(brep, c, kSamplesPerCell);
     for (const CellSample& sample : samples) {
@@ -53,7 +61,7 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
         cell.inside = sample.point;
         found = true;
       }
-      if (!agrees && sample.depth > proof)
+      if (!agrees && sample.depth > 2 * facet_gap(brep, c, membership))
         throw error::kernel_failure("a point inside a cell belongs to other features than the cell",
                                     model.features[odd_one_out(owners, cell.owners)].id);
     }
