@@ -1,6 +1,10 @@
 #include "engine/nodes/copy_nodes.h"
 
 #include <algorithm>
+#include <bit>
+#include <optional>
+
+#include "engine/base/random.h"
 
 namespace remeshd {
 
@@ -8,6 +12,10 @@ namespace {
 
 /// How far into a tet, as a share of the way to its centroid, the material next to a node is tried.
 constexpr double kInto = 0.01;
+/// Nodes of a regular mesh in a layer as thick as the edge length, over the nodes on its wall:
+/// sqrt(2) / l^3 in the volume, 2 / (sqrt(3) l^2) on the wall.
+constexpr double kLayer = 1.2247;
+constexpr int kBisections = 12;
 
 /// For each node its tets, by node.
 struct Incidence {
@@ -15,21 +23,16 @@ struct Incidence {
   std::vector<std::int32_t> tets;
 };
 
-Incidence tets_at_boundary_nodes(const OriginalNodes& original) {
+Incidence tets_at_nodes(const OriginalNodes& original) {
   Incidence at;
   at.begin.assign(original.positions.size() + 1, 0);
-  const auto wanted = [&](std::int32_t n) {
-    return original.supports[n].kind != Support::Kind::Interior;
-  };
   for (const Tet& t : original.tets)
-    for (const std::int32_t n : t)
-      if (wanted(n)) ++at.begin[n + 1];
+    for (const std::int32_t n : t) ++at.begin[n + 1];
   for (std::size_t n = 1; n < at.begin.size(); ++n) at.begin[n] += at.begin[n - 1];
   at.tets.resize(at.begin.back());
   std::vector<std::uint32_t> next(at.begin.begin(), at.begin.end() - 1);
   for (std::size_t k = 0; k < original.tets.size(); ++k)
-    for (const std::int32_t n : original.tets[k])
-      if (wanted(n)) at.tets[next[n]++] = static_cast<std::int32_t>(k);
+    for (const std::int32_t n : original.tets[k]) at.tets[next[n]++] = static_cast<std::int32_t>(k);
   return at;
 }
 
@@ -42,44 +45,105 @@ std::vector<std::int32_t> copying_order(const PointSource& source) {
   return order;
 }
 
+class Copier {
+ public:
+  Copier(const PointSource& source, const OriginalNodes& original, double edge_length)
+      : source_(source),
+        original_(original),
+        edge_length_(edge_length),
+        at_(tets_at_nodes(original)),
+        extent_(source.transforms().size()) {
+    for (const SourceFeature& s : source.sources())
+      extent_[s.transform].push_back(source.original()->solids()[s.original].bounds());
+  }
+
+  /// Whether the node may belong to material that this transformation moves.
+  [[nodiscard]] bool reached(std::int32_t n, std::int32_t t) const {
+    return std::any_of(extent_[t].begin(), extent_[t].end(), [&](const Box& box) {
+      return box.contains(original_.positions[n], source_.probe());
+    });
+  }
+
+  /// Whether the node itself is copied.
+  [[nodiscard]] bool carried(std::int32_t n, std::int32_t t) const {
+    const Transform& x = source_.transforms()[t];
+    const Vec3& q = original_.positions[n];
+    if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
+    for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k)
+      if (source_(x.apply(q + kInto * (centroid(at_.tets[k]) - q))) == t) return true;
+    return false;
+  }
+
+  /// Where the node is set back to if it would be outside and is wanted all the same.
+  [[nodiscard]] std::optional<Vec3> set_back(std::int32_t n, std::int32_t t) const {
+    const Transform& x = source_.transforms()[t];
+    const Vec3 p = x.apply(original_.positions[n]);
+    if (source_(p) != PointSource::kOutside) return std::nullopt;
+    Vec3 middle{};
+    int count = 0;
+    for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k) {
+      const Vec3 c = x.apply(centroid(at_.tets[k]));
+      if (source_(c) != t) continue;
+      middle += c;
+      ++count;
+    }
+    if (count == 0) return std::nullopt;
+    middle = middle / count;
+    if (source_(middle) != t) return std::nullopt;
+    double outside = 0, inside = 1;
+    for (int k = 0; k < kBisections; ++k) {
+      const double half = 0.5 * (outside + inside);
+      (source_(p + half * (middle - p)) == t ? inside : outside) = half;
+    }
+    const Vec3 place = p + inside * (middle - p);
+    const double lost = kLayer * distance(p, place) / edge_length_;
+    Random draw(static_cast<std::uint64_t>(n) ^ std::bit_cast<std::uint64_t>(lost));
+    if (draw.uniform() < lost) return std::nullopt;
+    return place;
+  }
+
+ private:
+  [[nodiscard]] Vec3 centroid(std::int32_t tet) const {
+    const Tet& t = original_.tets[tet];
+    const auto& p = original_.positions;
+    return 0.25 * (p[t[0]] + p[t[1]] + p[t[2]] + p[t[3]]);
+  }
+
+  const PointSource& source_;
+  const OriginalNodes& original_;
+  const double edge_length_;
+  const Incidence at_;
+  std::vector<std::vector<Box>> extent_;  ///< by transformation: original boxes of its features
+};
+
 }  // namespace
 
-NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, const Run& run) {
+NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, double edge_length,
+                   const Run& run) {
   NodeSet nodes;
-  const Incidence at = tets_at_boundary_nodes(original);
+  const Copier copier(source, original, edge_length);
   const std::vector<std::int32_t> order = copying_order(source);
-  const double margin = source.probe();
-  // The original extent of all features that a transformation moves.
-  std::vector<std::vector<Box>> extent(source.transforms().size());
-  for (const SourceFeature& s : source.sources())
-    extent[s.transform].push_back(source.original()->solids()[s.original].bounds());
-
-  const auto carried = [&](std::int32_t n, std::int32_t t) {
-    const Transform& x = source.transforms()[t];
-    const Vec3& q = original.positions[n];
-    if (original.supports[n].kind == Support::Kind::Interior) return source(x.apply(q)) == t;
-    for (std::uint32_t k = at.begin[n]; k < at.begin[n + 1]; ++k) {
-      const Tet& tet = original.tets[at.tets[k]];
-      const Vec3 centroid = 0.25 * (original.positions[tet[0]] + original.positions[tet[1]] +
-                                    original.positions[tet[2]] + original.positions[tet[3]]);
-      if (source(x.apply(q + kInto * (centroid - q))) == t) return true;
-    }
-    return false;
+  const auto add = [&](std::int32_t n, std::int32_t t, const Vec3& place, bool free) {
+    nodes.positions.push_back(place);
+    nodes.supports.push_back(original.supports[n]);
+    nodes.free.push_back(free);
+    nodes.original.push_back(n);
+    nodes.transform.push_back(t);
   };
-
   for (std::int32_t n = 0; n < static_cast<std::int32_t>(original.positions.size()); ++n) {
     if (n % 1024 == 0) run.poll();
+    bool copied = false;
     for (const std::int32_t t : order) {
-      const Vec3& q = original.positions[n];
-      const bool reached = std::any_of(extent[t].begin(), extent[t].end(),
-                                       [&](const Box& box) { return box.contains(q, margin); });
-      if (!reached || !carried(n, t)) continue;
-      nodes.positions.push_back(source.transforms()[t].apply(q));
-      nodes.supports.push_back(original.supports[n]);
-      nodes.free.push_back(0);
-      nodes.original.push_back(n);
-      nodes.transform.push_back(t);
+      copied = copier.reached(n, t) && copier.carried(n, t);
+      if (!copied) continue;
+      add(n, t, source.transforms()[t].apply(original.positions[n]), false);
       break;
+    }
+    for (std::size_t k = 0; k < order.size() && !copied; ++k) {
+      if (!copier.reached(n, order[k])) continue;
+      const std::optional<Vec3> place = copier.set_back(n, order[k]);
+      copied = place.has_value();
+      if (copied) add(n, order[k], *place, true);
     }
   }
   return nodes;

@@ -22,8 +22,15 @@ struct OriginalNodes {
 /// material next to it, in one of its tets, is copied: so a node on the cap of a hole that moved
 /// onto old material does not come along.
 ///
-/// Post: every node is a fixed copy; supports are interior or, for nodes that were on the boundary,
-/// still those of the original.
-NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, const Run& run);
+/// A node that would end up outside while the material of its tets is copied, as on the wall of a
+/// hole that grew a little, is set back to the new boundary as a free node; of such nodes as many
+/// are left out as the lost volume held, or the mesh would thin out or clot along a chain of small
+/// edits.
+///
+/// `edge_length`: target edge length of the original mesh.
+/// Post: every node is a copy, fixed but for those set back; supports are interior or, for nodes
+/// that were on the boundary, still those of the original.
+NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, double edge_length,
+                   const Run& run);
 
 }  // namespace remeshd

@@ -94,7 +94,7 @@ NodeSet initial_nodes(const Revision* original, const PointSource& source, const
   if (original)
     nodes = copy_nodes(
         source, {original->master->positions, original->master->supports, original->master->tets},
-        run);
+        original->edge_length, run);
   const std::vector<Vec3> added = fill(
       source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
       {.edge_length = density.edge_length,

@@ -201,6 +201,15 @@ TEST(Remesh, FeaturesComeAndGo) {
   EXPECT_LT(with.cells.volume, without.cells.volume);
 }
 
+TEST(Remesh, AChainOfSmallEditsNeitherThinsTheMeshOutNorClotsIt) {
+  Revision r = first("fig11-a");
+  const double density = r.delivery.mesh.nodes.size() / r.cells.volume;
+  for (int k = 1; k <= 12; ++k)
+    r = edit(r, ModelEdit{{SetParameter{"hole_radius", 8 + 0.3 * (k <= 6 ? k : 12 - k)}}});
+  expect_valid(r);
+  EXPECT_NEAR(r.delivery.mesh.nodes.size() / r.cells.volume, density, 0.03 * density);
+}
+
 TEST(Remesh, EveryFacetKnowsItsFacesAndEveryTetItsOwners) {
   const Revision r = first("tool1-a");
   const MeshGroups& g = r.delivery.groups;
