@@ -2,6 +2,7 @@
 
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
+#include <google/protobuf/stubs/logging.h>
 #include <grpcpp/support/proto_buffer_reader.h>
 
 #include <utility>
@@ -71,6 +72,8 @@ void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
                      "the message has " + std::to_string(bytes.Length()) +
                          " bytes, more than the limit of " + std::to_string(limit),
                      "send a smaller document");
+  // protobuf writes what it dislikes to stderr; here the client gets to know it instead.
+  const google::protobuf::LogSilencer silence;
   grpc::ByteBuffer copy(bytes);
   grpc::ProtoBufferReader reader(&copy);
   if (!reader.status().ok() || !message.ParseFromZeroCopyStream(&reader))
