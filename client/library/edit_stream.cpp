@@ -38,7 +38,7 @@ std::string EditStream::Impl::fresh_id() {
 }
 
 std::future<remesh::v1::RevisionReply> EditStream::Impl::send(
-    const std::string& id, remesh::v1::EditStreamRequest request) {
+    const std::string& id, const remesh::v1::EditStreamRequest& request) {
   const std::lock_guard one_write(writing);
   if (closed) throw std::logic_error("EditStream: nothing can be sent after finish()");
   std::future<remesh::v1::RevisionReply> answer;
@@ -96,7 +96,7 @@ std::future<remesh::v1::RevisionReply> EditStream::edit(remesh::v1::EditRevision
   const std::string id = request.request_id();
   remesh::v1::EditStreamRequest message;
   *message.mutable_edit() = std::move(request);
-  return impl_->send(id, std::move(message));
+  return impl_->send(id, message);
 }
 
 std::future<remesh::v1::RevisionReply> EditStream::create(
@@ -105,7 +105,7 @@ std::future<remesh::v1::RevisionReply> EditStream::create(
   const std::string id = request.request_id();
   remesh::v1::EditStreamRequest message;
   *message.mutable_create() = std::move(request);
-  return impl_->send(id, std::move(message));
+  return impl_->send(id, message);
 }
 
 void EditStream::cancel(const std::string& request_id) {

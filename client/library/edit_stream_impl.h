@@ -24,7 +24,7 @@ struct EditStream::Impl {
   Impl& operator=(const Impl&) = delete;
 
   std::future<remesh::v1::RevisionReply> send(const std::string& id,
-                                              remesh::v1::EditStreamRequest request);
+                                              const remesh::v1::EditStreamRequest& request);
   std::string fresh_id();
   void read();
 

@@ -19,7 +19,6 @@ namespace {
 using client::make_error;
 using remesh::v1::Error;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 

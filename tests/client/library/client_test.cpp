@@ -12,7 +12,6 @@ namespace remeshd::client {
 namespace {
 
 using remesh::v1::Error;
-using testing::ElementsAre;
 using testing::SizeIs;
 
 remesh::v1::EditRevisionRequest edit_of(const std::string& base, const std::string& id = "") {
