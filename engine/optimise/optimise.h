@@ -19,7 +19,7 @@ struct OptimiseOptions {
   double auto_gain = 0.002;  ///< improvement of the mean volume-length below which `auto` stops
   /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
   /// is, on the boundary until the last repositioning, and counts as free.
-  double freeze = 0.02;
+  double freeze = 0.01;
 };
 
 /// The Delaunay mesh to start from: that of some of the fixed nodes.

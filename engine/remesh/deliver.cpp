@@ -36,6 +36,8 @@ std::size_t order_nodes(Candidate& c) {
   for (auto* tets : {&c.mesh.tets, &c.delaunay})
     for (Tet& t : *tets)
       for (std::int32_t& n : t) n = number[n];
+  for (SurfaceFacet& f : c.verification.surface)
+    for (std::int32_t& n : f.nodes) n = number[n];
   c.loop.mesh.rename(number, c.nodes.size());
   return used;
 }
@@ -114,8 +116,8 @@ void deliver(Candidate c, const Revision* original, const PointSource& source, R
   revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay);
   Delivery& d = revision.delivery;
   d.map = map_nodes(c, original, source);
-  d.groups = name_groups(c.mesh, c.nodes.supports, revision.model, source.modified(),
-                         revision.cells.boundary, run);
+  d.groups = name_groups(c.mesh, c.verification.surface, c.nodes.supports, revision.model,
+                         source.modified(), revision.cells.boundary, run);
   Master master;
   if (original) {
     master.next_node_id = original->master->next_node_id;

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "engine/improve/boundary_rules.h"
-#include "engine/mesh/adjacency.h"
 
 namespace remeshd {
 
@@ -106,39 +105,49 @@ std::vector<int> owners_of(const TetMesh& mesh, const Tet& t, const Membership& 
 
 }  // namespace
 
-MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
-                       const FeatureModel& model, const Membership& membership,
-                       const BoundaryModel& boundary, const Run& run) {
+MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surface,
+                       std::span<const Support> supports, const FeatureModel& model,
+                       const Membership& membership, const BoundaryModel& boundary,
+                       const Run& run) {
   MeshGroups groups;
-  const FacetFaces faces(boundary, supports);
-  const FacetNames names(model, membership, boundary);
-  Numbering<std::vector<std::string>> facet_groups;
   Numbering<std::vector<int>> cells;
-  const auto neighbours = tet_neighbours(mesh.tets, mesh.nodes.size());
-  std::vector<int> owners;
+  groups.tet_cell.reserve(mesh.tets.size());
+  std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
+  std::int32_t last_cell = -1;
   for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     if (k % 4096 == 0) run.poll();
-    const Tet& t = mesh.tets[k];
-    groups.tet_cell.push_back(cells(owners_of(mesh, t, membership)));
-    for (int i = 0; i < 4; ++i) {
-      if (neighbours[k][i] >= 0) continue;
-      const Triangle f{t[kTetFacets[i][0]], t[kTetFacets[i][1]], t[kTetFacets[i][2]]};
-      const int face = faces.face_of(f, mesh.nodes);
-      std::vector<std::string> group;
-      if (face >= 0)
-        group = names(face, (mesh.nodes[f[0]] + mesh.nodes[f[1]] + mesh.nodes[f[2]]) / 3.0);
-      groups.facets.push_back({f, static_cast<std::int32_t>(k), facet_groups(group)});
+    std::vector<int> owners = owners_of(mesh, mesh.tets[k], membership);
+    if (last_cell < 0 || owners != last) {
+      last_cell = cells(owners);
+      last = std::move(owners);
     }
+    groups.tet_cell.push_back(last_cell);
   }
   std::vector<std::int32_t> renumber;
-  groups.facet_groups = facet_groups.sorted(renumber);
-  for (MeshFacet& f : groups.facets) f.group = renumber[f.group];
   for (const std::vector<int>& cell : cells.sorted(renumber)) {
     std::vector<std::string> ids;
     for (const int feature : cell) ids.push_back(model.features[feature].id);
     groups.cell_owners.push_back(std::move(ids));
   }
   for (std::int32_t& c : groups.tet_cell) c = renumber[c];
+
+  const FacetFaces faces(boundary, supports);
+  const FacetNames names(model, membership, boundary);
+  Numbering<std::vector<std::string>> facet_groups;
+  std::vector<std::int32_t> of_face(boundary.faces.size(), -1);  // faces with one name throughout
+  groups.facets.reserve(surface.size());
+  for (const SurfaceFacet& f : surface) {
+    const int face = faces.face_of(f.nodes, mesh.nodes);
+    std::int32_t group = face >= 0 ? of_face[face] : facet_groups({});
+    if (group < 0) {
+      group = facet_groups(names(
+          face, (mesh.nodes[f.nodes[0]] + mesh.nodes[f.nodes[1]] + mesh.nodes[f.nodes[2]]) / 3.0));
+      if (boundary.faces[face].names.size() == 1) of_face[face] = group;
+    }
+    groups.facets.push_back({f.nodes, f.tet, group});
+  }
+  groups.facet_groups = facet_groups.sorted(renumber);
+  for (MeshFacet& f : groups.facets) f.group = renumber[f.group];
   return groups;
 }
 

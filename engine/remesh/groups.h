@@ -5,6 +5,7 @@
 #include "engine/cellular/support.h"
 #include "engine/model/solid.h"
 #include "engine/remesh/remesh.h"
+#include "engine/verify/surface_facets.h"
 
 namespace remeshd {
 
@@ -12,9 +13,10 @@ namespace remeshd {
 /// that contain its centroid (the latest owner on the material side first, then the others, latest
 /// first), each tet with the owners of its cell.
 ///
-/// Post: facets in the order of their tets; groups and cells sorted by name and by owners.
-MeshGroups name_groups(const TetMesh& mesh, std::span<const Support> supports,
-                       const FeatureModel& model, const Membership& membership,
-                       const BoundaryModel& boundary, const Run& run);
+/// `surface`: the facets of the mesh that are in one tet, as verification found them.
+/// Post: facets in the order of `surface`; groups and cells sorted by name and by owners.
+MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surface,
+                       std::span<const Support> supports, const FeatureModel& model,
+                       const Membership& membership, const BoundaryModel& boundary, const Run& run);
 
 }  // namespace remeshd

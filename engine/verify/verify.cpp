@@ -48,6 +48,7 @@ class Checker {
                std::to_string(result_.volume + result_.chord_volume) + ", the model's " +
                std::to_string(exact_volume));
     result_.valid = result_.failures.empty();
+    result_.surface = std::move(surface_);
     return std::move(result_);
   }
 

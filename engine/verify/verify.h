@@ -8,6 +8,7 @@
 
 #include "engine/cellular/support.h"
 #include "engine/mesh/tet_mesh.h"
+#include "engine/verify/surface_facets.h"
 
 namespace remeshd {
 
@@ -38,6 +39,7 @@ struct Verification {
   bool valid = false;
   std::array<std::uint32_t, kMeshFailures> counts{};  ///< by MeshFailure
   std::vector<MeshDefect> failures;                   ///< the first 20 of each kind
+  std::vector<SurfaceFacet> surface;                  ///< the mesh's boundary, by tet
   std::uint32_t boundary_facets = 0;
   double volume = 0;  ///< of the mesh
   double chord_volume =
