@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/remesh/group_areas.h"
 #include "engine/remesh/groups.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/tet_index.h"
@@ -118,6 +119,8 @@ void deliver(Candidate c, const Revision* original, const PointSource& source, R
   d.map = map_nodes(c, original, source);
   d.groups = name_groups(c.mesh, c.verification.surface, c.nodes.supports, revision.model,
                          source.modified(), revision.cells.boundary, run);
+  revision.report.groups =
+      group_areas(c.mesh, d.groups, revision.model, source.modified(), revision.cells);
   Master master;
   if (original) {
     master.next_node_id = original->master->next_node_id;

@@ -65,6 +65,7 @@ void repeat(const Revision& original, const PointSource& source, Revision& revis
   revision.meshed_source = original.meshed_source;
   revision.meshed_model = original.meshed_model;
   revision.report.quality_before = original.report.quality_before;
+  revision.report.groups = original.report.groups;
   revision.report.free_share = 0;
   account(revision);
 }

@@ -249,6 +249,19 @@ TEST(Remesh, CoincidentFacesGiveAFacetBothNames) {
   for (const auto& g : groups) EXPECT_LE(g.size(), 2U);
 }
 
+TEST(Remesh, GroupsThatShareAPlaneStandInTheReportWithTheirExactAreas) {
+  const Revision r =
+      first("tool2-a");  // the wall's side continues the base's: 12 x 60 above 120 x 12
+  std::map<std::string, GroupArea> groups;
+  for (const GroupArea& g : r.report.groups) groups[g.group] = g;
+  ASSERT_TRUE(groups.contains("wall.y_min"));
+  EXPECT_NEAR(groups["wall.y_min"].exact_area, 12 * 60, 1e-6);
+  EXPECT_NEAR(groups["base.y_min"].exact_area, 120 * 12, 1e-6);
+  const double both = groups["wall.y_min"].mesh_area + groups["base.y_min"].mesh_area;
+  EXPECT_NEAR(both, 12 * 60 + 120 * 12, 1e-6);
+  EXPECT_FALSE(groups.contains("mount1.wall"));
+}
+
 TEST(Remesh, AStopRequestEndsTheRunAsCancelled) {
   std::stop_source source;
   remeshd::Run run;
