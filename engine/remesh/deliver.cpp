@@ -111,8 +111,8 @@ void account(Revision& revision) {
   revision.report.exact_volume = revision.cells.volume;
 }
 
-void deliver(Candidate c, const Revision* original, const PointSource& source, Revision& revision,
-             const Run& run) {
+void deliver(Candidate c, const Revision* original, const Revision* parent,
+             const PointSource& source, Revision& revision, const Run& run) {
   order_nodes(c);
   revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay);
   Delivery& d = revision.delivery;
@@ -122,9 +122,9 @@ void deliver(Candidate c, const Revision* original, const PointSource& source, R
   revision.report.groups =
       group_areas(c.mesh, d.groups, revision.model, source.modified(), revision.cells);
   Master master;
-  if (original) {
-    master.next_node_id = original->master->next_node_id;
-    master.next_tet_id = original->master->next_tet_id;
+  if (parent) {
+    master.next_node_id = parent->master->next_node_id;
+    master.next_tet_id = parent->master->next_tet_id;
   }
   d.node_ids = permanent_ids(d.map.original_node, original ? &original->delivery.node_ids : nullptr,
                              master.next_node_id);

@@ -6,8 +6,11 @@ namespace remeshd {
 
 /// Turns a verified candidate into what is delivered and what the next edit starts from: node and
 /// tet maps, permanent ids, groups, master; and counts what was kept.
-void deliver(Candidate candidate, const Revision* original, const PointSource& source,
-             Revision& revision, const Run& run);
+///
+/// `original`: where the nodes were copied from, null if none were; `parent`: the revision that was
+/// edited, whose permanent ids are taken in any case, null for a first mesh.
+void deliver(Candidate candidate, const Revision* original, const Revision* parent,
+             const PointSource& source, Revision& revision, const Run& run);
 
 /// Counts nodes and tets by origin and measures the delivered mesh, into `revision.report`.
 void account(Revision& revision);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
+constexpr std::uint64_t kOtherSeed = 0x5EED;
 
 /// Adds up the seconds between calls, each to a phase.
 class Stopwatch {
@@ -36,9 +37,6 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
-
-/// What is tried, in this order, until the mesh passes verification.
-enum class Attempt { AsPlanned, AllFree, OtherSeed };
 
 double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   if (loop.free_per_iteration.empty() || nodes == 0) return 0;
@@ -74,6 +72,74 @@ std::string first_failure(const Verification& v) {
   return v.failures.empty() ? "the mesh did not pass verification" : v.failures.front().what;
 }
 
+/// What one try at a mesh works with. `original` is null where everything is new.
+struct Setting {
+  const Revision* original;
+  const PointSource& source;
+  const CellularModel& cells;
+  const Density& density;
+  const MeshOptions& options;
+  std::uint64_t seed;
+  bool all_free;  ///< optimise the copied nodes too, all of them
+};
+
+std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) {
+  return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
+}
+
+/// Nodes, optimisation, extraction, verification (Sects. 6-8), and repair where the boundary is not
+/// all there. What was done goes into the report, whether or not the mesh is valid.
+Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run& run) {
+  const BoundaryModel& boundary = s.cells.boundary;
+  const Membership& membership = s.source.modified();
+  const double l = s.density.edge_length;
+  Counts& counts = report.counts;
+
+  run.report("nodes", 0.1);
+  NodeSet nodes = initial_nodes(s.original, s.source, s.density, s.seed, run);
+  if (s.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
+  counts.nodes_new =
+      static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
+  counts.nodes_copied = static_cast<std::uint32_t>(nodes.size()) - counts.nodes_new;
+  watch.lap(report.seconds.copy);
+
+  const Samples samples = sample_boundary(boundary, membership, l, s.seed, {}, run);
+  counts.samples = static_cast<std::uint32_t>(samples.points.size());
+  if (s.original)
+    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal());
+  counts.free_at_start = count(nodes.free, 1);
+  const bool all_free = count(nodes.free, 0) == 0;
+  watch.lap(report.seconds.setup);
+
+  OptimiseResult loop =
+      optimise(nodes, start_mesh(s.original, nodes, s.source, boundary.bounds, run), boundary,
+               membership, samples, {.edge_length = l, .iterations = s.options.iterations}, run);
+  counts.free_at_end = count(nodes.free, 1);
+  counts.free_per_iteration = loop.free_per_iteration;
+  counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
+  counts.active_samples = loop.samples_active;
+  // Nodes added on the way are free from their first iteration on.
+  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size());
+  watch.lap(report.seconds.optimise);
+
+  Candidate candidate =
+      extract(std::move(nodes), std::move(loop), s.original, s.source, s.cells, s.options, run);
+  int repaired = 0;
+  for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
+    const int inserted = insert_where_missing(candidate.nodes, candidate.verification, samples, l);
+    if (inserted == 0) break;
+    repaired += inserted;
+    candidate.loop.mesh = triangulate_anew(candidate.nodes, boundary, l, run);
+    candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), s.original, s.source,
+                        s.cells, s.options, run);
+  }
+  if (repaired > 0)
+    report.warnings.push_back(std::to_string(repaired) +
+                              " nodes were inserted to make the boundary complete");
+  watch.lap(report.seconds.extract);
+  return candidate;
+}
+
 }  // namespace
 
 Revision make_revision(const Revision* original, const ModelSource& document,
@@ -105,74 +171,29 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     return revision;
   }
 
-  Candidate candidate;
-  bool valid = false;
-  for (const Attempt attempt : {Attempt::AsPlanned, Attempt::AllFree, Attempt::OtherSeed}) {
-    if (!original && attempt == Attempt::AllFree) continue;
-    const std::uint64_t seed = options.seed + (attempt == Attempt::OtherSeed ? 0x5EED : 0);
-    const Revision* base = attempt == Attempt::OtherSeed ? nullptr : original;
-    run.report("nodes", 0.1);
-    const PointSource fresh =
-        base ? source : PointSource(nullptr, revision.model, density.edge_length, run);
-    const Density target =
-        base == original
-            ? density
-            : resolve_density(nullptr, {.size = density.edge_length}, cells.volume, cells.area);
-    NodeSet nodes = initial_nodes(base, fresh, target, seed, run);
-    if (attempt != Attempt::AsPlanned) std::fill(nodes.free.begin(), nodes.free.end(), 1);
-    watch.lap(seconds.copy);
-    const Samples samples =
-        sample_boundary(cells.boundary, fresh.modified(), density.edge_length, seed, {}, run);
-    if (base)
-      place_supports(nodes, cells.boundary, samples, density.edge_length,
-                     kOnEntity * cells.boundary.bounds.diagonal());
-    report.counts.samples = static_cast<std::uint32_t>(samples.points.size());
-    const auto fresh_nodes = std::count(nodes.original.begin(), nodes.original.end(), -1);
-    report.counts.nodes_new = static_cast<std::uint32_t>(fresh_nodes);
-    report.counts.nodes_copied = static_cast<std::uint32_t>(nodes.size() - fresh_nodes);
-    report.counts.free_at_start =
-        static_cast<std::uint32_t>(std::count(nodes.free.begin(), nodes.free.end(), 1));
-    watch.lap(seconds.setup);
-
-    OptimiseResult loop =
-        optimise(nodes, start_mesh(base, nodes, fresh, cells.boundary.bounds, run), cells.boundary,
-                 fresh.modified(), samples,
-                 {.edge_length = density.edge_length, .iterations = options.iterations}, run);
-    watch.lap(seconds.optimise);
-    report.counts.free_at_end =
-        static_cast<std::uint32_t>(std::count(nodes.free.begin(), nodes.free.end(), 1));
-    report.free_share = mean_free_share(loop, nodes.size());
-    candidate = extract(std::move(nodes), std::move(loop), base, fresh, cells, options, run);
-    int repaired = 0;
-    for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
-      const int inserted = insert_where_missing(candidate.nodes, candidate.verification, samples,
-                                                density.edge_length);
-      if (inserted == 0) break;
-      repaired += inserted;
-      candidate.loop.mesh =
-          triangulate_anew(candidate.nodes, cells.boundary, density.edge_length, run);
-      candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), base, fresh, cells,
-                          options, run);
-    }
-    if (repaired > 0)
-      report.warnings.push_back(std::to_string(repaired) +
-                                " nodes were inserted to make the boundary complete");
-    valid = candidate.verification.valid;
-    if (valid) {
-      report.counts.free_per_iteration = candidate.loop.free_per_iteration;
-      report.counts.iterations =
-          static_cast<std::uint32_t>(candidate.loop.free_per_iteration.size());
-      report.counts.active_samples = candidate.loop.samples_active;
-      deliver(std::move(candidate), base, fresh, revision, run);
-      watch.lap(seconds.extract);
-      break;
-    }
-    watch.lap(seconds.extract);
+  // As planned; failing that with every copied node free; failing that from new nodes altogether.
+  Setting setting{original, source, cells, density, options, options.seed, false};
+  Candidate candidate = try_mesh(setting, report, watch, run);
+  if (original && !candidate.verification.valid) {
     report.warnings.push_back(first_failure(candidate.verification) +
-                              (attempt == Attempt::AsPlanned ? "; all nodes were optimised anew"
-                                                             : "; meshed from another seed"));
+                              "; all nodes were optimised anew");
+    setting.all_free = true;
+    candidate = try_mesh(setting, report, watch, run);
   }
-  if (!valid) throw error::boundary_not_recovered(first_failure(candidate.verification));
+  if (candidate.verification.valid) {
+    deliver(std::move(candidate), original, original, source, revision, run);
+  } else {
+    report.warnings.push_back(first_failure(candidate.verification) + "; meshed from another seed");
+    const PointSource nothing(nullptr, revision.model, density.edge_length, run);
+    const Density same =
+        resolve_density(nullptr, {.size = density.edge_length}, cells.volume, cells.area);
+    candidate = try_mesh({nullptr, nothing, cells, same, options, options.seed + kOtherSeed, true},
+                         report, watch, run);
+    if (!candidate.verification.valid)
+      throw error::boundary_not_recovered(first_failure(candidate.verification));
+    deliver(std::move(candidate), nullptr, original, nothing, revision, run);
+  }
+  watch.lap(seconds.extract);
   seconds.total = watch.total();
   return revision;
 }

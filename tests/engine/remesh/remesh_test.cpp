@@ -51,6 +51,8 @@ TEST_P(SevenCases, GiveValidMeshesThatKeepMostOfTheOriginal) {
   const test::EditCase& c = GetParam();
   const Revision original = first(c.original);
   expect_valid(original);
+  EXPECT_EQ(original.report.free_share, 1);
+  EXPECT_EQ(original.report.counts.nodes_kept, 0U);
   EXPECT_NEAR(original.delivery.mesh.nodes.size(), 2500, 0.03 * 2500);
   EXPECT_NEAR(original.cells.volume, c.original_volume, 1e-6 * c.original_volume);
   const Revision remesh = edit(original, c.edit);
