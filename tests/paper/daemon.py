@@ -11,15 +11,16 @@ from pathlib import Path
 class Daemon:
     """`remeshd` on a free loopback port with an empty store; ends with the `with` block."""
 
-    def __init__(self, binaries):
-        self.binaries = Path(binaries)
+    def __init__(self, binaries, *options):
+        self.binaries, self.options = Path(binaries), options
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="remesh-paper-")
         log = Path(self.file("remeshd.log"))
         with log.open("w") as out:
             self.process = subprocess.Popen(
-                [self.binaries / "remeshd", "--listen", "127.0.0.1:0", "--store", self.file("store")],
+                [self.binaries / "remeshd", "--listen", "127.0.0.1:0", "--store", self.file("store"),
+                 *self.options],
                 stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT)
         for _ in range(300):
             if found := re.search(r" serving remesh\.v1 on ([^,]+),", log.read_text()):

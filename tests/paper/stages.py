@@ -5,7 +5,6 @@
 
 The case is tool1-ac, which translates four holes as the paper's Fig. 14 does.
 """
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -19,6 +18,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 from cases import CASES
+from daemon import Daemon
 from model_geometry import Model
 
 CASE = next(c for c in CASES if c.name == "tool1-ac")
@@ -133,13 +133,15 @@ def save(figure, path):
 def main(binaries, out=Path(__file__).with_name("pictures")):
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        fine, coarse = Path(folder) / "fine", Path(folder) / "coarse"
-        for nodes, dumps in ((15000, fine), (4000, coarse)):
-            subprocess.run([Path(binaries) / "dump_stages", CASE.name, str(nodes), dumps], check=True)
-        evolution(coarse / "original", Model(CASE.path(CASE.original)), out)
-        copied_and_new(fine / "remesh", out)
-        free_nodes(fine / "remesh", out)
+    with tempfile.TemporaryDirectory() as folder, Daemon(binaries, "--dumps", folder) as daemon:
+        def mesh(nodes):
+            return daemon.run("mesh", CASE.path(CASE.original), "--nodes", nodes, "--iterations", 10,
+                              out="original")["revision"]
+
+        remesh = daemon.run("edit", mesh(15000), CASE.path(CASE.edit), out="remesh")["revision"]
+        evolution(Path(folder) / mesh(4000), Model(CASE.path(CASE.original)), out)
+        copied_and_new(Path(folder) / remesh, out)
+        free_nodes(Path(folder) / remesh, out)
 
 
 if __name__ == "__main__":
