@@ -235,6 +235,48 @@ Error kernel_failure(std::string_view what, std::string_view feature) {
                         "keep them further apart"});
 }
 
+Error tetgen_refused(std::string_view why) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "TetGenRefused",
+                .message = "TetGen refuses the model's surface: " + std::string(why),
+                .stage = "control mesh",
+                .hint = "features that nearly coincide are the usual cause: let them coincide, or "
+                        "keep them further apart"});
+}
+
+Error tetgen_crashed(std::string_view how) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "TetGenCrashed",
+                .message = "TetGen failed on the model's surface: " + std::string(how),
+                .stage = "control mesh",
+                .hint = "change a size or a place of the model a little"});
+}
+
+Error tetgen_too_slow(double seconds) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "TetGenTooSlow",
+                .message = "TetGen gave no answer within " + number(seconds) + " s",
+                .stage = "control mesh",
+                .hint = "a simpler model, or a less busy machine"});
+}
+
+Error tetgen_out_of_memory(std::size_t bytes) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "TetGenOutOfMemory",
+                .message = "TetGen needs more than its " + std::to_string(bytes >> 20) + " MiB",
+                .stage = "control mesh",
+                .hint = "a simpler model"});
+}
+
+Error tetgen_missing(std::string_view path, std::string_view why) {
+  return Error({.kind = ErrorKind::Internal,
+                .reason = "TetGenMissing",
+                .message = clip(path, 200) + " does not start: " + std::string(why),
+                .stage = "control mesh",
+                .hint = "install remeshd-tetgen beside the program or in ../libexec/remeshd, or "
+                        "name it in REMESHD_TETGEN"});
+}
+
 Error options_invalid(std::string_view option, std::string_view why) {
   return Error({.kind = ErrorKind::InvalidArgument,
                 .reason = "OptionsInvalid",

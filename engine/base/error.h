@@ -106,6 +106,17 @@ Error non_manifold_model(std::string_view what, double x, double y, double z);
 /// The CAD kernel failed, or a check of its result did.
 Error kernel_failure(std::string_view what, std::string_view feature = {});
 
+// Stage `control mesh`: TetGen in its own process.
+
+/// It does not take the surface, because `why`.
+Error tetgen_refused(std::string_view why);
+/// It ended without an answer; `how` is a clause.
+Error tetgen_crashed(std::string_view how);
+Error tetgen_too_slow(double seconds);
+Error tetgen_out_of_memory(std::size_t bytes);
+/// The program `remeshd-tetgen` cannot be started from `path`.
+Error tetgen_missing(std::string_view path, std::string_view why);
+
 /// `option`: `nodes`, `size`, `iterations`.
 Error options_invalid(std::string_view option, std::string_view why);
 /// `what`: what is missing or wrong, and where.

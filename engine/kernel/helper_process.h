@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/run.h"
+
+namespace remeshd::kernel {
+
+/// How a helper ended, and all that it said.
+struct HelperEnd {
+  enum class Kind { Exited, Signalled, TimedOut, TalkedTooMuch, NotStarted };
+  Kind kind = Kind::Exited;
+  int code = 0;  ///< exit code, signal, or errno where it did not start
+  std::vector<std::byte> answer;
+};
+
+struct HelperLimits {
+  double seconds = 60;           ///< s from start to end
+  std::size_t answer_bytes = 0;  ///< it is killed when it says more
+};
+
+/// Starts a program, sends it `input` on its stdin and collects its stdout; its stderr is lost.
+///
+/// Post: the process has ended and is reaped, whatever happened; no file descriptor is left open.
+/// It inherits none but these, no blocked signals, and is in a process group of its own, so that a
+/// Ctrl-C at the terminal is ours to handle.
+/// Throws Error(Cancelled) within 20 ms of a stop request.
+HelperEnd run_helper(const std::filesystem::path& program, std::vector<std::string> arguments,
+                     std::span<const std::byte> input, const HelperLimits& limits, const Run& run);
+
+}  // namespace remeshd::kernel

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd::kernel {
+
+/// Triangles in any orientation that meet along whole edges; every part of space that they close
+/// off is meshed, voids too.
+struct TetGenSurface {
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+};
+
+struct TetGenMesh {
+  TetMesh mesh;                       ///< fills what the surface closes off; flat tets are possible
+  std::vector<std::int32_t> regions;  ///< per tet: the region between triangles that it lies in
+};
+
+/// What the child process may use.
+struct TetGenLimits {
+  double seconds = 60;                               ///< s from start to answer
+  std::size_t address_space = std::size_t{2} << 30;  ///< bytes; a model takes some ten MB
+  std::filesystem::path helper{};                    ///< empty: find_tetgen_helper()
+};
+
+/// The constrained Delaunay mesh of a surface by TetGen (`pAQ`), made by the program
+/// `remeshd-tetgen`: TetGen may abort, hang or eat memory, and then only that process ends. Points
+/// of the surface keep their coordinates; TetGen may add points on it.
+///
+/// Post: all indices are in range; no process, thread or file descriptor outlives the call.
+/// Throws Error(TetGenRefused, TetGenCrashed, TetGenTooSlow, TetGenOutOfMemory, TetGenMissing);
+/// Error(Cancelled) within 20 ms of a stop request.
+/// Source: Si 2015, TetGen; Sect. 3.1 for its use.
+TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run);
+
+/// Where `remeshd-tetgen` is: $REMESHD_TETGEN if set, else beside the running program, else in
+/// ../libexec/remeshd from there.
+std::filesystem::path find_tetgen_helper();
+
+}  // namespace remeshd::kernel

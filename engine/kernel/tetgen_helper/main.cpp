@@ -1,0 +1,190 @@
+// remeshd-tetgen: TetGen in a process of its own, because TetGen may abort, hang or eat memory.
+// Started by run_tetgen (engine/kernel/tetgen.h); says what engine/kernel/tetgen_protocol.h tells.
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <tetgen.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "engine/kernel/tetgen_protocol.h"
+
+namespace {
+
+using namespace remeshd::kernel::tetgen_protocol;
+
+constexpr int kExitUsage = 2, kExitBrokenStream = 3;
+
+struct Request {
+  std::vector<double> points;  // x y z, x y z, ...
+  std::vector<std::int32_t> triangles;
+};
+
+bool read_all(void* to, std::size_t size) {
+  char* at = static_cast<char*>(to);
+  while (size > 0) {
+    const ssize_t n = read(STDIN_FILENO, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    at += n;
+    size -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+bool write_all(int fd, const void* from, std::size_t size) {
+  const char* at = static_cast<const char*>(from);
+  while (size > 0) {
+    const ssize_t n = write(fd, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    at += n;
+    size -= static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+template <typename T>
+bool read_values(std::vector<T>& values, std::uint64_t count) {
+  values.resize(count);
+  return read_all(values.data(), values.size() * sizeof(T));
+}
+
+bool read_request(Request& request) {
+  RequestHeader header;
+  return read_all(&header, sizeof header) && header.magic == kRequestMagic &&
+         read_values(request.points, 3 * header.points) &&
+         read_values(request.triangles, 3 * header.triangles);
+}
+
+/// What would make TetGen read beyond its lists, or loop.
+bool numbers_are_sound(const Request& request) {
+  const auto points = static_cast<std::int64_t>(request.points.size() / 3);
+  return std::ranges::all_of(request.points, [](double x) { return std::isfinite(x); }) &&
+         std::ranges::all_of(request.triangles,
+                             [&](std::int32_t p) { return p >= 0 && p < points; });
+}
+
+void fill(tetgenio& in, const Request& request) {
+  in.numberofpoints = static_cast<int>(request.points.size() / 3);
+  in.pointlist = new REAL[request.points.size()];
+  std::ranges::copy(request.points, in.pointlist);
+  const int triangles = static_cast<int>(request.triangles.size() / 3);
+  in.facetlist = new tetgenio::facet[static_cast<std::size_t>(triangles)];
+  for (int t = 0; t < triangles; ++t) tetgenio::init(&in.facetlist[t]);
+  in.numberoffacets = triangles;
+  for (int t = 0; t < triangles; ++t) {
+    tetgenio::facet& facet = in.facetlist[t];
+    facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::init(facet.polygonlist);
+    facet.numberofpolygons = 1;
+    facet.polygonlist->vertexlist = new int[3];
+    facet.polygonlist->numberofvertices = 3;
+    std::copy_n(&request.triangles[3 * static_cast<std::size_t>(t)], 3,
+                facet.polygonlist->vertexlist);
+  }
+}
+
+Status mesh(const Request& request, tetgenio& out) {
+  if (!numbers_are_sound(request)) return Status::BadNumber;
+  try {
+    tetgenio in;
+    fill(in, request);
+    // p: keep the surface; A: number the regions it encloses; Q: quiet. Never Y with A, which
+    // aborts now and then.
+    std::array<char, 4> switches{'p', 'A', 'Q', '\0'};
+    tetrahedralize(switches.data(), &in, &out);
+    return Status::Meshed;
+  } catch (int code) {  // TetGen throws its exit code
+    switch (code) {
+      case 1:
+        return Status::OutOfMemory;
+      case 2:
+        return Status::InternalError;
+      case 3:
+        return Status::SelfIntersection;
+      case 4:
+        return Status::SmallFeature;
+      case 5:
+        return Status::CloseFacets;
+      case 10:
+        return Status::InputError;
+      default:
+        return Status::Unknown;
+    }
+  } catch (const std::bad_alloc&) {
+    return Status::OutOfMemory;
+  }
+}
+
+bool answer(int fd, Status status, const tetgenio& out) {
+  AnswerHeader header;
+  header.status = status;
+  if (status != Status::Meshed) return write_all(fd, &header, sizeof header);
+  const auto points = static_cast<std::size_t>(out.numberofpoints);
+  const auto tets = static_cast<std::size_t>(out.numberoftetrahedra);
+  header.points = points;
+  header.tets = tets;
+  std::vector<std::int32_t> regions(tets, 0);
+  if (out.numberoftetrahedronattributes == 1)
+    for (std::size_t t = 0; t < tets; ++t)
+      regions[t] = static_cast<std::int32_t>(out.tetrahedronattributelist[t]);
+  return write_all(fd, &header, sizeof header) &&
+         write_all(fd, out.pointlist, points * 3 * sizeof(double)) &&
+         write_all(fd, out.tetrahedronlist, tets * 4 * sizeof(std::int32_t)) &&
+         write_all(fd, regions.data(), tets * sizeof(std::int32_t));
+}
+
+void limit(int resource, rlim_t value) {
+  const rlimit both{value, value};
+  setrlimit(resource, &both);
+}
+
+bool number(const char* text, rlim_t& value) {
+  const char* end = text + std::strlen(text);
+  return std::from_chars(text, end, value).ptr == end && text != end;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  rlim_t bytes = 0, seconds = 0;
+  if (argc != 3 || !number(argv[1], bytes) || !number(argv[2], seconds)) {
+    std::fputs(
+        "usage: remeshd-tetgen ADDRESS_SPACE_BYTES PROCESSOR_SECONDS\n"
+        "A part of remeshd, which starts it and speaks to it over its stdin.\n",
+        stderr);
+    return kExitUsage;
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_AS, bytes);
+  limit(RLIMIT_CPU, seconds);
+
+  // TetGen prints what it meets to stdout, Q or not.
+  const int to_parent = dup(STDOUT_FILENO);
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (to_parent < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0) return kExitBrokenStream;
+
+  Request request;
+  tetgenio out;
+  Status status = Status::OutOfMemory;
+  try {
+    if (!read_request(request)) return kExitBrokenStream;
+    status = mesh(request, out);
+    // Without the destructors: the system takes memory back faster.
+    _exit(answer(to_parent, status, out) ? 0 : kExitBrokenStream);
+  } catch (const std::bad_alloc&) {
+    _exit(answer(to_parent, Status::OutOfMemory, out) ? 0 : kExitBrokenStream);
+  }
+}
