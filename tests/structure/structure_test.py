@@ -83,6 +83,7 @@ class Rule(unittest.TestCase):
         rule = structure.no_path_of_one_machine
         self.allows(rule, "README.md", "client/" + "work/a, $HOME/" + "work/b, https://a.b/" + "work/")
         self.forbids(rule, "README.md", "see /" + "home/me/build")
+        self.allows(rule, "tests/a_test.cpp", '"/' + 'home/anna/x"')
         self.forbids(rule, "deploy/a.sh", "cd '/" + "root/x'")
 
 
