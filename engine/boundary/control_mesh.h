@@ -39,7 +39,7 @@ class ControlMesh {
   /// What the octree is built from.
   struct Scene;
   void add_planes();
-  void divide(Scene& scene, std::size_t node, const Vec3& centre, const Vec3& half, int depth,
+  void divide(const Scene& scene, std::size_t node, const Vec3& centre, const Vec3& half, int depth,
               const std::vector<std::int32_t>& tets, const std::vector<std::int32_t>& facets);
   [[nodiscard]] bool in_tet(std::int32_t tet, const Vec3& p) const;
 
