@@ -5,6 +5,7 @@
 #include <atomic>
 #include <future>
 #include <latch>
+#include <memory>
 #include <string>
 
 namespace remeshd {
@@ -12,22 +13,26 @@ namespace {
 
 const auto kNoRefusal = [](const Error& error) { ADD_FAILURE() << error.what(); };
 
-/// Keeps a pool's only worker busy until `open`.
+/// Keeps a pool's only worker busy until `open`. The worker may still be on its way out of it when
+/// the blocker is gone, so it has a share of its own in the gates.
 class Blocker {
  public:
   explicit Blocker(Pool& pool) {
     pool.submit(
-        [this] {
-          started_.set_value();
-          released_.get_future().wait();
+        [gates = gates_] {
+          gates->started.count_down();
+          gates->released.wait();
         },
         kNoRefusal);
-    started_.get_future().wait();
+    gates_->started.wait();
   }
-  void open() { released_.set_value(); }
+  void open() { gates_->released.count_down(); }
 
  private:
-  std::promise<void> started_, released_;
+  struct Gates {
+    std::latch started{1}, released{1};
+  };
+  std::shared_ptr<Gates> gates_ = std::make_shared<Gates>();
 };
 
 TEST(Pool, RunsJobsInTheOrderOfTheirComing) {
