@@ -17,19 +17,19 @@ int face_of(const NodeSet& nodes, const FacesOf& faces, const Tet& t) {
 }
 
 bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const FacesOf& faces,
-                 const Membership& membership, const Tet& t) {
+                 const InsideTest& inside, const Tet& t) {
   for (const std::int32_t n : t)
     if (nodes.supports[n].kind == Support::Kind::Interior) return true;
   const int face = face_of(nodes, faces, t);
   if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
-  return membership.inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
-                                   nodes.positions[t[2]] + nodes.positions[t[3]]));
+  return inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] + nodes.positions[t[2]] +
+                        nodes.positions[t[3]]));
 }
 
 }  // namespace
 
 std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                      const BoundaryModel& boundary, const Membership& membership,
+                      const BoundaryModel& boundary, const InsideTest& inside,
                       const PeelOptions& options, const Run& run) {
   const FacesOf faces(boundary);
   std::vector<Tet> tets;
@@ -37,7 +37,7 @@ std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   std::size_t count = 0;
   delaunay.for_each_tet([&](const Tet& t) {
     if (count++ % 8192 == 0) run.poll();
-    if (contributes(nodes, boundary, faces, membership, t)) tets.push_back(t);
+    if (contributes(nodes, boundary, faces, inside, t)) tets.push_back(t);
   });
 
   auto neighbours = tet_neighbours(tets, nodes.positions.size());

@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "engine/base/inside_test.h"
 #include "engine/base/run.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/mesh/tet_mesh.h"
-#include "engine/model/solid.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -19,7 +19,7 @@ struct PeelOptions {
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
 std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                      const BoundaryModel& boundary, const Membership& membership,
+                      const BoundaryModel& boundary, const InsideTest& inside,
                       const PeelOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -57,7 +57,7 @@ class Frozen {
 /// Frees the fixed nodes next to free ones, through tets that belong to the model: such as have an
 /// interior node or, all corners being on the boundary, their centroid inside (Sect. 8).
 bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
-            const Membership& membership) {
+            const InsideTest& inside) {
   std::vector<std::uint8_t> was_free = nodes.free;
   for (std::int32_t n = 0; n < nodes.size(); ++n) was_free[n] |= frozen.holds(n);
   bool grown = false;
@@ -67,8 +67,8 @@ bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
     const bool interior = std::any_of(t.begin(), t.end(), [&](std::int32_t n) {
       return nodes.supports[n].kind == Support::Kind::Interior;
     });
-    if (!interior && !membership.inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
-                                                nodes.positions[t[2]] + nodes.positions[t[3]])))
+    if (!interior && !inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
+                                     nodes.positions[t[2]] + nodes.positions[t[3]])))
       continue;
     for (const std::int32_t n : t) {
       if (was_free[n]) continue;
@@ -82,7 +82,7 @@ bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
 }  // namespace
 
 OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& boundary,
-                        const Membership& membership, const Samples& samples,
+                        const InsideTest& inside, const Samples& samples,
                         const OptimiseOptions& options, const Run& run) {
   OptimiseResult result;
   const Adjacency adjacency(boundary);
@@ -107,9 +107,9 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     result.free_per_iteration.push_back(count_free(nodes) + frozen.count());
     const std::vector<Tet> tets = live.tets();
     dump_nodes(run, dump_name(k), nodes, tets);
-    const double now = relocate(nodes, tets, membership);
+    const double now = relocate(nodes, tets, inside);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
-    if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, tets, membership))
+    if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, tets, inside))
       active.refresh(nodes);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;

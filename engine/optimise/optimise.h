@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/inside_test.h"
 #include "engine/base/run.h"
 #include "engine/boundary/samples.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/mesh/tet_mesh.h"
-#include "engine/model/solid.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -42,7 +42,7 @@ struct OptimiseResult {
 ///
 /// A first mesh is the case of all nodes free and an empty start.
 OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& boundary,
-                        const Membership& membership, const Samples& samples,
+                        const InsideTest& inside, const Samples& samples,
                         const OptimiseOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -6,7 +6,7 @@
 
 namespace remeshd {
 
-double relocate(NodeSet& nodes, std::span<const Tet> tets, const Membership& membership) {
+double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside) {
   std::vector<Vec3> moment(nodes.positions.size());
   std::vector<double> volume(nodes.positions.size(), 0.0);
   double quality = 0;
@@ -34,7 +34,7 @@ double relocate(NodeSet& nodes, std::span<const Tet> tets, const Membership& mem
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
     if (!moves(n) || volume[n] <= 0) continue;
     const Vec3 p = nodes.positions[n] + moment[n] / volume[n];
-    if (membership.inside(p)) nodes.positions[n] = p;
+    if (inside(p)) nodes.positions[n] = p;
   }
   return counted ? quality / static_cast<double>(counted) : 0;
 }

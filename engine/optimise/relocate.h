@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "engine/base/inside_test.h"
 #include "engine/mesh/tet_mesh.h"
-#include "engine/model/solid.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -12,6 +12,6 @@ namespace remeshd {
 /// (formula 1 of Sect. 3.3; Chen 2003), with step 1. A move out of the model is not made.
 ///
 /// Returns the mean volume-length measure of the tets at free nodes before the move.
-double relocate(NodeSet& nodes, std::span<const Tet> tets, const Membership& membership);
+double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside);
 
 }  // namespace remeshd

@@ -104,6 +104,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   watch.lap(report.seconds.copy);
 
   const Samples samples = sample_boundary(boundary, membership, l, s.seed, {}, run);
+  const InsideTest inside = inside_test(s.options.inside, membership, boundary, run);
   counts.samples = static_cast<std::uint32_t>(samples.points.size());
   if (s.original)
     place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal());
@@ -113,7 +114,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
 
   OptimiseResult loop =
       optimise(nodes, start_mesh(s.original, nodes, s.source, boundary.bounds, run), boundary,
-               membership, samples, {.edge_length = l, .iterations = s.options.iterations}, run);
+               inside, samples, {.edge_length = l, .iterations = s.options.iterations}, run);
   counts.free_at_end = count(nodes.free, 1);
   counts.free_per_iteration = loop.free_per_iteration;
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
@@ -122,8 +123,8 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size());
   watch.lap(report.seconds.optimise);
 
-  Candidate candidate =
-      extract(std::move(nodes), std::move(loop), s.original, s.source, s.cells, s.options, run);
+  Candidate candidate = extract(std::move(nodes), std::move(loop), s.original, s.source, s.cells,
+                                inside, s.options, run);
   int repaired = 0;
   for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
     const int inserted = insert_where_missing(candidate.nodes, candidate.verification, samples, l);
@@ -131,7 +132,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
     repaired += inserted;
     candidate.loop.mesh = triangulate_anew(candidate.nodes, boundary, l, run);
     candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), s.original, s.source,
-                        s.cells, s.options, run);
+                        s.cells, inside, s.options, run);
   }
   if (repaired > 0)
     report.warnings.push_back(std::to_string(repaired) +

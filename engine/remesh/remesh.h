@@ -23,6 +23,12 @@ struct MeshOptions {
   std::uint32_t iterations =
       0;  ///< of the optimisation loop, at most 1000; 0: until quality stops improving
   std::uint64_t seed = 1;
+  /// What tells inside from outside in the loop and in extraction.
+  enum class Inside : std::uint8_t {
+    Membership,   ///< closed formulas of the features: exact
+    ControlMesh,  ///< the control mesh of Sect. 3.1, as in the paper; exact to its chords
+  };
+  Inside inside = Inside::Membership;
   bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/base/error.h"
+#include "engine/boundary/control_mesh.h"
 #include "engine/extract/peel.h"
 #include "engine/nodes/active_faces.h"
 #include "engine/nodes/copy_nodes.h"
@@ -129,14 +130,22 @@ StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const Point
   return start;
 }
 
+InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
+                       const BoundaryModel& boundary, const Run& run) {
+  if (kind == MeshOptions::Inside::Membership)
+    return [&membership](const Vec3& p) { return membership.inside(p); };
+  const auto mesh = std::make_shared<const ControlMesh>(ControlMesh::build(boundary, run));
+  return [mesh](const Vec3& p) { return mesh->inside(p); };
+}
+
 Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
-                  const PointSource& source, const CellularModel& cells, const MeshOptions& options,
-                  const Run& run) {
+                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
+                  const MeshOptions& options, const Run& run) {
   Candidate c;
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   run.report("extract", 0.8);
-  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, source.modified(), {}, run);
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, run);
   drop_unused(c.nodes, c.delaunay, c.loop.mesh, run);
   dump_nodes(run, "08-peel", c.nodes, c.delaunay);
 

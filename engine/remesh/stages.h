@@ -43,7 +43,12 @@ struct Candidate {
 
 /// Extraction, carrying over, clean-up and verification of optimised nodes.
 Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
-                  const PointSource& source, const CellularModel& cells, const MeshOptions& options,
-                  const Run& run);
+                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
+                  const MeshOptions& options, const Run& run);
+
+/// The inside test that the options ask for. It keeps a reference to `membership`.
+/// Throws what ControlMesh::build throws.
+InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
+                       const BoundaryModel& boundary, const Run& run);
 
 }  // namespace remeshd

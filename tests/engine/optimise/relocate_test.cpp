@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/quality.h"
-#include "tests/support/cases.h"
 
 namespace remeshd {
 namespace {
 
-Membership cube() {
-  return Membership(evaluate(
-      test::one_feature(test::feature("cube", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}))));
+InsideTest cube() {
+  return
+      [](const Vec3& p) { return std::fabs(p.x) < 2 && std::fabs(p.y) < 2 && p.z > 0 && p.z < 4; };
 }
 
 /// A node in an octahedron of six fixed ones, off its centre.

@@ -305,6 +305,18 @@ TEST(Remesh, OptionsOutOfRangeAreRefused) {
     }
 }
 
+TEST(Remesh, TheControlMeshTellsInsideFromOutsideAsMembershipDoes) {
+  MeshOptions control = kSmall;
+  control.inside = MeshOptions::Inside::ControlMesh;
+  const Revision original = first("tool3-a", control);
+  expect_valid(original);
+  MeshOptions inherit = kInherit;
+  inherit.inside = control.inside;
+  const Revision remesh = edit(original, test::case_edit("tool3-ab"), inherit);
+  expect_valid(remesh);
+  EXPECT_GT(remesh.report.counts.nodes_kept, 200U);
+}
+
 TEST(Remesh, AutoIterationsStopBeforeTheirLimit) {
   const Revision r = first("simple-a", {.nodes = 1500, .iterations = 0});
   EXPECT_GE(r.report.counts.iterations, 4U);

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// Whether a point lies in the model (Sect. 3.1: "an efficient point location test is needed"): by
+/// membership in the features or by the control mesh.
+using InsideTest = std::function<bool(const Vec3&)>;
+
+}  // namespace remeshd
