@@ -107,6 +107,7 @@ Daemon::~Daemon() { shutdown(); }
 
 std::shared_ptr<grpc::Channel> Daemon::in_process_channel() {
   grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);  // what comes from this very process is not to be feared
   return parts_->server->InProcessChannel(arguments);
 }
 
