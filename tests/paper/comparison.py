@@ -24,6 +24,10 @@ class Comparison:
         """% time of Table 3."""
         return 100 * self.remesh["seconds"]["total"] / self.regular["seconds"]["total"]
 
+    def record(self):
+        """All of it as JSON takes it."""
+        return {"case": self.case.name} | {k: v for k, v in vars(self).items() if k != "case"}
+
     def count_error(self):
         """By how much the regular runs miss the node counts asked for, relative."""
         return max(abs(self.original["nodes"] / self.nodes - 1),

@@ -10,7 +10,6 @@ import argparse
 import json
 import statistics
 import sys
-from dataclasses import asdict
 from pathlib import Path
 
 from cases import CASES
@@ -44,8 +43,7 @@ def main():
                     rows.append(Row([compare(daemon, case, nodes, iterations, s) for s in options.seeds]))
                     print(rows[-1].markdown(), *rows[-1].runs_with_faults(), sep="\n  ", flush=True)
     if options.raw:
-        Path(options.raw).write_text(json.dumps([asdict(run) for row in rows for run in row.runs],
-                                                default=str, indent=1))
+        Path(options.raw).write_text(json.dumps([run.record() for row in rows for run in row.runs], indent=1))
     checks = list(check(rows))
     text = table(rows, options.seeds) + "\n" + checklist(checks)
     if not options.cases:
