@@ -4,7 +4,7 @@
     tests/paper/table3.py [--seeds 1 2 3 4 5] [--cases NAME...] [--raw FILE] build/bin
 
 puts the table and the checks beside it into README.md between its two marks, --raw all Reports into
-a JSON file. Exit 0 if every check holds, 1 if one does not. Takes about half an hour of two cores.
+a JSON file. Exit 0 if every check holds, 1 if one does not. Takes a quarter of an hour.
 """
 import argparse
 import json
