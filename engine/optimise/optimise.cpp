@@ -118,8 +118,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   frozen.thaw_boundary(nodes);
   pull_now();
   live.follow(nodes);
-  result.nodes_recovered =
-      recover_edges(nodes, boundary, live, {.edge_length = options.edge_length});
+  recover_edges(nodes, boundary, live, {.edge_length = options.edge_length});
   result.mesh = live.mesh();
   frozen.thaw_all(nodes);
   result.samples_active = active.active_count();

@@ -31,7 +31,6 @@ struct StartMesh {
 struct OptimiseResult {
   kernel::Delaunay mesh;  ///< of all nodes
   std::vector<std::uint32_t> free_per_iteration;
-  int nodes_recovered = 0;           ///< inserted to make missing model edges present
   std::uint32_t samples_active = 0;  ///< at the end
 };
 
