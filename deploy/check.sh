@@ -10,14 +10,14 @@ step() { printf '\n== %s\n' "$1"; }
 "$here/install-deps.sh"
 
 step "format"
-find engine server client tests \( -name '*.cpp' -o -name '*.h' \) -print0 |
+find engine proto server client tests \( -name '*.cpp' -o -name '*.h' \) -print0 |
   xargs -0 -n 32 -P "$(nproc)" clang-format --dry-run -Werror
 
 step "build"
 "$here/build.sh" release # also generates the sources that lint reads
 
 step "lint"
-run-clang-tidy-16 -quiet -p build -j "$(nproc)" "^$PWD/(engine|server|client|tests)/" \
+run-clang-tidy-16 -quiet -p build -j "$(nproc)" "^$PWD/(engine|proto|server|client|tests)/" \
   > >(grep -vE '^(clang-tidy-16 |$)') 2> >(grep -vE '^[0-9]+ warnings? generated' >&2)
 
 step "tests"

@@ -8,6 +8,8 @@ namespace remeshd::cli {
 namespace {
 
 constexpr std::uint32_t kMostIterations = 1000;
+const std::string kMembership = "membership";
+const std::string kControlMesh = "control-mesh";
 
 std::string check_size(const std::string& text) {
   double value = 0;
@@ -58,6 +60,13 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_option("--threads", threads, "Threads; never change the result [1]")
       ->check(CLI::Range(1U, 1024U))
       ->type_name("N");
+  command
+      .add_option(
+          "--inside", inside,
+          "What tells inside from outside: the features' formulas, or a control mesh on the "
+          "tessellated boundary [membership]")
+      ->check(CLI::IsMember({kMembership, kControlMesh}))
+      ->type_name("TEST");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
   command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
       ->type_name("NAME");
@@ -71,6 +80,8 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (!iterations.empty())
     message.set_iterations(iterations == "auto" ? 0 : to_iterations(iterations));
   if (seed) message.set_seed(*seed);
+  if (inside == kMembership) message.set_inside(remesh::v1::INSIDE_TEST_MEMBERSHIP);
+  if (inside == kControlMesh) message.set_inside(remesh::v1::INSIDE_TEST_CONTROL_MESH);
   if (no_clean_up) message.set_clean_up(false);
   return message;
 }

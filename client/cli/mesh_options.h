@@ -20,6 +20,7 @@ struct MeshingOptions {
   std::string iterations;  ///< empty, `auto` or a number
   std::optional<std::uint64_t> seed;
   std::uint32_t threads = 1;
+  std::string inside;  ///< empty, `membership` or `control-mesh`
   bool no_clean_up = false;
   std::string design;
   bool keep_head = false;

@@ -1,5 +1,7 @@
 #include "client/cli/reply.h"
 
+#include <CLI/CLI.hpp>
+
 #include "client/cli/table.h"
 #include "proto/json_writer.h"
 
@@ -40,17 +42,28 @@ std::string short_name(const remesh::v1::RevisionInfo& revision) {
   return revision.design() + "@" + std::to_string(revision.number());
 }
 
-void deliver(Session& session, const remesh::v1::RevisionReply& reply,
-             const std::filesystem::path& mesh_file, const std::filesystem::path& report_file) {
+void ReplyFiles::add_to(CLI::App& command) {
+  command.add_option("-o,--output", mesh, "Mesh file: .vtu, .msh or .inp")
+      ->required()
+      ->type_name("OUT");
+  command.add_option("--json", report, "Write the Report here; `-`: to stdout")->type_name("FILE");
+}
+
+void ReplyFiles::check() const {
+  check_mesh_file(mesh);
+  check_text_file(report);
+}
+
+void deliver(Session& session, const remesh::v1::RevisionReply& reply, const ReplyFiles& files) {
   for (const std::string& warning : reply.report().warnings())
     session.console().note("warning: " + warning);
   if (reply.head_moved())
     session.console().note("the head of " + reply.revision().design() + " stays at " +
                            std::to_string(reply.head_number()) +
                            ": it is not the base of this edit any more");
-  session.write_mesh_of(reply.revision().id(), mesh_file);
-  if (!report_file.empty()) session.write_text(report_file, write_json(reply.report()));
-  if (report_file != "-") write_summary(session.out(), reply);
+  session.write_mesh_of(reply.revision().id(), files.mesh);
+  if (!files.report.empty()) session.write_text(files.report, write_json(reply.report()));
+  if (files.report != "-") write_summary(session.out(), reply);
 }
 
 }  // namespace remeshd::cli

@@ -1,17 +1,29 @@
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include "client/cli/session.h"
 #include "remesh/v1/remesh.pb.h"
 
+namespace CLI {
+class App;
+}
+
 namespace remeshd::cli {
 
+/// Where the mesh and the Report of a mesh or an edit go.
+struct ReplyFiles {
+  std::string mesh;
+  std::string report;  ///< `-`: the data stream; empty: nowhere
+
+  void add_to(CLI::App& command);
+  void check() const;  ///< throws what check_mesh_file and check_text_file throw
+};
+
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the
-/// messages, the mesh to `mesh_file`, the Report to `report_file` (`-`: the data stream; empty: not
-/// at all), and, unless the Report went there, a short table to the data stream.
-void deliver(Session& session, const remesh::v1::RevisionReply& reply,
-             const std::filesystem::path& mesh_file, const std::filesystem::path& report_file);
+/// messages, mesh and Report to their files, and, unless the Report went there, a short table to
+/// the data stream.
+void deliver(Session& session, const remesh::v1::RevisionReply& reply, const ReplyFiles& files);
 
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);

@@ -9,9 +9,10 @@ namespace remeshd {
 
 /// What a client sees while a mesh is made.
 struct Progress {
-  std::string_view stage;  ///< `cells`, `difference`, `nodes`, `optimise`, `extract`, `improve`, `verify`
-  int iteration = 0;       ///< 1-based within `optimise`, 0 elsewhere
-  double fraction = 0;     ///< of the whole run, 0..1, never decreasing
+  std::string_view
+      stage;  ///< `cells`, `difference`, `nodes`, `optimise`, `extract`, `improve`, `verify`
+  int iteration = 0;    ///< 1-based within `optimise`, 0 elsewhere
+  double fraction = 0;  ///< of the whole run, 0..1, never decreasing
 };
 
 /// What surrounds one computation: the stop request, the listener, the number of threads and the

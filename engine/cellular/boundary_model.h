@@ -44,8 +44,8 @@ struct BoundaryEdge {
 
 struct BoundaryFace {
   Surface surface;
-  bool reversed = false;  ///< true where the outward normal is minus that of `surface`
-  double area = 0;        ///< exact
+  bool reversed = false;   ///< true where the outward normal is minus that of `surface`
+  double area = 0;         ///< exact
   std::vector<int> edges;  ///< ascending
   /// All feature faces that cover some part of it, the latest owner on the material side first.
   std::vector<FaceName> names;

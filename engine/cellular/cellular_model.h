@@ -48,17 +48,17 @@ struct CellularModel {
   std::vector<CellEdge> edges;
   std::vector<CellVertex> vertices;
   BoundaryModel boundary;
-  double volume = 0;  ///< of all positive cells, exact
-  double area = 0;    ///< of the merged boundary
+  double volume = 0;                         ///< of all positive cells, exact
+  double area = 0;                           ///< of the merged boundary
   std::shared_ptr<const kernel::Brep> brep;  ///< the general fuse itself, for the difference model
 };
 
 /// General fuse of all features (Sect. 4.1).
 ///
 /// Throws Error(FailedPrecondition): `EmptyModel` where no cell is positive, `DisconnectedModel`
-/// where the positive cells do not hang together by faces, `NonManifoldModel` where one body touches
-/// itself along an edge or at a vertex, `KernelFailure` naming the features
-/// where the CAD kernel raised an alert or a membership sample disagrees with its result.
+/// where the positive cells do not hang together by faces, `NonManifoldModel` where one body
+/// touches itself along an edge or at a vertex, `KernelFailure` naming the features where the CAD
+/// kernel raised an alert or a membership sample disagrees with its result.
 CellularModel build_cells(const FeatureModel& model, const Run& run);
 
 }  // namespace remeshd

@@ -23,7 +23,8 @@ struct Quality {
   double dihedral_min = 0;  ///< degrees
   double dihedral_max = 0;  ///< degrees
   double volume = 0;
-  std::array<std::uint32_t, 20> histogram{};  ///< tets by volume-length, bins of 0.05 from 0 to 1; below 0 in the first
+  std::array<std::uint32_t, 20>
+      histogram{};  ///< tets by volume-length, bins of 0.05 from 0 to 1; below 0 in the first
 };
 
 /// Post: zeros for an empty mesh.

@@ -20,6 +20,7 @@ struct TetMesh {
 
 /// The facet of a positive tet opposite its corner i, ordered so that its normal
 /// cross(b - a, c - a) points out of the tet.
-constexpr std::array<std::array<int, 3>, 4> kTetFacets{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<std::array<int, 3>, 4> kTetFacets{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace remeshd

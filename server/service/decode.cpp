@@ -244,6 +244,18 @@ OptionsPatch decode(const v1::MeshOptions& message) {
   if (message.target_case() == v1::MeshOptions::kSize) out.size = message.size();
   if (message.has_iterations()) out.iterations = message.iterations();
   if (message.has_seed()) out.seed = message.seed();
+  switch (message.inside()) {
+    case v1::INSIDE_TEST_UNSPECIFIED:
+      break;
+    case v1::INSIDE_TEST_MEMBERSHIP:
+      out.inside = MeshOptions::Inside::Membership;
+      break;
+    case v1::INSIDE_TEST_CONTROL_MESH:
+      out.inside = MeshOptions::Inside::ControlMesh;
+      break;
+    default:
+      throw error::option_invalid("inside", "is no known enumerator");
+  }
   if (message.has_clean_up()) out.clean_up = message.clean_up();
   return out;
 }

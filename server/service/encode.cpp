@@ -81,6 +81,8 @@ v1::MeshOptions encode_options(const Revision& revision) {
   out.set_iterations(options.iterations);
   out.set_seed(options.seed);
   out.set_clean_up(options.clean_up);
+  out.set_inside(options.inside == MeshOptions::Inside::ControlMesh ? v1::INSIDE_TEST_CONTROL_MESH
+                                                                    : v1::INSIDE_TEST_MEMBERSHIP);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
 #include "server/service/mesh_call.h"
+#include "server/session/guarded.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -34,20 +35,6 @@ using S10 = v1::Remesh::WithRawCallbackMethod_ValidateModel<S9>;
 using S11 = v1::Remesh::WithRawCallbackMethod_ValidateEdit<S10>;
 using S12 = v1::Remesh::WithRawCallbackMethod_ListFeatureTypes<S11>;
 using RawService = v1::Remesh::WithRawCallbackMethod_GetServerInfo<S12>;
-
-/// Calls `work`; its Error, or what stands for any other exception, goes to `failed`.
-template <typename Work, typename Failed>
-void guarded(Work&& work, Failed&& failed) {
-  try {
-    work();
-  } catch (const Error& failure) {
-    failed(failure);
-  } catch (const std::bad_alloc&) {
-    failed(error::out_of_memory());
-  } catch (const std::exception& failure) {
-    failed(error::internal("request", failure.what()));
-  }
-}
 
 constexpr std::uint32_t kMostRows = 1000;
 

@@ -20,6 +20,7 @@ struct OptionsPatch {
   std::optional<double> size;  ///< model's unit
   std::optional<std::uint32_t> iterations;
   std::optional<std::uint64_t> seed;
+  std::optional<MeshOptions::Inside> inside;
   std::optional<bool> clean_up;
 };
 

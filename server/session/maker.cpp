@@ -4,9 +4,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <new>
 #include <utility>
 
+#include "server/session/guarded.h"
 #include "server/session/revision_id.h"
 #include "server/session/session_error.h"
 
@@ -17,20 +17,6 @@ std::int64_t nanoseconds_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::system_clock::now().time_since_epoch())
       .count();
-}
-
-/// Runs `work`; whatever it throws reaches `failed` as an Error.
-template <typename Work, typename Failed>
-void guarded(Work&& work, Failed&& failed) {
-  try {
-    work();
-  } catch (const Error& failure) {
-    failed(failure);
-  } catch (const std::bad_alloc&) {
-    failed(error::out_of_memory());
-  } catch (const std::exception& failure) {
-    failed(error::internal("request", failure.what()));
-  }
 }
 
 void check_options(const OptionsPatch& patch, std::uint32_t max_nodes) {
@@ -97,6 +83,7 @@ MeshOptions Maker::first_options(const OptionsPatch& patch) const {
   if (!options.nodes && !options.size) options.nodes = kDefaultNodes;
   options.iterations = patch.iterations.value_or(options.iterations);
   options.seed = patch.seed.value_or(options.seed);
+  options.inside = patch.inside.value_or(options.inside);
   options.clean_up = patch.clean_up.value_or(options.clean_up);
   return options;
 }
@@ -109,6 +96,7 @@ MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& ba
   options.size = patch.size;
   options.iterations = patch.iterations.value_or(base.iterations);
   options.seed = patch.seed.value_or(base.seed);
+  options.inside = patch.inside.value_or(base.inside);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
   return options;
 }

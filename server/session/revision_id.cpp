@@ -85,6 +85,7 @@ class Canonical {
     real(options.size.value_or(0));
     number(options.iterations);
     number(options.seed);
+    byte(static_cast<std::uint8_t>(options.inside));
     byte(options.clean_up ? 1 : 0);
   }
 

@@ -207,6 +207,18 @@ TEST_F(RealEngine, RefusesEmptyAndDisconnectedModelsByName) {
   EXPECT_TRUE(serves());
 }
 
+TEST_F(RealEngine, WorksOnTheControlMeshOfThePaperToo) {
+  auto request = coarse("simple-a");
+  request.mutable_options()->set_inside(v1::INSIDE_TEST_CONTROL_MESH);
+  const auto base = create(request);
+  const auto child = edit("simple-a", change("simple-ab"));
+  EXPECT_EQ(describe(child.revision().id()).options().inside(), v1::INSIDE_TEST_CONTROL_MESH);
+  EXPECT_NE(base.revision().id(), create(coarse("simple-a")).revision().id());
+  EXPECT_NEAR(child.report().volume(), child.report().exact_volume(),
+              0.02 * child.report().exact_volume());
+  EXPECT_GT(child.report().nodes_kept(), base.report().nodes() / 2);
+}
+
 TEST_F(RealEngine, ComparesAsThePapersFigureElevenShows) {
   grpc::ClientContext context;
   v1::CompareRequest request;

@@ -228,6 +228,7 @@ TEST_F(Errors, OptionsOutOfRangeAreNamed) {
   EXPECT_EQ(option([](auto& o) { o.set_size(std::nan("")); }), "size");
   EXPECT_EQ(option([](auto& o) { o.set_size(HUGE_VAL); }), "size");
   EXPECT_EQ(option([](auto& o) { o.set_iterations(1001); }), "iterations");
+  EXPECT_EQ(option([](auto& o) { o.set_inside(static_cast<v1::InsideTest>(7)); }), "inside");
 }
 
 TEST_F(Errors, MissingPartsOfRequestsAreNamed) {

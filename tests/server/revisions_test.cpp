@@ -110,6 +110,7 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   request.mutable_options()->set_iterations(5);
   request.mutable_options()->set_seed(42);
   request.mutable_options()->set_clean_up(false);
+  request.mutable_options()->set_inside(v1::INSIDE_TEST_CONTROL_MESH);
   const auto base = create(request);
   const auto child = edit("plate", set("at", 12));
   EXPECT_EQ(child.revision().parent(), base.revision().id());
@@ -121,6 +122,7 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   EXPECT_EQ(description.options().iterations(), 5U);
   EXPECT_EQ(description.options().seed(), 42U);
   EXPECT_FALSE(description.options().clean_up());
+  EXPECT_EQ(description.options().inside(), v1::INSIDE_TEST_CONTROL_MESH);
   // The density is inherited, not the count.
   EXPECT_EQ(description.options().target_case(), v1::MeshOptions::kSize);
   EXPECT_EQ(description.options().size(), 2.5);

@@ -12,13 +12,13 @@ namespace remeshd::cli {
 namespace {
 
 struct EditArguments {
-  std::string base, edit, mesh_file, report_file;
+  std::string base, edit;
+  ReplyFiles files;
   MeshingOptions meshing;
 };
 
 int edit(Session& session, const EditArguments& arguments) {
-  check_mesh_file(arguments.mesh_file);
-  check_text_file(arguments.report_file);
+  arguments.files.check();
   const Base base = resolve_base(arguments.base);
   remesh::v1::EditRevisionRequest request;
   *request.mutable_edit() = read_edit(arguments.edit);
@@ -30,7 +30,7 @@ int edit(Session& session, const EditArguments& arguments) {
   const auto reply = stream.edit(std::move(request)).get();
   stream.finish();
   session.console().end_progress();
-  deliver(session, reply, arguments.mesh_file, arguments.report_file);
+  deliver(session, reply, arguments.files);
   return kFine;
 }
 
@@ -45,11 +45,7 @@ void add_edit_command(CLI::App& app, Action& action) {
                    "is meshed first, with the options given, if the daemon lacks it")
       ->required();
   command->add_option("EDIT.json", arguments->edit, "Edit document")->required();
-  command->add_option("-o,--output", arguments->mesh_file, "Mesh file: .vtu, .msh or .inp")
-      ->required()
-      ->type_name("OUT");
-  command->add_option("--json", arguments->report_file, "Write the Report here; `-`: to stdout")
-      ->type_name("FILE");
+  arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
   command->callback([arguments, &action] {
     action = [arguments](Session& session) { return edit(session, *arguments); };

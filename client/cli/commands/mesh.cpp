@@ -11,13 +11,13 @@ namespace remeshd::cli {
 namespace {
 
 struct MeshArguments {
-  std::string model, mesh_file, report_file;
+  std::string model;
+  ReplyFiles files;
   MeshingOptions meshing;
 };
 
 int mesh(Session& session, const MeshArguments& arguments) {
-  check_mesh_file(arguments.mesh_file);
-  check_text_file(arguments.report_file);
+  arguments.files.check();
   remesh::v1::CreateRevisionRequest request;
   *request.mutable_model() = read_model(arguments.model);
   arguments.meshing.fill(request, true);
@@ -25,7 +25,7 @@ int mesh(Session& session, const MeshArguments& arguments) {
   const auto reply = stream.create(std::move(request)).get();
   stream.finish();
   session.console().end_progress();
-  deliver(session, reply, arguments.mesh_file, arguments.report_file);
+  deliver(session, reply, arguments.files);
   return kFine;
 }
 
@@ -35,11 +35,7 @@ void add_mesh_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mesh", "Mesh a model");
   const auto arguments = std::make_shared<MeshArguments>();
   command->add_option("MODEL.json", arguments->model, "Model document")->required();
-  command->add_option("-o,--output", arguments->mesh_file, "Mesh file: .vtu, .msh or .inp")
-      ->required()
-      ->type_name("OUT");
-  command->add_option("--json", arguments->report_file, "Write the Report here; `-`: to stdout")
-      ->type_name("FILE");
+  arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
   command->callback([arguments, &action] {
     action = [arguments](Session& session) { return mesh(session, *arguments); };

@@ -71,7 +71,8 @@ TEST(RevisionId, DiffersWithOptionsParentAndAlgorithm) {
   for (const MeshOptions& options :
        {MeshOptions{}, MeshOptions{.nodes = 100}, MeshOptions{.nodes = 101},
         MeshOptions{.size = 100}, MeshOptions{.nodes = 100, .iterations = 5},
-        MeshOptions{.nodes = 100, .seed = 2}, MeshOptions{.nodes = 100, .clean_up = false}})
+        MeshOptions{.nodes = 100, .seed = 2}, MeshOptions{.nodes = 100, .clean_up = false},
+        MeshOptions{.nodes = 100, .inside = MeshOptions::Inside::ControlMesh}})
     EXPECT_TRUE(ids.insert(revision_id(model(), options, "", 1)).second);
   EXPECT_TRUE(ids.insert(revision_id(model(), {}, std::string(64, 'a'), 1)).second);
   EXPECT_TRUE(ids.insert(revision_id(model(), {}, "", 2)).second);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <exception>
+#include <new>
+
+#include "engine/base/error.h"
+#include "server/session/session_error.h"
+
+namespace remeshd {
+
+/// Calls `work`; its Error, or what stands for any other exception, goes to `failed`.
+template <typename Work, typename Failed>
+void guarded(Work&& work, Failed&& failed) {
+  try {
+    work();
+  } catch (const Error& failure) {
+    failed(failure);
+  } catch (const std::bad_alloc&) {
+    failed(error::out_of_memory());
+  } catch (const std::exception& failure) {
+    failed(error::internal("request", failure.what()));
+  }
+}
+
+}  // namespace remeshd
