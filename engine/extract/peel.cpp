@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/extract/common_face.h"
-#include "engine/mesh/adjacency.h"
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
@@ -34,13 +33,20 @@ std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   const FacesOf faces(boundary);
   std::vector<Tet> tets;
   tets.reserve(delaunay.size());
+  std::vector<Tet> neighbours;  // by tet
+  neighbours.reserve(delaunay.size());
+  std::vector<std::int32_t> number(delaunay.slots(), -1);
   std::size_t count = 0;
-  delaunay.for_each_tet([&](const Tet& t) {
+  delaunay.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
     if (count++ % 8192 == 0) run.poll();
-    if (contributes(nodes, boundary, faces, inside, t)) tets.push_back(t);
+    if (!contributes(nodes, boundary, faces, inside, t)) return;
+    number[slot] = static_cast<std::int32_t>(tets.size());
+    tets.push_back(t);
+    neighbours.push_back(across);
   });
+  for (Tet& across : neighbours)
+    for (std::int32_t& slot : across) slot = slot < 0 ? -1 : number[slot];
 
-  auto neighbours = tet_neighbours(tets, nodes.positions.size());
   std::vector<std::uint8_t> gone(tets.size(), 0);
   std::vector<std::int32_t> queue;
   for (std::size_t k = 0; k < tets.size(); ++k)

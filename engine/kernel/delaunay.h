@@ -14,9 +14,9 @@ namespace remeshd::kernel {
 /// Delaunay tetrahedralisation in flat arrays, by incremental insertion (Bowyer 1981, Watson 1981)
 /// with exact predicates, inside a tetrahedron far around the points.
 ///
-/// Copying one is a copy of three arrays: the mesh of the fixed nodes is kept and copied in every
-/// iteration, and only the free nodes are inserted (Sect. 8: "initialise the mesh with the free and
-/// fixed nodes"). That mesh in turn comes from the original's by taking nodes out.
+/// Copying one is a copy of three arrays: the mesh of the fixed nodes is kept, and where the free
+/// ones have moved too far they are inserted into a copy of it (Sect. 8: "initialise the mesh with
+/// the free and fixed nodes"). That mesh in turn comes from the original's by taking nodes out.
 ///
 /// Inv: the tets are those of the Delaunay mesh of the inserted nodes and four far corners; where
 /// five nodes or more share an empty sphere, one of the possible meshes.
@@ -45,11 +45,20 @@ class Delaunay {
   /// was, where these do not fit, which takes nodes on a common empty sphere; build anew then.
   [[nodiscard]] bool remove(std::span<const std::int32_t> nodes, const Run& run);
 
+  enum class Moved {
+    Done,
+    TooFar,  ///< for flips to follow; nothing is changed: `reinsert` them, or build anew
+    Failed,  ///< nodes could not be taken out; the mesh is unusable: build anew
+  };
   /// Moves inserted nodes to `positions[node]` and makes the mesh Delaunay again: by flips where
-  /// the moves leave every tet positive, by taking the others out and putting them in again.
-  /// Returns false where nodes could not be taken out; the mesh is unusable then: build anew.
-  [[nodiscard]] bool move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
-                          const Run& run);
+  /// the moves leave every tet positive, by taking the few others out and putting them in again.
+  [[nodiscard]] Moved move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                           const Run& run);
+
+  /// The same by taking all of them out and putting them in again. Returns false, and leaves
+  /// everything as it was, where they cannot be taken out.
+  [[nodiscard]] bool reinsert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                              const Run& run);
 
   /// Where an inserted node is.
   [[nodiscard]] const Vec3& position(std::int32_t node) const { return points_[node + kFar]; }
@@ -65,6 +74,19 @@ class Delaunay {
       if (s.v[0] >= kFar && s.v[1] >= kFar && s.v[2] >= kFar && s.v[3] >= kFar)
         f(Corners{s.v[0] - kFar, s.v[1] - kFar, s.v[2] - kFar, s.v[3] - kFar});
   }
+  /// The same as f(slot, corners, across): `across[i]` is the slot of the tet opposite corner i,
+  /// that of a far corner's perhaps, -1 where there is none. Slots are below `slots()`.
+  template <class F>
+  void for_each_tet_with_neighbours(F&& f) const {
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      const Slot& s = slots_[k];
+      if (s.v[0] >= kFar && s.v[1] >= kFar && s.v[2] >= kFar && s.v[3] >= kFar)
+        f(static_cast<std::int32_t>(k),
+          Corners{s.v[0] - kFar, s.v[1] - kFar, s.v[2] - kFar, s.v[3] - kFar},
+          Corners{s.n[0] >> 2, s.n[1] >> 2, s.n[2] >> 2, s.n[3] >> 2});
+    }
+  }
+  [[nodiscard]] std::size_t slots() const { return slots_.size(); }
   /// Number of tets, those at the far corners included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 
@@ -112,12 +134,18 @@ class Delaunay {
   explicit Delaunay(std::span<const Vec3> far_corners);
   static std::optional<std::vector<Fill>> fit(const Delaunay& filling,
                                               const std::vector<Wall>& walls);
+  /// The tets with a moved vertex.
+  [[nodiscard]] std::vector<std::int32_t> tets_at_moved(
+      const std::vector<std::uint8_t>& roles) const;
   /// Puts moved vertices back, from `old`, until no tet is inverted; their roles become kHeld.
-  /// Returns how many.
-  std::size_t hold_back(std::vector<std::uint8_t>& roles, const std::vector<Vec3>& old);
-  /// Flips facets that are not locally Delaunay, from those of tets with a moved vertex. Returns
-  /// the facets that resisted when they were looked at, 4 * tet + facet.
-  std::vector<std::int32_t> flip_all(const std::vector<std::uint8_t>& roles, const Run& run);
+  /// Returns their nodes.
+  std::vector<std::int32_t> hold_back(std::span<const std::int32_t> touched,
+                                      std::vector<std::uint8_t>& roles,
+                                      const std::vector<Vec3>& old);
+  /// Flips facets that are not locally Delaunay, from those of the touched tets. Adds the facets
+  /// that resisted when they were looked at, 4 * tet + facet.
+  void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
+                const Run& run);
   /// Returns whether the facet is locally Delaunay now or gone.
   bool flip(std::int32_t facet, std::vector<std::int32_t>& stack);
   [[nodiscard]] int facet_opposite(std::int32_t tet, std::int32_t vertex) const;

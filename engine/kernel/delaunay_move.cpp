@@ -15,95 +15,119 @@ enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kStuck = 3 };
 
 /// Share of the moved nodes that may have to be held back before flips do not pay any more.
 constexpr double kManyHeld = 0.06;
+/// How often held nodes try again once the others have made room, and how many tets there are for
+/// each that makes it worth while.
+constexpr int kTries = 4;
+constexpr std::size_t kTetsPerTry = 5000;
 constexpr int kPollEvery = 4096;
 
 }  // namespace
 
-bool Delaunay::move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
-                    const Run& run) {
+bool Delaunay::reinsert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                        const Run& run) {
+  if (!remove(nodes, run)) return false;
+  insert(positions, nodes, run);
+  return true;
+}
+
+Delaunay::Moved Delaunay::move(std::span<const Vec3> positions, std::span<const std::int32_t> nodes,
+                               const Run& run) {
   std::vector<std::uint8_t> roles(points_.size(), kStill);
   std::vector<Vec3> old(points_.size());
   std::vector<std::int32_t> moved;
   for (const std::int32_t n : nodes) {
     if (points_[n + kFar] == positions[n]) continue;
     moved.push_back(n);
-    roles[n + kFar] = kMoved;
     old[n + kFar] = points_[n + kFar];
-    points_[n + kFar] = positions[n];
   }
-  if (moved.empty()) return true;
-  std::vector<std::int32_t> again;
-  if (hold_back(roles, old) > kManyHeld * static_cast<double>(moved.size())) {
-    for (const std::int32_t n : moved) points_[n + kFar] = old[n + kFar];
-    again = std::move(moved);
-  } else {
-    const std::vector<std::int32_t> unmended = flip_all(roles, run);
-    for (const std::int32_t n : moved)
-      if (roles[n + kFar] == kHeld) again.push_back(n);
-    // What flips could not mend: the corners of a facet that is not Delaunay come out too.
-    for (const std::int32_t facet : unmended) {
-      const Slot& s = slots_[facet >> 2];
-      const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];
-      if (across < 0 || !conflicts(facet >> 2, points_[slots_[across >> 2].v[across & 3]]))
-        continue;
-      for (const int c : kTetFacets[facet & 3]) {
-        const std::int32_t v = s.v[c];
-        if (v < kFar || roles[v] == kHeld || roles[v] == kStuck) continue;
-        roles[v] = kStuck;
-        again.push_back(v - kFar);
-      }
+  if (moved.empty()) return Moved::Done;
+  std::vector<std::int32_t> again, unmended;
+  std::vector<std::int32_t> going = moved;
+  for (int k = 1;; ++k) {
+    for (const std::int32_t n : going) {
+      roles[n + kFar] = kMoved;
+      points_[n + kFar] = positions[n];
+    }
+    const std::vector<std::int32_t> touched = tets_at_moved(roles);
+    std::vector<std::int32_t> held = hold_back(touched, roles, old);
+    if (k == 1 &&
+        static_cast<double>(held.size()) > kManyHeld * static_cast<double>(moved.size())) {
+      for (const std::int32_t n : moved) points_[n + kFar] = old[n + kFar];
+      return Moved::TooFar;
+    }
+    flip_all(touched, unmended, run);
+    for (const std::int32_t n : going)
+      if (roles[n + kFar] == kMoved) roles[n + kFar] = kStill;
+    if (k == kTries || held.size() == going.size() || held.size() * kTetsPerTry < slots_.size()) {
+      again = std::move(held);
+      break;
+    }
+    going = std::move(held);
+  }
+  // What flips could not mend: the corners of a facet that is not Delaunay come out too.
+  for (const std::int32_t facet : unmended) {
+    const Slot& s = slots_[facet >> 2];
+    const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];
+    if (across < 0 || !conflicts(facet >> 2, points_[slots_[across >> 2].v[across & 3]])) continue;
+    for (const int c : kTetFacets[facet & 3]) {
+      const std::int32_t v = s.v[c];
+      if (v < kFar || roles[v] == kHeld || roles[v] == kStuck) continue;
+      roles[v] = kStuck;
+      again.push_back(v - kFar);
     }
   }
-  if (again.empty()) return true;
   std::vector<Vec3> places(points_.size() - kFar);
   for (const std::int32_t n : again)
     places[n] = roles[n + kFar] == kStuck ? points_[n + kFar] : positions[n];
-  if (!remove(again, run)) return false;
-  insert(places, again, run);
-  return true;
+  return reinsert(places, again, run) ? Moved::Done : Moved::Failed;
 }
 
-std::size_t Delaunay::hold_back(std::vector<std::uint8_t>& roles, const std::vector<Vec3>& old) {
-  std::size_t held = 0;
+std::vector<std::int32_t> Delaunay::tets_at_moved(const std::vector<std::uint8_t>& roles) const {
+  std::vector<std::int32_t> tets;
+  for (std::size_t t = 0; t < slots_.size(); ++t) {
+    const auto& v = slots_[t].v;
+    if (v[0] == kDead) continue;
+    if (roles[v[0]] == kMoved || roles[v[1]] == kMoved || roles[v[2]] == kMoved ||
+        roles[v[3]] == kMoved)
+      tets.push_back(static_cast<std::int32_t>(t));
+  }
+  return tets;
+}
+
+std::vector<std::int32_t> Delaunay::hold_back(std::span<const std::int32_t> touched,
+                                              std::vector<std::uint8_t>& roles,
+                                              const std::vector<Vec3>& old) {
+  std::vector<std::int32_t> held;
   std::vector<std::uint8_t> fresh(points_.size(), 1);  // put back in the last sweep
-  for (bool first = true, again = true; again; first = false) {
-    again = false;
+  for (bool again = true; again;) {
     std::vector<std::int32_t> back;
-    for (const Slot& s : slots_) {
-      if (s.v[0] == kDead) continue;
-      const auto any = [&](auto&& f) { return f(s.v[0]) || f(s.v[1]) || f(s.v[2]) || f(s.v[3]); };
-      if (!any([&](std::int32_t v) { return roles[v] == kMoved; })) continue;
-      if (!first && !any([&](std::int32_t v) { return fresh[v] != 0; })) continue;
-      if (orientation(points_[s.v[0]], points_[s.v[1]], points_[s.v[2]], points_[s.v[3]]) > 0)
-        continue;
-      for (const std::int32_t v : s.v)
-        if (roles[v] == kMoved) back.push_back(v);
+    for (const std::int32_t t : touched) {
+      const auto& v = slots_[t].v;
+      if (!fresh[v[0]] && !fresh[v[1]] && !fresh[v[2]] && !fresh[v[3]]) continue;
+      if (orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0) continue;
+      for (const std::int32_t n : v)
+        if (roles[n] == kMoved) back.push_back(n);
     }
     fresh.assign(points_.size(), 0);
+    again = false;
     for (const std::int32_t v : back) {
       if (roles[v] == kHeld) continue;
       roles[v] = kHeld;
       fresh[v] = 1;
       points_[v] = old[v];
-      ++held;
+      held.push_back(v - kFar);
       again = true;
     }
   }
   return held;
 }
 
-std::vector<std::int32_t> Delaunay::flip_all(const std::vector<std::uint8_t>& roles,
-                                             const Run& run) {
-  std::vector<std::int32_t> stack, unmended;
-  for (std::size_t t = 0; t < slots_.size(); ++t) {
-    const Slot& s = slots_[t];
-    if (s.v[0] == kDead) continue;
-    const bool moved = roles[s.v[0]] == kMoved || roles[s.v[1]] == kMoved ||
-                       roles[s.v[2]] == kMoved || roles[s.v[3]] == kMoved;
-    if (!moved) continue;
+void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
+                        const Run& run) {
+  std::vector<std::int32_t> stack;
+  for (const std::int32_t t : touched)
     for (int i = 0; i < 4; ++i)
-      if (s.n[i] >= 0) stack.push_back(static_cast<std::int32_t>(4 * t + i));
-  }
+      if (slots_[t].n[i] >= 0) stack.push_back(4 * t + i);
   int count = 0;
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
@@ -112,7 +136,6 @@ std::vector<std::int32_t> Delaunay::flip_all(const std::vector<std::uint8_t>& ro
     stack.pop_back();
     if (!flip(facet, stack)) unmended.push_back(facet);
   }
-  return unmended;
 }
 
 bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {

@@ -53,8 +53,8 @@ std::int32_t NearestNode::nearest(const Vec3& p) const {
     double m = HUGE_VAL;
     const std::array<double, 3> v{p.x - box_.lo.x, p.y - box_.lo.y, p.z - box_.lo.z};
     for (int a = 0; a < 3; ++a) {
-      if (home[a] - ring > 0) m = std::fmin(m, v[a] - (home[a] - ring) * cell_);
-      if (home[a] + ring < size_[a] - 1) m = std::fmin(m, (home[a] + ring + 1) * cell_ - v[a]);
+      if (home[a] - ring > 0) m = std::min(m, v[a] - (home[a] - ring) * cell_);
+      if (home[a] + ring < size_[a] - 1) m = std::min(m, (home[a] + ring + 1) * cell_ - v[a]);
     }
     return m;
   };

@@ -1,29 +1,55 @@
 #include "engine/optimise/live_mesh.h"
 
-#include <numeric>
+#include <algorithm>
+#include <utility>
 
 namespace remeshd {
 
-LiveMesh::LiveMesh(const NodeSet& nodes, kernel::Delaunay start,
-                   const std::vector<std::uint8_t>& holds, const Run& run)
-    : mesh_(std::move(start)), count_(nodes.size()), run_(run) {
-  std::vector<std::int32_t> missing;
-  for (std::int32_t n = 0; n < count_; ++n)
-    if (!holds[n]) missing.push_back(n);
-  mesh_.insert(nodes.positions, missing, run_);
+namespace {
+constexpr std::size_t kTakingOut = 3;
 }
 
+LiveMesh::LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, const Run& run)
+    : mesh_(start), base_(std::move(start)), holds_(holds), in_base_(std::move(holds)), run_(run) {}
+
 void LiveMesh::follow(const NodeSet& nodes) {
-  std::vector<std::int32_t> all(count_);
-  std::iota(all.begin(), all.end(), 0);
-  if (!mesh_.move(nodes.positions, all, run_)) {
-    mesh_ = mesh_.emptied();
-    mesh_.insert(nodes.positions, all, run_);
+  holds_.resize(nodes.positions.size(), 0);
+  in_base_.resize(nodes.positions.size(), 0);
+  std::vector<std::int32_t> held, missing;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) (holds_[n] ? held : missing).push_back(n);
+  if (follow_held(nodes, held))
+    mesh_.insert(nodes.positions, missing, run_);
+  else
+    restart(nodes);
+  holds_.assign(holds_.size(), 1);
+}
+
+bool LiveMesh::follow_held(const NodeSet& nodes, const std::vector<std::int32_t>& held) {
+  const kernel::Delaunay::Moved moved = mesh_.move(nodes.positions, held, run_);
+  if (moved != kernel::Delaunay::Moved::TooFar) return moved == kernel::Delaunay::Moved::Done;
+  std::vector<std::int32_t> far;
+  for (const std::int32_t n : held)
+    if (mesh_.position(n) != nodes.positions[n]) far.push_back(n);
+  // Taking a node out costs several times what putting one in does.
+  const std::size_t anew = std::count(in_base_.begin(), in_base_.end(), 0);
+  return anew > kTakingOut * far.size() && mesh_.reinsert(nodes.positions, far, run_);
+}
+
+void LiveMesh::restart(const NodeSet& nodes) {
+  std::vector<std::int32_t> gone;
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (in_base_[n] && base_.position(n) != nodes.positions[n]) gone.push_back(n);
+  if (base_.remove(gone, run_)) {
+    for (const std::int32_t n : gone) in_base_[n] = 0;
+  } else {
+    base_ = base_.emptied();
+    in_base_.assign(in_base_.size(), 0);
   }
-  std::vector<std::int32_t> added(nodes.size() - count_);
-  std::iota(added.begin(), added.end(), count_);
-  mesh_.insert(nodes.positions, added, run_);
-  count_ = nodes.size();
+  std::vector<std::int32_t> others;
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (!in_base_[n]) others.push_back(n);
+  mesh_ = base_;
+  mesh_.insert(nodes.positions, others, run_);
 }
 
 std::vector<Tet> LiveMesh::tets() const {

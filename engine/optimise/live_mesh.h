@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "engine/kernel/delaunay.h"
@@ -11,11 +12,11 @@ namespace remeshd {
 /// The Delaunay mesh of a NodeSet, kept up with its nodes while they move and increase.
 class LiveMesh {
  public:
-  /// `holds`: by node, whether `start` has it already, where it is now.
-  LiveMesh(const NodeSet& nodes, kernel::Delaunay start, const std::vector<std::uint8_t>& holds,
-           const Run& run);
+  /// `holds`: by node, 1 where `start` has it already. The others follow.
+  LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, const Run& run);
 
-  /// Brings the mesh up to where the nodes are now; new nodes come last in the set.
+  /// Brings the mesh up to the nodes, all of them, where they are now; new nodes come last in the
+  /// set.
   void follow(const NodeSet& nodes);
 
   [[nodiscard]] const kernel::Delaunay& mesh() const { return mesh_; }
@@ -23,8 +24,14 @@ class LiveMesh {
   [[nodiscard]] std::vector<Tet> tets() const;
 
  private:
+  /// Returns false if the mesh is not to be used any more.
+  bool follow_held(const NodeSet& nodes, const std::vector<std::int32_t>& held);
+  void restart(const NodeSet& nodes);
+
   kernel::Delaunay mesh_;
-  std::int32_t count_ = 0;  ///< nodes in it
+  kernel::Delaunay base_;              ///< of the fixed nodes: `mesh_` restarts from it
+  std::vector<std::uint8_t> holds_;    ///< by node: whether `mesh_` has it
+  std::vector<std::uint8_t> in_base_;  ///< by node: whether `base_` has it
   const Run& run_;
 };
 

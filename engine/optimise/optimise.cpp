@@ -90,7 +90,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   const bool all_free = count_free(nodes) == static_cast<std::uint32_t>(nodes.size());
   ActiveSamples active =
       all_free ? ActiveSamples(samples) : ActiveSamples(samples, nodes, options.edge_length);
-  LiveMesh live(nodes, std::move(start.mesh), start.holds, run);
+  LiveMesh live(std::move(start.mesh), std::move(start.holds), run);
   Frozen frozen;
   const auto pull_now = [&] {
     active.promote(
@@ -117,7 +117,6 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   }
   frozen.thaw_boundary(nodes);
   pull_now();
-  live.follow(nodes);
   recover_edges(nodes, boundary, live, {.edge_length = options.edge_length});
   result.mesh = live.mesh();
   frozen.thaw_all(nodes);

@@ -111,6 +111,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options) {
   int inserted = 0;
   for (int round = 0; round < options.rounds; ++round) {
+    live.follow(nodes);
     const std::vector<Link> links = links_between_edge_nodes(nodes, live.mesh());
     const std::vector<std::vector<OnEdge>> chain = chains(nodes, boundary);
     const int before = inserted;
@@ -136,9 +137,9 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
           insert(split_at(nodes, a, b, options.edge_length));
       }
     }
-    if (inserted == before) break;
-    live.follow(nodes);
+    if (inserted == before) return inserted;
   }
+  live.follow(nodes);
   return inserted;
 }
 

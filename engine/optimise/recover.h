@@ -18,6 +18,7 @@ struct RecoverOptions {
 /// is inserted into it. Near a model vertex the insertion keeps to shells of radius l / 2^k round
 /// it, so that edges meeting at a sharp angle do not split each other for ever (Ruppert 1995).
 ///
+/// Post: `live` follows the nodes.
 /// Returns the number of nodes inserted.
 int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options);

@@ -41,13 +41,17 @@ struct Pieces {
 };
 
 struct KeyedFacet {
-  std::array<std::int32_t, 3> nodes;
+  std::uint64_t low;  ///< its two smaller nodes
+  std::int32_t high;
   std::int32_t owner;
+  [[nodiscard]] bool same_nodes(const KeyedFacet& other) const {
+    return low == other.low && high == other.high;
+  }
 };
 
 Pieces find_pieces(const Master& original, const TetMesh& delivered) {
   Pieces pieces;
-  const TetIndex index(delivered.tets);
+  const TetIndex index(delivered.tets, original.positions.size());
   pieces.same.resize(original.tets.size());
   pieces.of_delaunay.assign(original.tets.size(), -1);
   std::vector<std::uint8_t> stands(delivered.tets.size(), 0);
@@ -70,15 +74,18 @@ Pieces find_pieces(const Master& original, const TetMesh& delivered) {
     for (const auto& f : kTetFacets) {
       std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
       std::sort(key.begin(), key.end());
-      facets.push_back({key, static_cast<std::int32_t>(c)});
+      const auto smallest = static_cast<std::uint64_t>(static_cast<std::uint32_t>(key[0]));
+      facets.push_back({smallest << 32 | static_cast<std::uint32_t>(key[1]), key[2],
+                        static_cast<std::int32_t>(c)});
     }
   }
   std::sort(facets.begin(), facets.end(), [](const KeyedFacet& a, const KeyedFacet& b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.owner < b.owner;
+    if (a.low != b.low) return a.low < b.low;
+    return a.high != b.high ? a.high < b.high : a.owner < b.owner;
   });
   UnionFind sets(changed.size());
   for (std::size_t k = 1; k < facets.size(); ++k)
-    if (facets[k].nodes == facets[k - 1].nodes) sets.join(facets[k].owner, facets[k - 1].owner);
+    if (facets[k].same_nodes(facets[k - 1])) sets.join(facets[k].owner, facets[k - 1].owner);
   std::vector<std::int32_t> number(changed.size(), -1);
   for (std::size_t c = 0; c < changed.size(); ++c) {
     const std::int32_t root = sets.find(static_cast<std::int32_t>(c));
@@ -134,7 +141,7 @@ class Carrier {
       if (nodes_.original[n] >= 0)
         unmoved_[n] = nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(
                                                  original_.positions[nodes_.original[n]]);
-    const TetIndex index(original_.tets);
+    const TetIndex index(original_.tets, original_.positions.size());
     image_.assign(tets_.size(), -1);
     std::vector<std::uint32_t> found(pieces_.delaunay.size(), 0);
     std::vector<std::int32_t> transform(pieces_.delaunay.size(), -1);

@@ -65,7 +65,7 @@ NodeMap map_nodes(const Candidate& c, const Revision* original, const PointSourc
     map.original_node[n] = o;
     map.node_transform[n] = c.nodes.transform[n];
   }
-  const TetIndex index(then.tets);
+  const TetIndex index(then.tets, then.nodes.size());
   for (std::size_t k = 0; k < c.mesh.tets.size(); ++k) {
     const Tet& t = c.mesh.tets[k];
     const bool kept = std::all_of(t.begin(), t.end(), [&](std::int32_t n) {

@@ -39,15 +39,19 @@ class Numbering {
 
 /// Owners of the cell that a tet is in: at its centroid or, where a chord has cut that off from the
 /// material, nearer to one of its corners.
-std::vector<int> owners_of(const TetMesh& mesh, const Tet& t, const Membership& membership) {
+void owners_of(const TetMesh& mesh, const Tet& t, const FeatureModel& model,
+               const Membership& membership, std::vector<int>& owners) {
+  const auto look = [&](const Vec3& p) {
+    owners.clear();
+    membership.owners(p, owners);
+    return !owners.empty() && model.features[owners.back()].nature == Nature::Additive;
+  };
   const Vec3 c = centroid(mesh, t);
-  Vec3 at = c;
+  if (look(c)) return;
   for (const double share : {0.5, 0.9})
-    for (int i = 0; i < 4 && !membership.inside(at); ++i)
-      at = (1 - share) * c + share * mesh.nodes[t[i]];
-  std::vector<int> owners;
-  membership.owners(membership.inside(at) ? at : c, owners);
-  return owners;
+    for (const std::int32_t n : t)
+      if (look((1 - share) * c + share * mesh.nodes[n])) return;
+  look(c);
 }
 
 }  // namespace
@@ -59,14 +63,15 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surfac
   MeshGroups groups;
   Numbering<std::vector<int>> cells;
   groups.tet_cell.reserve(mesh.tets.size());
+  std::vector<int> owners;
   std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
   std::int32_t last_cell = -1;
   for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     if (k % 4096 == 0) run.poll();
-    std::vector<int> owners = owners_of(mesh, mesh.tets[k], membership);
+    owners_of(mesh, mesh.tets[k], model, membership, owners);
     if (last_cell < 0 || owners != last) {
       last_cell = cells(owners);
-      last = std::move(owners);
+      last = owners;
     }
     groups.tet_cell.push_back(last_cell);
   }

@@ -36,8 +36,7 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification, const
 
 kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
                                   const Run& run) {
-  LiveMesh live(nodes, kernel::Delaunay(boundary.bounds),
-                std::vector<std::uint8_t>(nodes.positions.size(), 0), run);
+  LiveMesh live(kernel::Delaunay(boundary.bounds), {}, run);
   recover_edges(nodes, boundary, live, {.edge_length = edge_length});
   return live.mesh();
 }

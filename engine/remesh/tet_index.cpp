@@ -1,17 +1,8 @@
 #include "engine/remesh/tet_index.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace remeshd {
-
-namespace {
-std::size_t hash(const Tet& t) {
-  std::uint64_t h = 0;
-  for (const std::int32_t n : t) h = (h ^ static_cast<std::uint32_t>(n)) * 0x9E3779B97F4A7C15ULL;
-  return h ^ (h >> 29);
-}
-}  // namespace
 
 Tet sorted_nodes(Tet t) {
   if (t[0] > t[1]) std::swap(t[0], t[1]);
@@ -22,22 +13,25 @@ Tet sorted_nodes(Tet t) {
   return t;
 }
 
-TetIndex::TetIndex(std::span<const Tet> tets) {
-  sorted_.reserve(tets.size());
-  table_.assign(std::bit_ceil(2 * tets.size() + 2), -1);
-  for (const Tet& t : tets) {
-    sorted_.push_back(sorted_nodes(t));
-    std::size_t at = hash(sorted_.back()) & (table_.size() - 1);
-    while (table_[at] >= 0) at = (at + 1) & (table_.size() - 1);
-    table_[at] = static_cast<std::int32_t>(sorted_.size()) - 1;
+TetIndex::TetIndex(std::span<const Tet> tets, std::size_t node_count)
+    : begin_(node_count + 1, 0), entries_(tets.size()) {
+  for (const Tet& t : tets) ++begin_[std::min({t[0], t[1], t[2], t[3]}) + 1];
+  for (std::size_t n = 1; n < begin_.size(); ++n) begin_[n] += begin_[n - 1];
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t k = 0; k < tets.size(); ++k) {
+    const Tet t = sorted_nodes(tets[k]);
+    entries_[next[t[0]]++] = {{t[1], t[2], t[3]}, static_cast<std::int32_t>(k)};
   }
 }
 
 std::int32_t TetIndex::find(const Tet& tet) const {
-  const Tet key = sorted_nodes(tet);
-  std::size_t at = hash(key) & (table_.size() - 1);
-  while (table_[at] >= 0 && sorted_[table_[at]] != key) at = (at + 1) & (table_.size() - 1);
-  return table_[at];
+  const Tet t = sorted_nodes(tet);
+  if (static_cast<std::size_t>(t[0]) + 1 >= begin_.size()) return -1;
+  for (std::uint32_t e = begin_[t[0]]; e < begin_[t[0] + 1]; ++e) {
+    const auto& others = entries_[e].others;
+    if (others[0] == t[1] && others[1] == t[2] && others[2] == t[3]) return entries_[e].tet;
+  }
+  return -1;
 }
 
 }  // namespace remeshd

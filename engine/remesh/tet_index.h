@@ -9,16 +9,22 @@
 
 namespace remeshd {
 
-/// Finds a tet by its four nodes, whatever their order.
+/// Finds a tet by its four nodes, whatever their order. Tets stand by their smallest node: those of
+/// neighbours are looked up near each other.
 class TetIndex {
  public:
-  explicit TetIndex(std::span<const Tet> tets);
+  /// `node_count`: above every node of the tets.
+  TetIndex(std::span<const Tet> tets, std::size_t node_count);
   /// Index of the tet with these nodes, -1 if there is none.
   [[nodiscard]] std::int32_t find(const Tet& tet) const;
 
  private:
-  std::vector<Tet> sorted_;
-  std::vector<std::int32_t> table_;
+  struct Entry {
+    std::array<std::int32_t, 3> others;  ///< ascending
+    std::int32_t tet;
+  };
+  std::vector<std::uint32_t> begin_;  ///< by smallest node: its first entry
+  std::vector<Entry> entries_;
 };
 
 /// The nodes of a tet in ascending order.

@@ -109,8 +109,8 @@ INSTANTIATE_TEST_SUITE_P(Paper, EveryCase,
                                          Case{"tool2-b", "tool2-bc", 172863.715790},
                                          Case{"tool2-c", "tool2-cd", 172779.646351},
                                          Case{"tool3-a", "tool3-ab", 173327.875959}),
-                         [](const auto& info) {
-                           std::string name = info.param.edit;
+                         [](const auto& test) {
+                           std::string name = test.param.edit;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

@@ -7,9 +7,9 @@
 
 #include "engine/base/error.h"
 #include "engine/improve/edge_chains.h"
-#include "engine/mesh/adjacency.h"
 #include "engine/mesh/quality.h"
 #include "tests/support/solid_fixture.h"
+#include "tests/support/tet_neighbours.h"
 
 namespace remeshd {
 namespace {
@@ -38,7 +38,7 @@ struct Shell {
   bool closed = true;
 };
 Shell shell(const TetMesh& mesh) {
-  const auto neighbours = tet_neighbours(mesh.tets, mesh.nodes.size());
+  const auto neighbours = test::tet_neighbours(mesh.tets, mesh.nodes.size());
   std::vector<std::pair<std::int32_t, std::int32_t>> edges;
   Shell result;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)

@@ -41,6 +41,16 @@ Delaunay mesh_of(const std::vector<Vec3>& points) {
   return mesh;
 }
 
+/// Brings the mesh to where the points are now. Returns how flips got on.
+Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
+  const auto moved = mesh.move(points, all(points.size()), kRun);
+  if (moved == Delaunay::Moved::TooFar) {
+    EXPECT_TRUE(mesh.reinsert(points, all(points.size()), kRun));
+  }
+  EXPECT_NE(moved, Delaunay::Moved::Failed);
+  return moved;
+}
+
 std::vector<Tet> sorted_tets(const Delaunay& mesh) {
   std::vector<Tet> tets;
   mesh.for_each_tet([&](Tet t) {
@@ -131,9 +141,31 @@ TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
       for (std::size_t k = 0; k < points.size(); k += 2)
         for (double* v : {&points[k].x, &points[k].y, &points[k].z})
           *v = std::clamp(*v + step * random.uniform(-1, 1), 0.0, 1.0);
-      ASSERT_TRUE(mesh.move(points, all(600), kRun));
+      follow(mesh, points);
       ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points))) << "steps of " << step;
     }
+  }
+}
+
+TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
+  const auto before = cloud(400, 7);
+  auto points = before;
+  std::swap(points[0], points[1]);
+  for (std::size_t k = 2; k < points.size(); k += 2) std::swap(points[k], points[k + 1]);
+  Delaunay mesh = mesh_of(before);
+  ASSERT_EQ(mesh.move(points, all(400), kRun), Delaunay::Moved::TooFar);
+  EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(before)));
+  EXPECT_EQ(mesh.position(0), before[0]);
+}
+
+TEST(Delaunay, NodesHeldBackFollowWhenTheOthersHaveMadeRoom) {
+  // All points shift along x, further than many are apart, but in a wave that leaves room ahead.
+  auto points = cloud(6000, 9);
+  Delaunay mesh = mesh_of(points);
+  for (int round = 0; round < 3; ++round) {
+    for (Vec3& p : points) p.x = std::clamp(p.x + 0.002 * std::sin(40 * p.y + round), 0.0, 1.0);
+    ASSERT_EQ(follow(mesh, points), Delaunay::Moved::Done);
+    ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
   }
 }
 
@@ -152,7 +184,7 @@ TEST(Delaunay, NodesSlidingInAPlaneAreFlippedThere) {
       points[k].x = std::clamp(points[k].x + 0.01 * random.uniform(-1, 1), 0.0, 1.0);
       points[k].y = std::clamp(points[k].y + 0.01 * random.uniform(-1, 1), 0.0, 1.0);
     }
-    ASSERT_TRUE(mesh.move(points, all(300), kRun));
+    follow(mesh, points);
     ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
   }
 }

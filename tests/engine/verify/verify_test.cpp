@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/mesh/adjacency.h"
 #include "tests/support/solid_fixture.h"
+#include "tests/support/tet_neighbours.h"
 
 namespace remeshd {
 namespace {
@@ -41,7 +41,7 @@ std::int32_t find_node(const SolidFixture& s, Support::Kind kind) {
 /// Index of the first tet with so many nodes on the boundary, none of its facets exposed, and, if
 /// there are two, these two joined by a boundary edge within one face.
 std::size_t inner_tet(const SolidFixture& s, int on_boundary) {
-  const auto neighbours = tet_neighbours(s.mesh.tets, s.mesh.nodes.size());
+  const auto neighbours = test::tet_neighbours(s.mesh.tets, s.mesh.nodes.size());
   const auto on_face = [&](std::int32_t n) { return s.supports[n].kind == Support::Kind::Face; };
   const auto on_any = [&](std::int32_t n) { return s.supports[n].kind != Support::Kind::Interior; };
   for (std::size_t t = 0; t < s.mesh.tets.size(); ++t) {

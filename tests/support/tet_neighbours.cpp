@@ -1,8 +1,8 @@
-#include "engine/mesh/adjacency.h"
+#include "tests/support/tet_neighbours.h"
 
 #include <algorithm>
 
-namespace remeshd {
+namespace remeshd::test {
 
 std::vector<std::array<std::int32_t, 4>> tet_neighbours(std::span<const Tet> tets,
                                                         std::size_t node_count) {
@@ -46,4 +46,4 @@ std::vector<std::array<std::int32_t, 4>> tet_neighbours(std::span<const Tet> tet
   return neighbours;
 }
 
-}  // namespace remeshd
+}  // namespace remeshd::test
