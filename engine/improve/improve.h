@@ -37,8 +37,8 @@ struct ImproveResult {
 /// boundary) and local smoothing in which boundary nodes slide on their surface or curve. Works on
 /// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches. Every
 /// reconnection and every move of one node raises the worst quality of the tets it replaces; where
-/// neither helps, the nodes round a tet are eased together, which may leave the worst as it is while
-/// what all of them lack of the threshold gets less.
+/// neither helps, the nodes round a tet are eased together, which may leave the worst as it is
+/// while what all of them lack of the threshold gets less.
 ///
 /// Post: volume covered, boundary manifold and its model edges as before; no tet worse than the
 /// worst of the input; the same input gives the same bytes.
