@@ -87,7 +87,7 @@ struct Daemon::Parts {
         service(make_remesh_service(session, {.version = REMESHD_VERSION, .log = options.log})) {}
 };
 
-Daemon::Daemon(DaemonOptions options, Engine engine)
+Daemon::Daemon(const DaemonOptions& options, Engine engine)
     : parts_(std::make_unique<Parts>(options, std::move(engine))) {
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();

@@ -36,7 +36,7 @@ struct DaemonOptions {
 class Daemon {
  public:
   /// Serves from when this returns. Throws Error: what Store throws, `ListenFailed`.
-  Daemon(DaemonOptions options, Engine engine);
+  Daemon(const DaemonOptions& options, Engine engine);
   /// As `shutdown`.
   ~Daemon();
   Daemon(const Daemon&) = delete;

@@ -161,7 +161,7 @@ bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
   }
   // The edge that the new one would pass: the facet's without corner c.
   const int c = flat >= 0 ? flat : reflex;
-  std::int32_t edge[2];
+  std::int32_t edge[2]{-1, -1};
   int k = 0;
   for (const int other : kTetFacets[i])
     if (other != c) edge[k++] = s.v[other];

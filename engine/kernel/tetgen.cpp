@@ -104,7 +104,7 @@ std::filesystem::path find_tetgen_helper() {
   if (const char* set = std::getenv("REMESHD_TETGEN"); set != nullptr && *set != '\0') return set;
   std::error_code failure;
   const auto folder = std::filesystem::read_symlink("/proc/self/exe", failure).parent_path();
-  const auto beside = folder / kProgram;
+  auto beside = folder / kProgram;
   if (std::filesystem::exists(beside, failure)) return beside;
   return folder.parent_path() / "libexec" / "remeshd" / kProgram;
 }

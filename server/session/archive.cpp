@@ -58,13 +58,13 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
 
   store_.commit([&](Catalogue& catalogue) {
     Transaction changes;
-    if (write) changes.push_back(AddRevision{filed.record});
+    if (write) changes.emplace_back(AddRevision{filed.record});
     const auto places = catalogue.places(id);
     const auto place = std::find_if(places.begin(), places.end(),
                                     [&](const PlaceRecord& p) { return p.design == design; });
     const bool is_new = place == places.end();
     if (is_new) {
-      changes.push_back(AddPlace{design, filed.place.number, id});
+      changes.emplace_back(AddPlace{design, filed.place.number, id});
     } else {
       filed.place.number = place->number;
     }
@@ -77,7 +77,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     filed.head = move ? id : head;
     filed.head_number = filed.head == id ? filed.place.number : now->head_number;
     filed.place.head = filed.head == id;
-    if (filed.head != head) changes.push_back(SetHead{design, id});
+    if (filed.head != head) changes.emplace_back(SetHead{design, id});
     return changes;
   });
   return filed;
@@ -98,13 +98,13 @@ Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
       }
       if (place.head && !allow_head) throw error::head_protected(place.design, place.number);
       removed.places.push_back(place);
-      changes.push_back(RemovePlace{place.design, place.number});
+      changes.emplace_back(RemovePlace{place.design, place.number});
       if (!place.head) continue;
       const auto last = catalogue.last_place(place.design, reference.id);
-      changes.push_back(SetHead{place.design, last ? last->id : ""});
+      changes.emplace_back(SetHead{place.design, last ? last->id : ""});
     }
     removed.mesh_deleted = !elsewhere;
-    if (!elsewhere) changes.push_back(RemoveRevision{reference.id});
+    if (!elsewhere) changes.emplace_back(RemoveRevision{reference.id});
     return changes;
   });
   if (removed.mesh_deleted) held_.erase(removed.id);

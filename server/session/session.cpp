@@ -19,7 +19,7 @@ struct Side {
 
 Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits)
     : engine_(std::move(engine)),
-      limits_(limits),
+      limits_(std::move(limits)),
       store_(std::move(store)),
       archive_(engine_, *store_, limits_.memory),
       quick_({.workers = kQuickThreads, .queue = kQuickQueue, .wait = limits_.wait}),

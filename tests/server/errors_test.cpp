@@ -179,7 +179,8 @@ TEST_F(Errors, SixtyListsInsideEachOtherAreAnsweredInWords) {
 
 TEST_F(Errors, AHundredMegabytesAreRefusedInWords) {
   auto model = plate();
-  parameter(model, 1, "radius").set_string_value(std::string(100'000'000, '1'));
+  std::string& text = *parameter(model, 1, "radius").mutable_string_value();
+  text.resize(100'000'000, '1');
   const auto error = refused(model);
   EXPECT_EQ(error.reason(), "MessageTooLarge");
   EXPECT_THAT(error.message(), HasSubstr("8388608"));

@@ -19,7 +19,6 @@ const Run kRun;
 using std::numbers::pi;
 using test::case_features;
 using test::error_of;
-using ::testing::ElementsAre;
 
 FeatureSource block(std::string id, std::array<Scalar, 3> origin, std::array<double, 3> size) {
   FeatureSource source =

@@ -175,7 +175,7 @@ TEST(Remesh, ARotatedFeatureTakesItsNodesWithIt) {
   const Revision original = first("fig6-a", {.nodes = 9000, .iterations = 3});
   const double a = 30 * std::numbers::pi / 180;
   ModelEdit turn;
-  turn.edits.push_back(SetPlacement{
+  turn.edits.emplace_back(SetPlacement{
       "rib",
       PlacementSource{
           {-20.0, 0.0, 10.0}, std::nullopt, std::array<Scalar, 3>{std::cos(a), std::sin(a), 0.0}}});
