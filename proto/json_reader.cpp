@@ -79,8 +79,8 @@ class TreeBuilder {
       return &list->back();
     }
     auto& object = std::get<Json::Object>(container);
-    object.emplace_back(std::move(key_), std::move(value));
-    return &object.back().second;
+    object.push_back({std::move(key_), std::move(value)});
+    return &object.back().value;
   }
   bool put(Json&& value) {
     place(std::move(value));

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,9 +18,14 @@ struct DocumentLimits {
 /// A JSON value. Members of objects stay in the order of the text.
 struct Json {
   struct Null {};
+  struct Member;
   using List = std::vector<Json>;
-  using Object = std::vector<std::pair<std::string, Json>>;
+  using Object = std::vector<Member>;
   std::variant<Null, bool, double, std::string, List, Object> value;
+};
+struct Json::Member {
+  std::string name;
+  Json value;
 };
 
 /// Reads one JSON value, strictly: RFC 8259 to the letter, UTF-8, no key twice in an object,

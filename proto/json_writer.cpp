@@ -20,11 +20,17 @@ using google::protobuf::Struct;
 using google::protobuf::Timestamp;
 using google::protobuf::Value;
 
+struct Item;
+
 /// A piece of output whose layout is still open: a token, or brackets round items.
 struct Piece {
   std::string token;  ///< a scalar, or the opening bracket
   bool brackets = false;
-  std::vector<std::pair<std::string, Piece>> items;  ///< label (`"name": `, or empty) and item
+  std::vector<Item> items;
+};
+struct Item {
+  std::string label;  ///< `"name": `, or empty
+  Piece piece;
 };
 
 std::string quote(const std::string& text) {
@@ -65,7 +71,7 @@ Piece value_piece(const Value& value);
 
 Piece list_piece(const ListValue& list) {
   Piece piece{"[", true, {}};
-  for (const Value& item : list.values()) piece.items.emplace_back("", value_piece(item));
+  for (const Value& item : list.values()) piece.items.push_back({"", value_piece(item)});
   return piece;
 }
 
@@ -74,7 +80,7 @@ Piece struct_piece(const Struct& fields) {
   for (const auto& [name, value] : fields.fields()) sorted[name] = &value;
   Piece piece{"{", true, {}};
   for (const auto& [name, value] : sorted)
-    piece.items.emplace_back(quote(name) + ": ", value_piece(*value));
+    piece.items.push_back({quote(name) + ": ", value_piece(*value)});
   return piece;
 }
 
@@ -149,7 +155,7 @@ Piece map_piece(const Message& message, const FieldDescriptor* field, const Json
     sorted[item.GetReflection()->GetString(item, key)] = field_piece(item, value, 0, style);
   }
   Piece piece{"{", true, {}};
-  for (auto& [name, item] : sorted) piece.items.emplace_back(quote(name) + ": ", std::move(item));
+  for (auto& [name, item] : sorted) piece.items.push_back({quote(name) + ": ", std::move(item)});
   return piece;
 }
 
@@ -169,14 +175,14 @@ Piece message_piece(const Message& message, const JsonStyle& style) {
     if (empty && (!style.write_zeros || field->has_presence())) continue;
     const std::string label = quote(style.camel_case ? field->json_name() : field->name()) + ": ";
     if (field->is_map()) {
-      piece.items.emplace_back(label, map_piece(message, field, style));
+      piece.items.push_back({label, map_piece(message, field, style)});
     } else if (field->is_repeated()) {
       Piece list{"[", true, {}};
       for (int k = 0; k < r->FieldSize(message, field); ++k)
-        list.items.emplace_back("", field_piece(message, field, k, style));
-      piece.items.emplace_back(label, std::move(list));
+        list.items.push_back({"", field_piece(message, field, k, style)});
+      piece.items.push_back({label, std::move(list)});
     } else {
-      piece.items.emplace_back(label, field_piece(message, field, 0, style));
+      piece.items.push_back({label, field_piece(message, field, 0, style)});
     }
   }
   return piece;
@@ -189,9 +195,9 @@ bool write_flat(const Piece& piece, std::size_t room, std::string& out) {
   out += piece.token;
   for (std::size_t i = 0; i < piece.items.size(); ++i) {
     if (i > 0) out += ", ";
-    out += piece.items[i].first;
+    out += piece.items[i].label;
     const std::size_t used = out.size() - start;
-    if (used >= room || !write_flat(piece.items[i].second, room - used, out)) {
+    if (used >= room || !write_flat(piece.items[i].piece, room - used, out)) {
       out.resize(start);
       return false;
     }
@@ -211,8 +217,8 @@ void write(const Piece& piece, std::size_t indent, std::size_t column, std::size
   for (std::size_t i = 0; i < piece.items.size(); ++i) {
     out += '\n';
     out.append(indent + 2, ' ');
-    out += piece.items[i].first;
-    write(piece.items[i].second, indent + 2, indent + 2 + piece.items[i].first.size(), width, out);
+    out += piece.items[i].label;
+    write(piece.items[i].piece, indent + 2, indent + 2 + piece.items[i].label.size(), width, out);
     if (i + 1 < piece.items.size()) out += ',';
   }
   if (!piece.items.empty()) {
@@ -229,8 +235,8 @@ std::string write_json(const Message& message, const JsonStyle& style) {
   std::string out = piece.token;
   // The outermost object is always opened out: one field a line.
   for (std::size_t i = 0; i < piece.items.size(); ++i) {
-    out += "\n  " + piece.items[i].first;
-    write(piece.items[i].second, 2, 2 + piece.items[i].first.size(),
+    out += "\n  " + piece.items[i].label;
+    write(piece.items[i].piece, 2, 2 + piece.items[i].label.size(),
           static_cast<std::size_t>(style.width), out);
     if (i + 1 < piece.items.size()) out += ',';
   }

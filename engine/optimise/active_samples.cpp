@@ -65,17 +65,14 @@ class Neighbourhood {
 }  // namespace
 
 ActiveSamples::ActiveSamples(const Samples& samples)
-    : samples_(&samples),
-      states_(samples.points.size(), State::Active),
+    : states_(samples.points.size(), State::Active),
       participants_(samples.points.size()),
       active_count_(static_cast<std::uint32_t>(samples.points.size())) {
   std::iota(participants_.begin(), participants_.end(), 0U);
 }
 
 ActiveSamples::ActiveSamples(const Samples& samples, const NodeSet& nodes, double edge_length)
-    : samples_(&samples),
-      edge_length_(edge_length),
-      states_(samples.points.size(), State::Resting) {
+    : edge_length_(edge_length), states_(samples.points.size(), State::Resting) {
   positions_.reserve(samples.points.size());
   for (const Sample& s : samples.points) positions_.push_back(s.position);
   grid_.emplace_back(positions_, kGridCell * edge_length);

@@ -37,7 +37,6 @@ class ActiveSamples {
   void activate(std::uint32_t sample);
   void collect();
 
-  const Samples* samples_;
   double edge_length_ = 0;
   std::vector<State> states_;
   std::vector<Vec3> positions_;

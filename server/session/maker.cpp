@@ -70,7 +70,11 @@ struct Maker::Computation {
 };
 
 Maker::Maker(const Engine& engine, Archive& archive, Pool& quick, Pool& workers, Limits limits)
-    : engine_(engine), archive_(archive), quick_(quick), workers_(workers), limits_(limits) {}
+    : engine_(engine),
+      archive_(archive),
+      quick_(quick),
+      workers_(workers),
+      limits_(std::move(limits)) {}
 
 Maker::~Maker() { stop(); }
 
@@ -186,7 +190,7 @@ HeldRevisionPtr Maker::find_or_mend(const std::string& id, bool& damaged, const 
   }
 }
 
-void Maker::proceed(const RequestPtr& request, Prepared prepared, const Run& run) {
+void Maker::proceed(const RequestPtr& request, const Prepared& prepared, const Run& run) {
   run.poll();
   request->design = prepared.design;
   request->head = prepared.head;

@@ -68,7 +68,7 @@ class Maker {
   MakeRequestPtr start(const RequestPtr& request, std::function<Prepared(const Run&)> prepare);
   Prepared prepare_create(const CreateCommand& command) const;
   Prepared prepare_edit(const EditCommand& command, const Run& run) const;
-  void proceed(const RequestPtr& request, Prepared prepared, const Run& run);
+  void proceed(const RequestPtr& request, const Prepared& prepared, const Run& run);
   HeldRevisionPtr find_or_mend(const std::string& id, bool& damaged, const Run& run) const;
   void launch(const RequestPtr& request, const Prepared& prepared, bool damaged);
   void compute(const ComputationPtr& computation);

@@ -134,9 +134,9 @@ void Store::adopt_objects() {
   if (found.empty()) return;
   Transaction transaction;
   for (const auto& [key, revision] : found) {
-    transaction.push_back(AddRevision{revision.record});
-    transaction.push_back(AddPlace{key.first, key.second, revision.record.id});
-    transaction.push_back(SetHead{key.first, revision.record.id});
+    transaction.emplace_back(AddRevision{revision.record});
+    transaction.emplace_back(AddPlace{key.first, key.second, revision.record.id});
+    transaction.emplace_back(SetHead{key.first, revision.record.id});
   }
   commit([&](Catalogue&) { return transaction; });
   notes_.push_back("journal made again from " + std::to_string(found.size()) + " revisions");

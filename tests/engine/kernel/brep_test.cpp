@@ -25,7 +25,7 @@ Brep square(double side, double height, double scale) {
       height, scale);
 }
 
-double volume_with(const Fusion& fusion, std::vector<int> parts) {
+double volume_with(const Fusion& fusion, const std::vector<int>& parts) {
   double volume = 0;
   for (std::size_t c = 0; c < fusion.cells.size(); ++c) {
     std::vector<int> of;

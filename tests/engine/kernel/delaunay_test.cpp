@@ -83,7 +83,9 @@ TEST(Delaunay, NoNodeLiesInACircumsphere) {
 
 TEST(Delaunay, TheMeshOfACubesCornersFillsTheCube) {
   std::vector<Vec3> points;  // eight cospherical nodes, and coplanar ones on every side
-  for (int k = 0; k < 27; ++k) points.push_back({0.5 * (k % 3), 0.5 * (k / 3 % 3), 0.5 * (k / 9)});
+  for (const double x : {0.0, 0.5, 1.0})
+    for (const double y : {0.0, 0.5, 1.0})
+      for (const double z : {0.0, 0.5, 1.0}) points.push_back({z, y, x});
   double volume = 0;
   mesh_of(points).for_each_tet([&](const Tet& t) {
     volume += tet_volume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);

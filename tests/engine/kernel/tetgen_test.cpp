@@ -111,7 +111,7 @@ class TetGen : public testing::Test {
 
   /// A stand-in for remeshd-tetgen: a shell script.
   fs::path script(const std::string& body) const {
-    const fs::path path = folder_ / "helper";
+    fs::path path = folder_ / "helper";
     std::ofstream(path) << "#!/bin/sh\n" << body << "\n";
     fs::permissions(path, fs::perms::owner_all);
     return path;
