@@ -142,6 +142,9 @@ class Delaunay {
   std::vector<std::int32_t> hold_back(std::span<const std::int32_t> touched,
                                       std::vector<std::uint8_t>& roles,
                                       const std::vector<Vec3>& old);
+  /// Moves those of the held nodes that can go one by one after all; the others stay in `held`.
+  void let_go(std::span<const std::int32_t> touched, std::span<const Vec3> positions,
+              std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held);
   /// Flips facets that are not locally Delaunay, from those of the touched tets. Adds the facets
   /// that resisted when they were looked at, 4 * tet + facet.
   void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,

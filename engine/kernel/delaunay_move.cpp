@@ -2,6 +2,7 @@
 // cannot mend.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "engine/kernel/delaunay.h"
 #include "engine/kernel/predicates.h"
@@ -15,9 +16,9 @@ enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kStuck = 3 };
 
 /// Share of the moved nodes that may have to be held back before flips do not pay any more.
 constexpr double kManyHeld = 0.06;
-/// How often held nodes try again once the others have made room, and how many tets there are for
-/// each that makes it worth while.
-constexpr int kTries = 4;
+/// Held nodes try again once the others have made room; more than once helps few. So many tets are
+/// there for each that makes it worth while.
+constexpr int kTries = 2;
 constexpr std::size_t kTetsPerTry = 5000;
 constexpr int kPollEvery = 4096;
 
@@ -50,6 +51,7 @@ Delaunay::Moved Delaunay::move(std::span<const Vec3> positions, std::span<const 
     }
     const std::vector<std::int32_t> touched = tets_at_moved(roles);
     std::vector<std::int32_t> held = hold_back(touched, roles, old);
+    let_go(touched, positions, roles, held);
     if (k == 1 &&
         static_cast<double>(held.size()) > kManyHeld * static_cast<double>(moved.size())) {
       for (const std::int32_t n : moved) points_[n + kFar] = old[n + kFar];
@@ -120,6 +122,38 @@ std::vector<std::int32_t> Delaunay::hold_back(std::span<const std::int32_t> touc
     }
   }
   return held;
+}
+
+void Delaunay::let_go(std::span<const std::int32_t> touched, std::span<const Vec3> positions,
+                      std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held) {
+  // The tets at each held vertex, by vertex.
+  std::vector<std::uint32_t> end(points_.size() + 1, 0);
+  const auto each = [&](auto&& f) {
+    for (const std::int32_t t : touched)
+      for (const std::int32_t v : slots_[t].v)
+        if (roles[v] == kHeld) f(v, t);
+  };
+  each([&](std::int32_t v, std::int32_t) { ++end[v + 1]; });
+  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+  std::vector<std::int32_t> tets(end.back());
+  std::vector<std::uint32_t> next(end.begin(), end.end() - 1);
+  each([&](std::int32_t v, std::int32_t t) { tets[next[v]++] = t; });
+
+  for (std::size_t before = held.size() + 1; held.size() < before;) {
+    before = held.size();
+    std::erase_if(held, [&](std::int32_t n) {
+      const std::int32_t v = n + kFar;
+      const Vec3 back = std::exchange(points_[v], positions[n]);
+      for (std::uint32_t k = end[v]; k < end[v + 1]; ++k) {
+        const auto& c = slots_[tets[k]].v;
+        if (orientation(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]) > 0) continue;
+        points_[v] = back;
+        return false;
+      }
+      roles[v] = kMoved;
+      return true;
+    });
+  }
 }
 
 void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,

@@ -50,13 +50,16 @@ std::vector<Tet> anew(const NodeSet& nodes) {
   return sorted(std::move(tets));
 }
 
-/// Moves every `each`-th free node by up to `step`.
+/// Moves every `each`-th free node by up to `step`, within the cube but not onto its walls, where
+/// nodes would meet.
 void stir(NodeSet& nodes, double step, Random& random, int each = 1) {
   for (std::int32_t n = 0; n < nodes.size(); n += each) {
     if (!nodes.free[n]) continue;
     Vec3& p = nodes.positions[n];
-    for (double* v : {&p.x, &p.y, &p.z})
-      *v = std::clamp(*v + step * random.uniform(-1, 1), 0.0, 1.0);
+    for (double* v : {&p.x, &p.y, &p.z}) {
+      const double to = *v + step * random.uniform(-1, 1);
+      if (to > 0 && to < 1) *v = to;
+    }
   }
 }
 
