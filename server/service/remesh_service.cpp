@@ -60,13 +60,15 @@ class RemeshService final : public RawService {
 
   Reply* CreateRevision(Context* context, const Bytes* in, Bytes* out) override {
     return make<v1::CreateRevisionRequest>(
-        "CreateRevision", context, in, out, [this](const auto& request, Listener listener) {
+        "CreateRevision", context, in, out,
+        [this](const v1::CreateRevisionRequest& request, Listener listener) {
           return session_.create(decode(request), std::move(listener));
         });
   }
   Reply* EditRevision(Context* context, const Bytes* in, Bytes* out) override {
     return make<v1::EditRevisionRequest>(
-        "EditRevision", context, in, out, [this](const auto& request, Listener listener) {
+        "EditRevision", context, in, out,
+        [this](const v1::EditRevisionRequest& request, Listener listener) {
           return session_.edit(decode(request), std::move(listener));
         });
   }

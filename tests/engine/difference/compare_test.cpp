@@ -10,7 +10,6 @@ namespace {
 
 using test::DifferenceCase;
 using ::testing::DoubleNear;
-using ::testing::IsEmpty;
 using ::testing::Pair;
 using ::testing::UnorderedElementsAre;
 
