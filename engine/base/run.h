@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <stop_token>
@@ -26,6 +27,20 @@ struct Run {
   /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.
   void poll() const;
   void report(std::string_view stage, double fraction, int iteration = 0) const;
+};
+
+/// Polls once in a while: to be called for every tet or node of a long loop.
+class Polling {
+ public:
+  explicit Polling(const Run& run) : run_(run) {}
+  void operator()() {
+    if (++calls_ % kEvery == 0) run_.poll();
+  }
+
+ private:
+  static constexpr std::uint32_t kEvery = 4096;
+  const Run& run_;
+  std::uint32_t calls_ = 0;
 };
 
 }  // namespace remeshd

@@ -36,9 +36,9 @@ std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   std::vector<Tet> neighbours;  // by tet
   neighbours.reserve(delaunay.size());
   std::vector<std::int32_t> number(delaunay.slots(), -1);
-  std::size_t count = 0;
+  Polling poll(run);
   delaunay.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
-    if (count++ % 8192 == 0) run.poll();
+    poll();
     if (!contributes(nodes, boundary, faces, inside, t)) return;
     number[slot] = static_cast<std::int32_t>(tets.size());
     tets.push_back(t);

@@ -67,7 +67,7 @@ class CleanUp {
   CleanUp(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
           std::span<const std::uint8_t> dirty, const ImproveOptions& options, const Run& run)
       : start_(mesh.nodes),
-        mesh_(mesh),
+        mesh_(mesh, run),
         rules_(boundary, supports, mesh_, options.chord_tolerance),
         smoother_(mesh_, rules_),
         options_(options),
@@ -121,8 +121,11 @@ class CleanUp {
 
   [[nodiscard]] std::vector<std::int32_t> bad_tets() const {
     std::vector<std::int32_t> tets;
-    for (std::int32_t t = 0; t < mesh_.slots(); ++t)
+    Polling poll(run_);
+    for (std::int32_t t = 0; t < mesh_.slots(); ++t) {
+      poll();
       if (bad(t)) tets.push_back(t);
+    }
     return tets;
   }
 

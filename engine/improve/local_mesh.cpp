@@ -33,14 +33,17 @@ std::array<std::int32_t, 2> opposite_edge(const Tet& tet, std::int32_t a, std::i
 
 }  // namespace
 
-LocalMesh::LocalMesh(const TetMesh& mesh)
+LocalMesh::LocalMesh(const TetMesh& mesh, const Run& run)
     : nodes_(mesh.nodes),
       tets_(mesh.tets),
       qualities_(mesh.tets.size(), kUnknown),
       stamps_(mesh.tets.size(), 0),
       lists_(mesh.nodes.size()) {
-  for (const Tet& tet : tets_)
+  Polling poll(run);
+  for (const Tet& tet : tets_) {
+    poll();
     for (const std::int32_t n : tet) ++lists_[n].capacity;
+  }
   std::int32_t begin = 0;
   for (List& list : lists_) {
     list.begin = begin;
@@ -48,8 +51,10 @@ LocalMesh::LocalMesh(const TetMesh& mesh)
     begin += list.capacity;
   }
   pool_.resize(static_cast<std::size_t>(begin));
-  for (std::int32_t t = 0; t < slots(); ++t)
+  for (std::int32_t t = 0; t < slots(); ++t) {
+    poll();
     for (const std::int32_t n : tets_[t]) pool_[lists_[n].begin + lists_[n].size++] = t;
+  }
 }
 
 double LocalMesh::quality(std::int32_t t) const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -27,7 +28,7 @@ struct EdgeRing {
 /// last, so that untouched tets keep their place and the same operations give the same bytes.
 class LocalMesh {
  public:
-  explicit LocalMesh(const TetMesh& mesh);
+  explicit LocalMesh(const TetMesh& mesh, const Run& run = {});
 
   [[nodiscard]] const std::vector<Vec3>& nodes() const { return nodes_; }
   [[nodiscard]] const Vec3& node(std::int32_t n) const { return nodes_[n]; }

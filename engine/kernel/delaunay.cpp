@@ -213,7 +213,7 @@ bool Delaunay::remove(std::span<const std::int32_t> nodes, const Run& run) {
   for (const std::int32_t n : rim) positions[n] = points_[n + kFar];
   Delaunay filling{std::span<const Vec3>(points_)};
   filling.insert(positions, rim, run);
-  const std::optional<std::vector<Fill>> fill = fit(filling, walls);
+  const std::optional<std::vector<Fill>> fill = fit(filling, walls, run);
   if (!fill) return false;
 
   for (std::size_t t = 0; t < slots_.size(); ++t) {
@@ -242,7 +242,9 @@ bool Delaunay::remove(std::span<const std::int32_t> nodes, const Run& run) {
 }
 
 std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling,
-                                                         const std::vector<Wall>& walls) {
+                                                         const std::vector<Wall>& walls,
+                                                         const Run& run) {
+  Polling poll(run);
   const auto wall_at = [&](const Slot& s, int i) -> std::int32_t {
     const auto& f = kTetFacets[i];
     const auto key = sorted_key(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
@@ -263,11 +265,13 @@ std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling
   };
   std::size_t met = 0;
   for (std::size_t t = 0; t < filling.slots_.size(); ++t) {
+    poll();
     if (filling.slots_[t].v[0] == kDead) continue;
     for (int i = 0; i < 4; ++i)
       if (wall_at(filling.slots_[t], i) >= 0) take(static_cast<std::int32_t>(t));
   }
   for (std::size_t k = 0; k < fill.size(); ++k) {
+    poll();
     const Slot& s = filling.slots_[fill[k].tet];
     for (int i = 0; i < 4; ++i) {
       const std::int32_t wall = wall_at(s, i);

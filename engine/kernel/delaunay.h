@@ -133,18 +133,18 @@ class Delaunay {
 
   explicit Delaunay(std::span<const Vec3> far_corners);
   static std::optional<std::vector<Fill>> fit(const Delaunay& filling,
-                                              const std::vector<Wall>& walls);
+                                              const std::vector<Wall>& walls, const Run& run);
   /// The tets with a moved vertex.
-  [[nodiscard]] std::vector<std::int32_t> tets_at_moved(
-      const std::vector<std::uint8_t>& roles) const;
+  [[nodiscard]] std::vector<std::int32_t> tets_at_moved(const std::vector<std::uint8_t>& roles,
+                                                        const Run& run) const;
   /// Puts moved vertices back, from `old`, until no tet is inverted; their roles become kHeld.
   /// Returns their nodes.
   std::vector<std::int32_t> hold_back(std::span<const std::int32_t> touched,
                                       std::vector<std::uint8_t>& roles,
-                                      const std::vector<Vec3>& old);
+                                      const std::vector<Vec3>& old, const Run& run);
   /// Moves those of the held nodes that can go one by one after all; the others stay in `held`.
   void let_go(std::span<const std::int32_t> touched, std::span<const Vec3> positions,
-              std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held);
+              std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held, const Run& run);
   /// Flips facets that are not locally Delaunay, from those of the touched tets. Adds the facets
   /// that resisted when they were looked at, 4 * tet + facet.
   void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,

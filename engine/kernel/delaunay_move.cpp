@@ -20,7 +20,6 @@ constexpr double kManyHeld = 0.06;
 /// there for each that makes it worth while.
 constexpr int kTries = 2;
 constexpr std::size_t kTetsPerTry = 5000;
-constexpr int kPollEvery = 4096;
 
 }  // namespace
 
@@ -49,9 +48,9 @@ Delaunay::Moved Delaunay::move(std::span<const Vec3> positions, std::span<const 
       roles[n + kFar] = kMoved;
       points_[n + kFar] = positions[n];
     }
-    const std::vector<std::int32_t> touched = tets_at_moved(roles);
-    std::vector<std::int32_t> held = hold_back(touched, roles, old);
-    let_go(touched, positions, roles, held);
+    const std::vector<std::int32_t> touched = tets_at_moved(roles, run);
+    std::vector<std::int32_t> held = hold_back(touched, roles, old, run);
+    let_go(touched, positions, roles, held, run);
     if (k == 1 &&
         static_cast<double>(held.size()) > kManyHeld * static_cast<double>(moved.size())) {
       for (const std::int32_t n : moved) points_[n + kFar] = old[n + kFar];
@@ -84,9 +83,12 @@ Delaunay::Moved Delaunay::move(std::span<const Vec3> positions, std::span<const 
   return reinsert(places, again, run) ? Moved::Done : Moved::Failed;
 }
 
-std::vector<std::int32_t> Delaunay::tets_at_moved(const std::vector<std::uint8_t>& roles) const {
+std::vector<std::int32_t> Delaunay::tets_at_moved(const std::vector<std::uint8_t>& roles,
+                                                  const Run& run) const {
   std::vector<std::int32_t> tets;
+  Polling poll(run);
   for (std::size_t t = 0; t < slots_.size(); ++t) {
+    poll();
     const auto& v = slots_[t].v;
     if (v[0] == kDead) continue;
     if (roles[v[0]] == kMoved || roles[v[1]] == kMoved || roles[v[2]] == kMoved ||
@@ -98,12 +100,14 @@ std::vector<std::int32_t> Delaunay::tets_at_moved(const std::vector<std::uint8_t
 
 std::vector<std::int32_t> Delaunay::hold_back(std::span<const std::int32_t> touched,
                                               std::vector<std::uint8_t>& roles,
-                                              const std::vector<Vec3>& old) {
+                                              const std::vector<Vec3>& old, const Run& run) {
+  Polling poll(run);
   std::vector<std::int32_t> held;
   std::vector<std::uint8_t> fresh(points_.size(), 1);  // put back in the last sweep
   for (bool again = true; again;) {
     std::vector<std::int32_t> back;
     for (const std::int32_t t : touched) {
+      poll();
       const auto& v = slots_[t].v;
       if (!fresh[v[0]] && !fresh[v[1]] && !fresh[v[2]] && !fresh[v[3]]) continue;
       if (orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0) continue;
@@ -125,13 +129,17 @@ std::vector<std::int32_t> Delaunay::hold_back(std::span<const std::int32_t> touc
 }
 
 void Delaunay::let_go(std::span<const std::int32_t> touched, std::span<const Vec3> positions,
-                      std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held) {
+                      std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held,
+                      const Run& run) {
+  Polling poll(run);
   // The tets at each held vertex, by vertex.
   std::vector<std::uint32_t> end(points_.size() + 1, 0);
   const auto each = [&](auto&& f) {
-    for (const std::int32_t t : touched)
+    for (const std::int32_t t : touched) {
+      poll();
       for (const std::int32_t v : slots_[t].v)
         if (roles[v] == kHeld) f(v, t);
+    }
   };
   each([&](std::int32_t v, std::int32_t) { ++end[v + 1]; });
   for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
@@ -142,6 +150,7 @@ void Delaunay::let_go(std::span<const std::int32_t> touched, std::span<const Vec
   for (std::size_t before = held.size() + 1; held.size() < before;) {
     before = held.size();
     std::erase_if(held, [&](std::int32_t n) {
+      poll();
       const std::int32_t v = n + kFar;
       const Vec3 back = std::exchange(points_[v], positions[n]);
       for (std::uint32_t k = end[v]; k < end[v + 1]; ++k) {
@@ -162,10 +171,10 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
   for (const std::int32_t t : touched)
     for (int i = 0; i < 4; ++i)
       if (slots_[t].n[i] >= 0) stack.push_back(4 * t + i);
-  int count = 0;
+  Polling poll(run);
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
-    if (++count % kPollEvery == 0) run.poll();
+    poll();
     const std::int32_t facet = stack.back();
     stack.pop_back();
     if (!flip(facet, stack)) unmended.push_back(facet);

@@ -63,7 +63,7 @@ std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& 
 
 }  // namespace
 
-Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets) {
+Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
   Quality quality;
   if (tets.empty()) return quality;
   std::vector<double> measures;
@@ -73,7 +73,9 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets) 
   Tet sharpest = tets[0];
   Tet bluntest = tets[0];
   double sum = 0;
+  Polling poll(run);
   for (const Tet& tet : tets) {
+    poll();
     const Vec3& a = nodes[tet[0]];
     const Vec3& b = nodes[tet[1]];
     const Vec3& c = nodes[tet[2]];

@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -28,6 +29,6 @@ struct Quality {
 };
 
 /// Post: zeros for an empty mesh.
-Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets);
+Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run);
 
 }  // namespace remeshd

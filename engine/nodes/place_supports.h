@@ -12,6 +12,6 @@ namespace remeshd {
 /// `tolerance`: distance within which a node counts as standing on an entity, length.
 /// `edge_length`: target edge length.
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
-                    double edge_length, double tolerance);
+                    double edge_length, double tolerance, const Run& run);
 
 }  // namespace remeshd

@@ -107,7 +107,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     result.free_per_iteration.push_back(count_free(nodes) + frozen.count());
     const std::vector<Tet> tets = live.tets();
     dump_nodes(run, dump_name(k), nodes, tets);
-    const double now = relocate(nodes, tets, inside);
+    const double now = relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, tets, inside))
       active.refresh(nodes);

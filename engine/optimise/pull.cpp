@@ -55,12 +55,13 @@ std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
                          std::span<const std::uint32_t> active, const NearestNode& grid,
                          std::vector<std::uint32_t>& pulling, const Run& run) {
   std::vector<Pull> pulls;
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    if (k % 4096 == 0) run.poll();
-    const Sample& s = samples.points[active[k]];
+  Polling poll(run);
+  for (const std::uint32_t index : active) {
+    poll();
+    const Sample& s = samples.points[index];
     const std::int32_t node = grid.nearest(s.position);
     if (node < 0 || !nodes.free[node]) continue;
-    pulling.push_back(active[k]);
+    pulling.push_back(index);
     pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});
   }
   std::stable_sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {

@@ -6,7 +6,8 @@
 
 namespace remeshd {
 
-double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside) {
+double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
+                const Run& run) {
   std::vector<Vec3> moment(nodes.positions.size());
   std::vector<double> volume(nodes.positions.size(), 0.0);
   double quality = 0;
@@ -14,7 +15,9 @@ double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& ins
   const auto moves = [&](std::int32_t n) {
     return nodes.free[n] && nodes.supports[n].kind == Support::Kind::Interior;
   };
+  Polling poll(run);
   for (const Tet& t : tets) {
+    poll();
     if (!moves(t[0]) && !moves(t[1]) && !moves(t[2]) && !moves(t[3])) continue;
     const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
                &d = nodes.positions[t[3]];

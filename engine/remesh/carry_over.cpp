@@ -40,23 +40,53 @@ struct Pieces {
   std::vector<std::int32_t> same;         ///< by Delaunay tet: the same delivered tet, or -1
 };
 
-struct KeyedFacet {
-  std::uint64_t low;  ///< its two smaller nodes
-  std::int32_t high;
+/// A facet by its two larger nodes; the smallest names the bucket that it stands in.
+struct BucketFacet {
+  std::int32_t mid, high;
   std::int32_t owner;
-  [[nodiscard]] bool same_nodes(const KeyedFacet& other) const {
-    return low == other.low && high == other.high;
-  }
 };
 
-Pieces find_pieces(const Master& original, const TetMesh& delivered) {
+/// The nodes of the facet opposite a corner, ascending.
+std::array<std::int32_t, 3> facet_key(const Tet& t, int corner) {
+  const auto& f = kTetFacets[corner];
+  std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Tets that share a facet, on either side of the exchange, belong to one cluster.
+void join_across_facets(std::span<const Tet> tets, std::size_t node_count, UnionFind& sets,
+                        Polling& poll) {
+  std::vector<std::uint32_t> end(node_count + 1, 0);
+  for (const Tet& t : tets)
+    for (int i = 0; i < 4; ++i) ++end[facet_key(t, i)[0] + 1];
+  for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
+  std::vector<BucketFacet> facets(4 * tets.size());
+  for (std::size_t k = 0; k < tets.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      const auto key = facet_key(tets[k], i);
+      facets[end[key[0]]++] = {key[1], key[2], static_cast<std::int32_t>(k)};
+    }
+  std::uint32_t begin = 0;
+  for (std::size_t n = 0; n < node_count; ++n) {
+    poll();
+    for (std::uint32_t a = begin; a < end[n]; ++a)
+      for (std::uint32_t b = a + 1; b < end[n]; ++b)
+        if (facets[a].mid == facets[b].mid && facets[a].high == facets[b].high)
+          sets.join(facets[a].owner, facets[b].owner);
+    begin = end[n];
+  }
+}
+
+Pieces find_pieces(const Master& original, const TetMesh& delivered, Polling& poll) {
   Pieces pieces;
-  const TetIndex index(delivered.tets, original.positions.size());
+  const TetIndex index(delivered.tets, original.positions.size(), poll);
   pieces.same.resize(original.tets.size());
   pieces.of_delaunay.assign(original.tets.size(), -1);
   std::vector<std::uint8_t> stands(delivered.tets.size(), 0);
   std::vector<std::int32_t> changed;  // Delaunay tets, then delivered ones
   for (std::size_t k = 0; k < original.tets.size(); ++k) {
+    poll();
     pieces.same[k] = index.find(original.tets[k]);
     if (pieces.same[k] >= 0)
       stands[pieces.same[k]] = 1;
@@ -67,25 +97,12 @@ Pieces find_pieces(const Master& original, const TetMesh& delivered) {
   for (std::size_t k = 0; k < delivered.tets.size(); ++k)
     if (!stands[k]) changed.push_back(static_cast<std::int32_t>(k));
 
-  // Tets that share a facet, on either side of the exchange, belong to one cluster.
-  std::vector<KeyedFacet> facets;
-  for (std::size_t c = 0; c < changed.size(); ++c) {
-    const Tet& t = c < delaunay_count ? original.tets[changed[c]] : delivered.tets[changed[c]];
-    for (const auto& f : kTetFacets) {
-      std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
-      std::sort(key.begin(), key.end());
-      const auto smallest = static_cast<std::uint64_t>(static_cast<std::uint32_t>(key[0]));
-      facets.push_back({smallest << 32 | static_cast<std::uint32_t>(key[1]), key[2],
-                        static_cast<std::int32_t>(c)});
-    }
-  }
-  std::sort(facets.begin(), facets.end(), [](const KeyedFacet& a, const KeyedFacet& b) {
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : a.owner < b.owner;
-  });
+  std::vector<Tet> tets;
+  tets.reserve(changed.size());
+  for (std::size_t c = 0; c < changed.size(); ++c)
+    tets.push_back(c < delaunay_count ? original.tets[changed[c]] : delivered.tets[changed[c]]);
   UnionFind sets(changed.size());
-  for (std::size_t k = 1; k < facets.size(); ++k)
-    if (facets[k].same_nodes(facets[k - 1])) sets.join(facets[k].owner, facets[k - 1].owner);
+  join_across_facets(tets, original.positions.size(), sets, poll);
   std::vector<std::int32_t> number(changed.size(), -1);
   for (std::size_t c = 0; c < changed.size(); ++c) {
     const std::int32_t root = sets.find(static_cast<std::int32_t>(c));
@@ -108,13 +125,14 @@ Pieces find_pieces(const Master& original, const TetMesh& delivered) {
 class Carrier {
  public:
   Carrier(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-          const TetMesh& delivered, std::span<const Transform> transforms)
+          const TetMesh& delivered, std::span<const Transform> transforms, const Run& run)
       : nodes_(nodes),
         tets_(tets),
         original_(original),
         delivered_(delivered),
         transforms_(transforms),
-        pieces_(find_pieces(original, delivered)) {
+        poll_(run),
+        pieces_(find_pieces(original, delivered, poll_)) {
     match();
   }
 
@@ -141,12 +159,13 @@ class Carrier {
       if (nodes_.original[n] >= 0)
         unmoved_[n] = nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(
                                                  original_.positions[nodes_.original[n]]);
-    const TetIndex index(original_.tets, original_.positions.size());
+    const TetIndex index(original_.tets, original_.positions.size(), poll_);
     image_.assign(tets_.size(), -1);
     std::vector<std::uint32_t> found(pieces_.delaunay.size(), 0);
     std::vector<std::int32_t> transform(pieces_.delaunay.size(), -1);
     std::vector<std::uint8_t> whole(pieces_.delaunay.size(), 1);
     for (std::size_t k = 0; k < tets_.size(); ++k) {
+      poll_();
       Tet originals{};
       const std::int32_t t = common_transform(tets_[k], originals);
       if (t < 0) continue;
@@ -211,6 +230,7 @@ class Carrier {
     std::vector<std::uint8_t> release(nodes_.size(), 0);
     bool any = false;
     for (std::size_t k = 0; k < tets_.size(); ++k) {
+      poll_();
       if (carried_[k]) continue;
       const Tet& t = tets_[k];
       if (!held_[t[0]] && !held_[t[1]] && !held_[t[2]] && !held_[t[3]]) continue;
@@ -265,6 +285,7 @@ class Carrier {
   const Master& original_;
   const TetMesh& delivered_;
   std::span<const Transform> transforms_;
+  Polling poll_;
   const Pieces pieces_;
   std::vector<std::uint8_t> unmoved_;  ///< by node: still the exact copy of its original
   std::vector<std::uint8_t> held_;     ///< by node: a carried tet holds it
@@ -277,8 +298,9 @@ class Carrier {
 }  // namespace
 
 CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-                       const TetMesh& delivered, std::span<const Transform> transforms) {
-  return Carrier(nodes, tets, original, delivered, transforms).carry();
+                       const TetMesh& delivered, std::span<const Transform> transforms,
+                       const Run& run) {
+  return Carrier(nodes, tets, original, delivered, transforms, run).carry();
 }
 
 }  // namespace remeshd

@@ -27,6 +27,7 @@ struct CarriedMesh {
 /// `tets`: the new peeled Delaunay mesh over `nodes`. `delivered`: positions and tets of the
 /// original as delivered; `transforms`: as in PointSource.
 CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-                       const TetMesh& delivered, std::span<const Transform> transforms);
+                       const TetMesh& delivered, std::span<const Transform> transforms,
+                       const Run& run);
 
 }  // namespace remeshd

@@ -43,7 +43,8 @@ std::size_t order_nodes(Candidate& c) {
   return used;
 }
 
-NodeMap map_nodes(const Candidate& c, const Revision* original, const PointSource& source) {
+NodeMap map_nodes(const Candidate& c, const Revision* original, const PointSource& source,
+                  const Run& run) {
   NodeMap map;
   const std::size_t count = c.mesh.nodes.size();
   map.node_origin.assign(count, NodeOrigin::New);
@@ -65,8 +66,10 @@ NodeMap map_nodes(const Candidate& c, const Revision* original, const PointSourc
     map.original_node[n] = o;
     map.node_transform[n] = c.nodes.transform[n];
   }
-  const TetIndex index(then.tets, then.nodes.size());
+  Polling poll(run);
+  const TetIndex index(then.tets, then.nodes.size(), poll);
   for (std::size_t k = 0; k < c.mesh.tets.size(); ++k) {
+    poll();
     const Tet& t = c.mesh.tets[k];
     const bool kept = std::all_of(t.begin(), t.end(), [&](std::int32_t n) {
       return map.node_origin[n] == NodeOrigin::Kept &&
@@ -91,7 +94,7 @@ std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals
 
 }  // namespace
 
-void account(Revision& revision) {
+void account(Revision& revision, const Run& run) {
   const Delivery& d = revision.delivery;
   Counts& counts = revision.report.counts;
   const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
@@ -106,7 +109,7 @@ void account(Revision& revision) {
   counts.nodes_moved = count(NodeOrigin::Moved);
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
-  revision.report.quality = measure_quality(d.mesh.nodes, d.mesh.tets);
+  revision.report.quality = measure_quality(d.mesh.nodes, d.mesh.tets, run);
   revision.report.volume = revision.report.quality.volume;
   revision.report.exact_volume = revision.cells.volume;
 }
@@ -114,9 +117,9 @@ void account(Revision& revision) {
 void deliver(Candidate c, const Revision* original, const Revision* parent,
              const PointSource& source, Revision& revision, const Run& run) {
   order_nodes(c);
-  revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay);
+  revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay, run);
   Delivery& d = revision.delivery;
-  d.map = map_nodes(c, original, source);
+  d.map = map_nodes(c, original, source, run);
   d.groups = name_groups(c.mesh, c.verification.surface, c.nodes.supports, revision.model,
                          source.modified(), revision.cells.boundary, run);
   revision.report.groups =
@@ -136,7 +139,7 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   master.mesh = std::move(c.loop.mesh);
   master.tets = std::move(c.delaunay);
   revision.master = std::make_shared<const Master>(std::move(master));
-  account(revision);
+  account(revision, run);
 }
 
 }  // namespace remeshd

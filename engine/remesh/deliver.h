@@ -13,6 +13,6 @@ void deliver(Candidate candidate, const Revision* original, const Revision* pare
              const PointSource& source, Revision& revision, const Run& run);
 
 /// Counts nodes and tets by origin and measures the delivered mesh, into `revision.report`.
-void account(Revision& revision);
+void account(Revision& revision, const Run& run);
 
 }  // namespace remeshd

@@ -66,9 +66,10 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surfac
   std::vector<int> owners;
   std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
   std::int32_t last_cell = -1;
-  for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
-    if (k % 4096 == 0) run.poll();
-    owners_of(mesh, mesh.tets[k], model, membership, owners);
+  Polling poll(run);
+  for (const Tet& tet : mesh.tets) {
+    poll();
+    owners_of(mesh, tet, model, membership, owners);
     if (last_cell < 0 || owners != last) {
       last_cell = cells(owners);
       last = owners;
@@ -89,6 +90,7 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surfac
   std::vector<std::int32_t> of_face(boundary.faces.size(), -1);  // faces with one name throughout
   groups.facets.reserve(surface.size());
   for (const SurfaceFacet& f : surface) {
+    poll();
     const int face = faces.face_of(f.nodes, mesh.nodes);
     std::int32_t group = face >= 0 ? of_face[face] : facet_groups({});
     if (group < 0) {

@@ -46,7 +46,8 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
 }
 
 /// The same geometry as the original's: its mesh, every node and tet kept.
-void repeat(const Revision& original, const PointSource& source, Revision& revision) {
+void repeat(const Revision& original, const PointSource& source, Revision& revision,
+            const Run& run) {
   revision.delivery = original.delivery;
   NodeMap& map = revision.delivery.map;
   const std::size_t nodes = revision.delivery.mesh.nodes.size();
@@ -65,7 +66,7 @@ void repeat(const Revision& original, const PointSource& source, Revision& revis
   revision.report.quality_before = original.report.quality_before;
   revision.report.groups = original.report.groups;
   revision.report.free_share = 0;
-  account(revision);
+  account(revision, run);
 }
 
 std::string first_failure(const Verification& v) {
@@ -107,7 +108,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   const InsideTest inside = inside_test(s.options.inside, membership, boundary, run);
   counts.samples = static_cast<std::uint32_t>(samples.points.size());
   if (s.original)
-    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal());
+    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(), run);
   counts.free_at_start = count(nodes.free, 1);
   const bool all_free = count(nodes.free, 0) == 0;
   watch.lap(report.seconds.setup);
@@ -166,7 +167,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
                            density.edge_length, run);
   watch.lap(seconds.difference);
   if (original && source.changed().empty() && !options.nodes && !options.size) {
-    repeat(*original, source, revision);
+    repeat(*original, source, revision, run);
     watch.lap(seconds.copy);
     seconds.total = watch.total();
     return revision;

@@ -152,7 +152,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   CarriedMesh carried;
   if (original && options.clean_up) {
     carried = carry_over(c.nodes, c.delaunay, *original->master, original->delivery.mesh,
-                         source.transforms());
+                         source.transforms(), run);
   } else {
     carried.mesh = {c.nodes.positions, c.delaunay};
     carried.dirty.assign(c.delaunay.size(), 1);
@@ -163,7 +163,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   else
     c.mesh = std::move(carried.mesh);
   run.report("verify", 0.95);
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume);
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
   return c;
 }
 

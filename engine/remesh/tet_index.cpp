@@ -13,12 +13,13 @@ Tet sorted_nodes(Tet t) {
   return t;
 }
 
-TetIndex::TetIndex(std::span<const Tet> tets, std::size_t node_count)
+TetIndex::TetIndex(std::span<const Tet> tets, std::size_t node_count, Polling& poll)
     : begin_(node_count + 1, 0), entries_(tets.size()) {
   for (const Tet& t : tets) ++begin_[std::min({t[0], t[1], t[2], t[3]}) + 1];
   for (std::size_t n = 1; n < begin_.size(); ++n) begin_[n] += begin_[n - 1];
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t k = 0; k < tets.size(); ++k) {
+    poll();
     const Tet t = sorted_nodes(tets[k]);
     entries_[next[t[0]]++] = {{t[1], t[2], t[3]}, static_cast<std::int32_t>(k)};
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -14,7 +15,7 @@ namespace remeshd {
 class TetIndex {
  public:
   /// `node_count`: above every node of the tets.
-  TetIndex(std::span<const Tet> tets, std::size_t node_count);
+  TetIndex(std::span<const Tet> tets, std::size_t node_count, Polling& poll);
   /// Index of the tet with these nodes, -1 if there is none.
   [[nodiscard]] std::int32_t find(const Tet& tet) const;
 

@@ -36,9 +36,10 @@ Sorted sorted(const Tet& tet, int corner) {
 
 }  // namespace
 
-FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count) {
+FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll) {
   std::vector<std::uint32_t> end(node_count + 1, 0);
   for (const Tet& tet : tets) {
+    poll();
     // Three of the four facets have the tet's smallest node as theirs, the fourth the second.
     std::int32_t first = tet[0];
     std::int32_t second = tet[1];
@@ -54,18 +55,21 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count) {
   }
   for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
   std::vector<Entry> entries(4 * tets.size());
-  for (std::size_t t = 0; t < tets.size(); ++t)
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    poll();
     for (int i = 0; i < 4; ++i) {
       const Sorted s = sorted(tets[t], i);
       entries[end[s.nodes[0]]++] = {s.nodes[1], s.nodes[2], static_cast<std::int32_t>(4 * t + i),
                                     -1,         s.turn,     1};
     }
+  }
 
   FacetMatch match;
   std::vector<std::int32_t> alone;
   std::vector<std::int32_t> head(node_count, -1);  // first entry of this bucket by its `mid`
   std::uint32_t begin = 0;
   for (std::size_t n = 0; n < node_count; ++n) {
+    poll();
     for (std::uint32_t b = begin; b < end[n]; ++b) {
       Entry& entry = entries[b];
       std::int32_t a = head[entry.mid];

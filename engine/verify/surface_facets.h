@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -21,6 +22,6 @@ struct FacetMatch {
 };
 
 /// Matches the facets of all tets.
-FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count);
+FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll);
 
 }  // namespace remeshd

@@ -28,12 +28,14 @@ std::string text(const Vec3& p) {
 
 class Checker {
  public:
-  Checker(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary)
+  Checker(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
+          const Run& run)
       : mesh_(mesh),
         supports_(supports),
         boundary_(boundary),
         faces_(boundary, supports),
-        tolerance_(kOnSupport * boundary.bounds.diagonal()) {}
+        tolerance_(kOnSupport * boundary.bounds.diagonal()),
+        poll_(run) {}
 
   Verification check(double exact_volume, double volume_tolerance) {
     check_tets();
@@ -68,6 +70,7 @@ class Checker {
   void check_tets() {
     used_.assign(mesh_.nodes.size(), 0);
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+      poll_();
       const Tet& tet = mesh_.tets[t];
       for (const std::int32_t n : tet) used_[n] = 1;
       const Vec3& a = mesh_.nodes[tet[0]];
@@ -84,7 +87,7 @@ class Checker {
   }
 
   void check_surface() {
-    FacetMatch match = match_facets(mesh_.tets, mesh_.nodes.size());
+    FacetMatch match = match_facets(mesh_.tets, mesh_.nodes.size(), poll_);
     for (const std::int32_t t : match.clashes)
       fail(MeshFailure::BadFacet, t, centroid(t), "a tet that overlaps another across a facet");
     surface_ = std::move(match.surface);
@@ -95,6 +98,7 @@ class Checker {
       for (int i = 0; i < 3; ++i) edges_.emplace_back(facet.nodes[i], facet.nodes[(i + 1) % 3]);
     std::sort(edges_.begin(), edges_.end());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
+      poll_();
       const Edge& edge = edges_[i];
       const bool twice = i + 1 < edges_.size() && edges_[i + 1] == edge;
       const bool matched =
@@ -120,6 +124,7 @@ class Checker {
       for (int i = 0; i < 3; ++i)
         spokes[next[facet.nodes[i]]++] = {facet.nodes[(i + 1) % 3], facet.nodes[(i + 2) % 3]};
     for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+      poll_();
       const std::span<const Edge> fan(spokes.data() + begin[n], begin[n + 1] - begin[n]);
       if (fan.empty()) continue;
       on_surface_[n] = 1;
@@ -141,6 +146,7 @@ class Checker {
   void check_nodes() {
     std::vector<std::int32_t> vertex_node(boundary_.vertices.size(), -1);
     for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+      poll_();
       const auto node = static_cast<std::int32_t>(n);
       const Vec3& p = mesh_.nodes[n];
       if (used_[n] == 0) {
@@ -185,6 +191,7 @@ class Checker {
     std::vector<double> area(boundary_.faces.size(), 0);
     std::vector<double> slack(boundary_.faces.size(), 0);
     for (const SurfaceFacet& facet : surface_) {
+      poll_();
       const Vec3& a = mesh_.nodes[facet.nodes[0]];
       const Vec3& b = mesh_.nodes[facet.nodes[1]];
       const Vec3& c = mesh_.nodes[facet.nodes[2]];
@@ -256,6 +263,7 @@ class Checker {
   const BoundaryModel& boundary_;
   FacetFaces faces_;
   double tolerance_;
+  Polling poll_;
   Verification result_;
   std::vector<std::uint8_t> used_, on_surface_;
   std::vector<SurfaceFacet> surface_;
@@ -266,8 +274,9 @@ class Checker {
 }  // namespace
 
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
-                    const BoundaryModel& boundary, double exact_volume, double volume_tolerance) {
-  return Checker(mesh, supports, boundary).check(exact_volume, volume_tolerance);
+                    const BoundaryModel& boundary, double exact_volume, const Run& run,
+                    double volume_tolerance) {
+  return Checker(mesh, supports, boundary, run).check(exact_volume, volume_tolerance);
 }
 
 }  // namespace remeshd

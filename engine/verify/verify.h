@@ -57,9 +57,9 @@ struct Verification {
 /// curved faces is no defect, however coarse the mesh: it is integrated and added to the volume,
 /// and areas are compared within the error that the facets' size allows.
 ///
-/// Never throws; a defect of the mesh is a value here.
+/// A defect of the mesh is a value here. Throws Cancelled only.
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
-                    const BoundaryModel& boundary, double exact_volume,
+                    const BoundaryModel& boundary, double exact_volume, const Run& run,
                     double volume_tolerance = 0.002);
 
 }  // namespace remeshd

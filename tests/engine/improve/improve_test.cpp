@@ -61,10 +61,10 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ImproveSeeds, testing::Range<std::uint64_t>(1, 1
 
 TEST_P(ImproveSeeds, RaisesABoxOfSliversToTheThresholdAndTwentyDegrees) {
   const SolidFixture s = make_box({2, 1, 1}, 14, GetParam());
-  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets);
+  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets, {});
   ASSERT_LT(before.dihedral_min, 3);
   const ImproveResult result = clean(s);
-  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets);
+  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets, {});
   EXPECT_EQ(result.below_threshold, 0U);
   EXPECT_GE(after.volume_length_min, 0.45);
   EXPECT_GE(after.dihedral_min, 20);
@@ -76,7 +76,7 @@ TEST_P(ImproveSeeds, KeepsTheVolumeAndEveryFaceOfATiltedBoxToRounding) {
   // In a tilted frame coplanar nodes make flat tets on the faces, which must be peeled or flipped.
   const SolidFixture s = make_box({1, 1, 1}, 10, GetParam(), 0.3, kTilted);
   const ImproveResult result = clean(s);
-  EXPECT_NEAR(measure_quality(result.mesh.nodes, result.mesh.tets).volume, 1.0, 1e-12);
+  EXPECT_NEAR(measure_quality(result.mesh.nodes, result.mesh.tets, {}).volume, 1.0, 1e-12);
   EXPECT_TRUE(shell(result.mesh).closed);
   for (std::size_t n = 0; n < s.supports.size(); ++n)
     EXPECT_LT(
@@ -87,9 +87,9 @@ TEST_P(ImproveSeeds, KeepsTheVolumeAndEveryFaceOfATiltedBoxToRounding) {
 
 TEST_P(ImproveSeeds, LeavesACylinderClosedWithItsCirclesAndNearlyItsVolume) {
   const SolidFixture s = make_cylinder(5, 4, 40, GetParam());
-  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets);
+  const Quality before = measure_quality(s.mesh.nodes, s.mesh.tets, {});
   const ImproveResult result = clean(s);
-  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets);
+  const Quality after = measure_quality(result.mesh.nodes, result.mesh.tets, {});
   EXPECT_GE(after.volume_length_min, 0.44);
   EXPECT_GE(after.dihedral_min, 20);
   EXPECT_NEAR(after.volume, before.volume, 0.003 * before.volume);
@@ -174,8 +174,8 @@ TEST(Improve, NeverMakesTheWorstTetWorse) {
     ImproveOptions options;
     options.threshold = threshold;
     const ImproveResult result = clean(s, options);
-    EXPECT_GE(measure_quality(result.mesh.nodes, result.mesh.tets).volume_length_min,
-              measure_quality(s.mesh.nodes, s.mesh.tets).volume_length_min)
+    EXPECT_GE(measure_quality(result.mesh.nodes, result.mesh.tets, {}).volume_length_min,
+              measure_quality(s.mesh.nodes, s.mesh.tets, {}).volume_length_min)
         << "threshold " << threshold;
   }
 }

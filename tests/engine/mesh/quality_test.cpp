@@ -60,7 +60,7 @@ TEST(DihedralAngles, OfASliverKeepTheirDigitsNearZeroAndStraight) {
 }
 
 TEST(MeasureQuality, OfAnEmptyMeshIsZeros) {
-  const Quality quality = measure_quality({}, {});
+  const Quality quality = measure_quality({}, {}, {});
   EXPECT_EQ(quality.volume, 0);
   EXPECT_EQ(quality.volume_length_min, 0);
   EXPECT_EQ(quality.dihedral_max, 0);
@@ -71,7 +71,7 @@ TEST(MeasureQuality, OfACubeOfFiveTetsCountsFourCornersAndARegularTet) {
   const std::vector<Vec3> nodes{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
                                 {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
   const std::vector<Tet> tets{{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}};
-  const Quality quality = measure_quality(nodes, tets);
+  const Quality quality = measure_quality(nodes, tets, {});
   const double corner = std::sqrt(2.0) / std::pow(1.5, 1.5);
   EXPECT_NEAR(quality.volume, 1.0, 1e-15);
   EXPECT_NEAR(quality.volume_length_min, corner, 1e-15);
@@ -96,7 +96,7 @@ TEST(MeasureQuality, FirstPercentileOf200TetsIsTheSecondWorst) {
     measures.push_back(volume_length(nodes[n], nodes[n + 1], nodes[n + 2], nodes[n + 3]));
   }
   std::sort(measures.begin(), measures.end());
-  const Quality quality = measure_quality(nodes, tets);
+  const Quality quality = measure_quality(nodes, tets, {});
   EXPECT_EQ(quality.volume_length_p01, measures[1]);
   EXPECT_EQ(quality.volume_length_min, measures[0]);
 }
@@ -104,7 +104,7 @@ TEST(MeasureQuality, FirstPercentileOf200TetsIsTheSecondWorst) {
 TEST(MeasureQuality, CountsInvertedTetsInTheFirstBin) {
   const std::vector<Vec3> nodes(kRegular.begin(), kRegular.end());
   const std::vector<Tet> tets{{1, 0, 2, 3}};
-  const Quality quality = measure_quality(nodes, tets);
+  const Quality quality = measure_quality(nodes, tets, {});
   EXPECT_EQ(quality.histogram[0], 1U);
   EXPECT_LT(quality.volume, 0);
 }

@@ -37,7 +37,7 @@ struct Octahedron {
 
 TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
   Octahedron o({0.2, -0.1, 2.15});
-  relocate(o.nodes, o.tets, cube());
+  relocate(o.nodes, o.tets, cube(), {});
   // Formula (1) by hand, with circumcentres from the three bisector planes.
   Vec3 sum{};
   double volume = 0;
@@ -56,18 +56,18 @@ TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
 
 TEST(Relocate, TheCentreOfASymmetricRingStays) {
   Octahedron o({0, 0, 2});
-  relocate(o.nodes, o.tets, cube());
+  relocate(o.nodes, o.tets, cube(), {});
   EXPECT_LT(distance(o.nodes.positions[6], {0, 0, 2}), 1e-14);
 }
 
 TEST(Relocate, FixedAndBoundaryNodesStay) {
   Octahedron fixed({0.2, 0, 2});
   fixed.nodes.free[6] = 0;
-  relocate(fixed.nodes, fixed.tets, cube());
+  relocate(fixed.nodes, fixed.tets, cube(), {});
   EXPECT_EQ(fixed.nodes.positions[6], (Vec3{0.2, 0, 2}));
   Octahedron boundary({0.2, 0, 2});
   boundary.nodes.supports[6] = {Support::Kind::Face, 0};
-  relocate(boundary.nodes, boundary.tets, cube());
+  relocate(boundary.nodes, boundary.tets, cube(), {});
   EXPECT_EQ(boundary.nodes.positions[6], (Vec3{0.2, 0, 2}));
 }
 

@@ -17,7 +17,7 @@ using test::make_cylinder;
 using test::SolidFixture;
 
 Verification check(const SolidFixture& s) {
-  return verify(s.mesh, s.supports, s.boundary, s.volume);
+  return verify(s.mesh, s.supports, s.boundary, s.volume, {});
 }
 
 std::string report(const Verification& v) {
@@ -228,9 +228,10 @@ TEST(Verify, AllowsCurvedFacesTheirChordErrorAndNoMore) {
 
 TEST(Verify, FindsAVolumeThatIsOffByMoreThanTheTolerance) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
-  EXPECT_TRUE(verify(s.mesh, s.supports, s.boundary, 1.0019).valid);
-  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021).count(MeshFailure::Volume), 1U);
-  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, 0.01).count(MeshFailure::Volume), 0U);
+  EXPECT_TRUE(verify(s.mesh, s.supports, s.boundary, 1.0019, {}).valid);
+  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, {}).count(MeshFailure::Volume), 1U);
+  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, {}, 0.01).count(MeshFailure::Volume),
+            0U);
 }
 
 TEST(Verify, AcceptsACoarseCylinderWhoseChordsCutOffMoreThanTheTolerance) {
@@ -239,12 +240,12 @@ TEST(Verify, AcceptsACoarseCylinderWhoseChordsCutOffMoreThanTheTolerance) {
   EXPECT_TRUE(v.valid) << report(v);
   EXPECT_LT(v.volume, 0.99 * s.volume);
   EXPECT_NEAR(v.volume + v.chord_volume, s.volume, 0.001 * s.volume);
-  EXPECT_FALSE(verify(s.mesh, s.supports, s.boundary, 1.003 * s.volume).valid);
+  EXPECT_FALSE(verify(s.mesh, s.supports, s.boundary, 1.003 * s.volume, {}).valid);
 }
 
 TEST(Verify, FindsEverythingMissingInAnEmptyMesh) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
-  const Verification v = verify({}, {}, s.boundary, s.volume);
+  const Verification v = verify({}, {}, s.boundary, s.volume, {});
   EXPECT_EQ(v.count(MeshFailure::MissingVertex), 8U);
   EXPECT_EQ(v.count(MeshFailure::BrokenEdge), 12U);
   EXPECT_EQ(v.count(MeshFailure::FaceArea), 6U);
