@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "engine/base/error.h"
 #include "engine/boundary/samples.h"
@@ -128,7 +129,8 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
                                 inside, s.options, run);
   int repaired = 0;
   for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
-    const int inserted = insert_where_missing(candidate.nodes, candidate.verification, samples, l);
+    const int inserted =
+        insert_where_missing(candidate.nodes, candidate.verification, boundary, samples, l);
     if (inserted == 0) break;
     repaired += inserted;
     candidate.loop.mesh = triangulate_anew(candidate.nodes, boundary, l, run);
@@ -187,8 +189,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   } else {
     report.warnings.push_back(first_failure(candidate.verification) + "; meshed from another seed");
     const PointSource nothing(nullptr, revision.model, density.edge_length, run);
-    const Density same =
-        resolve_density(nullptr, {.size = density.edge_length}, cells.volume, cells.area);
+    Density same = density;
+    if (!options.size) same.count = std::lround(density.nodes_per_volume * cells.volume);
     candidate = try_mesh({nullptr, nothing, cells, same, options, options.seed + kOtherSeed, true},
                          report, watch, run);
     if (!candidate.verification.valid)

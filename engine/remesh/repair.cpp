@@ -1,5 +1,9 @@
 #include "engine/remesh/repair.h"
 
+#include <cmath>
+#include <optional>
+#include <vector>
+
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/recover.h"
 
@@ -10,27 +14,38 @@ constexpr double kAround = 1.0;   // x edge length: how far from a failure sampl
 constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this to another
 }  // namespace
 
-int insert_where_missing(NodeSet& nodes, const Verification& verification, const Samples& samples,
+int insert_where_missing(NodeSet& nodes, const Verification& verification,
+                         const BoundaryModel& boundary, const Samples& samples,
                          double edge_length) {
   const NearestNode grid(nodes.positions, 0.8 * edge_length);
-  std::vector<Vec3> added;
-  for (const MeshDefect& defect : verification.failures) {
-    const Sample* best = nullptr;
-    double farthest = kClosest * edge_length * kClosest * edge_length;
-    for (const Sample& s : samples.points) {
-      if (norm2(s.position - defect.place) > kAround * kAround * edge_length * edge_length)
-        continue;
-      double d = norm2(s.position - nodes.positions[grid.nearest(s.position)]);
-      for (const Vec3& p : added) d = std::fmin(d, norm2(s.position - p));
-      if (d > farthest) {
-        farthest = d;
-        best = &s;
-      }
+  const double around2 = kAround * kAround * edge_length * edge_length;
+  const double closest2 = kClosest * kClosest * edge_length * edge_length;
+  std::vector<Sample> added;
+  const auto room2 = [&](const Vec3& p) {
+    double d = norm2(p - nodes.positions[grid.nearest(p)]);
+    for (const Sample& s : added) d = std::fmin(d, norm2(p - s.position));
+    return d;
+  };
+  const auto place_for = [&](const MeshDefect& defect) -> std::optional<Sample> {
+    if (defect.kind == MeshFailure::BrokenEdge) {
+      const Support edge{Support::Kind::Edge, defect.entity};
+      const Vec3 middle = project(boundary, edge, defect.place);
+      if (room2(middle) > closest2) return Sample{middle, 0, edge};
     }
-    if (!best) continue;
-    added.push_back(best->position);
-    nodes.add_new(best->position, best->support);
-  }
+    std::optional<Sample> best;
+    double farthest = closest2;
+    for (const Sample& s : samples.points) {
+      if (norm2(s.position - defect.place) > around2) continue;
+      const double d = room2(s.position);
+      if (d <= farthest) continue;
+      farthest = d;
+      best = s;
+    }
+    return best;
+  };
+  for (const MeshDefect& defect : verification.failures)
+    if (const std::optional<Sample> place = place_for(defect)) added.push_back(*place);
+  for (const Sample& s : added) nodes.add_new(s.position, s.support);
   return static_cast<int>(added.size());
 }
 

@@ -7,13 +7,14 @@
 
 namespace remeshd {
 
-/// Inserts boundary nodes where a mesh failed to represent the boundary: near each place that
-/// verification names, at the sample that is farthest from any node. That is where the boundary is
-/// too thinly occupied for its facets to be Delaunay.
+/// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
+/// that is no boundary edge is halved; near the other places that verification names a node goes to
+/// the sample that is farthest from any. That is where the boundary is too thinly occupied for its
+/// facets to be Delaunay.
 ///
-/// Returns the number of nodes inserted; 0 where every sample near the failures has its node.
-int insert_where_missing(NodeSet& nodes, const Verification& verification, const Samples& samples,
-                         double edge_length);
+/// Returns the number of nodes inserted; 0 where everything near the failures has its node.
+int insert_where_missing(NodeSet& nodes, const Verification& verification,
+                         const BoundaryModel& boundary, const Samples& samples, double edge_length);
 
 /// The Delaunay mesh of all nodes, and model edges recovered in it.
 kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,

@@ -323,5 +323,13 @@ TEST(Remesh, AutoIterationsStopBeforeTheirLimit) {
   EXPECT_LT(r.report.counts.iterations, 30U);
 }
 
+TEST(Remesh, ASharpWedgeIsRepairedWithFewNodes) {
+  // Tets across the wedge's edge survived eight rounds of inserting nodes beside it.
+  const Revision r = first("tool2-d", {.nodes = 15098, .iterations = 10, .seed = 4});
+  expect_valid(r);
+  EXPECT_NEAR(r.delivery.mesh.nodes.size(), 15098, 0.01 * 15098);
+  for (const std::string& w : r.report.warnings) EXPECT_EQ(w.find("seed"), std::string::npos) << w;
+}
+
 }  // namespace
 }  // namespace remeshd

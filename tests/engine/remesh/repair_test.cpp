@@ -1,0 +1,61 @@
+#include "engine/remesh/repair.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/cellular/cellular_model.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+constexpr double kEdgeLength = 5;
+
+/// A straight model edge of simple-a with nodes at two places of it, and a chain broken there.
+class BrokenLink : public testing::Test {
+ protected:
+  BrokenLink() {
+    while (cells_.boundary.edges[edge_].curve.kind != Curve::Kind::Line) ++edge_;
+    const auto& points = cells_.boundary.edges[edge_].points;
+    const Vec3 along = normalised(points.back() - points.front());
+    a_ = points.front() + 20.0 * along;
+    b_ = a_ + kEdgeLength * along;
+    for (const Vec3& p : {a_, b_}) nodes_.add_new(p, {Support::Kind::Edge, edge_});
+    verification_.failures = {{MeshFailure::BrokenEdge, edge_, 0.5 * (a_ + b_), "broken"}};
+  }
+  int insert() {
+    return insert_where_missing(nodes_, verification_, cells_.boundary, samples_, kEdgeLength);
+  }
+
+  const FeatureModel model_ = evaluate(test::case_model("simple-a"));
+  const CellularModel cells_ = build_cells(model_, kRun);
+  const Samples samples_ =
+      sample_boundary(cells_.boundary, Membership(model_), kEdgeLength, 1, {}, kRun);
+  int edge_ = 0;
+  Vec3 a_, b_;
+  NodeSet nodes_;
+  Verification verification_;
+};
+
+TEST_F(BrokenLink, IsHalvedOnItsModelEdge) {
+  ASSERT_EQ(insert(), 1);
+  EXPECT_EQ(nodes_.supports.back(), (Support{Support::Kind::Edge, edge_}));
+  EXPECT_LT(distance(nodes_.positions.back(), 0.5 * (a_ + b_)), 1e-9);
+}
+
+TEST_F(BrokenLink, TooShortToBeHalvedGetsANodeWhereSamplesAreFarthestFromAny) {
+  nodes_.add_new(0.5 * (a_ + b_), {Support::Kind::Edge, edge_});
+  ASSERT_EQ(insert(), 1);
+  const Vec3 p = nodes_.positions.back();
+  EXPECT_NE(nodes_.supports.back().kind, Support::Kind::Interior);
+  EXPECT_LE(distance(p, 0.5 * (a_ + b_)), kEdgeLength);
+  EXPECT_GT(distance(p, 0.5 * (a_ + b_)), 0.8 * kEdgeLength);
+}
+
+TEST_F(BrokenLink, IsLeftAloneWhereNothingIsMissing) {
+  verification_.failures.clear();
+  EXPECT_EQ(insert(), 0);
+}
+
+}  // namespace
+}  // namespace remeshd
