@@ -14,7 +14,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 GEOMETRY_KERNEL = re.compile(r"CGAL/|tetgen\.h$|.*\.[hl]xx$")  # OpenCASCADE's headers end in xx
 PROTOCOL = re.compile(r"google/protobuf/|grpcpp/|grpc/|.*\.pb\.h$")
 # Spelled so that this file does not break its own rule.
-MACHINE_PATH = re.compile(r"(?<![\w.$})-])/(?:%s)/" % "|".join(("work", "root", "farm", "Users")))
+MACHINE_PATH = re.compile(r"(?<![\w.$})-])/(?:%s)/" % "|".join(("work", "root", "Users")))
 HOME_PATH = re.compile(r"(?<![\w.$})-])/%s/" % "home")
 TEXT = {".cpp", ".h", ".txt", ".cmake", ".json", ".md", ".py", ".sh", ".proto", ".in", ".service",
         ".yaml", ".yml", ".toml", ".tsv", ""}

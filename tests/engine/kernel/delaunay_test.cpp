@@ -160,15 +160,13 @@ TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
   EXPECT_EQ(mesh.position(0), before[0]);
 }
 
-TEST(Delaunay, NodesHeldBackFollowWhenTheOthersHaveMadeRoom) {
-  // All points shift along x, further than many are apart, but in a wave that leaves room ahead.
+TEST(Delaunay, HeldNodesGoOneByOneWhereTheyCan) {
+  // A wave that inverts so many tets that flips would not do if all their nodes stayed behind.
   auto points = cloud(6000, 9);
   Delaunay mesh = mesh_of(points);
-  for (int round = 0; round < 3; ++round) {
-    for (Vec3& p : points) p.x = std::clamp(p.x + 0.002 * std::sin(40 * p.y + round), 0.0, 1.0);
-    ASSERT_EQ(follow(mesh, points), Delaunay::Moved::Done);
-    ASSERT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
-  }
+  for (Vec3& p : points) p.x = std::clamp(p.x + 0.01 * std::sin(40 * p.y), 0.0, 1.0);
+  ASSERT_EQ(follow(mesh, points), Delaunay::Moved::Done);
+  EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
 }
 
 TEST(Delaunay, NodesSlidingInAPlaneAreFlippedThere) {
