@@ -66,6 +66,7 @@ void repeat(const Revision& original, const PointSource& source, Revision& revis
   revision.meshed_model = original.meshed_model;
   revision.report.quality_before = original.report.quality_before;
   revision.report.groups = original.report.groups;
+  revision.report.way = Way::Unchanged;
   revision.report.free_share = 0;
   account(revision, run);
 }
@@ -137,6 +138,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
     candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), s.original, s.source,
                         s.cells, inside, s.options, run);
   }
+  counts.nodes_inserted = static_cast<std::uint32_t>(repaired);
   if (repaired > 0)
     report.warnings.push_back(std::to_string(repaired) +
                               " nodes were inserted to make the boundary complete");
@@ -182,12 +184,14 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     report.warnings.push_back(first_failure(candidate.verification) +
                               "; all nodes were optimised anew");
     setting.all_free = true;
+    report.way = Way::Full;
     candidate = try_mesh(setting, report, watch, run);
   }
   if (candidate.verification.valid) {
     deliver(std::move(candidate), original, original, source, revision, run);
   } else {
     report.warnings.push_back(first_failure(candidate.verification) + "; meshed from another seed");
+    report.way = Way::Fresh;
     const PointSource nothing(nullptr, revision.model, density.edge_length, run);
     Density same = density;
     if (!options.size) same.count = std::lround(density.nodes_per_volume * cells.volume);

@@ -26,6 +26,17 @@ struct Counts {
   std::vector<std::uint32_t> free_per_iteration;
   std::uint32_t nodes_kept = 0, nodes_moved = 0, tets_kept = 0;
   std::uint32_t iterations = 0;
+  std::uint32_t nodes_inserted = 0;  ///< to make the boundary complete
+};
+
+/// Which way led to the mesh; a later one is taken where the earlier gave no valid mesh.
+enum class Way : std::uint8_t {
+  Unchanged,  ///< no surface moved: the base's mesh
+  Continued,  ///< the base's connectivity; nodes near moved surfaces follow them
+  Local,      ///< what changed was meshed anew; of a first mesh, everything
+  Full,       ///< every node was optimised anew, copied ones included
+  Fresh,      ///< a regular mesh from new nodes
+  TetGen,     ///< TetGen's mesh of the conforming surface
 };
 
 /// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
@@ -39,6 +50,7 @@ struct GroupArea {
 struct Report {
   std::string revision;  ///< set by the session
   bool cached = false;   ///< set by the session
+  Way way = Way::Local;
   PhaseSeconds seconds;
   Counts counts;
   double free_share = 1;  ///< mean over the iterations; frozen nodes count as free

@@ -16,7 +16,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 }  // namespace
 
 template <class A>
@@ -85,7 +85,7 @@ template <class A>
 void serialize(A& a, Counts& c) {
   a(c.nodes, c.tets, c.boundary_facets, c.samples, c.active_samples, c.nodes_copied, c.nodes_new,
     c.free_at_start, c.free_at_end, c.free_per_iteration, c.nodes_kept, c.nodes_moved, c.tets_kept,
-    c.iterations);
+    c.iterations, c.nodes_inserted);
 }
 template <class A>
 void serialize(A& a, Quality& q) {
@@ -98,7 +98,7 @@ void serialize(A& a, GroupArea& g) {
 }
 template <class A>
 void serialize(A& a, Report& r) {
-  a(r.revision, r.cached, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
+  a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
     r.exact_volume, r.quality_before, r.quality, r.groups, r.warnings);
 }
 

@@ -4,6 +4,24 @@ namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
+
+v1::Report::Way encode(Way way) {
+  switch (way) {
+    case Way::Unchanged:
+      return v1::Report::WAY_UNCHANGED;
+    case Way::Continued:
+      return v1::Report::WAY_CONTINUED;
+    case Way::Local:
+      return v1::Report::WAY_LOCAL;
+    case Way::Full:
+      return v1::Report::WAY_FULL;
+    case Way::Fresh:
+      return v1::Report::WAY_FRESH;
+    case Way::TetGen:
+      return v1::Report::WAY_TETGEN;
+  }
+  return v1::Report::WAY_UNSPECIFIED;
+}
 using google::protobuf::Value;
 
 void put(const Scalar& scalar, Value& out) {
@@ -136,6 +154,8 @@ v1::Report encode(const Report& report) {
     area.set_exact_area(group.exact_area);
     area.set_mesh_area(group.mesh_area);
   }
+  out.set_way(encode(report.way));
+  out.set_nodes_inserted(counts.nodes_inserted);
   for (const std::string& warning : report.warnings) out.add_warnings(warning);
   return out;
 }
