@@ -10,6 +10,8 @@ namespace {
 constexpr std::uint32_t kMostIterations = 1000;
 const std::string kMembership = "membership";
 const std::string kControlMesh = "control-mesh";
+const std::string kLattice = "lattice";
+const std::string kRandom = "random";
 
 std::string check_size(const std::string& text) {
   double value = 0;
@@ -67,6 +69,15 @@ void MeshingOptions::add_to(CLI::App& command) {
           "tessellated boundary [membership]")
       ->check(CLI::IsMember({kMembership, kControlMesh}))
       ->type_name("TEST");
+  command
+      .add_option("--start", start, "Where new nodes start: on a lattice, or at random [lattice]")
+      ->check(CLI::IsMember({kLattice, kRandom}))
+      ->type_name("START");
+  command
+      .add_option("--threshold", threshold,
+                  "Clean up tets of a volume-length measure below this [0.52]")
+      ->check(CLI::Range(0.0, 0.8))
+      ->type_name("Q");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
   command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
       ->type_name("NAME");
@@ -82,6 +93,9 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (seed) message.set_seed(*seed);
   if (inside == kMembership) message.set_inside(remesh::v1::INSIDE_TEST_MEMBERSHIP);
   if (inside == kControlMesh) message.set_inside(remesh::v1::INSIDE_TEST_CONTROL_MESH);
+  if (start == kLattice) message.set_start(remesh::v1::START_LATTICE);
+  if (start == kRandom) message.set_start(remesh::v1::START_RANDOM);
+  if (threshold) message.set_threshold(*threshold);
   if (no_clean_up) message.set_clean_up(false);
   return message;
 }

@@ -21,6 +21,8 @@ struct MeshingOptions {
   std::optional<std::uint64_t> seed;
   std::uint32_t threads = 1;
   std::string inside;  ///< empty, `membership` or `control-mesh`
+  std::string start;   ///< empty, `lattice` or `random`
+  std::optional<double> threshold;
   bool no_clean_up = false;
   std::string design;
   bool keep_head = false;

@@ -99,7 +99,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   Counts& counts = report.counts;
 
   run.report("nodes", 0.1);
-  NodeSet nodes = initial_nodes(s.original, s.source, s.density, s.seed, run);
+  NodeSet nodes = initial_nodes(s.original, s.source, s.density, s.options.start, s.seed, run);
   if (s.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
   counts.nodes_new =
       static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));

@@ -90,12 +90,13 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
 }
 
 NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
-                      std::uint64_t seed, const Run& run) {
+                      MeshOptions::Start start, std::uint64_t seed, const Run& run) {
   NodeSet nodes;
   if (original)
     nodes = copy_nodes(
         source, {original->master->positions, original->master->supports, original->master->tets},
         original->edge_length, run);
+  const auto fill = start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
   const std::vector<Vec3> added = fill(
       source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
       {.edge_length = density.edge_length,
@@ -159,7 +160,9 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   }
   run.report("improve", 0.85);
   if (options.clean_up)
-    c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty, {}, run).mesh;
+    c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
+                     {.threshold = options.threshold}, run)
+                 .mesh;
   else
     c.mesh = std::move(carried.mesh);
   run.report("verify", 0.95);

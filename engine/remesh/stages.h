@@ -26,7 +26,7 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
 
 /// Copied and new nodes, free and fixed (Sects. 6 and 7).
 NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
-                      std::uint64_t seed, const Run& run);
+                      MeshOptions::Start start, std::uint64_t seed, const Run& run);
 
 /// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the original's.
 StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const PointSource& source,

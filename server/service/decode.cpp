@@ -256,7 +256,20 @@ OptionsPatch decode(const v1::MeshOptions& message) {
     default:
       throw error::option_invalid("inside", "is no known enumerator");
   }
+  switch (message.start()) {
+    case v1::START_UNSPECIFIED:
+      break;
+    case v1::START_LATTICE:
+      out.start = MeshOptions::Start::Lattice;
+      break;
+    case v1::START_RANDOM:
+      out.start = MeshOptions::Start::Random;
+      break;
+    default:
+      throw error::option_invalid("start", "is no known enumerator");
+  }
   if (message.has_clean_up()) out.clean_up = message.clean_up();
+  if (message.has_threshold()) out.threshold = message.threshold();
   return out;
 }
 

@@ -101,6 +101,8 @@ v1::MeshOptions encode_options(const Revision& revision) {
   out.set_clean_up(options.clean_up);
   out.set_inside(options.inside == MeshOptions::Inside::ControlMesh ? v1::INSIDE_TEST_CONTROL_MESH
                                                                     : v1::INSIDE_TEST_MEMBERSHIP);
+  out.set_start(options.start == MeshOptions::Start::Random ? v1::START_RANDOM : v1::START_LATTICE);
+  out.set_threshold(options.threshold);
   return out;
 }
 

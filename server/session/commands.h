@@ -21,6 +21,8 @@ struct OptionsPatch {
   std::optional<std::uint32_t> iterations;
   std::optional<std::uint64_t> seed;
   std::optional<MeshOptions::Inside> inside;
+  std::optional<MeshOptions::Start> start;
+  std::optional<double> threshold;
   std::optional<bool> clean_up;
 };
 

@@ -28,6 +28,8 @@ void check_options(const OptionsPatch& patch, std::uint32_t max_nodes) {
     throw error::option_invalid("size", "is not a positive length");
   if (patch.iterations && *patch.iterations > 1000)
     throw error::option_invalid("iterations", "is more than 1000");
+  if (patch.threshold && !(*patch.threshold >= 0 && *patch.threshold <= 0.8))
+    throw error::option_invalid("threshold", "is not between 0 and 0.8");
 }
 
 }  // namespace
@@ -88,6 +90,8 @@ MeshOptions Maker::first_options(const OptionsPatch& patch) const {
   options.iterations = patch.iterations.value_or(options.iterations);
   options.seed = patch.seed.value_or(options.seed);
   options.inside = patch.inside.value_or(options.inside);
+  options.start = patch.start.value_or(options.start);
+  options.threshold = patch.threshold.value_or(options.threshold);
   options.clean_up = patch.clean_up.value_or(options.clean_up);
   return options;
 }
@@ -101,6 +105,8 @@ MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& ba
   options.iterations = patch.iterations.value_or(base.iterations);
   options.seed = patch.seed.value_or(base.seed);
   options.inside = patch.inside.value_or(base.inside);
+  options.start = patch.start.value_or(base.start);
+  options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
   return options;
 }

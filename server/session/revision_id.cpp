@@ -86,6 +86,8 @@ class Canonical {
     number(options.iterations);
     number(options.seed);
     byte(static_cast<std::uint8_t>(options.inside));
+    byte(static_cast<std::uint8_t>(options.start));
+    real(options.threshold);
     byte(options.clean_up ? 1 : 0);
   }
 

@@ -230,6 +230,9 @@ TEST_F(Errors, OptionsOutOfRangeAreNamed) {
   EXPECT_EQ(option([](auto& o) { o.set_size(HUGE_VAL); }), "size");
   EXPECT_EQ(option([](auto& o) { o.set_iterations(1001); }), "iterations");
   EXPECT_EQ(option([](auto& o) { o.set_inside(static_cast<v1::InsideTest>(7)); }), "inside");
+  EXPECT_EQ(option([](auto& o) { o.set_start(static_cast<v1::Start>(7)); }), "start");
+  EXPECT_EQ(option([](auto& o) { o.set_threshold(0.9); }), "threshold");
+  EXPECT_EQ(option([](auto& o) { o.set_threshold(std::nan("")); }), "threshold");
 }
 
 TEST_F(Errors, MissingPartsOfRequestsAreNamed) {

@@ -30,7 +30,7 @@ struct Scene {
   }
   NodeSet random_nodes(std::uint32_t count, double l) const {
     NodeSet nodes;
-    for (const Vec3& p : fill(
+    for (const Vec3& p : fill_random(
              {membership.bounds()}, [&](const Vec3& q) { return membership.inside(q); },
              {.edge_length = l, .count = count}, kRun))
       nodes.add_new(p);

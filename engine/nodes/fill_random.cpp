@@ -1,9 +1,8 @@
-#include "engine/nodes/fill.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/base/random.h"
+#include "engine/nodes/fill.h"
 
 namespace remeshd {
 
@@ -50,9 +49,9 @@ std::vector<Vec3> cells_inside(const std::vector<Box>& boxes, double h,
 
 }  // namespace
 
-std::vector<Vec3> fill(const std::vector<Box>& boxes,
-                       const std::function<bool(const Vec3&)>& inside, const FillOptions& options,
-                       const Run& run) {
+std::vector<Vec3> fill_random(const std::vector<Box>& boxes,
+                              const std::function<bool(const Vec3&)>& inside,
+                              const FillOptions& options, const Run& run) {
   double h = kCellShare * options.edge_length;
   std::vector<Vec3> centres = cells_inside(boxes, h, inside, run);
   // A whole model so thin that no centre lies in it still deserves nodes; a newcell does not.
