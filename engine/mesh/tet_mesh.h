@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/vec.h"
@@ -16,6 +17,12 @@ using Triangle = std::array<std::int32_t, 3>;
 struct TetMesh {
   std::vector<Vec3> nodes;
   std::vector<Tet> tets;
+};
+
+/// A mesh that something else holds.
+struct TetMeshView {
+  std::span<const Vec3> nodes;
+  std::span<const Tet> tets;
 };
 
 /// The facet of a positive tet opposite its corner i, ordered so that its normal

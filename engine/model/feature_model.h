@@ -84,6 +84,10 @@ FeatureModel evaluate(const ModelSource& source);
 /// id. The result is not validated: call `evaluate`.
 ModelSource apply(const ModelSource& source, const ModelEdit& edit);
 
+/// Bound of the distance by which any surface of any feature moves between two models of the same
+/// features in the same order; infinite between others.
+double motion_bound(const FeatureModel& a, const FeatureModel& b);
+
 /// Whether no surface of any feature moves by more than 1e-12 x the diagonal between the two
 /// models, and ids, natures and order are the same.
 bool same_geometry(const FeatureModel& a, const FeatureModel& b);

@@ -109,6 +109,7 @@ std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const kernel::D
 
 int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options) {
+  const int most = 200 + static_cast<int>(options.most * nodes.size());
   int inserted = 0;
   for (int round = 0; round < options.rounds; ++round) {
     live.follow(nodes);
@@ -138,6 +139,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
       }
     }
     if (inserted == before) return inserted;
+    if (inserted > most) break;
   }
   live.follow(nodes);
   return inserted;

@@ -11,6 +11,9 @@ namespace remeshd {
 struct RecoverOptions {
   double edge_length = 0;  ///< target edge length l
   int rounds = 12;         ///< at most
+  /// So many nodes at most, as a share of those there are, and 200 more: two model edges much nearer
+  /// to each other than the edge length would split each other into pieces as short as that.
+  double most = 0.2;
 };
 
 /// Makes model edges present that the optimisation left missing: a model edge has to be a chain of
@@ -18,7 +21,7 @@ struct RecoverOptions {
 /// is inserted into it. Near a model vertex the insertion keeps to shells of radius l / 2^k round
 /// it, so that edges meeting at a sharp angle do not split each other for ever (Ruppert 1995).
 ///
-/// Post: `live` follows the nodes.
+/// Post: `live` follows the nodes; links are still missing where `rounds` or `most` did not do.
 /// Returns the number of nodes inserted.
 int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
                   const RecoverOptions& options);

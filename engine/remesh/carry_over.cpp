@@ -78,7 +78,7 @@ void join_across_facets(std::span<const Tet> tets, std::size_t node_count, Union
   }
 }
 
-Pieces find_pieces(const Master& original, const TetMesh& delivered, Polling& poll) {
+Pieces find_pieces(const Master& original, const TetMeshView& delivered, Polling& poll) {
   Pieces pieces;
   const TetIndex index(delivered.tets, original.positions.size(), poll);
   pieces.same.resize(original.tets.size());
@@ -125,7 +125,7 @@ Pieces find_pieces(const Master& original, const TetMesh& delivered, Polling& po
 class Carrier {
  public:
   Carrier(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-          const TetMesh& delivered, std::span<const Transform> transforms, const Run& run)
+          const TetMeshView& delivered, std::span<const Transform> transforms, const Run& run)
       : nodes_(nodes),
         tets_(tets),
         original_(original),
@@ -283,7 +283,7 @@ class Carrier {
   const NodeSet& nodes_;
   std::span<const Tet> tets_;
   const Master& original_;
-  const TetMesh& delivered_;
+  const TetMeshView& delivered_;
   std::span<const Transform> transforms_;
   Polling poll_;
   const Pieces pieces_;
@@ -298,7 +298,7 @@ class Carrier {
 }  // namespace
 
 CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-                       const TetMesh& delivered, std::span<const Transform> transforms,
+                       const TetMeshView& delivered, std::span<const Transform> transforms,
                        const Run& run) {
   return Carrier(nodes, tets, original, delivered, transforms, run).carry();
 }

@@ -24,10 +24,10 @@ struct CarriedMesh {
 /// delivered position; where that would spoil a tet next to them, what was carried round them is
 /// given back.
 ///
-/// `tets`: the new peeled Delaunay mesh over `nodes`. `delivered`: positions and tets of the
-/// original as delivered; `transforms`: as in PointSource.
+/// `tets`: the new peeled Delaunay mesh over `nodes`. `delivered`: positions and tets as
+/// the original's master gave them; `transforms`: as in PointSource.
 CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-                       const TetMesh& delivered, std::span<const Transform> transforms,
+                       const TetMeshView& delivered, std::span<const Transform> transforms,
                        const Run& run);
 
 }  // namespace remeshd

@@ -114,16 +114,48 @@ void account(Revision& revision, const Run& run) {
   revision.report.exact_volume = revision.cells.volume;
 }
 
+void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision) {
+  Delivery& d = revision.delivery;
+  d = original.delivery;
+  d.mesh.nodes = std::move(nodes);
+  const std::vector<Vec3>& then = original.delivery.mesh.nodes;
+  NodeMap& map = d.map;
+  map = {};
+  map.transforms = {Transform{}};
+  map.transform_features = {original.model.features.front().id};
+  map.node_transform.assign(then.size(), 0);
+  for (std::size_t n = 0; n < then.size(); ++n) {
+    map.node_origin.push_back(d.mesh.nodes[n] == then[n] ? NodeOrigin::Kept : NodeOrigin::Moved);
+    map.original_node.push_back(static_cast<std::int32_t>(n));
+  }
+  for (std::size_t t = 0; t < d.mesh.tets.size(); ++t) {
+    const Tet& tet = d.mesh.tets[t];
+    const bool kept = std::all_of(tet.begin(), tet.end(), [&](std::int32_t n) {
+      return map.node_origin[n] == NodeOrigin::Kept;
+    });
+    map.original_tet.push_back(kept ? static_cast<std::int32_t>(t) : -1);
+  }
+  revision.master = original.master;
+  revision.report.quality_before = original.report.quality_before;
+  revision.report.free_share = 0;
+  revision.report.counts.nodes_copied = static_cast<std::uint32_t>(then.size());
+}
+
+void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
+                   const Membership& membership, Revision& revision, const Run& run) {
+  Delivery& d = revision.delivery;
+  d.groups = name_groups(d.mesh, surface, supports, revision.model, membership,
+                         revision.cells.boundary, run);
+  revision.report.groups =
+      group_areas(d.mesh, d.groups, revision.model, membership, revision.cells);
+}
+
 void deliver(Candidate c, const Revision* original, const Revision* parent,
              const PointSource& source, Revision& revision, const Run& run) {
   order_nodes(c);
   revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay, run);
   Delivery& d = revision.delivery;
   d.map = map_nodes(c, original, source, run);
-  d.groups = name_groups(c.mesh, c.verification.surface, c.nodes.supports, revision.model,
-                         source.modified(), revision.cells.boundary, run);
-  revision.report.groups =
-      group_areas(c.mesh, d.groups, revision.model, source.modified(), revision.cells);
   Master master;
   if (parent) {
     master.next_node_id = parent->master->next_node_id;
@@ -134,6 +166,7 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   d.tet_ids = permanent_ids(d.map.original_tet, original ? &original->delivery.tet_ids : nullptr,
                             master.next_tet_id);
   d.mesh = std::move(c.mesh);
+  name_delivery(c.verification.surface, c.nodes.supports, source.modified(), revision, run);
   master.positions = std::move(c.nodes.positions);
   master.supports = std::move(c.nodes.supports);
   master.mesh = std::move(c.loop.mesh);

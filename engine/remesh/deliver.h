@@ -12,6 +12,14 @@ namespace remeshd {
 void deliver(Candidate candidate, const Revision* original, const Revision* parent,
              const PointSource& source, Revision& revision, const Run& run);
 
+/// The tets of the original over nodes that stand where `nodes` says, permanent ids and master
+/// included; groups stay as they were.
+void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision);
+
+/// Groups of the delivered mesh and their areas. `surface`: its boundary facets.
+void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
+                   const Membership& membership, Revision& revision, const Run& run);
+
 /// Counts nodes and tets by origin and measures the delivered mesh, into `revision.report`.
 void account(Revision& revision, const Run& run);
 

@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/boundary/samples.h"
 #include "engine/nodes/place_supports.h"
+#include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/repair.h"
@@ -47,41 +48,55 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
 }
 
 /// The same geometry as the original's: its mesh, every node and tet kept.
-void repeat(const Revision& original, const PointSource& source, Revision& revision,
-            const Run& run) {
-  revision.delivery = original.delivery;
-  NodeMap& map = revision.delivery.map;
-  const std::size_t nodes = revision.delivery.mesh.nodes.size();
-  const std::size_t tets = revision.delivery.mesh.tets.size();
-  map.node_origin.assign(nodes, NodeOrigin::Kept);
-  map.node_transform.assign(nodes, 0);
-  map.original_node.resize(nodes);
-  map.original_tet.resize(tets);
-  for (std::size_t n = 0; n < nodes; ++n) map.original_node[n] = static_cast<std::int32_t>(n);
-  for (std::size_t t = 0; t < tets; ++t) map.original_tet[t] = static_cast<std::int32_t>(t);
-  map.transforms = source.transforms();
-  map.transform_features = {original.model.features[source.sources().front().original].id};
-  revision.master = original.master;
+void repeat(const Revision& original, Revision& revision, const Run& run) {
+  deliver_kept(original, original.delivery.mesh.nodes, revision);
+  revision.anchor = original.anchor;
   revision.meshed_source = original.meshed_source;
   revision.meshed_model = original.meshed_model;
-  revision.report.quality_before = original.report.quality_before;
   revision.report.groups = original.report.groups;
   revision.report.way = Way::Unchanged;
-  revision.report.free_share = 0;
   account(revision, run);
+}
+
+/// Nearly the same geometry: the connectivity of the original's mesh, where that serves.
+bool continue_with(const Revision& original, Revision& revision, const Run& run) {
+  auto result = continue_mesh(original, revision, run);
+  if (const auto* why = std::get_if<NotContinued>(&result)) {
+    if (!why->empty())
+      revision.report.warnings.push_back("the connectivity could not be kept: " + *why);
+    return false;
+  }
+  auto& mesh = std::get<ContinuedMesh>(result);
+  deliver_kept(original, std::move(mesh.mesh.nodes), revision);
+  const Membership membership(revision.model);
+  name_delivery(mesh.verification.surface, mesh.supports, membership, revision, run);
+  const FeatureModel& made_for = original.master_model();
+  revision.anchor = std::make_shared<const Anchor>(
+      Anchor{original.anchor ? original.anchor->source : original.meshed_source,
+             made_for,
+             {original.master_nodes().begin(), original.master_nodes().end()},
+             std::move(mesh.supports)});
+  revision.report.way = Way::Continued;
+  revision.report.free_share =
+      mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
+  account(revision, run);
+  return true;
+}
+
+/// Whether an edit with these options may answer with the tets of its base.
+bool keeps_connectivity(const Revision& original, const MeshOptions& options) {
+  return !options.nodes && !options.size && options.clean_up == original.options.clean_up &&
+         options.threshold == original.options.threshold;
 }
 
 std::string first_failure(const Verification& v) {
   return v.failures.empty() ? "the mesh did not pass verification" : v.failures.front().what;
 }
 
-/// What one try at a mesh works with. `original` is null where everything is new.
+/// What one try at a mesh works with.
 struct Setting {
-  const Revision* original;
-  const PointSource& source;
-  const CellularModel& cells;
+  Target target;
   const Density& density;
-  const MeshOptions& options;
   std::uint64_t seed;
   bool all_free;  ///< optimise the copied nodes too, all of them
 };
@@ -90,16 +105,37 @@ std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) 
   return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
 }
 
+/// Inserts nodes where the boundary is not all there. Returns their number.
+std::uint32_t repair(Candidate& c, const Setting& s, const Samples& samples,
+                     const InsideTest& inside, const Run& run) {
+  const CellularModel& cells = s.target.cells;
+  const double l = s.density.edge_length;
+  std::uint32_t repaired = 0;
+  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
+    const std::int32_t first = c.nodes.size();
+    if (insert_where_missing(c.nodes, c.verification, cells.boundary, samples, l) == 0) break;
+    c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, run);
+    repaired += c.nodes.size() - first;
+    c = extract(std::move(c.nodes), std::move(c.loop), cells, inside, run);
+    // What the peeled mesh lacks no clean-up brings back.
+    c.verification = verify({c.nodes.positions, c.delaunay}, c.nodes.supports, cells.boundary,
+                            cells.volume, run);
+    if (boundary_is_complete(c.verification)) finish(c, s.target, run);
+  }
+  return repaired;
+}
+
 /// Nodes, optimisation, extraction, verification (Sects. 6-8), and repair where the boundary is not
 /// all there. What was done goes into the report, whether or not the mesh is valid.
 Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run& run) {
-  const BoundaryModel& boundary = s.cells.boundary;
-  const Membership& membership = s.source.modified();
+  const auto& [original, source, cells, options] = s.target;
+  const BoundaryModel& boundary = cells.boundary;
+  const Membership& membership = source.modified();
   const double l = s.density.edge_length;
   Counts& counts = report.counts;
 
   run.report("nodes", 0.1);
-  NodeSet nodes = initial_nodes(s.original, s.source, s.density, s.options.start, s.seed, run);
+  NodeSet nodes = initial_nodes(original, source, s.density, options.start, s.seed, run);
   if (s.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
   counts.nodes_new =
       static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
@@ -107,17 +143,17 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   watch.lap(report.seconds.copy);
 
   const Samples samples = sample_boundary(boundary, membership, l, s.seed, {}, run);
-  const InsideTest inside = inside_test(s.options.inside, membership, boundary, run);
+  const InsideTest inside = inside_test(options.inside, membership, boundary, run);
   counts.samples = static_cast<std::uint32_t>(samples.points.size());
-  if (s.original)
+  if (original)
     place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(), run);
   counts.free_at_start = count(nodes.free, 1);
   const bool all_free = count(nodes.free, 0) == 0;
   watch.lap(report.seconds.setup);
 
   OptimiseResult loop =
-      optimise(nodes, start_mesh(s.original, nodes, s.source, boundary.bounds, run), boundary,
-               inside, samples, {.edge_length = l, .iterations = s.options.iterations}, run);
+      optimise(nodes, start_mesh(original, nodes, source, boundary.bounds, run), boundary, inside,
+               samples, {.edge_length = l, .iterations = options.iterations}, run);
   counts.free_at_end = count(nodes.free, 1);
   counts.free_per_iteration = loop.free_per_iteration;
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
@@ -126,27 +162,28 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size());
   watch.lap(report.seconds.optimise);
 
-  Candidate candidate = extract(std::move(nodes), std::move(loop), s.original, s.source, s.cells,
-                                inside, s.options, run);
-  int repaired = 0;
-  for (int round = 0; round < kRepairRounds && !candidate.verification.valid; ++round) {
-    const int inserted =
-        insert_where_missing(candidate.nodes, candidate.verification, boundary, samples, l);
-    if (inserted == 0) break;
-    repaired += inserted;
-    candidate.loop.mesh = triangulate_anew(candidate.nodes, boundary, l, run);
-    candidate = extract(std::move(candidate.nodes), std::move(candidate.loop), s.original, s.source,
-                        s.cells, inside, s.options, run);
-  }
-  counts.nodes_inserted = static_cast<std::uint32_t>(repaired);
-  if (repaired > 0)
-    report.warnings.push_back(std::to_string(repaired) +
+  Candidate candidate = extract(std::move(nodes), std::move(loop), cells, inside, run);
+  finish(candidate, s.target, run);
+  counts.nodes_inserted = repair(candidate, s, samples, inside, run);
+  if (counts.nodes_inserted > 0)
+    report.warnings.push_back(std::to_string(counts.nodes_inserted) +
                               " nodes were inserted to make the boundary complete");
   watch.lap(report.seconds.extract);
   return candidate;
 }
 
 }  // namespace
+
+const FeatureModel& Revision::master_model() const { return anchor ? anchor->model : meshed_model; }
+
+std::span<const Vec3> Revision::master_nodes() const {
+  return anchor ? anchor->nodes : delivery.mesh.nodes;
+}
+
+std::span<const Support> Revision::supports() const {
+  const std::vector<Support>& all = anchor ? anchor->supports : master->supports;
+  return std::span(all).first(delivery.mesh.nodes.size());
+}
 
 Revision make_revision(const Revision* original, const ModelSource& document,
                        const MeshOptions& options, const Run& run) {
@@ -167,18 +204,21 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   watch.lap(seconds.setup);
 
   run.report("difference", 0.06);
-  const PointSource source(original ? &original->meshed_model : nullptr, revision.model,
+  if (original && keeps_connectivity(*original, options)) {
+    const bool same = same_geometry(original->meshed_model, revision.model);
+    if (same) repeat(*original, revision, run);
+    if (same || continue_with(*original, revision, run)) {
+      watch.lap(seconds.copy);
+      seconds.total = watch.total();
+      return revision;
+    }
+  }
+  const PointSource source(original ? &original->master_model() : nullptr, revision.model,
                            density.edge_length, run);
   watch.lap(seconds.difference);
-  if (original && source.changed().empty() && !options.nodes && !options.size) {
-    repeat(*original, source, revision, run);
-    watch.lap(seconds.copy);
-    seconds.total = watch.total();
-    return revision;
-  }
 
   // As planned; failing that with every copied node free; failing that from new nodes altogether.
-  Setting setting{original, source, cells, density, options, options.seed, false};
+  Setting setting{{original, source, cells, options}, density, options.seed, false};
   Candidate candidate = try_mesh(setting, report, watch, run);
   if (original && !candidate.verification.valid) {
     report.warnings.push_back(first_failure(candidate.verification) +
@@ -195,8 +235,9 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     const PointSource nothing(nullptr, revision.model, density.edge_length, run);
     Density same = density;
     if (!options.size) same.count = std::lround(density.nodes_per_volume * cells.volume);
-    candidate = try_mesh({nullptr, nothing, cells, same, options, options.seed + kOtherSeed, true},
-                         report, watch, run);
+    candidate =
+        try_mesh({{nullptr, nothing, cells, options}, same, options.seed + kOtherSeed, true},
+                 report, watch, run);
     if (!candidate.verification.valid)
       throw error::boundary_not_recovered(first_failure(candidate.verification));
     deliver(std::move(candidate), nullptr, original, nothing, revision, run);

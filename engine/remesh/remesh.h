@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/base/run.h"
 #include "engine/cellular/cellular_model.h"
+#include "engine/cellular/support.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/model/feature_model.h"
 #include "engine/remesh/report.h"
@@ -86,6 +88,14 @@ struct Delivery {
 /// State of the Delaunay master that only the engine reads; kept and stored as it is.
 struct Master;
 
+/// What the connectivity of a mesh was made for, where its nodes have followed the surfaces since.
+struct Anchor {
+  ModelSource source;
+  FeatureModel model;
+  std::vector<Vec3> nodes;        ///< as delivered then
+  std::vector<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
+};
+
 /// One design revision as the engine sees it: immutable once made.
 struct Revision {
   ModelSource source;  ///< as asked for
@@ -97,9 +107,16 @@ struct Revision {
   MeshOptions options;     ///< as resolved; an edit inherits these
   double edge_length = 0;  ///< target edge length l; an edit inherits it as its density
   CellularModel cells;
-  std::shared_ptr<const Master> master;
+  std::shared_ptr<const Master> master;  ///< made for `master_model()`
+  std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
   Report report;
+
+  [[nodiscard]] const FeatureModel& master_model() const;
+  /// The delivered nodes as the master gave them.
+  [[nodiscard]] std::span<const Vec3> master_nodes() const;
+  /// Of the delivered nodes, in the boundary of `cells`.
+  [[nodiscard]] std::span<const Support> supports() const;
 };
 
 /// The whole road of the paper: from a model document (and, for an edit, the original revision) to

@@ -49,9 +49,19 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification,
   return static_cast<int>(added.size());
 }
 
-kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
-                                  const Run& run) {
-  LiveMesh live(kernel::Delaunay(boundary.bounds), {}, run);
+bool boundary_is_complete(const Verification& v) {
+  return v.count(MeshFailure::OpenBoundary) + v.count(MeshFailure::PinchedNode) +
+             v.count(MeshFailure::MissingVertex) + v.count(MeshFailure::BrokenEdge) +
+             v.count(MeshFailure::StrayFacet) + v.count(MeshFailure::FaceArea) ==
+         0;
+}
+
+kernel::Delaunay with_nodes_inserted(const kernel::Delaunay& mesh, std::int32_t first_inserted,
+                                     NodeSet& nodes, const BoundaryModel& boundary,
+                                     double edge_length, const Run& run) {
+  std::vector<std::uint8_t> holds(nodes.positions.size(), 0);
+  std::fill_n(holds.begin(), first_inserted, 1);
+  LiveMesh live(mesh, std::move(holds), run);
   recover_edges(nodes, boundary, live, {.edge_length = edge_length});
   return live.mesh();
 }

@@ -16,8 +16,13 @@ namespace remeshd {
 int insert_where_missing(NodeSet& nodes, const Verification& verification,
                          const BoundaryModel& boundary, const Samples& samples, double edge_length);
 
-/// The Delaunay mesh of all nodes, and model edges recovered in it.
-kernel::Delaunay triangulate_anew(NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
-                                  const Run& run);
+/// Whether all that is wrong with a mesh is its tets: its surface is closed and has the model's
+/// vertices, edges and faces.
+bool boundary_is_complete(const Verification& verification);
+
+/// Brings a Delaunay mesh of the first nodes up to all of them, with their model edges recovered.
+kernel::Delaunay with_nodes_inserted(const kernel::Delaunay& mesh, std::int32_t first_inserted,
+                                     NodeSet& nodes, const BoundaryModel& boundary,
+                                     double edge_length, const Run& run);
 
 }  // namespace remeshd

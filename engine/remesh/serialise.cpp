@@ -16,7 +16,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 }  // namespace
 
 template <class A>
@@ -107,7 +107,10 @@ std::string serialise(const Revision& revision) {
   {
     cereal::PortableBinaryOutputArchive archive(out);
     archive(kFormat, revision.source, revision.meshed_source, revision.options,
-            revision.edge_length, *revision.master, revision.delivery, revision.report);
+            revision.edge_length, *revision.master, revision.delivery, revision.report,
+            revision.anchor != nullptr);
+    if (revision.anchor)
+      archive(revision.anchor->source, revision.anchor->nodes, revision.anchor->supports);
   }
   return std::move(out).str();
 }
@@ -115,6 +118,8 @@ std::string serialise(const Revision& revision) {
 Revision deserialise(const std::string& bytes, const Run& run) {
   Revision revision;
   Master master;
+  Anchor anchor;
+  bool anchored = false;
   try {
     std::istringstream in(bytes, std::ios::binary);
     cereal::PortableBinaryInputArchive archive(in);
@@ -123,7 +128,8 @@ Revision deserialise(const std::string& bytes, const Run& run) {
     if (format != kFormat) throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, master,
-            revision.delivery, revision.report);
+            revision.delivery, revision.report, anchored);
+    if (anchored) archive(anchor.source, anchor.nodes, anchor.supports);
 #endif
   } catch (const Error&) {
     throw;
@@ -134,6 +140,10 @@ Revision deserialise(const std::string& bytes, const Run& run) {
   revision.meshed_model = evaluate(revision.meshed_source);
   revision.cells = build_cells(revision.model, run);
   revision.master = std::make_shared<const Master>(std::move(master));
+  if (anchored) {
+    anchor.model = evaluate(anchor.source);
+    revision.anchor = std::make_shared<const Anchor>(std::move(anchor));
+  }
   return revision;
 }
 

@@ -139,9 +139,8 @@ InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
   return [mesh](const Vec3& p) { return mesh->inside(p); };
 }
 
-Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
-                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
-                  const MeshOptions& options, const Run& run) {
+Candidate extract(NodeSet nodes, OptimiseResult loop, const CellularModel& cells,
+                  const InsideTest& inside, const Run& run) {
   Candidate c;
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
@@ -149,11 +148,18 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, run);
   drop_unused(c.nodes, c.delaunay, c.loop.mesh, run);
   dump_nodes(run, "08-peel", c.nodes, c.delaunay);
+  return c;
+}
 
+void finish(Candidate& c, const Target& target, const Run& run) {
+  const Revision* original = target.original;
+  const MeshOptions& options = target.options;
+  const CellularModel& cells = target.cells;
   CarriedMesh carried;
   if (original && options.clean_up) {
-    carried = carry_over(c.nodes, c.delaunay, *original->master, original->delivery.mesh,
-                         source.transforms(), run);
+    carried = carry_over(c.nodes, c.delaunay, *original->master,
+                         {original->master_nodes(), original->delivery.mesh.tets},
+                         target.source.transforms(), run);
   } else {
     carried.mesh = {c.nodes.positions, c.delaunay};
     carried.dirty.assign(c.delaunay.size(), 1);
@@ -167,7 +173,6 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
     c.mesh = std::move(carried.mesh);
   run.report("verify", 0.95);
   c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
-  return c;
 }
 
 }  // namespace remeshd

@@ -41,10 +41,20 @@ struct Candidate {
   Verification verification;
 };
 
-/// Extraction, carrying over, clean-up and verification of optimised nodes.
-Candidate extract(NodeSet nodes, OptimiseResult loop, const Revision* original,
-                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
-                  const MeshOptions& options, const Run& run);
+/// What a mesh is made for.
+struct Target {
+  const Revision* original;  ///< null where everything is new
+  const PointSource& source;
+  const CellularModel& cells;
+  const MeshOptions& options;
+};
+
+/// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out.
+Candidate extract(NodeSet nodes, OptimiseResult loop, const CellularModel& cells,
+                  const InsideTest& inside, const Run& run);
+
+/// Carrying over, clean-up and verification of an extracted mesh.
+void finish(Candidate& candidate, const Target& target, const Run& run);
 
 /// The inside test that the options ask for. It keeps a reference to `membership`.
 /// Throws what ControlMesh::build throws.

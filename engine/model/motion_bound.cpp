@@ -76,18 +76,23 @@ double motion(const Feature& a, const Feature& b) {
 
 }  // namespace
 
-bool same_geometry(const FeatureModel& a, const FeatureModel& b) {
-  if (a.features.size() != b.features.size()) return false;
-  Box box;
-  for (const Feature& feature : a.features)
-    if (feature.nature == Nature::Additive) box.add(world_bounds(feature));
-  const double tolerance = 1e-12 * box.diagonal();
+double motion_bound(const FeatureModel& a, const FeatureModel& b) {
+  if (a.features.size() != b.features.size()) return HUGE_VAL;
+  double largest = 0;
   for (std::size_t k = 0; k < a.features.size(); ++k) {
     const Feature& f = a.features[k];
     const Feature& g = b.features[k];
-    if (f.id != g.id || f.nature != g.nature || !(motion(f, g) <= tolerance)) return false;
+    if (f.id != g.id || f.nature != g.nature) return HUGE_VAL;
+    largest = std::max(largest, motion(f, g));
   }
-  return true;
+  return largest;
+}
+
+bool same_geometry(const FeatureModel& a, const FeatureModel& b) {
+  Box box;
+  for (const Feature& feature : a.features)
+    if (feature.nature == Nature::Additive) box.add(world_bounds(feature));
+  return motion_bound(a, b) <= 1e-12 * box.diagonal();
 }
 
 }  // namespace remeshd

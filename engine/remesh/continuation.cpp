@@ -1,0 +1,162 @@
+#include "engine/remesh/continuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/cellular/match_boundary.h"
+#include "engine/extract/common_face.h"
+#include "engine/mesh/quality.h"
+#include "engine/nodes/nearest.h"
+#include "engine/remesh/master.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kLargestMotion = 0.01;  // x edge length, of surfaces
+/// The bound on feature surfaces' motion adds up what placement and sizes may do; true motions are
+/// measured where it is below this.
+constexpr double kLargestBound = 0.05;  // x edge length
+constexpr double kReach = 0.1;          // x edge length: how far entities look for their partners
+constexpr double kInfluence = 2.9;      // x edge length: interior nodes this near may move
+constexpr double kLeverage = 5;         // node motion over surface motion
+constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rounding
+constexpr int kSweeps = 24;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kLeastAngle = 25 * kDegree, kLargestAngle = 145 * kDegree, kLeastMeasure = 0.42;
+constexpr double kNextToNothing = 1e-3;  // rad, and of the measure
+
+/// Where the nodes of the anchor go.
+class Motion {
+ public:
+  Motion(std::span<const Vec3> anchor, std::span<const Support> supports, double edge_length)
+      : anchor_(anchor), supports_(supports), l_(edge_length), by_(anchor.size()) {}
+
+  /// Boundary nodes to their entities. Post: false where a surface or node moved too far.
+  bool follow(const BoundaryModel& boundary) {
+    const FacesOf faces(boundary);
+    const double none = kNone * boundary.bounds.diagonal();
+    for (std::size_t n = 0; n < anchor_.size(); ++n) {
+      if (supports_[n].kind == Support::Kind::Interior) continue;
+      for (const int f : faces(supports_[n]))
+        surface_ =
+            std::max(surface_, std::fabs(signed_distance(boundary.faces[f].surface, anchor_[n])));
+      const Vec3 d = project(boundary, supports_[n], anchor_[n]) - anchor_[n];
+      if (norm(d) <= none) continue;
+      by_[n] = d;
+      moved_.push_back(anchor_[n]);
+      node_ = std::max(node_, norm(d));
+    }
+    return surface_ < kLargestMotion * l_ && node_ <= kLeverage * std::max(surface_, none);
+  }
+
+  /// Interior nodes near moved ones by harmonic extension, nought further away.
+  void extend(std::span<const Tet> tets, Polling& poll) {
+    if (moved_.empty()) return;
+    const NearestNode grid(moved_, l_);
+    std::vector<std::int32_t> row(anchor_.size(), -1);
+    std::vector<std::int32_t> inner;
+    for (std::size_t n = 0; n < anchor_.size(); ++n) {
+      poll();
+      if (supports_[n].kind != Support::Kind::Interior) continue;
+      const Vec3& nearest = moved_[grid.nearest(anchor_[n])];
+      if (norm2(nearest - anchor_[n]) > kInfluence * kInfluence * l_ * l_) continue;
+      row[n] = static_cast<std::int32_t>(inner.size());
+      inner.push_back(static_cast<std::int32_t>(n));
+    }
+    std::vector<std::vector<std::int32_t>> neighbours(inner.size());
+    for (const Tet& t : tets) {
+      poll();
+      for (const std::int32_t a : t)
+        if (row[a] >= 0)
+          for (const std::int32_t b : t)
+            if (a != b) neighbours[row[a]].push_back(b);
+    }
+    // A neighbour counts once for every tet that the two share.
+    const auto relax = [&](std::size_t k) {
+      Vec3 sum;
+      for (const std::int32_t b : neighbours[k]) sum += by_[b];
+      by_[inner[k]] = sum / static_cast<double>(neighbours[k].size());
+    };
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (std::size_t k = 0; k < inner.size(); ++k, poll()) relax(k);
+      for (std::size_t k = inner.size(); k-- > 0; poll()) relax(k);
+    }
+  }
+
+  [[nodiscard]] bool moves(std::int32_t n) const { return by_[n] != Vec3{}; }
+  [[nodiscard]] Vec3 place(std::int32_t n) const {
+    return moves(n) ? anchor_[n] + by_[n] : anchor_[n];
+  }
+
+ private:
+  std::span<const Vec3> anchor_;
+  std::span<const Support> supports_;
+  double l_;
+  std::vector<Vec3> by_;     ///< by node
+  std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
+  double surface_ = 0;       ///< largest distance of a boundary node from a surface it stood on
+  double node_ = 0;          ///< largest motion of a boundary node
+};
+
+struct Worst {
+  double measure, least, largest;
+
+  Worst(const Tet& t, std::span<const Vec3> p) {
+    const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]], &d = p[t[3]];
+    measure = volume_length(a, b, c, d);
+    const auto angles = dihedral_angles(a, b, c, d);
+    const auto [lo, hi] = std::minmax_element(angles.begin(), angles.end());
+    least = *lo;
+    largest = *hi;
+  }
+  /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
+  [[nodiscard]] bool as_good_as(const Worst& then) const {
+    return measure >= std::min(kLeastMeasure, then.measure - kNextToNothing) &&
+           least >= std::min(kLeastAngle, then.least - kNextToNothing) &&
+           largest <= std::max(kLargestAngle, then.largest + kNextToNothing);
+  }
+};
+
+}  // namespace
+
+std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original,
+                                                        const Revision& modified, const Run& run) {
+  const double l = original.edge_length;
+  const BoundaryModel& boundary = modified.cells.boundary;
+  if (motion_bound(original.master_model(), modified.model) > kLargestBound * l)
+    return NotContinued{};
+  const auto match = match_boundaries(original.cells.boundary, boundary, kReach * l);
+  if (!match) return NotContinued{};
+
+  ContinuedMesh c;
+  const std::span<const Support> before = original.supports();
+  c.supports.reserve(before.size());
+  for (const Support& s : before) c.supports.push_back((*match)(s));
+  const std::span<const Vec3> anchor = original.master_nodes();
+  Motion motion(anchor, c.supports, l);
+  if (!motion.follow(boundary)) return NotContinued{};
+  Polling poll(run);
+  c.mesh.tets = original.delivery.mesh.tets;
+  motion.extend(c.mesh.tets, poll);
+  c.mesh.nodes.reserve(anchor.size());
+  for (std::size_t n = 0; n < anchor.size(); ++n) {
+    c.nodes_moved += motion.moves(static_cast<std::int32_t>(n)) ? 1 : 0;
+    c.mesh.nodes.push_back(motion.place(static_cast<std::int32_t>(n)));
+  }
+
+  for (const Tet& t : c.mesh.tets) {
+    poll();
+    if (std::any_of(t.begin(), t.end(), [&](std::int32_t n) { return motion.moves(n); }) &&
+        !Worst(t, c.mesh.nodes).as_good_as(Worst(t, anchor)))
+      return NotContinued("a tet would have missed the goals of quality");
+  }
+  run.report("verify", 0.95);
+  c.verification = verify(c.mesh, c.supports, boundary, modified.cells.volume, run);
+  if (!c.verification.valid) return NotContinued(c.verification.failures.front().what);
+  return c;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/remesh/remesh.h"
+#include "engine/verify/verify.h"
+
+namespace remeshd {
+
+/// The mesh of a revision whose nodes have followed a small motion of the surfaces.
+struct ContinuedMesh {
+  TetMesh mesh;  ///< the tets of the base
+  std::vector<Support> supports;
+  Verification verification;
+  std::uint32_t nodes_moved = 0;  ///< against the anchor
+};
+
+/// Why the connectivity cannot be kept; empty where the change is none that it should survive.
+using NotContinued = std::string;
+
+/// Keeps the connectivity of `original` for a model whose surfaces are less than 0.01 l from where
+/// they were when that connectivity was made (the anchor), with the same topology. Every node is
+/// placed anew from where it was then, so that any number of steps ends where one step would:
+/// boundary nodes go to the nearest point of their surface, curve or vertex, and interior nodes
+/// less than 3 l from them share the motion by a discrete harmonic extension. No node moves further
+/// than five times the largest distance between a node of the anchor's boundary and its surface
+/// now.
+///
+/// Post: the mesh is valid; a tet that met the goals of quality at the anchor (least dihedral angle
+/// 25 degrees, largest 145, volume-length 0.42) meets them still, any other lost next to nothing.
+std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original,
+                                                        const Revision& modified, const Run& run);
+
+}  // namespace remeshd
