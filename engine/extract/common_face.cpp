@@ -16,6 +16,13 @@ FacesOf::FacesOf(const BoundaryModel& boundary)
   for (std::size_t v = 0; v < vertex_.size(); ++v) {
     for (const int e : boundary.vertices[v].edges)
       vertex_[v].insert(vertex_[v].end(), edge_[e].begin(), edge_[e].end());
+    if (boundary.vertices[v].edges.empty())  // the apex of a cone
+      for (std::size_t f = 0; f < face_.size(); ++f) {
+        const auto index = static_cast<std::int32_t>(f);
+        if (incident(boundary, {Support::Kind::Vertex, static_cast<std::int32_t>(v)},
+                     {Support::Kind::Face, index}))
+          vertex_[v].push_back(index);
+      }
     std::sort(vertex_[v].begin(), vertex_[v].end());
     vertex_[v].erase(std::unique(vertex_[v].begin(), vertex_[v].end()), vertex_[v].end());
   }

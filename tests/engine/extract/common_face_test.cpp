@@ -44,5 +44,17 @@ TEST(FacesOf, OppositeFacesOfABlockShareNoneWithAVertexOfOne) {
   }
 }
 
+TEST(FacesOf, TheApexOfAConeLiesOnItsWall) {
+  const CellularModel cells = build_cells(
+      evaluate(test::one_feature(test::feature(
+          "c", "cone", {{"radius_bottom", 2.0}, {"radius_top", 0.0}, {"height", 4.0}}))),
+      kRun);
+  ASSERT_EQ(cells.boundary.vertices.size(), 1U);
+  const FacesOf faces(cells.boundary);
+  const auto at_apex = faces({Support::Kind::Vertex, 0});
+  ASSERT_EQ(at_apex.size(), 1U);
+  EXPECT_EQ(cells.boundary.faces[at_apex[0]].surface.kind, Surface::Kind::Cone);
+}
+
 }  // namespace
 }  // namespace remeshd
