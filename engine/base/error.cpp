@@ -285,12 +285,15 @@ Error options_invalid(std::string_view option, std::string_view why) {
                 .parameter = std::string(option)});
 }
 
-Error boundary_not_recovered(std::string_view what) {
+Error boundary_not_recovered(std::string_view what, std::string_view features) {
   return Error({.kind = ErrorKind::FailedPrecondition,
                 .reason = "BoundaryNotRecovered",
                 .message = "no valid mesh could be made: " + std::string(what),
                 .stage = "verify",
-                .hint = "ask for more nodes or a smaller edge length"});
+                .feature = clip(features),
+                .hint =
+                    "ask for more nodes or a smaller edge length, or make what is thin or small "
+                    "at that place larger"});
 }
 
 }  // namespace remeshd::error

@@ -119,8 +119,9 @@ Error tetgen_missing(std::string_view path, std::string_view why);
 
 /// `option`: `nodes`, `size`, `iterations`.
 Error options_invalid(std::string_view option, std::string_view why);
-/// `what`: what is missing or wrong, and where.
-Error boundary_not_recovered(std::string_view what);
+/// `what`: what is missing or wrong, and where; `features`: ids of those at that place, joined by
+/// commas, empty where the whole mesh is wrong.
+Error boundary_not_recovered(std::string_view what, std::string_view features);
 
 }  // namespace error
 }  // namespace remeshd

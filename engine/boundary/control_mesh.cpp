@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "engine/base/error.h"
+#include "engine/boundary/material.h"
 
 namespace remeshd {
 namespace {
@@ -30,40 +30,6 @@ double enclosed_volume(const kernel::TetGenSurface& surface) {
   for (const auto& [a, b, c] : surface.triangles)
     six += dot(cross(surface.points[a] - o, surface.points[b] - o), surface.points[c] - o);
   return six / 6;
-}
-
-/// How often the surface winds about p: 1 in material, 0 outside and in voids (Van Oosterom &
-/// Strackee 1983).
-double winding_number(const kernel::TetGenSurface& surface, const Vec3& p) {
-  double angle = 0;
-  for (const auto& t : surface.triangles) {
-    const Vec3 a = surface.points[t[0]] - p, b = surface.points[t[1]] - p,
-               c = surface.points[t[2]] - p;
-    const double la = norm(a), lb = norm(b), lc = norm(c);
-    angle += 2 * std::atan2(dot(a, cross(b, c)),
-                            la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-  }
-  return angle / (4 * std::numbers::pi);
-}
-
-/// Regions in material. TetGen meshes voids too, for it does not know one side from the other.
-std::map<std::int32_t, bool> find_material(const kernel::TetGenMesh& all,
-                                           const kernel::TetGenSurface& surface) {
-  std::map<std::int32_t, std::pair<double, Vec3>> largest;  // volume and centroid
-  for (std::size_t t = 0; t < all.mesh.tets.size(); ++t) {
-    const Tet& tet = all.mesh.tets[t];
-    const double volume = tet_volume(all.mesh, tet);
-    auto& [most, where] = largest[all.regions[t]];
-    if (volume <= most) continue;
-    most = volume;
-    where = (all.mesh.nodes[tet[0]] + all.mesh.nodes[tet[1]] + all.mesh.nodes[tet[2]] +
-             all.mesh.nodes[tet[3]]) /
-            4;
-  }
-  std::map<std::int32_t, bool> material;
-  for (const auto& [region, tet] : largest)
-    material[region] = tet.first > 0 && winding_number(surface, tet.second) > 0.5;
-  return material;
 }
 
 double extent(const Vec3& normal, const Vec3& half) {
@@ -154,9 +120,7 @@ ControlMesh ControlMesh::build(const BoundaryModel& boundary, const Run& run,
   ControlMesh out;
   for (const Vec3& p : surface.points) out.bounds_.add(p);
   out.tolerance_ = 1e-12 * out.bounds_.diagonal();
-  const std::map<std::int32_t, bool> material = find_material(all, surface);
-  for (std::size_t t = 0; t < all.mesh.tets.size(); ++t)
-    if (material.at(all.regions[t])) out.mesh_.tets.push_back(all.mesh.tets[t]);
+  out.mesh_.tets = tets_in_material(all, surface);
   out.mesh_.nodes = std::move(all.mesh.nodes);
   out.add_planes();
   const double expected = enclosed_volume(surface);

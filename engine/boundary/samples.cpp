@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/boundary/face_distance.h"
 #include "engine/boundary/lattice.h"
 
 namespace remeshd {
@@ -17,36 +18,6 @@ Box face_box(const BoundaryFace& face) {
   Box box;
   for (const Vec3& p : face.points) box.add(p);
   return box;
-}
-
-double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Closest point of a triangle (Ericson 2005, 5.1.5).
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return norm2(ap);
-  const Vec3 bp = p - b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return norm2(bp);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return norm2(p - (a + (d1 / (d1 - d3)) * ab));
-  const Vec3 cp = p - c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return norm2(cp);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return norm2(p - (a + (d2 / (d2 - d6)) * ac));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    return norm2(p - (b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b)));
-  const double s = 1.0 / (va + vb + vc);
-  return norm2(p - (a + (vb * s) * ab + (vc * s) * ac));
-}
-
-double face_distance2(const BoundaryFace& face, const Vec3& p) {
-  double best = HUGE_VAL;
-  for (const auto& t : face.triangles)
-    best = std::fmin(
-        best, triangle_distance2(p, face.points[t[0]], face.points[t[1]], face.points[t[2]]));
-  return best;
 }
 
 /// For each face the others on the same surface: a lattice point belongs to the nearest of them.

@@ -1,9 +1,11 @@
 #include "engine/kernel/tetgen.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <span>
 #include <string>
 #include <system_error>
@@ -38,13 +40,13 @@ bool take(std::span<const std::byte>& bytes, std::vector<T>& values, std::uint64
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
-std::vector<std::byte> encode(const TetGenSurface& surface) {
-  const RequestHeader header{.points = surface.points.size(),
-                             .triangles = surface.triangles.size()};
+std::vector<std::byte> encode(RequestHeader header, const TetGenSurface& surface) {
+  header.points = surface.points.size();
+  header.triangles = surface.triangles.size();
   std::vector<std::byte> bytes;
   bytes.reserve(sizeof header + surface.points.size() * sizeof(Vec3) +
                 surface.triangles.size() * sizeof(Triangle));
-  put(bytes, std::span(&header, 1));
+  put(bytes, std::span(&std::as_const(header), 1));
   put(bytes, std::span(surface.points));
   put(bytes, std::span(surface.triangles));
   return bytes;
@@ -67,10 +69,12 @@ std::string why_refused(Status status) {
   }
 }
 
-bool in_range(const TetMesh& mesh) {
-  const auto points = static_cast<std::int64_t>(mesh.nodes.size());
-  return std::ranges::all_of(mesh.tets, [&](const Tet& tet) {
-    return std::ranges::all_of(tet, [&](std::int32_t p) { return p >= 0 && p < points; });
+/// Whether all corners are points.
+template <typename Corners>
+bool in_range(const std::vector<Corners>& all, std::size_t points) {
+  return std::ranges::all_of(all, [&](const Corners& corners) {
+    return std::ranges::all_of(
+        corners, [&](std::int32_t p) { return p >= 0 && static_cast<std::size_t>(p) < points; });
   });
 }
 
@@ -82,20 +86,85 @@ void turn_positive(TetMesh& mesh) {
   }
 }
 
-TetGenMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits) {
+QualityMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits) {
   std::vector<AnswerHeader> header;
   if (!take(bytes, header, 1) || header[0].magic != kAnswerMagic)
     throw error::tetgen_crashed("it gave no answer");
-  const auto& [magic, status, points, tets] = header[0];
+  const auto& [magic, status, points, tets, facets, segments] = header[0];
   if (status == Status::OutOfMemory) throw error::tetgen_out_of_memory(limits.address_space);
   if (status != Status::Meshed) throw error::tetgen_refused(why_refused(status));
-  TetGenMesh out;
-  if (!take(bytes, out.mesh.nodes, points) || !take(bytes, out.mesh.tets, tets) ||
-      !take(bytes, out.regions, tets) || !bytes.empty() || !in_range(out.mesh))
+  QualityMesh out;
+  TetMesh& mesh = out.filling.mesh;
+  if (!take(bytes, mesh.nodes, points) || !take(bytes, mesh.tets, tets) ||
+      !take(bytes, out.filling.regions, tets) || !take(bytes, out.facets, facets) ||
+      !take(bytes, out.facet_markers, facets) || !take(bytes, out.segments, segments) ||
+      !take(bytes, out.segment_markers, segments) || !bytes.empty() ||
+      !in_range(mesh.tets, points) || !in_range(out.facets, points) ||
+      !in_range(out.segments, points))
     throw error::tetgen_crashed("its answer is damaged");
-  if (out.mesh.tets.empty()) throw error::tetgen_refused("the surface closes nothing off");
-  turn_positive(out.mesh);
+  if (mesh.tets.empty()) throw error::tetgen_refused("the surface closes nothing off");
+  turn_positive(mesh);
   return out;
+}
+
+QualityMesh ask(const std::vector<std::byte>& request, const TetGenLimits& limits, const Run& run) {
+  const std::filesystem::path helper = limits.helper.empty() ? find_tetgen_helper() : limits.helper;
+  // Should this process die unnoticed, the processor's own clock ends the child.
+  const auto processor_seconds = static_cast<long long>(std::ceil(limits.seconds)) + 1;
+  const HelperEnd end =
+      run_helper(helper, {std::to_string(limits.address_space), std::to_string(processor_seconds)},
+                 request, {.seconds = limits.seconds, .answer_bytes = limits.address_space}, run);
+  switch (end.kind) {
+    case HelperEnd::Kind::Exited:
+      return decode(end.answer, limits);
+    case HelperEnd::Kind::TimedOut:
+      throw error::tetgen_too_slow(limits.seconds);
+    case HelperEnd::Kind::NotStarted:
+      throw error::tetgen_missing(helper.string(), std::generic_category().message(end.code));
+    case HelperEnd::Kind::TalkedTooMuch:
+      throw error::tetgen_crashed("its answer has no end");
+    case HelperEnd::Kind::Signalled:
+      break;
+  }
+  throw error::tetgen_crashed("signal " + std::to_string(end.code) + " ended it");
+}
+
+template <typename Corners>
+Corners sorted(Corners corners) {
+  std::ranges::sort(corners);
+  return corners;
+}
+
+/// Numbers the parts of the mesh that its surface facets separate.
+std::vector<std::int32_t> find_regions(const QualityMesh& out) {
+  std::vector<Triangle> walls;
+  for (const Triangle& facet : out.facets) walls.push_back(sorted(facet));
+  std::ranges::sort(walls);
+  struct Side {
+    Triangle facet;
+    std::int32_t tet;
+  };
+  const std::vector<Tet>& tets = out.filling.mesh.tets;
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (const auto& [i, j, k] : kTetFacets)
+      sides.push_back(
+          {sorted(Triangle{tets[t][i], tets[t][j], tets[t][k]}), static_cast<std::int32_t>(t)});
+  std::ranges::stable_sort(sides, {}, &Side::facet);
+  std::vector<std::int32_t> region(tets.size());
+  std::iota(region.begin(), region.end(), 0);
+  const auto root = [&](std::int32_t t) {
+    while (region[t] != t) t = region[t] = region[region[t]];
+    return t;
+  };
+  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
+    if (sides[s].facet != sides[s + 1].facet) continue;
+    if (std::ranges::binary_search(walls, sides[s].facet)) continue;
+    const std::int32_t a = root(sides[s].tet), b = root(sides[s + 1].tet);
+    region[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::size_t t = 0; t < tets.size(); ++t) region[t] = root(static_cast<std::int32_t>(t));
+  return region;
 }
 
 }  // namespace
@@ -110,25 +179,25 @@ std::filesystem::path find_tetgen_helper() {
 }
 
 TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run) {
-  const std::filesystem::path helper = limits.helper.empty() ? find_tetgen_helper() : limits.helper;
-  // Should this process die unnoticed, the processor's own clock ends the child.
-  const auto processor_seconds = static_cast<long long>(std::ceil(limits.seconds)) + 1;
-  const HelperEnd end = run_helper(
-      helper, {std::to_string(limits.address_space), std::to_string(processor_seconds)},
-      encode(surface), {.seconds = limits.seconds, .answer_bytes = limits.address_space}, run);
-  switch (end.kind) {
-    case HelperEnd::Kind::Exited:
-      return decode(end.answer, limits);
-    case HelperEnd::Kind::TimedOut:
-      throw error::tetgen_too_slow(limits.seconds);
-    case HelperEnd::Kind::NotStarted:
-      throw error::tetgen_missing(helper.string(), std::generic_category().message(end.code));
-    case HelperEnd::Kind::TalkedTooMuch:
-      throw error::tetgen_crashed("its answer has no end");
-    case HelperEnd::Kind::Signalled:
-      break;
-  }
-  throw error::tetgen_crashed("signal " + std::to_string(end.code) + " ended it");
+  return ask(encode({}, surface), limits, run).filling;
+}
+
+QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,
+                       const TetGenLimits& limits, const Run& run) {
+  assert(marked.triangle_markers.size() == marked.surface.triangles.size() &&
+         marked.segment_markers.size() == marked.segments.size());
+  std::vector<std::byte> request =
+      encode({.segments = marked.segments.size(),
+              .task = quality.split_surface ? Task::MeshSplittingSurface : Task::MeshKeepingSurface,
+              .radius_edge = quality.radius_edge,
+              .max_volume = quality.max_volume},
+             marked.surface);
+  put(request, std::span(marked.triangle_markers));
+  put(request, std::span(marked.segments));
+  put(request, std::span(marked.segment_markers));
+  QualityMesh out = ask(request, limits, run);
+  out.filling.regions = find_regions(out);
+  return out;
 }
 
 }  // namespace remeshd::kernel

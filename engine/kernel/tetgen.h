@@ -23,6 +23,33 @@ struct TetGenMesh {
   std::vector<std::int32_t> regions;  ///< per tet: the region between triangles that it lies in
 };
 
+using Segment = std::array<std::int32_t, 2>;
+
+/// A surface on which added points can be told apart: the markers of a triangle and a segment pass
+/// to the pieces that they are split into.
+struct MarkedSurface {
+  TetGenSurface surface;
+  std::vector<std::int32_t> triangle_markers;  ///< one for each triangle, > 0
+  std::vector<Segment> segments;               ///< sides of triangles that have to stay edges
+  std::vector<std::int32_t> segment_markers;   ///< one for each segment, > 0
+};
+
+/// What a quality mesh has to be like.
+struct TetGenQuality {
+  double radius_edge = 1.2;   ///< circumradius of a tet over its shortest edge, at most
+  double max_volume = 0;      ///< of a tet, > 0
+  bool split_surface = true;  ///< whether points may be added on the surface
+};
+
+/// A quality mesh; its first points are those of the surface.
+struct QualityMesh {
+  TetGenMesh filling;
+  std::vector<Triangle> facets;  ///< of tets, on the surface
+  std::vector<std::int32_t> facet_markers;
+  std::vector<Segment> segments;
+  std::vector<std::int32_t> segment_markers;
+};
+
 /// What the child process may use.
 struct TetGenLimits {
   double seconds = 60;                               ///< s from start to answer
@@ -39,6 +66,13 @@ struct TetGenLimits {
 /// Error(Cancelled) within 20 ms of a stop request.
 /// Source: Si 2015, TetGen; Sect. 3.1 for its use.
 TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run);
+
+/// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`) in the same
+/// way. Where the surface has to stay as it is (Y) TetGen aborts on some: Error(TetGenCrashed).
+///
+/// Post: all indices are in range. Throws what run_tetgen throws.
+QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,
+                       const TetGenLimits& limits, const Run& run);
 
 /// Where `remeshd-tetgen` is: $REMESHD_TETGEN if set, else beside the running program, else in
 /// ../libexec/remeshd from there.

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/base/error.h"
 #include "engine/boundary/samples.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
+#include "engine/remesh/last_resort.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/repair.h"
 #include "engine/remesh/stages.h"
@@ -172,6 +172,16 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   return candidate;
 }
 
+/// Meshes by TetGen what no other way has given a valid mesh of.
+Candidate rescue(const LastResort& input, const Verification& failed, Report& report,
+                 const Run& run) {
+  report.warnings.push_back(first_failure(failed) + "; meshed by TetGen");
+  report.way = Way::TetGen;
+  Candidate candidate = last_resort(input, failed, run);
+  report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
+  return candidate;
+}
+
 }  // namespace
 
 const FeatureModel& Revision::master_model() const { return anchor ? anchor->model : meshed_model; }
@@ -239,7 +249,9 @@ Revision make_revision(const Revision* original, const ModelSource& document,
         try_mesh({{nullptr, nothing, cells, options}, same, options.seed + kOtherSeed, true},
                  report, watch, run);
     if (!candidate.verification.valid)
-      throw error::boundary_not_recovered(first_failure(candidate.verification));
+      candidate =
+          rescue({revision.model, nothing.modified(), cells, density.edge_length, options.clean_up},
+                 candidate.verification, report, run);
     deliver(std::move(candidate), nullptr, original, nothing, revision, run);
   }
   watch.lap(seconds.extract);

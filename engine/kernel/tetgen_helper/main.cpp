@@ -26,8 +26,10 @@ using namespace remeshd::kernel::tetgen_protocol;
 constexpr int kExitUsage = 2, kExitBrokenStream = 3;
 
 struct Request {
+  RequestHeader header;
   std::vector<double> points;  // x y z, x y z, ...
-  std::vector<std::int32_t> triangles;
+  std::vector<std::int32_t> triangles, triangle_markers;
+  std::vector<std::int32_t> segments, segment_markers;
 };
 
 bool read_all(void* to, std::size_t size) {
@@ -61,18 +63,26 @@ bool read_values(std::vector<T>& values, std::uint64_t count) {
 }
 
 bool read_request(Request& request) {
-  RequestHeader header;
-  return read_all(&header, sizeof header) && header.magic == kRequestMagic &&
-         read_values(request.points, 3 * header.points) &&
-         read_values(request.triangles, 3 * header.triangles);
+  RequestHeader& header = request.header;
+  if (!read_all(&header, sizeof header) || header.magic != kRequestMagic ||
+      !read_values(request.points, 3 * header.points) ||
+      !read_values(request.triangles, 3 * header.triangles))
+    return false;
+  return header.task == Task::Fill || (read_values(request.triangle_markers, header.triangles) &&
+                                       read_values(request.segments, 2 * header.segments) &&
+                                       read_values(request.segment_markers, header.segments));
 }
 
 /// What would make TetGen read beyond its lists, or loop.
 bool numbers_are_sound(const Request& request) {
   const auto points = static_cast<std::int64_t>(request.points.size() / 3);
+  const auto is_point = [&](std::int32_t p) { return p >= 0 && p < points; };
+  const RequestHeader& header = request.header;
   return std::ranges::all_of(request.points, [](double x) { return std::isfinite(x); }) &&
-         std::ranges::all_of(request.triangles,
-                             [&](std::int32_t p) { return p >= 0 && p < points; });
+         std::ranges::all_of(request.triangles, is_point) &&
+         std::ranges::all_of(request.segments, is_point) &&
+         (header.task == Task::Fill || (std::isfinite(header.radius_edge) &&
+                                        header.max_volume > 0 && std::isfinite(header.max_volume)));
 }
 
 void fill(tetgenio& in, const Request& request) {
@@ -93,6 +103,25 @@ void fill(tetgenio& in, const Request& request) {
     std::copy_n(&request.triangles[3 * static_cast<std::size_t>(t)], 3,
                 facet.polygonlist->vertexlist);
   }
+  if (request.header.task == Task::Fill) return;
+  in.facetmarkerlist = new int[request.triangle_markers.size()];
+  std::ranges::copy(request.triangle_markers, in.facetmarkerlist);
+  in.numberofedges = static_cast<int>(request.segment_markers.size());
+  in.edgelist = new int[request.segments.size()];
+  std::ranges::copy(request.segments, in.edgelist);
+  in.edgemarkerlist = new int[request.segment_markers.size()];
+  std::ranges::copy(request.segment_markers, in.edgemarkerlist);
+}
+
+/// p: keep the surface; A: number the regions it encloses; Y: add no point on it; q, a: bounds on
+/// the shape and volume of tets; Q: quiet. Never Y with A, which aborts now and then.
+std::array<char, 80> switches(const RequestHeader& header) {
+  std::array<char, 80> text{"pAQ"};
+  if (header.task != Task::Fill)
+    std::snprintf(text.data(), text.size(), "pQ%sq%.4fa%.9e",
+                  header.task == Task::MeshKeepingSurface ? "Y" : "", header.radius_edge,
+                  header.max_volume);
+  return text;
 }
 
 Status mesh(const Request& request, tetgenio& out) {
@@ -100,10 +129,8 @@ Status mesh(const Request& request, tetgenio& out) {
   try {
     tetgenio in;
     fill(in, request);
-    // p: keep the surface; A: number the regions it encloses; Q: quiet. Never Y with A, which
-    // aborts now and then.
-    std::array<char, 4> switches{'p', 'A', 'Q', '\0'};
-    tetrahedralize(switches.data(), &in, &out);
+    std::array<char, 80> text = switches(request.header);
+    tetrahedralize(text.data(), &in, &out);
     return Status::Meshed;
   } catch (int code) {  // TetGen throws its exit code
     switch (code) {
@@ -127,7 +154,13 @@ Status mesh(const Request& request, tetgenio& out) {
   }
 }
 
-bool answer(int fd, Status status, const tetgenio& out) {
+/// Markers, zeros where TetGen gives none.
+std::vector<std::int32_t> markers(const int* list, std::size_t count) {
+  return list != nullptr ? std::vector<std::int32_t>(list, list + count)
+                         : std::vector<std::int32_t>(count, 0);
+}
+
+bool answer(int fd, Status status, Task task, const tetgenio& out) {
   AnswerHeader header;
   header.status = status;
   if (status != Status::Meshed) return write_all(fd, &header, sizeof header);
@@ -135,6 +168,10 @@ bool answer(int fd, Status status, const tetgenio& out) {
   const auto tets = static_cast<std::size_t>(out.numberoftetrahedra);
   header.points = points;
   header.tets = tets;
+  if (task != Task::Fill) {
+    header.facets = static_cast<std::uint64_t>(out.numberoftrifaces);
+    header.segments = static_cast<std::uint64_t>(out.numberofedges);
+  }
   std::vector<std::int32_t> regions(tets, 0);
   if (out.numberoftetrahedronattributes == 1)
     for (std::size_t t = 0; t < tets; ++t)
@@ -142,7 +179,13 @@ bool answer(int fd, Status status, const tetgenio& out) {
   return write_all(fd, &header, sizeof header) &&
          write_all(fd, out.pointlist, points * 3 * sizeof(double)) &&
          write_all(fd, out.tetrahedronlist, tets * 4 * sizeof(std::int32_t)) &&
-         write_all(fd, regions.data(), tets * sizeof(std::int32_t));
+         write_all(fd, regions.data(), tets * sizeof(std::int32_t)) &&
+         write_all(fd, out.trifacelist, header.facets * 3 * sizeof(std::int32_t)) &&
+         write_all(fd, markers(out.trifacemarkerlist, header.facets).data(),
+                   header.facets * sizeof(std::int32_t)) &&
+         write_all(fd, out.edgelist, header.segments * 2 * sizeof(std::int32_t)) &&
+         write_all(fd, markers(out.edgemarkerlist, header.segments).data(),
+                   header.segments * sizeof(std::int32_t));
 }
 
 void limit(int resource, rlim_t value) {
@@ -183,8 +226,8 @@ int main(int argc, char** argv) {
     if (!read_request(request)) return kExitBrokenStream;
     status = mesh(request, out);
     // Without the destructors: the system takes memory back faster.
-    _exit(answer(to_parent, status, out) ? 0 : kExitBrokenStream);
+    _exit(answer(to_parent, status, request.header.task, out) ? 0 : kExitBrokenStream);
   } catch (const std::bad_alloc&) {
-    _exit(answer(to_parent, Status::OutOfMemory, out) ? 0 : kExitBrokenStream);
+    _exit(answer(to_parent, Status::OutOfMemory, Task::Fill, out) ? 0 : kExitBrokenStream);
   }
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/base/run.h"
+#include "engine/boundary/surface_mesh.h"
+
+namespace remeshd {
+
+struct SurfaceMeshOptions {
+  double edge_length = 0;  ///< target length of sides, model's unit
+  /// Share of the edge length below which thin faces ask for no shorter sides.
+  double least_length = 0.125;
+  /// Rounds of local refinement where facets of near faces cut each other.
+  int crossing_rounds = 8;
+};
+
+/// Meshes the boundary with triangles of about the target length: the triangulation of the faces
+/// remeshed, all nodes on their exact faces and edges. Sides are shorter where a face or an edge
+/// curves too much for them, across and beside thin faces and short model edges, and where facets
+/// would cut others; lengths vary gradually.
+///
+/// Post: what SurfaceMesh promises. Facets that cut each other may be left where rounds run out.
+/// Throws what tessellated_surface throws; Cancelled.
+SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions& options,
+                         const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/boundary/surface_mesh.h"
+
+namespace remeshd {
+
+/// Changes a surface mesh step by step: sides are split and collapsed towards the length that their
+/// ends ask for, sides within a face flipped, nodes evened out. What stays: the surface is closed
+/// and manifold, nodes stand on their supports, model vertices keep their node and model edges
+/// their chain, and no step leaves a facet off its face: each new one is within 50 degrees of it.
+///
+/// Source: Botsch & Kobbelt 2004, "A remeshing approach to multiresolution modeling".
+class SurfaceRemesher {
+ public:
+  /// Keeps references to `boundary` and `run`.
+  SurfaceRemesher(SurfaceMesh mesh, const BoundaryModel& boundary, const Run& run);
+
+  /// Side length asked for, by node, > 0; to be set before the first step.
+  std::vector<double>& lengths() { return lengths_; }
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
+
+  /// Splits sides that are longer than 4/3 of their length, the longest first; a new node's length
+  /// is the mean of its neighbours'.
+  void split_long();
+  /// Collapses sides that are shorter than 4/5 of their length, the shortest first.
+  void collapse_short();
+  /// Flips sides within faces while that improves the worse of their two facets.
+  void flip();
+  /// Moves every node towards the middle of its neighbours, where its facets allow it.
+  void even_out();
+  /// Takes out what collapsing left behind: nodes and facets are numbered anew, in their order.
+  void compact();
+
+ private:
+  /// A side with the two facets at it: `left` has it from a to b, `right` from b to a.
+  struct Side {
+    std::int32_t a, b;
+    std::int32_t left, right;
+    std::int32_t apex_left, apex_right;
+    std::int32_t edge;  ///< model edge, -1 within a face
+  };
+  struct Job {
+    double key;
+    std::int32_t a, b;
+  };
+
+  [[nodiscard]] std::optional<Side> side(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] double ratio(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] double shape(int face, const Vec3& a, const Vec3& b, const Vec3& c) const;
+  /// Shape of a facet with node n at p.
+  [[nodiscard]] double shape_with(const FaceFacet& facet, std::int32_t n, const Vec3& p) const;
+  [[nodiscard]] std::int32_t edge_between(std::int32_t facet, std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] bool joined(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] std::vector<std::int32_t> neighbours(std::int32_t n) const;
+  [[nodiscard]] std::vector<Job> sides_by_ratio(bool longest_first) const;
+  [[nodiscard]] bool may_collapse(const Side& s, std::int32_t from, std::int32_t to) const;
+  [[nodiscard]] std::optional<Vec3> evened_place(std::int32_t n) const;
+  bool split(const Side& s);
+  void collapse(const Side& s, std::int32_t from, std::int32_t to);
+  bool try_flip(const Side& s);
+  std::int32_t add(const FaceFacet& facet);
+  void remove(std::int32_t facet);
+
+  SurfaceMesh mesh_;  ///< facets with face -1 are gone
+  const BoundaryModel& boundary_;
+  const Run& run_;
+  std::vector<double> lengths_;                ///< by node
+  std::vector<std::vector<std::int32_t>> at_;  ///< by node: its facets
+};
+
+}  // namespace remeshd

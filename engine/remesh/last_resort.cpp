@@ -1,0 +1,162 @@
+#include "engine/remesh/last_resort.h"
+
+#include <array>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "engine/boundary/material.h"
+#include "engine/boundary/mesh_surface.h"
+#include "engine/extract/peel.h"
+#include "engine/remesh/failure_place.h"
+
+namespace remeshd {
+
+namespace {
+
+/// One way to ask TetGen.
+struct Attempt {
+  double surface_length;  ///< x edge length
+  bool split_surface;
+};
+// Mostly the first will do. A finer surface comes before points that TetGen adds on it: these go
+// where a thin wall makes its tets bad, by the ten thousand.
+constexpr std::array kAttempts{Attempt{1, false}, Attempt{0.7, false}, Attempt{1, true},
+                               Attempt{0.5, false}, Attempt{0.5, true}};
+constexpr double kMaxVolume = 0.15;  // x edge length^3; a regular tet has 0.118
+// Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
+constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
+
+kernel::MarkedSurface mark(const SurfaceMesh& surface) {
+  kernel::MarkedSurface marked;
+  marked.surface.points = surface.nodes;
+  for (const FaceFacet& f : surface.facets) {
+    marked.surface.triangles.push_back(f.nodes);
+    marked.triangle_markers.push_back(kFirstFace + f.face);
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t a = f.nodes[i], b = f.nodes[(i + 1) % 3];
+      if (f.edge[i] < 0 || a > b) continue;
+      marked.segments.push_back({a, b});
+      marked.segment_markers.push_back(kFirstEdge + f.edge[i]);
+    }
+  }
+  return marked;
+}
+
+/// Supports of all nodes: those of the surface keep theirs, TetGen's stand where markers tell.
+std::vector<Support> find_supports(const SurfaceMesh& surface, const kernel::QualityMesh& out) {
+  std::vector<Support> supports = surface.supports;
+  supports.resize(out.filling.mesh.nodes.size());
+  const auto set = [&](std::int32_t n, const Support& support) {
+    if (static_cast<std::size_t>(n) >= surface.nodes.size()) supports[n] = support;
+  };
+  for (std::size_t f = 0; f < out.facets.size(); ++f)
+    for (const std::int32_t n : out.facets[f])
+      set(n, {Support::Kind::Face, out.facet_markers[f] - kFirstFace});
+  for (std::size_t s = 0; s < out.segments.size(); ++s)
+    if (out.segment_markers[s] >= kFirstEdge)
+      for (const std::int32_t n : out.segments[s])
+        set(n, {Support::Kind::Edge, out.segment_markers[s] - kFirstEdge});
+  return supports;
+}
+
+/// The nodes that tets use, on their supports, and the tets over them.
+TetMesh take_used(std::vector<Tet> tets, const std::vector<Vec3>& points,
+                  const std::vector<Support>& supports, const BoundaryModel& boundary,
+                  NodeSet& nodes) {
+  std::vector<std::int32_t> number(points.size(), -1);
+  for (const Tet& t : tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (number[n] < 0) continue;
+    number[n] = nodes.size();
+    nodes.add_new(project(boundary, supports[n], points[n]), supports[n]);
+  }
+  for (Tet& t : tets)
+    for (std::int32_t& n : t) n = number[n];
+  return {nodes.positions, std::move(tets)};
+}
+
+kernel::Delaunay triangulate(const NodeSet& nodes, const Box& bounds, const Run& run) {
+  kernel::Delaunay mesh(bounds);
+  std::vector<std::int32_t> all(nodes.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  mesh.insert(nodes.positions, all, run);
+  return mesh;
+}
+
+/// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
+Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastResort& input,
+                     const Run& run) {
+  const double l = input.edge_length;
+  const CellularModel& cells = input.cells;
+  const kernel::MarkedSurface marked = mark(surface);
+  const kernel::QualityMesh out = kernel::run_tetgen(
+      marked, {.max_volume = kMaxVolume * l * l * l, .split_surface = split_surface}, input.limits,
+      run);
+  Candidate c;
+  c.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
+                     find_supports(surface, out), cells.boundary, c.nodes);
+  if (input.clean_up) {
+    const std::vector<std::uint8_t> dirty(c.mesh.tets.size(), 1);
+    c.mesh = improve(c.mesh, c.nodes.supports, cells.boundary, dirty, {}, run).mesh;
+  }
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  if (!c.verification.valid) return c;
+  c.nodes.positions = c.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
+  c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
+  const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, run);
+  return c;
+}
+
+Error not_recovered(const LastResort& input, const Verification& failed, const std::string& also) {
+  if (failed.failures.empty()) return error::boundary_not_recovered(also, {});
+  const MeshDefect& defect = failed.failures.front();
+  const FailurePlace place =
+      find_failure(defect, input.model, input.membership, input.cells.boundary, input.edge_length);
+  std::string features;
+  for (const std::string& id : place.features) features += (features.empty() ? "" : ", ") + id;
+  return error::boundary_not_recovered(describe(defect, place) + (also.empty() ? "" : "; " + also),
+                                       features);
+}
+
+bool tetgen_failed(const Error& e) {
+  return e.info().reason.starts_with("TetGen") && e.info().reason != "TetGenMissing";
+}
+
+}  // namespace
+
+Candidate mesh_by_tetgen(const LastResort& input, const Run& run) {
+  std::optional<Error> failure;
+  for (const Attempt& attempt : kAttempts) {
+    const SurfaceMesh surface = mesh_surface(
+        input.cells.boundary, {.edge_length = attempt.surface_length * input.edge_length}, run);
+    try {
+      Candidate c = try_tetgen(surface, attempt.split_surface, input, run);
+      if (c.verification.valid) return c;
+      failure = not_recovered(input, c.verification, {});
+    } catch (const Error& e) {
+      if (!tetgen_failed(e) || e.info().reason == "TetGenTooSlow") throw;
+      failure = e;
+    }
+  }
+  throw Error(*failure);
+}
+
+Candidate last_resort(const LastResort& input, const Verification& failed, const Run& run) {
+  try {
+    return mesh_by_tetgen(input, run);
+  } catch (const Error& e) {
+    const std::string& reason = e.info().reason;
+    if (reason == "BoundaryNotRecovered")
+      throw not_recovered(input, failed, "nor has TetGen's mesh a complete boundary");
+    if (tetgen_failed(e) || reason == "KernelFailure")
+      throw not_recovered(input, failed, e.info().message);
+    throw;
+  }
+}
+
+}  // namespace remeshd

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/kernel/tetgen.h"
+#include "engine/model/solid.h"
+#include "engine/remesh/stages.h"
+
+namespace remeshd {
+
+/// What a mesh of last resort is made of. Keeps references.
+struct LastResort {
+  const FeatureModel& model;
+  const Membership& membership;
+  const CellularModel& cells;
+  double edge_length;                ///< target edge length l
+  bool clean_up = true;              ///< as in MeshOptions
+  kernel::TetGenLimits limits = {};  ///< of each call of TetGen
+};
+
+/// The mesher of last resort: TetGen's mesh of a conforming surface mesh, cleaned up and verified.
+/// All nodes are new. Where TetGen fails, or its mesh does not verify, the surface is made finer,
+/// then TetGen may add points on it.
+///
+/// Post: a valid candidate. Its `loop.mesh` is the Delaunay mesh of the delivered mesh's nodes, its
+/// `delaunay` what peeling leaves of that: it may lack parts of the boundary.
+/// Throws what mesh_surface and run_tetgen throw; Error(BoundaryNotRecovered) where no mesh was
+/// valid. TetGenTooSlow is not followed by another try: a clock decides on errors, never on meshes.
+Candidate mesh_by_tetgen(const LastResort& input, const Run& run);
+
+/// The same after other ways to a mesh have failed.
+///
+/// Throws Error(BoundaryNotRecovered) where TetGen fails too: it names the place and the features
+/// of `failed`'s first defect, and what was wrong with TetGen. Cancelled, TetGenMissing as they
+/// are.
+Candidate last_resort(const LastResort& input, const Verification& failed, const Run& run);
+
+}  // namespace remeshd
