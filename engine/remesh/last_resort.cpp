@@ -1,5 +1,6 @@
 #include "engine/remesh/last_resort.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "engine/boundary/material.h"
 #include "engine/boundary/mesh_surface.h"
 #include "engine/extract/peel.h"
+#include "engine/mesh/quality.h"
 #include "engine/remesh/failure_place.h"
 
 namespace remeshd {
@@ -87,6 +89,17 @@ kernel::Delaunay triangulate(const NodeSet& nodes, const Box& bounds, const Run&
   return mesh;
 }
 
+/// Whether the mesh is one that can be cleaned up: no tet inverted, the boundary a closed manifold.
+bool sound(const TetMesh& mesh, const Verification& verification) {
+  for (const MeshFailure kind :
+       {MeshFailure::BadFacet, MeshFailure::OpenBoundary, MeshFailure::PinchedNode})
+    if (verification.count(kind) > 0) return false;
+  return std::ranges::all_of(mesh.tets, [&](const Tet& t) {
+    return volume_length(mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]], mesh.nodes[t[3]]) >=
+           0;
+  });
+}
+
 /// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
 Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastResort& input,
                      const Run& run) {
@@ -99,6 +112,8 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
   Candidate c;
   c.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
                      find_supports(surface, out), cells.boundary, c.nodes);
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  if (!sound(c.mesh, c.verification)) return c;
   if (input.clean_up) {
     const std::vector<std::uint8_t> dirty(c.mesh.tets.size(), 1);
     c.mesh = improve(c.mesh, c.nodes.supports, cells.boundary, dirty, {}, run).mesh;
