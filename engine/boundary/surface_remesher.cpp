@@ -14,6 +14,7 @@ constexpr double kUpright = 0.64;     // cosine of 50 degrees: a hexagon for a c
 constexpr double kLeastShape = 0.01;  // of a facet that a step makes
 constexpr double kFairShape = 0.6;    // above this a facet may lose shape when a node moves
 constexpr double kFlipGain = 1e-3;
+constexpr double kGrowth = 0.5;  // of the length asked for, per distance
 
 bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
 
@@ -25,10 +26,36 @@ std::int32_t apex(const Triangle& t, std::int32_t a, std::int32_t b) {
 
 }  // namespace
 
-SurfaceRemesher::SurfaceRemesher(SurfaceMesh mesh, const BoundaryModel& boundary, const Run& run)
-    : mesh_(std::move(mesh)), boundary_(boundary), run_(run), at_(mesh_.nodes.size()) {
+SurfaceRemesher::SurfaceRemesher(SurfaceMesh mesh, const BoundaryModel& boundary, LongestAt longest,
+                                 const Run& run)
+    : mesh_(std::move(mesh)),
+      boundary_(boundary),
+      longest_(std::move(longest)),
+      run_(run),
+      at_(mesh_.nodes.size()) {
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n)
+    lengths_.push_back(longest_(mesh_.supports[n], mesh_.nodes[n]));
   for (std::size_t k = 0; k < mesh_.facets.size(); ++k)
     for (const std::int32_t n : mesh_.facets[k].nodes) at_[n].push_back(static_cast<int>(k));
+}
+
+void SurfaceRemesher::grade() {
+  using Entry = std::pair<double, std::int32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::size_t n = 0; n < lengths_.size(); ++n)
+    queue.emplace(lengths_[n], static_cast<std::int32_t>(n));
+  while (!queue.empty()) {
+    const auto [length, n] = queue.top();
+    queue.pop();
+    if (length > lengths_[n]) continue;
+    for (const std::int32_t k : at_[n])
+      for (const std::int32_t m : mesh_.facets[k].nodes) {
+        const double most = length + kGrowth * distance(mesh_.nodes[n], mesh_.nodes[m]);
+        if (most >= lengths_[m]) continue;
+        lengths_[m] = most;
+        queue.emplace(most, m);
+      }
+  }
 }
 
 std::int32_t SurfaceRemesher::edge_between(std::int32_t facet, std::int32_t a,
@@ -145,7 +172,7 @@ bool SurfaceRemesher::split(const Side& s) {
   const FaceFacet left = mesh_.facets[s.left], right = mesh_.facets[s.right];
   const Support support =
       s.edge >= 0 ? Support{Support::Kind::Edge, s.edge} : Support{Support::Kind::Face, left.face};
-  const Vec3 &a = mesh_.nodes[s.a], &b = mesh_.nodes[s.b];
+  const Vec3 a = mesh_.nodes[s.a], b = mesh_.nodes[s.b];
   const Vec3 p = project(boundary_, support, 0.5 * (a + b));
   if (std::min(norm2(p - a), norm2(p - b)) < 0.04 * norm2(b - a)) return false;
   for (const FaceFacet* f : {&left, &right})
@@ -155,7 +182,8 @@ bool SurfaceRemesher::split(const Side& s) {
   const auto m = static_cast<std::int32_t>(mesh_.nodes.size());
   mesh_.nodes.push_back(p);
   mesh_.supports.push_back(support);
-  lengths_.push_back(0.5 * (lengths_[s.a] + lengths_[s.b]));
+  lengths_.push_back(std::min({longest_(support, p), lengths_[s.a] + kGrowth * distance(a, p),
+                               lengths_[s.b] + kGrowth * distance(b, p)}));
   at_.emplace_back();
   const std::int32_t c = s.apex_left, d = s.apex_right;
   const std::int32_t bc = edge_between(s.left, s.b, c), ca = edge_between(s.left, c, s.a);

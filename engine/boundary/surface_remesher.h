@@ -1,7 +1,7 @@
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -17,15 +17,23 @@ namespace remeshd {
 /// Source: Botsch & Kobbelt 2004, "A remeshing approach to multiresolution modeling".
 class SurfaceRemesher {
  public:
-  /// Keeps references to `boundary` and `run`.
-  SurfaceRemesher(SurfaceMesh mesh, const BoundaryModel& boundary, const Run& run);
+  /// The longest sides that a node with this support may have at a place, > 0.
+  using LongestAt = std::function<double(const Support&, const Vec3&)>;
 
-  /// Side length asked for, by node, > 0; to be set before the first step.
-  std::vector<double>& lengths() { return lengths_; }
+  /// Keeps references to `boundary` and `run`.
+  SurfaceRemesher(SurfaceMesh mesh, const BoundaryModel& boundary, LongestAt longest,
+                  const Run& run);
+
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
 
-  /// Splits sides that are longer than 4/3 of their length, the longest first; a new node's length
-  /// is the mean of its neighbours'.
+  /// Asks for sides of this length at most at a node; `grade` has to follow.
+  void shorten(std::int32_t node, double length) {
+    lengths_[node] = std::min(lengths_[node], length);
+  }
+  /// Lets the lengths asked for grow no faster than by half of the distance (Dijkstra).
+  void grade();
+
+  /// Splits sides that are longer than 4/3 of their length, the longest first.
   void split_long();
   /// Collapses sides that are shorter than 4/5 of their length, the shortest first.
   void collapse_short();
@@ -68,8 +76,9 @@ class SurfaceRemesher {
 
   SurfaceMesh mesh_;  ///< facets with face -1 are gone
   const BoundaryModel& boundary_;
+  LongestAt longest_;
   const Run& run_;
-  std::vector<double> lengths_;                ///< by node
+  std::vector<double> lengths_;                ///< of sides asked for, by node
   std::vector<std::vector<std::int32_t>> at_;  ///< by node: its facets
 };
 

@@ -27,7 +27,7 @@ struct Attempt {
 // where a thin wall makes its tets bad, by the ten thousand.
 constexpr std::array kAttempts{Attempt{1, false}, Attempt{0.7, false}, Attempt{1, true},
                                Attempt{0.5, false}, Attempt{0.5, true}};
-constexpr double kMaxVolume = 0.15;  // x edge length^3; a regular tet has 0.118
+constexpr double kMaxVolume = 0.2;  // x edge length^3; a regular tet has 0.118
 // Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
 constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
 
