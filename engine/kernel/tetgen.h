@@ -34,10 +34,10 @@ struct MarkedSurface {
   std::vector<std::int32_t> segment_markers;   ///< one for each segment, > 0
 };
 
-/// What a quality mesh has to be like.
+/// What a quality mesh is to be like, as far as its surface allows.
 struct TetGenQuality {
   double radius_edge = 1.2;   ///< circumradius of a tet over its shortest edge, at most
-  double max_volume = 0;      ///< of a tet, > 0
+  double max_volume = 0;      ///< of a tet, model's unit cubed, > 0
   bool split_surface = true;  ///< whether points may be added on the surface
 };
 

@@ -137,6 +137,67 @@ TEST_F(TetGen, FillsACubeWithPositiveTetsOfOneRegion) {
     EXPECT_EQ(std::ranges::count(out.mesh.nodes, p), 1) << p.x << " " << p.y << " " << p.z;
 }
 
+/// The cube's sides 1 to 6, two triangles each, and its edges along x at y = z = 0, marked 7.
+MarkedSurface marked_cube() {
+  MarkedSurface marked;
+  marked.surface = cube();
+  for (std::int32_t t = 0; t < 12; ++t) marked.triangle_markers.push_back(1 + t / 2);
+  marked.segments = {{0, 1}};
+  marked.segment_markers = {7};
+  return marked;
+}
+
+TEST_F(TetGen, AddsPointsInsideAndKeepsTheSurface) {
+  MarkedSurface marked;
+  marked.surface = sphere(16, 24);
+  marked.triangle_markers.assign(marked.surface.triangles.size(), 1);
+  const QualityMesh out =
+      run_tetgen(marked, {.max_volume = 0.002, .split_surface = false}, {}, kRun);
+  const TetMesh& mesh = out.filling.mesh;
+  const std::size_t points = marked.surface.points.size();
+  EXPECT_GT(mesh.nodes.size(), points + 100);
+  EXPECT_TRUE(
+      std::equal(marked.surface.points.begin(), marked.surface.points.end(), mesh.nodes.begin()));
+  EXPECT_EQ(out.facets.size(), marked.surface.triangles.size());
+  for (const Triangle& f : out.facets)
+    for (const std::int32_t n : f) EXPECT_LT(n, static_cast<std::int32_t>(points));
+  for (const Tet& t : mesh.tets) EXPECT_GT(volume(mesh, t), 0);
+}
+
+TEST_F(TetGen, MarksWhatItSplitsTheSurfaceInto) {
+  const QualityMesh out = run_tetgen(marked_cube(), {.max_volume = 0.002}, {}, kRun);
+  const std::vector<Vec3>& nodes = out.filling.mesh.nodes;
+  EXPECT_GT(out.facets.size(), 12U);
+  std::map<std::int32_t, double> area;
+  for (std::size_t f = 0; f < out.facets.size(); ++f) {
+    const auto& [a, b, c] = out.facets[f];
+    area[out.facet_markers[f]] += 0.5 * norm(cross(nodes[b] - nodes[a], nodes[c] - nodes[a]));
+  }
+  EXPECT_EQ(area.size(), 6U);
+  for (const auto& [marker, sum] : area) EXPECT_NEAR(sum, 1, 1e-9) << marker;
+  double length = 0;
+  for (std::size_t s = 0; s < out.segments.size(); ++s)
+    if (out.segment_markers[s] == 7)
+      length += distance(nodes[out.segments[s][0]], nodes[out.segments[s][1]]);
+  EXPECT_NEAR(length, 1, 1e-9);
+}
+
+TEST_F(TetGen, NumbersTheRegionsOfAQualityMesh) {
+  MarkedSurface marked;
+  marked.surface = cube();
+  add_box(marked.surface, {0.3, 0.3, 0.3}, {0.7, 0.7, 0.7});
+  marked.triangle_markers.assign(24, 1);
+  for (const bool split : {false, true}) {
+    const QualityMesh out =
+        run_tetgen(marked, {.max_volume = 0.05, .split_surface = split}, {}, kRun);
+    std::map<std::int32_t, double> by_region;
+    for (std::size_t t = 0; t < out.filling.mesh.tets.size(); ++t)
+      by_region[out.filling.regions[t]] += volume(out.filling.mesh, out.filling.mesh.tets[t]);
+    ASSERT_EQ(by_region.size(), 2U);
+    EXPECT_NEAR(std::min(by_region.begin()->second, by_region.rbegin()->second), 0.064, 1e-9);
+  }
+}
+
 TEST_F(TetGen, TellsAVoidFromWhatIsAroundIt) {
   TetGenSurface s = box({0, 0, 0}, {4, 4, 4});
   add_box(s, {1, 1, 1}, {2, 3, 3});

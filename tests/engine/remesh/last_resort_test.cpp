@@ -1,0 +1,238 @@
+#include "engine/remesh/last_resort.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/mesh/quality.h"
+#include "engine/nodes/density.h"
+#include "engine/remesh/master.h"
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+FeatureSource placed(FeatureSource feature, double x, double y, double z,
+                     Nature nature = Nature::Additive) {
+  feature.placement.origin = {x, y, z};
+  feature.nature = nature;
+  return feature;
+}
+
+FeatureSource block(const std::string& id, double dx, double dy, double dz) {
+  return test::feature(id, "block", {{"dx", dx}, {"dy", dy}, {"dz", dz}});
+}
+
+FeatureSource cylinder(const std::string& id, double radius, double height) {
+  return test::feature(id, "cylinder", {{"radius", radius}, {"height", height}});
+}
+
+ModelSource model_of(std::vector<FeatureSource> features) {
+  ModelSource model;
+  model.name = "test";
+  model.features = std::move(features);
+  return model;
+}
+
+/// tool1-a with pins much finer than an edge at 5,000 nodes.
+ModelSource fine_pins() {
+  ModelSource model = test::case_model("tool1-a");
+  model.parameters["pin_radius"] = 1.0;
+  return model;
+}
+
+/// A model ready for TetGen.
+struct Ready {
+  FeatureModel model;
+  CellularModel cells;
+  Membership membership;
+  double edge_length;
+
+  Ready(const ModelSource& source, double nodes)
+      : model(evaluate(source)),
+        cells(build_cells(model, kRun)),
+        membership(model),
+        edge_length(edge_length_for(cells.volume, cells.area, nodes)) {}
+  [[nodiscard]] LastResort input() const { return {model, membership, cells, edge_length}; }
+};
+
+void expect_valid(const Candidate& c, const Ready& ready) {
+  const Verification v =
+      verify(c.mesh, c.nodes.supports, ready.cells.boundary, ready.cells.volume, kRun);
+  EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
+  EXPECT_EQ(c.nodes.positions, c.mesh.nodes);
+  for (const std::int32_t o : c.nodes.original) EXPECT_EQ(o, -1);
+}
+
+class TetGenMeshOf : public testing::TestWithParam<test::EditCase> {};
+
+TEST_P(TetGenMeshOf, ACaseIsValidAndOfFairQuality) {
+  const Ready ready(test::case_model(GetParam().modified), 3000);
+  const Candidate c = mesh_by_tetgen(ready.input(), kRun);
+  expect_valid(c, ready);
+  EXPECT_NEAR(c.mesh.nodes.size(), 3000, 0.25 * 3000);
+  const Quality quality = measure_quality(c.mesh.nodes, c.mesh.tets, kRun);
+  EXPECT_GT(quality.volume_length_mean, 0.72);
+  EXPECT_GT(quality.dihedral_min, 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(LastResort, TetGenMeshOf, testing::ValuesIn(test::seven_cases()),
+                         [](const auto& param) {
+                           std::string name = param.param.edit;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+struct HardInput {
+  std::string name;
+  ModelSource source;
+  double nodes;
+};
+
+std::vector<HardInput> hard_inputs() {
+  constexpr Nature kHole = Nature::Subtractive;
+  FeatureSource crossing = placed(cylinder("b", 10, 40), 0, 0, 30);
+  crossing.placement.z_axis = {1.0, 0.0, 0.0};
+  return {
+      {"WedgeOfTenDegrees",
+       model_of({test::feature(
+           "w", "prism", {test::point(0.0, 0.0), test::point(60.0, 0.0), test::point(60.0, 10.58)},
+           {{"height", 30.0}})}),
+       1000},
+      {"WallOfHalfAnEdge",
+       model_of({block("b", 60, 60, 10), placed(block("fin", 60, 2, 20), 0, 0, 10)}), 1000},
+      {"CrossingCylindersOfOneRadius", model_of({cylinder("a", 10, 60), crossing}), 1000},
+      {"BossTangentToTheRim",
+       model_of({cylinder("plate", 50, 12), placed(cylinder("boss", 10, 10), 40, 0, 12)}), 1000},
+      {"HoleAlmostTouchingTheRim",
+       model_of({cylinder("plate", 50, 12), placed(cylinder("hole", 10, 12), 39.95, 0, 0, kHole)}),
+       1000},
+      {"HolesJustMerged",
+       model_of({block("b", 60, 40, 10), placed(cylinder("h1", 8, 10), -7.95, 0, 0, kHole),
+                 placed(cylinder("h2", 8, 10), 7.95, 0, 0, kHole)}),
+       1000},
+      {"HolesAlmostMerging",
+       model_of({block("b", 60, 40, 10), placed(cylinder("h1", 8, 10), -8.02, 0, 0, kHole),
+                 placed(cylinder("h2", 8, 10), 8.02, 0, 0, kHole)}),
+       1000},
+      {"PinsFinerThanAnEdge", fine_pins(), 1000},
+      {"StepMuchLowerThanAnEdge",
+       model_of({block("b", 60, 40, 10), placed(block("step", 30, 20, 0.05), 0, 0, 10)}), 1000},
+      {"VoidUnderAThinSkin",
+       model_of({block("b", 40, 40, 40),
+                 placed(test::feature("v", "sphere", {{"radius", 19.8}}), 0, 0, 20, kHole)}),
+       1000},
+      {"ConeWithItsApex",
+       model_of({test::feature("c", "cone",
+                               {{"radius_bottom", 20.0}, {"radius_top", 0.0}, {"height", 40.0}})}),
+       500},
+      {"BallWithoutEdges", model_of({test::feature("s", "sphere", {{"radius", 20.0}})}), 500},
+      {"TwentyNodes", test::case_model("tool1-a"), 20},
+      {"AHundredNodes", test::case_model("tool1-a"), 100},
+  };
+}
+
+class TetGenMeshOfHardInput : public testing::TestWithParam<HardInput> {};
+
+TEST_P(TetGenMeshOfHardInput, IsValid) {
+  const Ready ready(GetParam().source, GetParam().nodes);
+  expect_valid(mesh_by_tetgen(ready.input(), kRun), ready);
+}
+
+INSTANTIATE_TEST_SUITE_P(LastResort, TetGenMeshOfHardInput, testing::ValuesIn(hard_inputs()),
+                         [](const auto& param) { return param.param.name; });
+
+TEST(LastResort, HasTheDelaunayMeshOfItsNodesForTheNextEdit) {
+  const Ready ready(test::case_model("tool1-a"), 2000);
+  const Candidate c = mesh_by_tetgen(ready.input(), kRun);
+  for (std::int32_t n = 0; n < c.nodes.size(); ++n)
+    EXPECT_EQ(c.loop.mesh.position(n), c.nodes.positions[n]);
+  EXPECT_NEAR(c.delaunay.size(), c.mesh.tets.size(), 0.1 * c.mesh.tets.size());
+}
+
+TEST(LastResort, GivesTheSameMeshEveryTime) {
+  const Ready ready(fine_pins(), 2000);
+  const Candidate a = mesh_by_tetgen(ready.input(), kRun), b = mesh_by_tetgen(ready.input(), kRun);
+  EXPECT_EQ(a.mesh.nodes, b.mesh.nodes);
+  EXPECT_EQ(a.mesh.tets, b.mesh.tets);
+}
+
+TEST(LastResort, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
+  const Ready ready(test::case_model("tool1-a"), 1000);
+  LastResort input = ready.input();
+  input.limits.helper = "/bin/false";
+  const Vec3 rim{41, 0, 12};
+  Verification failed;
+  failed.failures = {{MeshFailure::StrayFacet, 0, rim,
+                      "a boundary facet on no model face at "
+                      "(41, 0, 12)"}};
+  const ErrorInfo info = test::error_of([&] { last_resort(input, failed, kRun); });
+  EXPECT_EQ(test::place_of(info), "BoundaryNotRecovered hole1, plate -");
+  EXPECT_NE(info.message.find("(41, 0, 12), between hole1.wall and plate.top; TetGen"),
+            std::string::npos)
+      << info.message;
+  EXPECT_NE(info.hint.find("smaller edge length"), std::string::npos) << info.hint;
+}
+
+TEST(LastResort, TakesNoOtherWayWhereTheClockEndsOne) {
+  const Ready ready(test::case_model("tool1-a"), 1000);
+  LastResort input = ready.input();
+  input.limits.seconds = 1e-3;
+  EXPECT_EQ(test::error_of([&] { mesh_by_tetgen(input, kRun); }).reason, "TetGenTooSlow");
+}
+
+TEST(LastResort, StopsWhenAsked) {
+  const Ready ready(test::case_model("tool1-a"), 1000);
+  std::stop_source stop;
+  stop.request_stop();
+  remeshd::Run run;
+  run.stop = stop.get_token();
+  EXPECT_EQ(test::error_of([&] { last_resort(ready.input(), {}, run); }).kind,
+            ErrorKind::Cancelled);
+}
+
+class RevisionByTetGen : public testing::Test {
+ protected:
+  static void expect_valid(const Revision& r) {
+    const Verification v =
+        verify(r.delivery.mesh, r.master->supports, r.cells.boundary, r.cells.volume, kRun);
+    EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
+  }
+  static Revision edited(const Revision& original, const std::string& parameter, double value) {
+    return make_revision(
+        &original, apply(original.source, ModelEdit{{SetParameter{parameter, value}}}), {}, kRun);
+  }
+
+  const Revision original_ = make_revision(nullptr, fine_pins(), {.nodes = 5000}, kRun);
+};
+
+TEST_F(RevisionByTetGen, IsWhatPinsFinerThanAnEdgeEndIn) {
+  EXPECT_EQ(original_.report.way, Way::TetGen);
+  expect_valid(original_);
+  EXPECT_EQ(original_.report.counts.nodes_new, original_.report.counts.nodes);
+  EXPECT_GT(original_.report.quality.volume_length_mean, 0.7);
+}
+
+TEST_F(RevisionByTetGen, CanBeEditedLikeAnyOther) {
+  const Revision moved = edited(original_, "hole_circle", 34);
+  expect_valid(moved);
+  EXPECT_GT(moved.report.counts.nodes_kept, 0.5 * moved.report.counts.nodes);
+  EXPECT_GT(moved.report.counts.tets_kept, 0.5 * moved.report.counts.tets);
+  const Revision turned = edited(moved, "hole_turn", 10);
+  expect_valid(turned);
+  const Revision thicker = edited(turned, "pin_radius", 4);
+  expect_valid(thicker);
+}
+
+TEST_F(RevisionByTetGen, SurvivesItsBytes) {
+  const Revision restored = deserialise(serialise(original_), kRun);
+  EXPECT_EQ(restored.delivery.mesh.tets, original_.delivery.mesh.tets);
+  EXPECT_EQ(restored.report.way, Way::TetGen);
+}
+
+}  // namespace
+}  // namespace remeshd
