@@ -8,6 +8,7 @@
 #include "engine/improve/local_mesh.h"
 #include "engine/improve/reconnect.h"
 #include "engine/improve/smooth.h"
+#include "engine/mesh/quality.h"
 
 namespace remeshd {
 namespace {
@@ -26,6 +27,8 @@ constexpr int kRelaxRounds = 12;
 /// has fewer than ten, only a threshold out of reach has more.
 constexpr std::size_t kMostStubborn = 40;
 constexpr int kPollEvery = 64;
+constexpr int kClimbRounds = 4;
+constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge length
 
 /// Cosine of a positive tet's smallest dihedral angle.
 double sharpest_cosine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -82,7 +85,7 @@ class CleanUp {
       bool changed = drain();
       for (const std::int32_t t : stubborn_tets()) {
         run_.poll();
-        if (!bad(t) || !relax(t)) continue;
+        if (!bad(t) || !(relax(t) || reconnect_by_score(t) || climb(t))) continue;
         drain();
         changed = true;
       }
@@ -110,14 +113,29 @@ class CleanUp {
                            mesh_.node(tet[3]));
   }
 
+  using Corners = std::array<Vec3, 4>;
+
+  [[nodiscard]] Corners corners(const Tet& tet) const {
+    return {mesh_.node(tet[0]), mesh_.node(tet[1]), mesh_.node(tet[2]), mesh_.node(tet[3])};
+  }
+  /// Of the tet with one of its nodes at p.
+  [[nodiscard]] Corners corners(std::int32_t t, std::int32_t node, const Vec3& p) const {
+    Corners c = corners(mesh_.tet(t));
+    for (int i = 0; i < 4; ++i)
+      if (mesh_.tet(t)[i] == node) c[i] = p;
+    return c;
+  }
+
   /// How near a tet comes to being good enough in measure and in angle: 1 where it is.
-  [[nodiscard]] double score(std::int32_t t) const {
-    const double quality = mesh_.quality(t);
+  [[nodiscard]] double score(const Corners& c) const {
+    const double quality = volume_length(c[0], c[1], c[2], c[3]);
     double s = std::min(1.0, quality / options_.threshold);
     if (quality > 0 && quality < kNeverSharp)
-      s = std::min(s, (1 - sharpness(t)) / (1 - max_cosine_));
+      s = std::min(s, (1 - sharpest_cosine(c[0], c[1], c[2], c[3])) / (1 - max_cosine_));
     return s;
   }
+  [[nodiscard]] double score(const Tet& tet) const { return score(corners(tet)); }
+  [[nodiscard]] double score(std::int32_t t) const { return score(mesh_.tet(t)); }
 
   [[nodiscard]] std::vector<std::int32_t> bad_tets() const {
     std::vector<std::int32_t> tets;
@@ -153,7 +171,7 @@ class CleanUp {
     return changed;
   }
 
-  /// Applies the best reconnection that takes the tet out.
+  /// Applies the best reconnection that takes the tet out, by measure.
   bool reconnect(std::int32_t t) {
     const Tet tet = mesh_.tet(t);
     const double quality = mesh_.quality(t);
@@ -173,11 +191,93 @@ class CleanUp {
       floor = best_.quality;
       found = true;
     }
-    if (!found) return false;
+    if (found) apply_best();
+    return found;
+  }
+
+  void apply_best() {
     slots_.clear();
     mesh_.replace(best_.old_tets, best_.fresh, slots_);
     dirty_.resize(static_cast<std::size_t>(mesh_.slots()), 1);
     for (const std::int32_t s : slots_) touch(s);
+  }
+
+  /// Applies the reconnection that takes the tet out and has the best worst score, angles counted:
+  /// the tet may be of a fair measure and sharp.
+  bool reconnect_by_score(std::int32_t t) {
+    const Tet tet = mesh_.tet(t);
+    bool found = false;
+    double best = 0;
+    const auto consider = [&] {
+      double before = 1, after = 1;
+      for (const std::int32_t old : trial_.old_tets) before = std::min(before, score(old));
+      for (const Tet& fresh : trial_.fresh) after = std::min(after, score(fresh));
+      if (after < before + kGain || after <= best) return;
+      std::swap(trial_, best_);
+      best = after;
+      found = true;
+    };
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        if (remove_edge(mesh_, rules_, tet[i], tet[j], max_ring_, 0, trial_)) consider();
+    for (int i = 0; i < 4; ++i)
+      if (remove_faces(mesh_, t, i, 0, trial_)) consider();
+    if (found) apply_best();
+    return found;
+  }
+
+  /// Moves the tet's nodes, one after the other, in shrinking steps along the axes wherever the
+  /// worst score of the node's tets gets better.
+  bool climb(std::int32_t t) {
+    bool changed = false;
+    for (int round = 0; round < kClimbRounds && bad(t); ++round) {
+      bool moved = false;
+      for (const std::int32_t node : Tet(mesh_.tet(t))) moved |= climb_node(node);
+      if (!moved) break;
+      changed = true;
+    }
+    if (changed)
+      for (const std::int32_t node : Tet(mesh_.tet(t)))
+        for (const std::int32_t s : mesh_.tets_of(node)) touch(s);
+    return changed;
+  }
+
+  bool climb_node(std::int32_t node) {
+    if (!rules_.facets_at(node, facets_)) return false;
+    const auto at = mesh_.tets_of(node);
+    double length = 0;
+    for (const std::int32_t n : mesh_.tet(at[0]))
+      length = std::max(length, distance(mesh_.node(n), mesh_.node(node)));
+    const auto worst = [&](const Vec3& p, double floor) {
+      double s = 1;
+      for (const std::int32_t other : mesh_.tets_of(node)) {
+        s = std::min(s, score(corners(other, node, p)));
+        if (s <= floor) break;
+      }
+      return s;
+    };
+    const Vec3 start = mesh_.node(node);
+    Vec3 place = start;
+    double reached = worst(start, -1);
+    const double before = reached;
+    for (double step = kClimbStep * length; step > kLeastClimb * length && reached < 1;) {
+      Vec3 best = place;
+      for (int k = 0; k < 6; ++k) {
+        Vec3 towards{};
+        (k / 2 == 0 ? towards.x : k / 2 == 1 ? towards.y : towards.z) = k % 2 ? -step : step;
+        const Vec3 p = rules_.settle(node, place + towards);
+        const double s = worst(p, reached);
+        if (s <= reached || (!facets_.empty() && !rules_.may_move(node, p, facets_))) continue;
+        reached = s;
+        best = p;
+      }
+      if (best == place)
+        step *= 0.5;
+      else
+        place = best;
+    }
+    if (reached < before + kGain) return false;
+    mesh_.move(node, place);
     return true;
   }
 
@@ -261,6 +361,7 @@ class CleanUp {
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;
   Reconnection trial_, best_;
   std::vector<std::int32_t> slots_;
+  std::vector<Triangle> facets_;
 };
 
 }  // namespace
