@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/support/documents.h"
+
 namespace remeshd::test {
 namespace {
 
@@ -16,100 +18,11 @@ json read_json(const std::string& file) {
   return json::parse(in);
 }
 
-Scalar scalar(const json& j) {
-  if (j.is_string()) return j.get<std::string>();
-  return j.get<double>();
-}
-
-std::array<Scalar, 3> triple(const json& j) {
-  return {scalar(j.at(0)), scalar(j.at(1)), scalar(j.at(2))};
-}
-
-std::map<std::string, Scalar> scalars(const json& j) {
-  std::map<std::string, Scalar> result;
-  for (const auto& [name, value] : j.items())
-    if (!value.is_array()) result[name] = scalar(value);
-  return result;
-}
-
-std::vector<ProfileEntry> profile(const json& j) {
-  std::vector<ProfileEntry> result;
-  for (const json& entry : j) {
-    if (entry.is_array()) {
-      result.push_back(point(scalar(entry.at(0)), scalar(entry.at(1))));
-      continue;
-    }
-    const json& to = entry.at("to");
-    const json& through = entry.at("through");
-    result.push_back(
-        arc(scalar(to.at(0)), scalar(to.at(1)), scalar(through.at(0)), scalar(through.at(1))));
-  }
-  return result;
-}
-
-PlacementSource placement(const json& j) {
-  PlacementSource result;
-  if (j.contains("origin")) result.origin = triple(j.at("origin"));
-  if (j.contains("zAxis")) result.z_axis = triple(j.at("zAxis"));
-  if (j.contains("xAxis")) result.x_axis = triple(j.at("xAxis"));
-  return result;
-}
-
-FeatureSource feature_of(const json& j) {
-  FeatureSource result;
-  result.id = j.at("id").get<std::string>();
-  result.nature = j.at("nature") == "SUBTRACTIVE" ? Nature::Subtractive : Nature::Additive;
-  result.type = j.at("type").get<std::string>();
-  result.parameters = scalars(j.at("parameters"));
-  if (j.at("parameters").contains("profile"))
-    result.profile = profile(j.at("parameters").at("profile"));
-  if (j.contains("placement")) result.placement = placement(j.at("placement"));
-  if (j.contains("reference") && j.at("reference") == "CENTRE")
-    result.reference = ReferenceKind::Centre;
-  if (j.contains("referencePoint")) result.reference = triple(j.at("referencePoint"));
-  return result;
-}
-
-Edit edit_of(const json& j) {
-  const json& body = j.begin().value();
-  const std::string& kind = j.begin().key();
-  if (kind == "setParameter")
-    return SetParameter{body.at("name").get<std::string>(), scalar(body.at("value"))};
-  if (kind == "setFeatureParameter") {
-    SetFeatureParameter edit{
-        body.at("feature").get<std::string>(), body.at("name").get<std::string>(), {}};
-    if (body.at("value").is_array())
-      edit.value = profile(body.at("value"));
-    else
-      edit.value = scalar(body.at("value"));
-    return edit;
-  }
-  if (kind == "setPlacement")
-    return SetPlacement{body.at("feature").get<std::string>(), placement(body.at("placement"))};
-  if (kind == "addFeature")
-    return AddFeature{feature_of(body.at("feature")), body.value("after", std::string())};
-  if (kind == "removeFeature") return RemoveFeature{body.at("feature").get<std::string>()};
-  throw std::runtime_error("unknown edit " + kind);
-}
-
 }  // namespace
 
-ModelSource case_model(const std::string& name) {
-  const json j = read_json(name + ".json");
-  ModelSource model;
-  model.name = j.at("name").get<std::string>();
-  model.unit = j.value("unit", std::string());
-  if (j.contains("parameters")) model.parameters = scalars(j.at("parameters"));
-  for (const json& f : j.at("features")) model.features.push_back(feature_of(f));
-  return model;
-}
+ModelSource case_model(const std::string& name) { return read_model(read_json(name + ".json")); }
 
-ModelEdit case_edit(const std::string& name) {
-  const json j = read_json(name + ".edit.json");
-  ModelEdit edit;
-  for (const json& one : j.at("edits")) edit.edits.push_back(edit_of(one));
-  return edit;
-}
+ModelEdit case_edit(const std::string& name) { return read_edit(read_json(name + ".edit.json")); }
 
 FeatureModel case_features(const std::string& name) { return evaluate(case_model(name)); }
 

@@ -1,0 +1,49 @@
+#include "tests/campaign/campaign_case.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/documents.h"
+
+namespace remeshd::campaign {
+
+using nlohmann::json;
+
+ModelSource model_before(const CampaignCase& c, std::size_t k) {
+  ModelSource model = c.model;
+  for (std::size_t i = 0; i < k; ++i) model = apply(model, c.steps[i].edit);
+  return model;
+}
+
+json write_case(const CampaignCase& c) {
+  json options{{"iterations", c.options.iterations}, {"seed", c.options.seed}};
+  if (c.options.nodes) options["nodes"] = *c.options.nodes;
+  if (c.options.size) options["size"] = *c.options.size;
+  json steps = json::array();
+  for (const Step& step : c.steps)
+    steps.push_back({{"kind", step.kind}, {"size", step.size}, {"edit", test::write_edit(step.edit)}});
+  return {{"seed", c.seed},
+          {"case", c.number},
+          {"note", c.note},
+          {"options", options},
+          {"model", test::write_model(c.model)},
+          {"steps", steps}};
+}
+
+CampaignCase read_case(const json& j) {
+  CampaignCase c;
+  c.seed = j.value("seed", std::uint64_t{0});
+  c.number = j.value("case", std::uint64_t{0});
+  c.note = j.value("note", std::string());
+  c.model = test::read_model(j.at("model"));
+  const json& options = j.at("options");
+  if (options.contains("nodes")) c.options.nodes = options.at("nodes").get<std::uint32_t>();
+  if (options.contains("size")) c.options.size = options.at("size").get<double>();
+  c.options.iterations = options.value("iterations", 0U);
+  c.options.seed = options.value("seed", std::uint64_t{1});
+  for (const json& step : j.at("steps"))
+    c.steps.push_back({test::read_edit(step.at("edit")), step.value("kind", std::string()),
+                       step.value("size", 0.0)});
+  return c;
+}
+
+}  // namespace remeshd::campaign

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/remesh/remesh.h"
+
+namespace remeshd::campaign {
+
+struct Step {
+  ModelEdit edit;
+  std::string kind;  ///< of the edit, as in documents
+  double size = 0;   ///< by the model's diagonal
+};
+
+/// A model, its first mesh's options, and edits that follow each other: each is meshed from the
+/// last revision that could be made, and applied to the document before it in any case.
+struct CampaignCase {
+  std::uint64_t seed = 0, number = 0;
+  std::string note;  ///< what was found, for readers of a stored case
+  ModelSource model;
+  MeshOptions options;
+  std::vector<Step> steps;
+};
+
+/// The document before step k; of all steps where k is their number.
+ModelSource model_before(const CampaignCase& c, std::size_t k);
+
+nlohmann::json write_case(const CampaignCase& c);
+/// Throws nlohmann's exceptions where the text is not a case.
+CampaignCase read_case(const nlohmann::json& document);
+
+}  // namespace remeshd::campaign

@@ -1,0 +1,156 @@
+// Random models and edits through the engine, each mesh verified by code of its own; README.md of
+// the tests says how to use it.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "tests/campaign/random_case.h"
+#include "tests/campaign/shrink.h"
+#include "tests/campaign/store.h"
+#include "tests/campaign/tally.h"
+#include "tests/support/documents.h"
+
+namespace {
+
+using namespace remeshd::campaign;
+namespace fs = std::filesystem;
+
+struct Options {
+  std::uint64_t seed = 1, number = 0, from = 0;
+  int edits = 300;
+  std::string file, out, json;
+  bool keep_refusals = false, keep_fallbacks = false, strict = false, verbose = false;
+  double shrink_seconds = 60;
+};
+
+constexpr double kCaseSeconds = 1500;  // wall clock; each step has its own limit
+
+bool fell_back(const Outcome& o) {
+  return o.valid() && (o.way == "full" || o.way == "fresh" || o.way == "tetgen");
+}
+
+bool failed(const Outcome& o) { return !o.valid() && o.kind != "refused"; }
+
+void keep(const Options& options, const WorkedCase& worked, const Outcome& o) {
+  const bool wanted = failed(o) || (options.keep_refusals && o.kind == "refused") ||
+                      (options.keep_fallbacks && fell_back(o));
+  if (!wanted) return;
+  std::cerr << "case " << worked.campaign_case.number << " step " << o.step << ": " << o.failure()
+            << (fell_back(o) ? o.way : "") << ": " << o.message << "\n";
+  if (options.out.empty()) return;
+  Outcome named = o;
+  if (fell_back(o)) named.kind = "fallback", named.reason = o.way;
+  const fs::path file = store_failure(options.out, worked, named);
+  std::cerr << "  stored " << file.string() << "\n";
+  if (!fell_back(o) && options.shrink_seconds > 0) {
+    const fs::path smaller = shrink_file(file, options.shrink_seconds);
+    std::cerr << "  shrunk " << smaller.string() << "\n";
+  }
+}
+
+int run(const Options& options) {
+  Tally tally;
+  int failures = 0;
+  const auto save = [&] {
+    if (!options.json.empty()) std::ofstream(options.json) << write_tally(tally).dump(1) << "\n";
+  };
+  for (std::uint64_t k = options.from; tally.edits < options.edits; ++k) {
+    const WorkedCase worked = have_worked(options.seed, k, kCaseSeconds);
+    tally.add(worked);
+    for (const Outcome& o : worked.outcomes) {
+      failures += failed(o);
+      if (options.verbose) std::cerr << k << " " << write_outcome(o).dump() << "\n";
+      keep(options, worked, o);
+    }
+    save();
+  }
+  print(tally, std::cout);
+  return options.strict && failures > 0 ? 1 : 0;
+}
+
+int replay(const Options& options) {
+  const WorkedCase worked = have_worked(options.file, kCaseSeconds);
+  bool any = false;
+  for (const Outcome& o : worked.outcomes) {
+    std::cout << write_outcome(o).dump() << "\n";
+    any = any || !o.valid();
+  }
+  return any ? 1 : 0;
+}
+
+void print_facts(const ModelFacts& facts, double length) {
+  if (!facts.refused.empty()) {
+    std::cout << "  refused: " << facts.refused << "\n";
+    return;
+  }
+  const Measure& m = facts.measure;
+  std::cout << "  in l: edge " << m.edge / length << ", face " << m.face / length << ", wall "
+            << m.wall / length << ", gap " << m.gap / length << ", edges apart " << m.apart / length
+            << "; angle " << m.angle << (m.tangent ? ", tangent" : "")
+            << (m.coincident ? ", coincident" : "") << (m.wedge() ? ", wedge" : "")
+            << (m.good_natured(length) ? ", good-natured" : "") << "\n";
+}
+
+int describe(const Options& options) {
+  const RandomCase made = make_case(options.seed, options.number, [](const CampaignCase&) {});
+  const CampaignCase& c = made.campaign_case;
+  std::cout << write_case(c).dump(1) << "\n";
+  for (std::size_t k = 0; k < made.facts.size(); ++k) {
+    std::cout << "model " << k << ": " << model_before(c, k).features.size() << " features\n";
+    print_facts(made.facts[k], made.length);
+  }
+  for (const auto& [reason, n] : made.discarded) std::cout << "discarded " << n << ": " << reason << "\n";
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app("Random models and edits, meshed and verified");
+  app.require_subcommand(1);
+  Options options;
+
+  CLI::App* run_command = app.add_subcommand("run", "mesh and verify edits until there are enough");
+  run_command->add_option("--seed", options.seed, "of the campaign");
+  run_command->add_option("--edits", options.edits, "how many at least");
+  run_command->add_option("--from", options.from, "the first case");
+  run_command->add_option("--out", options.out, "folder for what failed");
+  run_command->add_option("--json", options.json, "file for the figures");
+  run_command->add_option("--shrink", options.shrink_seconds, "seconds for each failure; 0: none");
+  run_command->add_flag("--keep-refusals", options.keep_refusals, "store refused edits too");
+  run_command->add_flag("--keep-fallbacks", options.keep_fallbacks, "store edits that fell back");
+  run_command->add_flag("--strict", options.strict, "exit with 1 where anything failed");
+  run_command->add_flag("--verbose", options.verbose, "print every outcome");
+
+  CLI::App* replay_command = app.add_subcommand("replay", "run a stored case");
+  replay_command->add_option("file", options.file)->required();
+  CLI::App* shrink_command = app.add_subcommand("shrink", "make a stored case smaller");
+  shrink_command->add_option("file", options.file)->required();
+  shrink_command->add_option("--seconds", options.shrink_seconds);
+  CLI::App* describe_command = app.add_subcommand("describe", "print a case and its measures");
+  describe_command->add_option("--seed", options.seed);
+  describe_command->add_option("--case", options.number);
+  CLI::App* work_command = app.add_subcommand("work", "what the other commands start");
+  work_command->add_option("--seed", options.seed);
+  work_command->add_option("--case", options.number);
+  work_command->add_option("--file", options.file);
+  CLI11_PARSE(app, argc, argv);
+
+  if (*run_command) return run(options);
+  if (*replay_command) return replay(options);
+  if (*describe_command) return describe(options);
+  if (*shrink_command) {
+    std::cout << shrink_file(options.file, options.shrink_seconds).string() << "\n";
+    return 0;
+  }
+  if (options.file.empty())
+    work_on_number(options.seed, options.number);
+  else
+    work_on_file(options.file);
+  return 0;
+} catch (const std::exception& failure) {
+  std::cerr << "remesh-campaign: " << failure.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,151 @@
+#include "tests/campaign/run_case.h"
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "engine/base/error.h"
+#include "tests/campaign/verifier/verifier.h"
+
+namespace remeshd::campaign {
+namespace {
+
+using nlohmann::json;
+
+std::string name_of(Way way) {
+  switch (way) {
+    case Way::Unchanged:
+      return "unchanged";
+    case Way::Continued:
+      return "continued";
+    case Way::Local:
+      return "local";
+    case Way::Full:
+      return "full";
+    case Way::Fresh:
+      return "fresh";
+    case Way::TetGen:
+      return "tetgen";
+  }
+  return "unknown";
+}
+
+double since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// A revision with the permanent ids that it and its ancestors have had.
+struct Base {
+  Revision revision;
+  std::set<std::uint64_t> node_ids, tet_ids;
+};
+
+void describe(const Findings& findings, Outcome& outcome) {
+  for (const auto& [check, entry] : findings.entries()) {
+    outcome.reason += (outcome.reason.empty() ? "" : ", ") + check;
+    outcome.message += (outcome.message.empty() ? "" : "; ") + check + ": " + entry.first +
+                       " (" + std::to_string(entry.count) + " times)";
+  }
+}
+
+void describe(const Error& failure, Outcome& outcome) {
+  static const std::regex kPlace(R"(\(-?[0-9.e+-]+, -?[0-9.e+-]+, -?[0-9.e+-]+\))");
+  outcome.kind = "refused";
+  outcome.reason = failure.info().reason;
+  outcome.message = failure.what();
+  if (!failure.info().feature.empty()) outcome.message += " [" + failure.info().feature + "]";
+  outcome.placed =
+      !failure.info().feature.empty() && std::regex_search(failure.info().message, kPlace);
+}
+
+Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,
+                 std::unique_ptr<Base>& base) {
+  Outcome outcome{.step = step, .kind = "valid"};
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    auto next = std::make_unique<Base>();
+    next->revision = make_revision(base ? &base->revision : nullptr, model, options, Run{});
+    outcome.seconds = since(start);
+    const Report& report = next->revision.report;
+    outcome.way = name_of(report.way);
+    outcome.inserted = static_cast<int>(report.counts.nodes_inserted);
+    outcome.nodes = static_cast<int>(report.counts.nodes);
+    outcome.kept = report.counts.nodes == 0 ? 0.0 : 1.0 * report.counts.nodes_kept / report.counts.nodes;
+    outcome.least_angle = report.quality.dihedral_min;
+    outcome.least_quality = report.quality.volume_length_min;
+    if (base) {
+      next->node_ids = base->node_ids;
+      next->tet_ids = base->tet_ids;
+    }
+    const auto made = std::chrono::steady_clock::now();
+    const Findings findings = verify_independently(
+        next->revision, base ? &base->revision : nullptr, next->node_ids, next->tet_ids);
+    outcome.verifier_seconds = since(made);
+    if (findings.empty()) {
+      base = std::move(next);
+    } else {
+      outcome.kind = "invalid";
+      describe(findings, outcome);
+    }
+  } catch (const Error& failure) {
+    outcome.seconds = since(start);
+    describe(failure, outcome);
+  } catch (const std::exception& failure) {
+    outcome.kind = "exception";
+    outcome.reason = failure.what();
+  }
+  return outcome;
+}
+
+}  // namespace
+
+json write_outcome(const Outcome& o) {
+  return {{"step", o.step},
+          {"kind", o.kind},
+          {"reason", o.reason},
+          {"message", o.message},
+          {"placed", o.placed},
+          {"way", o.way},
+          {"inserted", o.inserted},
+          {"seconds", o.seconds},
+          {"verifier_seconds", o.verifier_seconds},
+          {"least_angle", o.least_angle},
+          {"least_quality", o.least_quality},
+          {"nodes", o.nodes},
+          {"kept", o.kept}};
+}
+
+Outcome read_outcome(const json& j) {
+  Outcome o;
+  j.at("step").get_to(o.step);
+  j.at("kind").get_to(o.kind);
+  j.at("reason").get_to(o.reason);
+  j.at("message").get_to(o.message);
+  j.at("placed").get_to(o.placed);
+  j.at("way").get_to(o.way);
+  j.at("inserted").get_to(o.inserted);
+  j.at("seconds").get_to(o.seconds);
+  j.at("verifier_seconds").get_to(o.verifier_seconds);
+  j.at("least_angle").get_to(o.least_angle);
+  j.at("least_quality").get_to(o.least_quality);
+  j.at("nodes").get_to(o.nodes);
+  j.at("kept").get_to(o.kept);
+  return o;
+}
+
+void run_case(const CampaignCase& c, const std::function<void(std::size_t)>& before,
+              const std::function<void(const Outcome&)>& after) {
+  std::unique_ptr<Base> base;
+  MeshOptions inherited = c.options;
+  inherited.nodes.reset();
+  inherited.size.reset();
+  for (std::size_t step = 0; step <= c.steps.size(); ++step) {
+    before(step);
+    after(try_step(step, model_before(c, step), step == 0 ? c.options : inherited, base));
+    if (!base) return;
+  }
+}
+
+}  // namespace remeshd::campaign

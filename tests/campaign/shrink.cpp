@@ -1,0 +1,230 @@
+#include "tests/campaign/shrink.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+#include "engine/base/error.h"
+#include "tests/campaign/draft.h"
+#include "tests/campaign/store.h"
+
+namespace remeshd::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTrySeconds = 200;
+
+double rounded(double v, int digits) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, v);
+  return std::strtod(text.data(), nullptr);
+}
+
+class Shrinker {
+ public:
+  Shrinker(fs::path file, double seconds)
+      : file_(std::move(file)),
+        trial_file_(file_.string() + ".try"),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(seconds))),
+        best_(read_case_file(file_)) {}
+
+  fs::path operator()() {
+    const std::optional<Outcome> first = outcome(best_);
+    if (!first || first->valid()) throw std::runtime_error(file_.string() + " does not fail");
+    failure_ = signature(*first);
+    drop_steps();
+    remove_edits();
+    remove_features();
+    fewer_nodes();
+    plain_numbers();
+    for (const int digits : {2, 3, 5, 8}) fewer_digits(digits);
+    remove_features();
+    best_.note = "shrunk to " + failure_ + "; " + best_.note;
+    fs::remove(trial_file_);
+    fs::path small = file_;
+    small.replace_extension(".small.json");
+    write_case_file(small, best_);
+    return small;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// What counts as the same failure: of an invalid mesh the first check.
+  static std::string signature(const Outcome& o) {
+    return o.kind + " " + o.reason.substr(0, o.reason.find(','));
+  }
+
+  /// Of the last step; none where the case did not get there.
+  std::optional<Outcome> outcome(const CampaignCase& c) {
+    write_case_file(trial_file_, c);
+    const WorkedCase worked = have_worked(trial_file_.string(), kTrySeconds);
+    if (worked.outcomes.empty() || worked.outcomes.back().step != c.steps.size()) return {};
+    return worked.outcomes.back();
+  }
+
+  bool take(const CampaignCase& smaller) {
+    if (Clock::now() > end_) return false;
+    try {
+      const std::optional<Outcome> o = outcome(smaller);
+      if (!o || signature(*o) != failure_) return false;
+    } catch (const std::exception&) {
+      return false;  // the smaller case makes no sense
+    }
+    best_ = smaller;
+    return true;
+  }
+
+  void change(const std::function<void(CampaignCase&)>& how) {
+    CampaignCase smaller = best_;
+    try {
+      how(smaller);
+    } catch (const Error&) {
+      return;
+    }
+    take(smaller);
+  }
+
+  void drop_steps() {
+    if (best_.steps.empty()) return;
+    // The last document alone; the last edit alone; then edit by edit.
+    change([](CampaignCase& c) {
+      c.model = model_before(c, c.steps.size());
+      c.steps.clear();
+    });
+    if (best_.steps.size() > 1)
+      change([](CampaignCase& c) {
+        c.model = model_before(c, c.steps.size() - 1);
+        c.steps.erase(c.steps.begin(), c.steps.end() - 1);
+      });
+    for (std::size_t k = 0; k + 1 < best_.steps.size();) {
+      const std::size_t before = best_.steps.size();
+      change([&](CampaignCase& c) {  // joins two edits to one
+        std::vector<Edit>& next = c.steps[k + 1].edit.edits;
+        next.insert(next.begin(), c.steps[k].edit.edits.begin(), c.steps[k].edit.edits.end());
+        c.steps.erase(c.steps.begin() + static_cast<std::ptrdiff_t>(k));
+      });
+      if (best_.steps.size() == before) ++k;
+    }
+  }
+
+  void remove_edits() {
+    for (std::size_t s = 0; s < best_.steps.size(); ++s)
+      for (std::size_t e = best_.steps[s].edit.edits.size(); e-- > 0;) {
+        if (best_.steps[s].edit.edits.size() < 2) break;
+        change([&](CampaignCase& c) {
+          auto& edits = c.steps[s].edit.edits;
+          edits.erase(edits.begin() + static_cast<std::ptrdiff_t>(e));
+        });
+      }
+  }
+
+  static bool concerns(const Edit& edit, const std::string& id) {
+    struct Feature {
+      std::string operator()(const SetParameter&) const { return {}; }
+      std::string operator()(const SetFeatureParameter& e) const { return e.feature; }
+      std::string operator()(const SetPlacement& e) const { return e.feature; }
+      std::string operator()(const AddFeature& e) const { return e.feature.id; }
+      std::string operator()(const RemoveFeature& e) const { return e.feature; }
+    };
+    return std::visit(Feature{}, edit) == id;
+  }
+
+  void remove_features() {
+    for (std::size_t k = best_.model.features.size(); k-- > 0;)
+      change([&](CampaignCase& c) {
+        const std::string id = c.model.features[k].id;
+        c.model.features.erase(c.model.features.begin() + static_cast<std::ptrdiff_t>(k));
+        for (Step& step : c.steps) {
+          std::erase_if(step.edit.edits, [&](const Edit& e) { return concerns(e, id); });
+          for (Edit& e : step.edit.edits)
+            if (auto* add = std::get_if<AddFeature>(&e); add != nullptr && add->after == id)
+              add->after.clear();
+        }
+      });
+  }
+
+  void fewer_nodes() {
+    if (!best_.options.nodes) return;
+    for (const std::uint32_t n : {300U, 600U, 1000U, 1500U, 2000U, 3000U})
+      if (n < *best_.options.nodes) change([&](CampaignCase& c) { c.options.nodes = n; });
+  }
+
+  /// Every number of the model and of the edits' features.
+  static void for_all_numbers(CampaignCase& c, const std::function<void(double&)>& f) {
+    const auto one = [&](Scalar& s) {
+      if (double* v = std::get_if<double>(&s)) f(*v);
+    };
+    const auto placement = [&](PlacementSource& p) {
+      for (Scalar& s : p.origin) one(s);
+    };
+    const auto profile = [&](std::vector<ProfileEntry>& entries) {
+      for (ProfileEntry& e : entries) {
+        one(e.x);
+        one(e.y);
+        if (!e.through) continue;
+        one((*e.through)[0]);
+        one((*e.through)[1]);
+      }
+    };
+    const auto feature = [&](FeatureSource& s) {
+      for (auto& [name, value] : s.parameters) one(value);
+      if (s.profile) profile(*s.profile);
+      placement(s.placement);
+    };
+    for (auto& [name, value] : c.model.parameters) one(value);
+    for (FeatureSource& s : c.model.features) feature(s);
+    for (Step& step : c.steps)
+      for (Edit& edit : step.edit.edits) {
+        if (auto* add = std::get_if<AddFeature>(&edit)) feature(add->feature);
+        if (auto* place = std::get_if<SetPlacement>(&edit)) placement(place->placement);
+        if (auto* set = std::get_if<SetFeatureParameter>(&edit)) {
+          if (auto* scalar = std::get_if<Scalar>(&set->value)) one(*scalar);
+          if (auto* outline = std::get_if<std::vector<ProfileEntry>>(&set->value)) profile(*outline);
+        }
+      }
+  }
+
+  void fewer_digits(int digits) {
+    change([&](CampaignCase& c) { for_all_numbers(c, [&](double& v) { v = rounded(v, digits); }); });
+    // One feature at a time where all together are too much.
+    for (std::size_t k = 0; k < best_.model.features.size(); ++k)
+      change([&](CampaignCase& c) {
+        CampaignCase only;
+        only.model.features = {c.model.features[k]};
+        for_all_numbers(only, [&](double& v) { v = rounded(v, digits); });
+        if (only.model.features[0] == c.model.features[k]) throw error::no_features();
+        c.model.features[k] = only.model.features[0];
+      });
+  }
+
+  /// Values for expressions, where no step sets a parameter.
+  void plain_numbers() {
+    change([](CampaignCase& c) {
+      const FeatureModel model = evaluate(c.model);
+      for (std::size_t k = 0; k < model.features.size(); ++k) {
+        FeatureSource& source = c.model.features[k];
+        source.placement = placement_of(model.features[k].placement);
+      }
+    });
+    change([](CampaignCase& c) {
+      for (FeatureSource& f : c.model.features) f.reference = ReferenceKind::Origin;
+    });
+  }
+
+  fs::path file_, trial_file_;
+  Clock::time_point end_;
+  CampaignCase best_;
+  std::string failure_;
+};
+
+}  // namespace
+
+fs::path shrink_file(const fs::path& file, double seconds) { return Shrinker(file, seconds)(); }
+
+}  // namespace remeshd::campaign

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "tests/campaign/work.h"
+
+namespace remeshd::campaign {
+
+/// Counts of what was tried in one class of edits, and what came of it.
+struct Results {
+  int runs = 0, valid = 0, invalid = 0, crashes = 0, hangs = 0, refused = 0;
+  int unplaced = 0;  ///< refusals that name no feature or no place
+  int inserted = 0;  ///< meshes with nodes inserted to make the boundary complete
+  double seconds = 0, verifier_seconds = 0, kept = 0;
+  double least_angle = 180, least_quality = 1;
+  int angle_below_5 = 0;  ///< meshes whose least dihedral angle is, in degrees
+  std::map<std::string, int> reasons;  ///< of refusals
+  std::map<std::string, int> checks;   ///< that invalid meshes failed
+  std::map<std::string, int> ways;     ///< as in Report
+
+  void add(const Outcome& outcome);
+};
+
+/// What a campaign made and what came of it.
+struct Tally {
+  int cases = 0, gentle_cases = 0, edits = 0;
+  int good_natured = 0, unmeasured = 0, topology_changed = 0;
+  int tangent = 0, coincident = 0, wedge = 0;
+  std::map<std::string, int> types, kinds, sizes, feature_counts, discarded;
+  Results first_good, first_rest;  ///< first meshes
+  Results good, rest;              ///< edits: both models good-natured; all others
+
+  void add(const WorkedCase& worked);
+};
+
+void print(const Tally& tally, std::ostream& out);
+nlohmann::json write_tally(const Tally& tally);
+
+}  // namespace remeshd::campaign

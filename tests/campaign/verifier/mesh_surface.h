@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/mesh/tet_mesh.h"
+#include "engine/model/solid.h"
+
+namespace remeshd::campaign {
+
+/// The boundary of a mesh as triangles, found from the tets alone, with how far it may be from the
+/// model's: what chords cut off curved faces and edges.
+class MeshSurface {
+ public:
+  /// `tiny`: distance within which a node lies on a surface.
+  MeshSurface(const TetMesh& mesh, const std::vector<Triangle>& facets, const Membership& membership,
+              double tiny);
+
+  struct Nearest {
+    double distance;
+    double allowed;  ///< for a point of the model's boundary, by the chords round the facet
+    std::int32_t facet;
+  };
+  /// The facet nearest to p. `far`: nothing further off than this is looked for; -1 then.
+  [[nodiscard]] Nearest nearest(const Vec3& p, double far) const;
+
+  [[nodiscard]] const std::vector<Triangle>& facets() const { return facets_; }
+  [[nodiscard]] double allowed(std::int32_t facet) const { return allowed_[facet]; }
+  /// The chord's rise over the facet itself, 0 where it is flat on a plane.
+  [[nodiscard]] double rise(std::int32_t facet) const { return rise_[facet]; }
+  /// Longest edge of all facets.
+  [[nodiscard]] double longest() const { return longest_; }
+
+ private:
+  void measure_rises(const Membership& membership);
+  void build_grid();
+  [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
+
+  const TetMesh& mesh_;
+  std::vector<Triangle> facets_;
+  double tiny_;
+  std::vector<double> rise_, allowed_;
+  double longest_ = 0;
+  Box box_;
+  double cell_ = 1;
+  std::array<int, 3> cells_{1, 1, 1};
+  std::vector<std::vector<std::int32_t>> grid_;
+};
+
+/// Nearest point of a triangle.
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace remeshd::campaign

@@ -1,0 +1,151 @@
+#include "tests/campaign/work.h"
+
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "tests/campaign/random_case.h"
+#include "tests/campaign/worker.h"
+
+namespace remeshd::campaign {
+namespace {
+
+using nlohmann::json;
+
+void print(const json& event) { std::cout << event.dump() << std::endl; }
+
+json to_json(const StepFacts& f) {
+  return {{"measured", f.measured},
+          {"good_natured", f.good_natured},
+          {"topology_changed", f.topology_changed},
+          {"tangent", f.tangent},
+          {"coincident", f.coincident},
+          {"wedge", f.wedge},
+          {"smallest", f.smallest},
+          {"kind", f.kind},
+          {"size", f.size},
+          {"types", f.types}};
+}
+
+StepFacts facts_from(const json& j) {
+  StepFacts f;
+  j.at("measured").get_to(f.measured);
+  j.at("good_natured").get_to(f.good_natured);
+  j.at("topology_changed").get_to(f.topology_changed);
+  j.at("tangent").get_to(f.tangent);
+  j.at("coincident").get_to(f.coincident);
+  j.at("wedge").get_to(f.wedge);
+  j.at("smallest").get_to(f.smallest);
+  j.at("kind").get_to(f.kind);
+  j.at("size").get_to(f.size);
+  j.at("types").get_to(f.types);
+  return f;
+}
+
+std::vector<StepFacts> step_facts(const RandomCase& made) {
+  std::vector<StepFacts> result;
+  const CampaignCase& c = made.campaign_case;
+  for (std::size_t k = 0; k < made.facts.size(); ++k) {
+    const ModelFacts& now = made.facts[k];
+    const ModelFacts& before = made.facts[k == 0 ? 0 : k - 1];
+    StepFacts f;
+    f.measured = now.refused.empty() && before.refused.empty();
+    f.good_natured = f.measured && now.measure.good_natured(made.length) &&
+                     before.measure.good_natured(made.length);
+    f.topology_changed = f.measured && now.topology != before.topology;
+    f.tangent = now.measure.tangent;
+    f.coincident = now.measure.coincident;
+    f.wedge = now.refused.empty() && now.measure.wedge();
+    f.smallest = now.refused.empty() ? std::min(1e9, now.measure.smallest() / made.length) : 0;
+    if (k > 0) f.kind = c.steps[k - 1].kind;
+    if (k > 0) f.size = c.steps[k - 1].size;
+    for (const FeatureSource& feature : model_before(c, k).features) f.types.push_back(feature.type);
+    result.push_back(std::move(f));
+  }
+  return result;
+}
+
+constexpr double kProcessorSeconds = 120;  // of a step
+
+void run_and_print(const CampaignCase& c) {
+  run_case(
+      c,
+      [](std::size_t step) {
+        limit_processor_time(kProcessorSeconds);
+        print({{"begin", step}});
+      },
+      [](const Outcome& outcome) { print({{"end", write_outcome(outcome)}}); });
+}
+
+WorkedCase collect(const std::vector<std::string>& arguments, double seconds) {
+  const WorkerResult worker = run_worker(arguments, seconds);
+  WorkedCase worked;
+  std::size_t begun = 0, ended = 0;
+  for (const std::string& line : worker.lines) {
+    const json event = json::parse(line, nullptr, false);
+    if (event.is_discarded()) continue;
+    if (event.contains("looking")) worked.campaign_case = read_case(event.at("looking"));
+    if (event.contains("case")) {
+      worked.campaign_case = read_case(event.at("case"));
+      worked.made = true;
+      worked.gentle = event.value("gentle", false);
+      if (event.contains("facts"))
+        for (const json& f : event.at("facts")) worked.facts.push_back(facts_from(f));
+      if (event.contains("discarded")) event.at("discarded").get_to(worked.discarded);
+    }
+    if (event.contains("begin")) begun = event.at("begin").get<std::size_t>() + 1;
+    if (event.contains("end")) {
+      worked.outcomes.push_back(read_outcome(event.at("end")));
+      ended = worked.outcomes.back().step + 1;
+    }
+  }
+  if (worker.signal == 0 && worker.exit_code == 0 && !worker.too_long) return worked;
+  Outcome crash;
+  // While the case was made, the last model looked at is at fault.
+  crash.step = worked.made ? (begun > ended ? begun - 1 : ended) : worked.campaign_case.steps.size();
+  crash.kind = worker.too_long || worker.signal == SIGXCPU ? "hang" : "crash";
+  crash.reason = worker.signal != 0 ? ::strsignal(worker.signal)
+                                    : "exit code " + std::to_string(worker.exit_code);
+  if (crash.kind == "hang") crash.reason = "time";
+  crash.message = worker.errors;
+  worked.outcomes.push_back(crash);
+  return worked;
+}
+
+}  // namespace
+
+void work_on_number(std::uint64_t seed, std::uint64_t number) {
+  const RandomCase made = make_case(seed, number, [](const CampaignCase& c) {
+    limit_processor_time(kProcessorSeconds);
+    print({{"looking", write_case(c)}});
+  });
+  json facts = json::array();
+  for (const StepFacts& f : step_facts(made)) facts.push_back(to_json(f));
+  print({{"case", write_case(made.campaign_case)},
+         {"gentle", made.gentle},
+         {"facts", facts},
+         {"discarded", made.discarded}});
+  run_and_print(made.campaign_case);
+}
+
+void work_on_file(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot open " + file);
+  const CampaignCase c = read_case(json::parse(in));
+  print({{"case", write_case(c)}});
+  run_and_print(c);
+}
+
+WorkedCase have_worked(std::uint64_t seed, std::uint64_t number, double seconds) {
+  return collect({"remesh-campaign", "work", "--seed", std::to_string(seed), "--case",
+                  std::to_string(number)},
+                 seconds);
+}
+
+WorkedCase have_worked(const std::string& file, double seconds) {
+  return collect({"remesh-campaign", "work", "--file", file}, seconds);
+}
+
+}  // namespace remeshd::campaign

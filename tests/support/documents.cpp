@@ -1,0 +1,192 @@
+#include "tests/support/documents.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tests/support/cases.h"
+
+namespace remeshd::test {
+namespace {
+
+using nlohmann::json;
+
+Scalar scalar(const json& j) {
+  if (j.is_string()) return j.get<std::string>();
+  return j.get<double>();
+}
+
+std::array<Scalar, 3> triple(const json& j) {
+  return {scalar(j.at(0)), scalar(j.at(1)), scalar(j.at(2))};
+}
+
+std::map<std::string, Scalar> scalars(const json& j) {
+  std::map<std::string, Scalar> result;
+  for (const auto& [name, value] : j.items())
+    if (!value.is_array()) result[name] = scalar(value);
+  return result;
+}
+
+std::vector<ProfileEntry> profile(const json& j) {
+  std::vector<ProfileEntry> result;
+  for (const json& entry : j) {
+    if (entry.is_array()) {
+      result.push_back(point(scalar(entry.at(0)), scalar(entry.at(1))));
+      continue;
+    }
+    const json& to = entry.at("to");
+    const json& through = entry.at("through");
+    result.push_back(
+        arc(scalar(to.at(0)), scalar(to.at(1)), scalar(through.at(0)), scalar(through.at(1))));
+  }
+  return result;
+}
+
+PlacementSource placement(const json& j) {
+  PlacementSource result;
+  if (j.contains("origin")) result.origin = triple(j.at("origin"));
+  if (j.contains("zAxis")) result.z_axis = triple(j.at("zAxis"));
+  if (j.contains("xAxis")) result.x_axis = triple(j.at("xAxis"));
+  return result;
+}
+
+FeatureSource feature_of(const json& j) {
+  FeatureSource result;
+  result.id = j.at("id").get<std::string>();
+  result.nature = j.at("nature") == "SUBTRACTIVE" ? Nature::Subtractive : Nature::Additive;
+  result.type = j.at("type").get<std::string>();
+  result.parameters = scalars(j.at("parameters"));
+  if (j.at("parameters").contains("profile"))
+    result.profile = profile(j.at("parameters").at("profile"));
+  if (j.contains("placement")) result.placement = placement(j.at("placement"));
+  if (j.contains("reference") && j.at("reference") == "CENTRE")
+    result.reference = ReferenceKind::Centre;
+  if (j.contains("referencePoint")) result.reference = triple(j.at("referencePoint"));
+  return result;
+}
+
+Edit edit_of(const json& j) {
+  const json& body = j.begin().value();
+  const std::string& kind = j.begin().key();
+  if (kind == "setParameter")
+    return SetParameter{body.at("name").get<std::string>(), scalar(body.at("value"))};
+  if (kind == "setFeatureParameter") {
+    SetFeatureParameter edit{
+        body.at("feature").get<std::string>(), body.at("name").get<std::string>(), {}};
+    if (body.at("value").is_array())
+      edit.value = profile(body.at("value"));
+    else
+      edit.value = scalar(body.at("value"));
+    return edit;
+  }
+  if (kind == "setPlacement")
+    return SetPlacement{body.at("feature").get<std::string>(), placement(body.at("placement"))};
+  if (kind == "addFeature")
+    return AddFeature{feature_of(body.at("feature")), body.value("after", std::string())};
+  if (kind == "removeFeature") return RemoveFeature{body.at("feature").get<std::string>()};
+  throw std::runtime_error("unknown edit " + kind);
+}
+
+json to_json(const Scalar& s) {
+  return std::visit([](const auto& value) { return json(value); }, s);
+}
+
+json to_json(const std::array<Scalar, 3>& v) {
+  return json::array({to_json(v[0]), to_json(v[1]), to_json(v[2])});
+}
+
+json to_json(const std::vector<ProfileEntry>& outline) {
+  json result = json::array();
+  for (const ProfileEntry& entry : outline) {
+    const json to = json::array({to_json(entry.x), to_json(entry.y)});
+    if (!entry.through) {
+      result.push_back(to);
+      continue;
+    }
+    const json through =
+        json::array({to_json((*entry.through)[0]), to_json((*entry.through)[1])});
+    result.push_back({{"to", to}, {"through", through}});
+  }
+  return result;
+}
+
+json to_json(const PlacementSource& p) {
+  json result{{"origin", to_json(p.origin)}};
+  if (p.z_axis) result["zAxis"] = to_json(*p.z_axis);
+  if (p.x_axis) result["xAxis"] = to_json(*p.x_axis);
+  return result;
+}
+
+json to_json(const FeatureSource& f) {
+  json parameters = json::object();
+  for (const auto& [name, value] : f.parameters) parameters[name] = to_json(value);
+  if (f.profile) parameters["profile"] = to_json(*f.profile);
+  json result{{"id", f.id},
+              {"nature", f.nature == Nature::Additive ? "ADDITIVE" : "SUBTRACTIVE"},
+              {"type", f.type},
+              {"parameters", parameters},
+              {"placement", to_json(f.placement)}};
+  if (const auto* point = std::get_if<std::array<Scalar, 3>>(&f.reference))
+    result["referencePoint"] = to_json(*point);
+  else if (std::get<ReferenceKind>(f.reference) == ReferenceKind::Centre)
+    result["reference"] = "CENTRE";
+  return result;
+}
+
+/// One overload per edit.
+struct EditWriter {
+  json operator()(const SetParameter& edit) const {
+    return {{"setParameter", {{"name", edit.name}, {"value", to_json(edit.value)}}}};
+  }
+  json operator()(const SetFeatureParameter& edit) const {
+    const json value = std::visit([](const auto& v) { return to_json(v); }, edit.value);
+    return {{"setFeatureParameter",
+             {{"feature", edit.feature}, {"name", edit.name}, {"value", value}}}};
+  }
+  json operator()(const SetPlacement& edit) const {
+    return {
+        {"setPlacement", {{"feature", edit.feature}, {"placement", to_json(edit.placement)}}}};
+  }
+  json operator()(const AddFeature& edit) const {
+    json body{{"feature", to_json(edit.feature)}};
+    if (!edit.after.empty()) body["after"] = edit.after;
+    return {{"addFeature", body}};
+  }
+  json operator()(const RemoveFeature& edit) const {
+    return {{"removeFeature", {{"feature", edit.feature}}}};
+  }
+};
+
+}  // namespace
+
+ModelSource read_model(const json& j) {
+  ModelSource model;
+  model.name = j.at("name").get<std::string>();
+  model.unit = j.value("unit", std::string());
+  if (j.contains("parameters")) model.parameters = scalars(j.at("parameters"));
+  for (const json& f : j.at("features")) model.features.push_back(feature_of(f));
+  return model;
+}
+
+ModelEdit read_edit(const json& j) {
+  ModelEdit edit;
+  for (const json& one : j.at("edits")) edit.edits.push_back(edit_of(one));
+  return edit;
+}
+
+json write_model(const ModelSource& model) {
+  json parameters = json::object();
+  for (const auto& [name, value] : model.parameters) parameters[name] = to_json(value);
+  json features = json::array();
+  for (const FeatureSource& f : model.features) features.push_back(to_json(f));
+  json result{{"name", model.name}, {"parameters", parameters}, {"features", features}};
+  if (!model.unit.empty()) result["unit"] = model.unit;
+  return result;
+}
+
+json write_edit(const ModelEdit& edit) {
+  json edits = json::array();
+  for (const Edit& one : edit.edits) edits.push_back(std::visit(EditWriter{}, one));
+  return {{"edits", edits}};
+}
+
+}  // namespace remeshd::test
