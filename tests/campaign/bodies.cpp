@@ -31,23 +31,25 @@ Transform facing(const Transform& frame, int direction) {
 /// Sites in a grid on the rectangle width x depth about the origin of `frame`.
 void grid_sites(Draft& d, const Transform& frame, double width, double depth, double below) {
   const double l = d.length;
-  const double pitch = l * d.random.uniform(6, 11);
+  const double pitch = l * d.random.uniform(4.6, 8);
   const double w = width - l, h = depth - l;
   const int nx = std::max(1, static_cast<int>(w / pitch));
   const int ny = std::max(1, static_cast<int>(h / pitch));
   const double radius = 0.5 * std::min(w / nx, h / ny) - 0.8 * l;
   for (int i = 0; i < nx; ++i)
     for (int j = 0; j < ny; ++j)
-      d.sites.push_back({shifted(frame, (i + 0.5) * w / nx - 0.5 * w, (j + 0.5) * h / ny - 0.5 * h,
-                                 0),
-                         radius, below, {}});
+      d.sites.push_back(
+          {shifted(frame, (i + 0.5) * w / nx - 0.5 * w, (j + 0.5) * h / ny - 0.5 * h, 0),
+           radius,
+           below,
+           {}});
 }
 
 /// Sites on the ring between two radii about the axis of `frame`.
 void ring_sites(Draft& d, const Transform& frame, double inner, double outer, double below) {
   const double middle = 0.5 * (inner + outer);
   const double radius = 0.5 * (outer - inner) - kRim * d.length;
-  const double pitch = std::max(2 * radius + 1.5 * d.length, 6 * d.length);
+  const double pitch = std::max(2 * radius + 1.5 * d.length, 4.5 * d.length);
   const int n = static_cast<int>(2 * kPi * middle / pitch);
   const double start = d.random.uniform(0, 1);
   for (int k = 0; k < n; ++k) {
@@ -61,7 +63,7 @@ void one_site(Draft& d, const Transform& frame, double radius, double below) {
 }
 
 void block(Draft& d, double size) {
-  const double w = size, h = size * d.random.uniform(0.4, 1), t = size * d.random.uniform(0.15, 0.6);
+  const double w = size, h = size * d.random.uniform(0.4, 1), t = size * d.random.uniform(0.1, 0.5);
   d.body.push_back(d.add("block", Nature::Additive, {}, {{"dx", w}, {"dy", h}, {"dz", t}}));
   find_length(d);
   grid_sites(d, shifted({}, 0, 0, t), w, h, t);
@@ -72,7 +74,8 @@ void block(Draft& d, double size) {
 }
 
 void stacked_blocks(Draft& d, double size) {
-  const double w = size, h = size * d.random.uniform(0.5, 0.9), t = size * d.random.uniform(0.2, 0.35);
+  const double w = size, h = size * d.random.uniform(0.5, 0.9),
+               t = size * d.random.uniform(0.2, 0.35);
   const double w2 = w * d.random.uniform(0.35, 0.6);
   d.body.push_back(d.add("block", Nature::Additive, {}, {{"dx", w}, {"dy", h}, {"dz", t}}));
   // Same depth: two pairs of faces are coplanar; and the faces between the two coincide.
@@ -103,8 +106,7 @@ void slot(Draft& d, double size) {
 void polygon_plate(Draft& d, double size) {
   const int n = 3 + static_cast<int>(d.random.below(6));
   const double r = size / 2, t = size * d.random.uniform(0.15, 0.4);
-  d.body.push_back(
-      d.add_outline("prism", Nature::Additive, {}, polygon(n, r), {{"height", t}}));
+  d.body.push_back(d.add_outline("prism", Nature::Additive, {}, polygon(n, r), {{"height", t}}));
   find_length(d);
   const double free = r * std::cos(kPi / n);
   const double inner = free * d.random.uniform(0.35, 0.5);
@@ -113,14 +115,14 @@ void polygon_plate(Draft& d, double size) {
 }
 
 void angle_plate(Draft& d, double size) {
-  const double a = size, b = size * d.random.uniform(0.3, 0.5), t = size * d.random.uniform(0.15, 0.4);
+  const double a = size, b = size * d.random.uniform(0.3, 0.5),
+               t = size * d.random.uniform(0.15, 0.4);
   std::vector<ProfileEntry> profile = outline({{0, 0}, {a, 0}, {a, b}, {b, b}, {b, a}, {0, a}});
   // An arc in the inner corner, now and then.
   if (d.chance(0.5)) {
     const double f = 0.25 * b, m = f * (1 - std::sqrt(0.5));
-    profile[3] = {b + f, b, {}};
-    profile.insert(profile.begin() + 4,
-                   {b, b + f, std::array<Scalar, 2>{b + m, b + m}});
+    profile = outline({{0, 0}, {a, 0}, {a, b}, {b + f, b}, {b, b + f}, {b, a}, {0, a}});
+    profile[4].through = std::array<Scalar, 2>{b + m, b + m};
   }
   d.body.push_back(d.add_outline("prism", Nature::Additive, {}, profile, {{"height", t}}));
   find_length(d);
@@ -162,8 +164,8 @@ void ball(Draft& d, double size) {
 
 void ring(Draft& d, double size) {
   const double major = size / 2, minor = major * d.random.uniform(0.3, 0.5);
-  d.body.push_back(d.add("torus", Nature::Additive, {},
-                         {{"major_radius", major}, {"minor_radius", minor}}));
+  d.body.push_back(
+      d.add("torus", Nature::Additive, {}, {{"major_radius", major}, {"minor_radius", minor}}));
   find_length(d);
   const double free = 0.5 * minor;
   for (int k = 0; k < 5; ++k)
@@ -174,7 +176,8 @@ void ring(Draft& d, double size) {
 }
 
 void frustum(Draft& d, double size) {
-  const double r = size / 2, top = r * d.random.uniform(0.5, 0.8), h = size * d.random.uniform(0.3, 0.7);
+  const double r = size / 2, top = r * d.random.uniform(0.5, 0.8),
+               h = size * d.random.uniform(0.3, 0.7);
   d.body.push_back(d.add("cone", Nature::Additive, {},
                          {{"radius_bottom", r}, {"radius_top", top}, {"height", h}}));
   find_length(d);
@@ -187,9 +190,9 @@ void frustum(Draft& d, double size) {
 void add_body(Draft& d) {
   using Make = void (*)(Draft&, double);
   // Plates twice: most parts are.
-  static constexpr std::array<Make, 14> kBodies{
-      block, block, stacked_blocks, disc, disc, slot, polygon_plate, angle_plate, flange,
-      tube,  ball,  ring,           frustum, block};
+  static constexpr std::array<Make, 14> kBodies{block, block,         stacked_blocks, disc,   disc,
+                                                slot,  polygon_plate, angle_plate,    flange, tube,
+                                                ball,  ring,          frustum,        block};
   const double size = d.log_uniform(0.5, 500);
   kBodies[d.random.below(kBodies.size())](d, size);
 }

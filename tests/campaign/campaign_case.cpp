@@ -20,7 +20,8 @@ json write_case(const CampaignCase& c) {
   if (c.options.size) options["size"] = *c.options.size;
   json steps = json::array();
   for (const Step& step : c.steps)
-    steps.push_back({{"kind", step.kind}, {"size", step.size}, {"edit", test::write_edit(step.edit)}});
+    steps.push_back(
+        {{"kind", step.kind}, {"size", step.size}, {"edit", test::write_edit(step.edit)}});
   return {{"seed", c.seed},
           {"case", c.number},
           {"note", c.note},

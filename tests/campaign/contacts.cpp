@@ -11,9 +11,9 @@ namespace {
 
 using Kind = Surface::Kind;
 
-constexpr double kTouch = 1e-9;   // of the diagonal: surfaces this near touch
-constexpr double kProbe = 1e-6;   // of the diagonal: both sides of a face are looked at this far off
-constexpr int kTries = 400;       // points looked at for a common area
+constexpr double kTouch = 1e-9;  // of the diagonal: surfaces this near touch
+constexpr double kProbe = 1e-6;  // of the diagonal: both sides of a face are looked at this far off
+constexpr int kTries = 400;      // points looked at for a common area
 
 Vec3 origin(const Surface& s) { return {s.frame.m[3], s.frame.m[7], s.frame.m[11]}; }
 Vec3 axis(const Surface& s) { return {s.frame.m[2], s.frame.m[6], s.frame.m[10]}; }
@@ -53,8 +53,8 @@ void plane_torus(const Pair& p) {
   const Vec3 x{p.b.frame.m[0], p.b.frame.m[4], p.b.frame.m[8]};
   const Vec3 y{p.b.frame.m[1], p.b.frame.m[5], p.b.frame.m[9]};
   for (int k = 0; k < 32; ++k)
-    p.points.push_back(project(
-        p.a, origin(p.b) + p.b.r1 * (std::cos(0.2 * k) * x + std::sin(0.2 * k) * y)));
+    p.points.push_back(
+        project(p.a, origin(p.b) + p.b.r1 * (std::cos(0.2 * k) * x + std::sin(0.2 * k) * y)));
 }
 
 void cylinder_cylinder(const Pair& p, double reach) {
@@ -151,8 +151,9 @@ bool share_area(const Solid& a, const Solid& b, const Surface& s, double probe) 
             std::min(a.bounds().hi.z, b.bounds().hi.z)};
   Random random(7);
   for (int k = 0; k < kTries; ++k) {
-    const Vec3 p = project(s, {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y),
-                               random.uniform(box.lo.z, box.hi.z)});
+    const Vec3 p =
+        project(s, {random.uniform(box.lo.x, box.hi.x), random.uniform(box.lo.y, box.hi.y),
+                    random.uniform(box.lo.z, box.hi.z)});
     const Vec3 n = normal(s, p);
     if (on_boundary(a, p, n, probe) && on_boundary(b, p, n, probe)) return true;
   }

@@ -11,12 +11,6 @@
 namespace remeshd::campaign {
 namespace {
 
-std::string text(double v) {
-  std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.17g", v);
-  return buffer.data();
-}
-
 Vec3 column(const Transform& t, int k) { return {t.m[k], t.m[4 + k], t.m[8 + k]}; }
 
 FeatureSource& append(Draft& draft, const std::string& type, Nature nature,
@@ -34,6 +28,12 @@ FeatureSource& append(Draft& draft, const std::string& type, Nature nature,
 
 }  // namespace
 
+std::string text_of_number(double v) {
+  std::array<char, 40> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.17g", v);
+  return buffer.data();
+}
+
 double Draft::log_uniform(double lo, double hi) {
   return std::exp(random.uniform(std::log(lo), std::log(hi)));
 }
@@ -50,8 +50,8 @@ Scalar Draft::value(double v) {
   }
   if (numbers.empty()) return v;
   const auto& [name, base] = numbers[random.below(numbers.size())];
-  if (base > 0 && v > 0 && chance(0.5)) return name + "*" + text(v / base);
-  return name + (v < base ? "-" : "+") + text(std::fabs(v - base));
+  if (base > 0 && v > 0 && chance(0.5)) return name + "*" + text_of_number(v / base);
+  return name + (v < base ? "-" : "+") + text_of_number(std::fabs(v - base));
 }
 
 std::string Draft::add(const std::string& type, Nature nature, const Transform& placement,

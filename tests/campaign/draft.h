@@ -14,8 +14,8 @@ namespace remeshd::campaign {
 /// A free disc on the body where features may stand: local z looks out of the material.
 struct Site {
   Transform frame;
-  double radius = 0;  ///< of the disc
-  double depth = 0;   ///< of the material below it
+  double radius = 0;                  ///< of the disc
+  double depth = 0;                   ///< of the material below it
   std::vector<std::string> features;  ///< what stands there; empty: the site is free
 };
 
@@ -24,11 +24,11 @@ struct Draft {
   Random random;
   ModelSource model;
   std::vector<Site> sites;
-  std::vector<std::string> body;  ///< ids of the features that carry all others
-  double length = 0;              ///< about the target edge length l
-  double nodes = 2000;            ///< the target that l follows from
-  bool may_add_parameters = true; ///< an edit adds none
-  int serial = 0;                 ///< for ids
+  std::vector<std::string> body;   ///< ids of the features that carry all others
+  double length = 0;               ///< about the target edge length l
+  double nodes = 2000;             ///< the target that l follows from
+  bool may_add_parameters = true;  ///< an edit adds none
+  int serial = 0;                  ///< for ids
 
   explicit Draft(std::uint64_t seed) : random(seed) {}
 
@@ -46,6 +46,9 @@ struct Draft {
                           const std::vector<ProfileEntry>& profile,
                           const std::vector<std::pair<std::string, double>>& parameters);
 };
+
+/// Digits that read back to the same bits.
+std::string text_of_number(double v);
 
 /// The placement of a document for a frame; axes that are the default are left out.
 PlacementSource placement_of(const Transform& frame);

@@ -101,7 +101,8 @@ int describe(const Options& options) {
     std::cout << "model " << k << ": " << model_before(c, k).features.size() << " features\n";
     print_facts(made.facts[k], made.length);
   }
-  for (const auto& [reason, n] : made.discarded) std::cout << "discarded " << n << ": " << reason << "\n";
+  for (const auto& [reason, n] : made.discarded)
+    std::cout << "discarded " << n << ": " << reason << "\n";
   return 0;
 }
 

@@ -54,11 +54,11 @@ Ids domed_pin(Draft& d, const Place& p) {
 Ids crossing_holes(Draft& d, const Place& p) {
   const double a = 2 * p.r, r = a * d.random.uniform(0.15, 0.35);
   const Transform middle = shifted(p.frame, 0, 0, 0.5 * a);
-  return {d.add("block", kAdd, p.frame, {{"dx", a}, {"dy", a}, {"dz", a}}),
-          d.add("cylinder", kCut, shifted(lying(middle), 0, 0, -a),
-                {{"radius", r}, {"height", 2 * a}}),
-          d.add("cylinder", kCut, shifted(lying(turned(middle, 2, kPi / 2)), 0, 0, -a),
-                {{"radius", r}, {"height", 2 * a}})};
+  return {
+      d.add("block", kAdd, p.frame, {{"dx", a}, {"dy", a}, {"dz", a}}),
+      d.add("cylinder", kCut, shifted(lying(middle), 0, 0, -a), {{"radius", r}, {"height", 2 * a}}),
+      d.add("cylinder", kCut, shifted(lying(turned(middle, 2, kPi / 2)), 0, 0, -a),
+            {{"radius", r}, {"height", 2 * a}})};
 }
 
 Ids hole_in_pocket(Draft& d, const Place& p) {
@@ -120,7 +120,8 @@ Ids plugged_hole(Draft& d, const Place& p) {
   const double r = p.r * d.random.uniform(0.3, 0.7), h = p.r;
   return {d.add("cylinder", kAdd, p.frame, {{"radius", p.r}, {"height", h}}),
           d.add("cylinder", kCut, p.frame, {{"radius", r}, {"height", h}}),
-          d.add("cylinder", kAdd, p.frame, {{"radius", r}, {"height", h * d.random.uniform(0.3, 1.3)}})};
+          d.add("cylinder", kAdd, p.frame,
+                {{"radius", r}, {"height", h * d.random.uniform(0.3, 1.3)}})};
 }
 
 Ids flush_cut(Draft& d, const Place& p) {
@@ -139,10 +140,10 @@ Ids twice_the_same(Draft& d, const Place& p) {
 
 Ids same_cone(Draft& d, const Place& p) {
   const double h = p.r * d.random.uniform(0.5, 1), middle = 0.8 * p.r, top = 0.6 * p.r;
-  return {d.add("cone", kAdd, p.frame,
-                {{"radius_bottom", p.r}, {"radius_top", middle}, {"height", h}}),
-          d.add("cone", kAdd, shifted(p.frame, 0, 0, h),
-                {{"radius_bottom", middle}, {"radius_top", top}, {"height", h}})};
+  return {
+      d.add("cone", kAdd, p.frame, {{"radius_bottom", p.r}, {"radius_top", middle}, {"height", h}}),
+      d.add("cone", kAdd, shifted(p.frame, 0, 0, h),
+            {{"radius_bottom", middle}, {"radius_top", top}, {"height", h}})};
 }
 
 Ids side_by_side(Draft& d, const Place& p) {
@@ -244,7 +245,9 @@ Ids close_holes(Draft& d, const Place& p) {
 // --- Rims and merging -------------------------------------------------------------------------
 
 /// A share of an overlap, from a graze to nearly all.
-double bite(Draft& d) { return d.chance(0.5) ? d.log_uniform(1e-5, 0.1) : d.random.uniform(0.1, 0.9); }
+double bite(Draft& d) {
+  return d.chance(0.5) ? d.log_uniform(1e-5, 0.1) : d.random.uniform(0.1, 0.9);
+}
 
 Ids hole_over_rim(Draft& d, const Place& p) {
   const double r = p.r * d.random.uniform(0.15, 0.5), h = p.r;
@@ -265,8 +268,8 @@ Ids merging_holes(Draft& d, const Place& p) {
 Ids merging_bosses(Draft& d, const Place& p) {
   const double r = p.r * d.random.uniform(0.4, 1), s = p.r * d.random.uniform(0.4, 1);
   return {d.add("cylinder", kAdd, p.frame, {{"radius", r}, {"height", p.r}}),
-          d.add("cylinder", kAdd,
-                shifted(p.frame, (r + s) * (1 - bite(d)), 0, 0), {{"radius", s}, {"height", 0.7 * p.r}})};
+          d.add("cylinder", kAdd, shifted(p.frame, (r + s) * (1 - bite(d)), 0, 0),
+                {{"radius", s}, {"height", 0.7 * p.r}})};
 }
 
 Ids slot_over_rim(Draft& d, const Place& p) {
@@ -288,7 +291,8 @@ Ids ball_over_rim(Draft& d, const Place& p) {
 
 Ids pin(Draft& d, const Place& p) {
   const double r = p.l * d.log_uniform(0.03, 0.9), h = p.l * d.log_uniform(0.1, 4);
-  return {d.add("cylinder", kAdd, shifted(p.frame, 0.2 * p.r, 0, 0), {{"radius", r}, {"height", h}})};
+  return {
+      d.add("cylinder", kAdd, shifted(p.frame, 0.2 * p.r, 0, 0), {{"radius", r}, {"height", h}})};
 }
 
 Ids pinhole(Draft& d, const Place& p) {
@@ -298,13 +302,15 @@ Ids pinhole(Draft& d, const Place& p) {
 }
 
 Ids step(Draft& d, const Place& p) {
-  return {d.add("block", kAdd, p.frame, {{"dx", p.r}, {"dy", p.r}, {"dz", p.l * d.log_uniform(1e-3, 0.9)}})};
+  return {d.add("block", kAdd, p.frame,
+                {{"dx", p.r}, {"dy", p.r}, {"dz", p.l * d.log_uniform(1e-3, 0.9)}})};
 }
 
 Ids offset_stack(Draft& d, const Place& p) {
   const double shift = p.l * d.log_uniform(1e-4, 0.5), h = 0.5 * p.r;
-  return {d.add("block", kAdd, p.frame, {{"dx", p.r}, {"dy", p.r}, {"dz", h}}),
-          d.add("block", kAdd, shifted(p.frame, shift, 0, h), {{"dx", p.r}, {"dy", p.r}, {"dz", h}})};
+  return {
+      d.add("block", kAdd, p.frame, {{"dx", p.r}, {"dy", p.r}, {"dz", h}}),
+      d.add("block", kAdd, shifted(p.frame, shift, 0, h), {{"dx", p.r}, {"dy", p.r}, {"dz", h}})};
 }
 
 Ids point_cone(Draft& d, const Place& p) {
@@ -330,7 +336,8 @@ std::string anything(Draft& d, const Place& p) {
   if (d.chance(0.7)) at = at * random_rotation(d.random);
   switch (d.random.below(8)) {
     case 0:
-      return d.add("block", nature, at, {{"dx", s}, {"dy", t}, {"dz", s * d.random.uniform(0.3, 2)}});
+      return d.add("block", nature, at,
+                   {{"dx", s}, {"dy", t}, {"dz", s * d.random.uniform(0.3, 2)}});
     case 1:
       return d.add("cylinder", nature, at, {{"radius", 0.5 * s}, {"height", 2 * t}});
     case 2:
@@ -342,8 +349,7 @@ std::string anything(Draft& d, const Place& p) {
       return d.add("torus", nature, at,
                    {{"major_radius", s}, {"minor_radius", s * d.random.uniform(0.2, 0.6)}});
     case 5: {
-      std::vector<ProfileEntry> profile =
-          polygon(3 + static_cast<int>(d.random.below(6)), 0.6 * s);
+      std::vector<ProfileEntry> profile = polygon(3 + static_cast<int>(d.random.below(6)), 0.6 * s);
       if (d.chance(0.5))
         for (std::size_t k = 0; k < profile.size(); k += 2) {
           profile[k].x = 0.6 * std::get<double>(profile[k].x);
@@ -369,21 +375,20 @@ Ids soup(Draft& d, const Place& p) {
   return ids;
 }
 
-constexpr Make kTangent[] = {cylinder_inside_cylinder, cylinder_in_square, round_end,
-                             domed_pin,                crossing_holes,     hole_in_pocket,
-                             ball_under_face,          bead_on_rim,        hole_beside_pin,
-                             rod_under_face};
+constexpr Make kTangent[] = {
+    cylinder_inside_cylinder, cylinder_in_square, round_end,   domed_pin,       crossing_holes,
+    hole_in_pocket,           ball_under_face,    bead_on_rim, hole_beside_pin, rod_under_face};
 constexpr Make kCoincident[] = {same_footprint, same_radius, plugged_hole, flush_cut,
                                 twice_the_same, same_cone,   side_by_side};
 constexpr Make kWedge[] = {sharp_prism, ramp, groove, pie, flat_cone, tilted_slab};
 constexpr Make kThin[] = {thin_tube, thin_floor, fin, narrow_gap, close_holes};
-constexpr Make kRim[] = {hole_over_rim, merging_holes, merging_bosses, slot_over_rim, ball_over_rim};
+constexpr Make kRim[] = {hole_over_rim, merging_holes, merging_bosses, slot_over_rim,
+                         ball_over_rim};
 constexpr Make kSmall[] = {pin, pinhole, step, offset_stack, point_cone, small_bead};
 constexpr Make kSoup[] = {soup};
 
-constexpr std::array<std::span<const Make>, kTroubles> kFamilies{kTangent, kCoincident, kWedge,
-                                                                 kThin,    kRim,        kSmall,
-                                                                 kSoup};
+constexpr std::array<std::span<const Make>, kTroubles> kFamilies{
+    kTangent, kCoincident, kWedge, kThin, kRim, kSmall, kSoup};
 
 }  // namespace
 

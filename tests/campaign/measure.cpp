@@ -179,20 +179,21 @@ class Measurer {
     }
     std::vector<Vec3> result;
     if (sum == 0) return result;
-    const int count = std::clamp(static_cast<int>(face.area / (spacing_ * spacing_)), kLeastPoints,
-                                 kMostPoints);
+    const int count =
+        std::clamp(static_cast<int>(face.area / (spacing_ * spacing_)), kLeastPoints, kMostPoints);
     for (int n = 0; n < count; ++n) {
       const double at = (n + random_.uniform()) * sum / count;
-      const auto t = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
-          std::lower_bound(sums.begin(), sums.end(), at) - sums.begin(),
-          static_cast<std::ptrdiff_t>(sums.size()) - 1));
+      const auto t = static_cast<std::size_t>(
+          std::min<std::ptrdiff_t>(std::lower_bound(sums.begin(), sums.end(), at) - sums.begin(),
+                                   static_cast<std::ptrdiff_t>(sums.size()) - 1));
       double u = random_.uniform(), v = random_.uniform();
       if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
       }
       const auto& [i, j, k] = face.triangles[t];
-      result.push_back(project(face.surface, face.points[i] + u * (face.points[j] - face.points[i]) +
+      result.push_back(project(face.surface, face.points[i] +
+                                                 u * (face.points[j] - face.points[i]) +
                                                  v * (face.points[k] - face.points[i])));
     }
     return result;
@@ -203,7 +204,8 @@ class Measurer {
     double inner = 0;
     for (const Vec3& p : scatter(face)) {
       double from_edges = HUGE_VAL;
-      for (const int e : face.edges) from_edges = std::min(from_edges, to_edge(p, boundary_.edges[e]));
+      for (const int e : face.edges)
+        from_edges = std::min(from_edges, to_edge(p, boundary_.edges[e]));
       inner = std::max(inner, from_edges);
       const Vec3 n = outward(face, p);
       cast(face, p, -n, from_edges, result_.wall);

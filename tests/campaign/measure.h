@@ -11,11 +11,11 @@ namespace remeshd::campaign {
 /// A length is an upper bound found at points about `spacing` apart: smaller things in between may
 /// be missed, but nothing is reported that is not there.
 struct Measure {
-  double edge = HUGE_VAL;  ///< shortest edge; a closed one by its diameter
-  double face = HUGE_VAL;  ///< narrowest face: twice the largest distance from its edges
-  double wall = HUGE_VAL;  ///< shortest chord through material along a normal
-  double gap = HUGE_VAL;   ///< the same through the void
-  double apart = HUGE_VAL; ///< nearest points of two edges that share no vertex
+  double edge = HUGE_VAL;   ///< shortest edge; a closed one by its diameter
+  double face = HUGE_VAL;   ///< narrowest face: twice the largest distance from its edges
+  double wall = HUGE_VAL;   ///< shortest chord through material along a normal
+  double gap = HUGE_VAL;    ///< the same through the void
+  double apart = HUGE_VAL;  ///< nearest points of two edges that share no vertex
   /// Sharpest angle of material or void: between faces at an edge, between edges at a corner.
   double angle = 180;
   /// Surfaces that touch without crossing: a cusp of a face or edge, a smooth edge between faces

@@ -20,8 +20,9 @@ struct ModelFacts {
 /// `length`: the target edge length; 0: that for `nodes`.
 ModelFacts find_facts(const ModelSource& model, double length, double nodes);
 
-/// Whether the model cannot be meshed because of what it is, and the client is told so: its document
-/// is not valid, or it is no single manifold body. What the CAD kernel fails at is not among them.
+/// Whether the model cannot be meshed because of what it is, and the client is told so: its
+/// document is not valid, or it is no single manifold body. What the CAD kernel fails at is not
+/// among them.
 bool rightly_refused(const ModelFacts& facts);
 
 }  // namespace remeshd::campaign

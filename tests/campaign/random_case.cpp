@@ -14,9 +14,9 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kGentle = 0.7;     // share of cases
-constexpr int kModelTries = 40;     // before a gentle model is made mean
-constexpr int kEditTries = 12;      // before the chain ends
+constexpr double kGentle = 0.7;  // share of cases
+constexpr int kModelTries = 40;  // before a gentle model is made mean
+constexpr int kEditTries = 12;   // before the chain ends
 
 void fill_sites(Draft& d, double share) {
   for (const std::size_t site : free_sites(d))
@@ -32,17 +32,18 @@ void add_troubles(Draft& d) {
   if (d.chance(0.45)) add(Trouble::Tangent);
   if (d.chance(0.35)) add(Trouble::Coincident);
   if (d.chance(0.45)) add(Trouble::Wedge);
-  for (std::uint64_t n = d.random.below(d.chance(0.2) ? 8 : 3); n > 0; --n)
+  for (std::uint64_t n = d.random.below(d.chance(0.2) ? 12 : 3); n > 0; --n)
     add(static_cast<Trouble>(d.random.below(kTroubles)));
 }
 
 /// Turns and moves the whole model, if it is all numbers where it counts.
 void place_anywhere(Draft& d) {
   Transform motion = random_rotation(d.random);
-  if (d.chance(0.5)) motion = Transform::translation({d.length * d.random.uniform(-200, 200),
-                                                      d.length * d.random.uniform(-200, 200),
-                                                      d.length * d.random.uniform(-200, 200)}) *
-                              motion;
+  if (d.chance(0.5))
+    motion = Transform::translation({d.length * d.random.uniform(-200, 200),
+                                     d.length * d.random.uniform(-200, 200),
+                                     d.length * d.random.uniform(-200, 200)}) *
+             motion;
   const FeatureModel now = evaluate(d.model);
   for (std::size_t k = 0; k < now.features.size(); ++k)
     d.model.features[k].placement = placement_of(motion * now.features[k].placement);
@@ -57,7 +58,7 @@ Draft draft_model(std::uint64_t seed, bool gentle) {
   d.model.name = "campaign";
   d.model.unit = "mm";
   add_body(d);
-  fill_sites(d, gentle ? d.random.uniform(0.3, 0.9) : d.random.uniform(0, 0.6));
+  fill_sites(d, gentle ? d.random.uniform(0.4, 1) : d.random.uniform(0, 0.8));
   if (!gentle) add_troubles(d);
   while (d.model.features.size() < 3) {
     if (free_sites(d).empty()) throw error::no_features();
@@ -140,12 +141,15 @@ class CaseMaker {
 
   /// False where no edit came to anything.
   bool add_step(Draft& draft) {
+    std::size_t kind = 0;
     for (int k = 0; k < kEditTries; ++k) {
+      // The same kind again for a while, else those that rarely succeed become rare.
+      if (k % 8 == 0) kind = draft.random.below(kEditKinds.size());
       Draft trial = draft;
       trial.may_add_parameters = false;
       draft.random.next();
       try {
-        const RandomEdit edit = random_edit(trial, made_.gentle);
+        const RandomEdit edit = random_edit(trial, kind, made_.gentle);
         CampaignCase next = made_.campaign_case;
         next.steps.push_back({edit.edit, edit.kind, edit.size});
         before_look_(next);

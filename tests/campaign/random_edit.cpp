@@ -46,7 +46,7 @@ RandomEdit set_parameter(Draft& d, const Now& now) {
   if (numbers.empty()) throw error::unknown_model_parameter("any");
   const auto& [name, v] = numbers[d.random.below(numbers.size())];
   const double to = v == 0 ? d.length * d.log_uniform(1e-9, 1) : changed(d, v);
-  return {{{SetParameter{name, to}}}, "setParameter", std::fabs(to - v) / now.diagonal};
+  return {{{SetParameter{name, to}}}, "", std::fabs(to - v) / now.diagonal};
 }
 
 /// One entry of the outline moved, or all of it scaled.
@@ -79,28 +79,25 @@ RandomEdit set_feature_parameter(Draft& d, const Now& now) {
   if (f.profile && d.chance(0.6)) {
     double size = 0;
     std::vector<ProfileEntry> profile = changed(d, *f.profile, size);
-    return {{{SetFeatureParameter{f.id, "profile", std::move(profile)}}},
-            "setFeatureParameter",
-            size / now.diagonal};
+    return {{{SetFeatureParameter{f.id, "profile", std::move(profile)}}}, "", size / now.diagonal};
   }
   if (f.parameters.empty()) throw error::unknown_parameter(f.id, "any", "");
   auto at = f.parameters.begin();
   std::advance(at, static_cast<std::ptrdiff_t>(d.random.below(f.parameters.size())));
-  // Expressions are replaced by numbers about the size of l, or by the parameter's own expression.
+  // An expression by itself times a number.
   const double* number = std::get_if<double>(&at->second);
   if (number == nullptr) {
     const double by = changed(d, 1);
-    const std::string text =
-        "(" + std::get<std::string>(at->second) + ")*" + std::to_string(by);
+    const std::string text = "(" + std::get<std::string>(at->second) + ")*" + text_of_number(by);
     if (text.size() > 200) throw error::unknown_parameter(f.id, at->first, "");
     return {{{SetFeatureParameter{f.id, at->first, Scalar(text)}}},
-            "setFeatureParameter",
+            "",
             std::fabs(by - 1) * d.length / now.diagonal};
   }
   double to = *number == 0 ? d.length : changed(d, *number);
   if (at->first == "angle") to = std::min(to, 360.0);
   return {{{SetFeatureParameter{f.id, at->first, Scalar(to)}}},
-          "setFeatureParameter",
+          "",
           std::fabs(to - *number) / now.diagonal};
 }
 
@@ -114,7 +111,7 @@ std::vector<std::size_t> taken_sites(const Draft& d) {
 /// The same edit for each feature: `motion` from the left.
 RandomEdit move(const Draft& d, const Now& now, const std::vector<std::string>& ids,
                 const Transform& motion) {
-  RandomEdit result{{}, "setPlacement", 0};
+  RandomEdit result{{}, "", 0};
   for (const std::string& id : ids) {
     const int index = now.model.index_of(id);
     if (index < 0) continue;
@@ -154,8 +151,8 @@ RandomEdit set_placement(Draft& d, const Now& now, bool gentle) {
   Transform motion = shifted(feature.placement, 0, 0, 0);
   const Vec3 way = random_rotation(d.random).rotate({far, 0, 0});
   if (d.chance(0.5))
-    motion = shifted(motion, d.chance(0.5) ? far : 0, d.chance(0.3) ? far : 0,
-                     d.chance(0.5) ? far : 0);
+    motion =
+        shifted(motion, d.chance(0.5) ? far : 0, d.chance(0.3) ? far : 0, d.chance(0.5) ? far : 0);
   else
     motion = shifted(motion, way.x, way.y, way.z);
   if (d.chance(0.4))
@@ -176,17 +173,18 @@ RandomEdit add_feature(Draft& d, const Now& now, bool gentle) {
     add_trouble(d, static_cast<Trouble>(d.random.below(kTroubles)),
                 d.sites[d.random.below(d.sites.size())]);
   }
-  RandomEdit result{{}, "addFeature", 0};
+  RandomEdit result{{}, "", 0};
   std::string after;
-  if (!gentle && before > 1 && d.chance(0.2))
-    after = d.model.features[d.random.below(before)].id;
+  if (!gentle && before > 1 && d.chance(0.2)) after = d.model.features[d.random.below(before)].id;
   for (std::size_t k = before; k < d.model.features.size(); ++k) {
     result.edit.edits.emplace_back(AddFeature{d.model.features[k], after});
     if (!after.empty()) after = d.model.features[k].id;
   }
-  d.model.features.resize(before);
   if (result.edit.edits.empty()) throw error::no_features();
-  result.size = d.length / now.diagonal;
+  const FeatureModel with = evaluate(d.model);
+  for (std::size_t k = before; k < with.features.size(); ++k)
+    result.size = std::max(result.size, world_bounds(with.features[k]).diagonal() / now.diagonal);
+  d.model.features.resize(before);
   return result;
 }
 
@@ -202,33 +200,39 @@ RandomEdit remove_feature(Draft& d, const Now& now, bool gentle) {
   std::erase_if(ids, [&](const std::string& id) { return now.model.index_of(id) < 0; });
   if (ids.empty() || d.model.features.size() < kFewestFeatures + ids.size())
     throw error::no_features();
-  RandomEdit result{{}, "removeFeature", 0};
+  RandomEdit result{{}, "", 0};
   for (const std::string& id : ids) {
     result.edit.edits.emplace_back(RemoveFeature{id});
     for (Site& site : d.sites) std::erase(site.features, id);
-    result.size = std::max(
-        result.size,
-        world_bounds(now.model.features[now.model.index_of(id)]).diagonal() / now.diagonal);
+    result.size =
+        std::max(result.size, world_bounds(now.model.features[now.model.index_of(id)]).diagonal() /
+                                  now.diagonal);
   }
   return result;
 }
 
 }  // namespace
 
-RandomEdit random_edit(Draft& d, bool gentle) {
+RandomEdit random_edit(Draft& d, std::size_t kind, bool gentle) {
   const Now now = evaluate_now(d);
   RandomEdit result;
-  const double kind = d.random.uniform();
-  if (kind < 0.18)
-    result = set_parameter(d, now);
-  else if (kind < 0.36)
-    result = set_feature_parameter(d, now);
-  else if (kind < 0.58)
-    result = set_placement(d, now, gentle);
-  else if (kind < 0.80)
-    result = add_feature(d, now, gentle);
-  else
-    result = remove_feature(d, now, gentle);
+  switch (kind) {
+    case 0:
+      result = set_parameter(d, now);
+      break;
+    case 1:
+      result = set_feature_parameter(d, now);
+      break;
+    case 2:
+      result = set_placement(d, now, gentle);
+      break;
+    case 3:
+      result = add_feature(d, now, gentle);
+      break;
+    default:
+      result = remove_feature(d, now, gentle);
+  }
+  result.kind = kEditKinds[kind];
   d.model = apply(d.model, result.edit);
   return result;
 }

@@ -21,8 +21,7 @@ void roots(std::span<const double> c, double lo, double hi, std::vector<double>&
   std::vector<double> stops{lo};
   if (c.size() > 2) {
     std::vector<double> derivative;
-    for (std::size_t k = 1; k < c.size(); ++k)
-      derivative.push_back(static_cast<double>(k) * c[k]);
+    for (std::size_t k = 1; k < c.size(); ++k) derivative.push_back(static_cast<double>(k) * c[k]);
     roots(derivative, lo, hi, stops);
   }
   stops.push_back(hi);

@@ -15,7 +15,8 @@ class Rays {
   /// Keeps a reference.
   explicit Rays(const Membership& membership);
 
-  /// The stretches of p + t d, t in [from, to], that lie in material, ascending. `d` of unit length.
+  /// The stretches of p + t d, t in [from, to], that lie in material, ascending. `d` of unit
+  /// length.
   [[nodiscard]] std::vector<std::pair<double, double>> material(const Vec3& p, const Vec3& d,
                                                                 double from, double to) const;
   /// The first t in (from, to] at which the nature changes; `to` where it does not.

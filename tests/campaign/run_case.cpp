@@ -45,8 +45,8 @@ struct Base {
 void describe(const Findings& findings, Outcome& outcome) {
   for (const auto& [check, entry] : findings.entries()) {
     outcome.reason += (outcome.reason.empty() ? "" : ", ") + check;
-    outcome.message += (outcome.message.empty() ? "" : "; ") + check + ": " + entry.first +
-                       " (" + std::to_string(entry.count) + " times)";
+    outcome.message += (outcome.message.empty() ? "" : "; ") + check + ": " + entry.first + " (" +
+                       std::to_string(entry.count) + " times)";
   }
 }
 
@@ -72,7 +72,8 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
     outcome.way = name_of(report.way);
     outcome.inserted = static_cast<int>(report.counts.nodes_inserted);
     outcome.nodes = static_cast<int>(report.counts.nodes);
-    outcome.kept = report.counts.nodes == 0 ? 0.0 : 1.0 * report.counts.nodes_kept / report.counts.nodes;
+    outcome.kept =
+        report.counts.nodes == 0 ? 0.0 : 1.0 * report.counts.nodes_kept / report.counts.nodes;
     outcome.least_angle = report.quality.dihedral_min;
     outcome.least_quality = report.quality.volume_length_min;
     if (base) {
@@ -80,8 +81,8 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
       next->tet_ids = base->tet_ids;
     }
     const auto made = std::chrono::steady_clock::now();
-    const Findings findings = verify_independently(
-        next->revision, base ? &base->revision : nullptr, next->node_ids, next->tet_ids);
+    const Findings findings = verify_independently(next->revision, base ? &base->revision : nullptr,
+                                                   next->node_ids, next->tet_ids);
     outcome.verifier_seconds = since(made);
     if (findings.empty()) {
       base = std::move(next);

@@ -12,7 +12,7 @@ namespace remeshd::campaign {
 /// What came of a first mesh (step 0) or of an edit (step k: the case's steps[k - 1]).
 struct Outcome {
   std::size_t step = 0;
-  std::string kind;     ///< `valid`, `invalid`, `refused`, `exception`; of a process: `crash`, `hang`
+  std::string kind;  ///< `valid`, `invalid`, `refused`, `exception`; of a process: `crash`, `hang`
   std::string reason;   ///< of a refusal; the failed checks of an invalid mesh; a signal
   std::string message;  ///< one sentence
   bool placed = true;   ///< a refusal names a feature and says where

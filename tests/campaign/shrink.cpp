@@ -29,8 +29,8 @@ class Shrinker {
   Shrinker(fs::path file, double seconds)
       : file_(std::move(file)),
         trial_file_(file_.string() + ".try"),
-        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(seconds))),
+        end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
         best_(read_case_file(file_)) {}
 
   fs::path operator()() {
@@ -185,13 +185,15 @@ class Shrinker {
         if (auto* place = std::get_if<SetPlacement>(&edit)) placement(place->placement);
         if (auto* set = std::get_if<SetFeatureParameter>(&edit)) {
           if (auto* scalar = std::get_if<Scalar>(&set->value)) one(*scalar);
-          if (auto* outline = std::get_if<std::vector<ProfileEntry>>(&set->value)) profile(*outline);
+          if (auto* outline = std::get_if<std::vector<ProfileEntry>>(&set->value))
+            profile(*outline);
         }
       }
   }
 
   void fewer_digits(int digits) {
-    change([&](CampaignCase& c) { for_all_numbers(c, [&](double& v) { v = rounded(v, digits); }); });
+    change(
+        [&](CampaignCase& c) { for_all_numbers(c, [&](double& v) { v = rounded(v, digits); }); });
     // One feature at a time where all together are too much.
     for (std::size_t k = 0; k < best_.model.features.size(); ++k)
       change([&](CampaignCase& c) {

@@ -112,8 +112,7 @@ Ids round_hole(Draft& d, const Place& p) {
   if (d.chance(0.2) && r > 2.5 * p.l)
     return {d.add("cone", Nature::Subtractive, at,
                   {{"radius_bottom", 0.6 * r}, {"radius_top", r}, {"height", deep}})};
-  return {
-      d.add("cylinder", Nature::Subtractive, at, {{"radius", r}, {"height", deep + over}})};
+  return {d.add("cylinder", Nature::Subtractive, at, {{"radius", r}, {"height", deep + over}})};
 }
 
 Ids pocket(Draft& d, const Place& p) {
@@ -179,8 +178,8 @@ Ids leaning(Draft& d, const Place& p) {
   if (p.depth < 2.5 * p.l || p.radius < 2 * p.l) return square_boss(d, p);
   const double lean = d.random.uniform(0.05, 0.6);
   const double sunk = 1.2 * p.l, r = between(d, p.l, 0.6 * p.radius);
-  const Transform at = shifted(
-      turned(turned(p.frame, 2, d.random.uniform(0, 2 * kPi)), 0, lean), 0, 0, -sunk);
+  const Transform at =
+      shifted(turned(turned(p.frame, 2, d.random.uniform(0, 2 * kPi)), 0, lean), 0, 0, -sunk);
   const double h = sunk + r + between(d, kLeast, 4) * p.l;
   if (d.chance(0.5))
     return {d.add("cylinder", Nature::Additive, at, {{"radius", r}, {"height", h}})};
@@ -198,7 +197,7 @@ std::vector<std::size_t> free_sites(const Draft& d) {
 
 std::vector<std::string> add_on_site(Draft& d, std::size_t index) {
   using Make = Ids (*)(Draft&, const Place&);
-  static constexpr std::array<Make, 10> kBosses{round_boss, square_boss, slot_boss, prism_boss,
+  static constexpr std::array<Make, 10> kBosses{round_boss, square_boss, slot_boss,   prism_boss,
                                                 dome,       bead,        turned_boss, bushing,
                                                 stacked,    leaning};
   static constexpr std::array<Make, 4> kHoles{round_hole, round_hole, pocket, dimple};

@@ -113,8 +113,7 @@ void Tally::add(const WorkedCase& worked) {
   gentle_cases += worked.gentle;
   for (const auto& [reason, n] : worked.discarded) discarded[reason] += n;
   for (const Outcome& o : worked.outcomes) {
-    const StepFacts facts =
-        o.step < worked.facts.size() ? worked.facts[o.step] : StepFacts{};
+    const StepFacts facts = o.step < worked.facts.size() ? worked.facts[o.step] : StepFacts{};
     if (o.step == 0) {
       (facts.good_natured ? first_good : first_rest).add(o);
       continue;

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "tests/campaign/random_case.h"
 #include "tests/campaign/worker.h"
@@ -61,7 +62,8 @@ std::vector<StepFacts> step_facts(const RandomCase& made) {
     f.smallest = now.refused.empty() ? std::min(1e9, now.measure.smallest() / made.length) : 0;
     if (k > 0) f.kind = c.steps[k - 1].kind;
     if (k > 0) f.size = c.steps[k - 1].size;
-    for (const FeatureSource& feature : model_before(c, k).features) f.types.push_back(feature.type);
+    for (const FeatureSource& feature : model_before(c, k).features)
+      f.types.push_back(feature.type);
     result.push_back(std::move(f));
   }
   return result;
@@ -76,7 +78,9 @@ void run_and_print(const CampaignCase& c) {
         limit_processor_time(kProcessorSeconds);
         print({{"begin", step}});
       },
-      [](const Outcome& outcome) { print({{"end", write_outcome(outcome)}}); });
+      [](const Outcome& outcome) {
+        print({{"end", write_outcome(outcome)}});
+      });
 }
 
 WorkedCase collect(const std::vector<std::string>& arguments, double seconds) {
@@ -101,14 +105,14 @@ WorkedCase collect(const std::vector<std::string>& arguments, double seconds) {
       ended = worked.outcomes.back().step + 1;
     }
   }
-  if (worker.signal == 0 && worker.exit_code == 0 && !worker.too_long) return worked;
+  if (worker.exit_code != 0) throw std::runtime_error("a worker failed: " + worker.errors);
+  if (worker.signal == 0 && !worker.too_long) return worked;
   Outcome crash;
   // While the case was made, the last model looked at is at fault.
-  crash.step = worked.made ? (begun > ended ? begun - 1 : ended) : worked.campaign_case.steps.size();
+  crash.step =
+      worked.made ? (begun > ended ? begun - 1 : ended) : worked.campaign_case.steps.size();
   crash.kind = worker.too_long || worker.signal == SIGXCPU ? "hang" : "crash";
-  crash.reason = worker.signal != 0 ? ::strsignal(worker.signal)
-                                    : "exit code " + std::to_string(worker.exit_code);
-  if (crash.kind == "hang") crash.reason = "time";
+  crash.reason = crash.kind == "hang" ? "time" : ::strsignal(worker.signal);
   crash.message = worker.errors;
   worked.outcomes.push_back(crash);
   return worked;
@@ -139,9 +143,9 @@ void work_on_file(const std::string& file) {
 }
 
 WorkedCase have_worked(std::uint64_t seed, std::uint64_t number, double seconds) {
-  return collect({"remesh-campaign", "work", "--seed", std::to_string(seed), "--case",
-                  std::to_string(number)},
-                 seconds);
+  return collect(
+      {"remesh-campaign", "work", "--seed", std::to_string(seed), "--case", std::to_string(number)},
+      seconds);
 }
 
 WorkedCase have_worked(const std::string& file, double seconds) {

@@ -12,12 +12,12 @@ namespace remeshd::campaign {
 
 /// What the tally needs to know about one step; step 0 is the first mesh.
 struct StepFacts {
-  bool measured = false;  ///< the CAD kernel did not fail at either of its models
+  bool measured = false;      ///< the CAD kernel did not fail at either of its models
   bool good_natured = false;  ///< both models of the edit are
   bool topology_changed = false;
   bool tangent = false, coincident = false, wedge = false;  ///< in the model after the step
-  double smallest = 0;  ///< of the model after the step, in l
-  std::string kind;     ///< of the edit
+  double smallest = 0;                                      ///< of the model after the step, in l
+  std::string kind;                                         ///< of the edit
   double size = 0;
   std::vector<std::string> types;  ///< of the features after the step
 };

@@ -11,7 +11,7 @@ struct WorkerResult {
   std::string errors;              ///< the end of its stderr
   int signal = 0;                  ///< that ended it
   int exit_code = 0;
-  bool too_long = false;           ///< it was killed by this process
+  bool too_long = false;  ///< it was killed by this process
 };
 
 /// Runs this program with the arguments, to its end or for `seconds` of wall clock.

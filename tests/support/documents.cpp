@@ -102,8 +102,7 @@ json to_json(const std::vector<ProfileEntry>& outline) {
       result.push_back(to);
       continue;
     }
-    const json through =
-        json::array({to_json((*entry.through)[0]), to_json((*entry.through)[1])});
+    const json through = json::array({to_json((*entry.through)[0]), to_json((*entry.through)[1])});
     result.push_back({{"to", to}, {"through", through}});
   }
   return result;
@@ -143,8 +142,7 @@ struct EditWriter {
              {{"feature", edit.feature}, {"name", edit.name}, {"value", value}}}};
   }
   json operator()(const SetPlacement& edit) const {
-    return {
-        {"setPlacement", {{"feature", edit.feature}, {"placement", to_json(edit.placement)}}}};
+    return {{"setPlacement", {{"feature", edit.feature}, {"placement", to_json(edit.placement)}}}};
   }
   json operator()(const AddFeature& edit) const {
     json body{{"feature", to_json(edit.feature)}};

@@ -21,8 +21,9 @@ class NameChecker {
 
   void check(std::size_t index, const MeshFacet& facet) {
     const auto& groups = revision_.delivery.groups.facet_groups;
-    const Vec3 c = (mesh_.nodes[facet.nodes[0]] + mesh_.nodes[facet.nodes[1]] +
-                    mesh_.nodes[facet.nodes[2]]) / 3.0;
+    const Vec3 c =
+        (mesh_.nodes[facet.nodes[0]] + mesh_.nodes[facet.nodes[1]] + mesh_.nodes[facet.nodes[2]]) /
+        3.0;
     if (facet.group < 0 || facet.group >= static_cast<std::int32_t>(groups.size()) ||
         groups[facet.group].empty()) {
       findings_.add("names", "a facet without a name", c);
@@ -88,8 +89,8 @@ class NameChecker {
 
 }  // namespace
 
-/// The delivered facets are the boundary of the mesh, each with its tet; all nodes of a facet lie on
-/// each face that it is named after, and the model has its boundary there.
+/// The delivered facets are the boundary of the mesh, each with its tet; all nodes of a facet lie
+/// on each face that it is named after, and the model has its boundary there.
 void check_names(const Revision& revision, const std::vector<Triangle>& facets,
                  Findings& findings) {
   const MeshGroups& groups = revision.delivery.groups;

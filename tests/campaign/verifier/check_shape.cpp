@@ -10,10 +10,10 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kOnSurface = 1e-6;    // of the diagonal
-constexpr int kLinesPerAxis = 24;      // squared, along each of the three axes
-constexpr int kPoints = 4000;          // inside or outside
-constexpr double kSlack = 2.0;         // what rises of neighbouring chords may add up to
+constexpr double kOnSurface = 1e-6;  // of the diagonal
+constexpr int kLinesPerAxis = 24;    // squared, along each of the three axes
+constexpr int kPoints = 4000;        // inside or outside
+constexpr double kSlack = 2.0;       // what rises of neighbouring chords may add up to
 
 double six_volumes(const TetMesh& mesh, const Tet& t) {
   const Vec3& a = mesh.nodes[t[0]];
@@ -55,7 +55,8 @@ class ShapeChecker {
     std::vector<Vec3> inwards(mesh_.nodes.size()), outwards(mesh_.nodes.size());
     std::vector<char> boundary(mesh_.nodes.size(), 0);
     for (const Triangle& f : surface_.facets()) {
-      const Vec3 n = cross(mesh_.nodes[f[1]] - mesh_.nodes[f[0]], mesh_.nodes[f[2]] - mesh_.nodes[f[0]]);
+      const Vec3 n =
+          cross(mesh_.nodes[f[1]] - mesh_.nodes[f[0]], mesh_.nodes[f[2]] - mesh_.nodes[f[0]]);
       for (const std::int32_t k : f) {
         boundary[k] = 1;
         outwards[k] += n / std::max(norm(n), 1e-300);
@@ -63,7 +64,8 @@ class ShapeChecker {
     }
     std::vector<std::vector<Vec3>> into(mesh_.nodes.size());
     for (const Tet& t : mesh_.tets) {
-      const Vec3 c = 0.25 * (mesh_.nodes[t[0]] + mesh_.nodes[t[1]] + mesh_.nodes[t[2]] + mesh_.nodes[t[3]]);
+      const Vec3 c =
+          0.25 * (mesh_.nodes[t[0]] + mesh_.nodes[t[1]] + mesh_.nodes[t[2]] + mesh_.nodes[t[3]]);
       for (const std::int32_t n : t)
         if (boundary[n]) into[n].push_back(normalised(c - mesh_.nodes[n]));
     }
@@ -172,8 +174,9 @@ class ShapeChecker {
       }
       const MeshSurface::Nearest near = surface_.nearest(p, 0.1 * diagonal_);
       if (near.distance > kSlack * near.allowed + tiny_)
-        findings_.add("inside", inside ? "a point of the model outside of the mesh"
-                                       : "a point outside of the model inside of the mesh",
+        findings_.add("inside",
+                      inside ? "a point of the model outside of the mesh"
+                             : "a point outside of the model inside of the mesh",
                       p);
     }
   }
@@ -236,13 +239,15 @@ class ShapeChecker {
     const double exact = revision_.report.exact_volume;
     if (std::fabs(volume - exact) > 1.5 * chords + 1e-6 * exact + rim_volume())
       findings_.add("volume", "the mesh has " + std::to_string(volume) + ", the model " +
-                                  std::to_string(exact) + ", chords take " + std::to_string(chords));
+                                  std::to_string(exact) + ", chords take " +
+                                  std::to_string(chords));
     if (std::fabs(volume_ - exact) > 3 * deviation_ + 1e-6 * exact)
       findings_.add("exact volume", "the report says " + std::to_string(exact) + ", lines say " +
                                         std::to_string(volume_) + " +- " +
                                         std::to_string(deviation_));
     if (std::fabs(volume - revision_.report.volume) > 1e-6 * exact)
-      findings_.add("reported volume", "the report says " + std::to_string(revision_.report.volume) +
+      findings_.add("reported volume", "the report says " +
+                                           std::to_string(revision_.report.volume) +
                                            ", the tets have " + std::to_string(volume));
   }
 

@@ -83,8 +83,7 @@ void MeshSurface::measure_rises(const Membership& membership) {
   for (const Triangle& facet : facets_) {
     double longest = 0, least = 0;
     for (int i = 0; i < 3; ++i)
-      longest = std::max(longest,
-                         distance(mesh_.nodes[facet[i]], mesh_.nodes[facet[(i + 1) % 3]]));
+      longest = std::max(longest, distance(mesh_.nodes[facet[i]], mesh_.nodes[facet[(i + 1) % 3]]));
     // All three nodes lie on the face, so the widest of the nodes' radii bounds the face's from
     // above; at a node on an edge the other face's counts too, hence the largest.
     for (const std::int32_t n : facet) least = std::max(least, radius[n]);
@@ -141,11 +140,12 @@ MeshSurface::Nearest MeshSurface::nearest(const Vec3& p, double far) const {
     const double reached = (ring - 1) * cell_;
     if (reached > std::min(best.distance, far)) break;
     for (int i = std::max(0, middle[0] - ring); i <= std::min(cells_[0] - 1, middle[0] + ring); ++i)
-      for (int j = std::max(0, middle[1] - ring); j <= std::min(cells_[1] - 1, middle[1] + ring); ++j)
+      for (int j = std::max(0, middle[1] - ring); j <= std::min(cells_[1] - 1, middle[1] + ring);
+           ++j)
         for (int k = std::max(0, middle[2] - ring); k <= std::min(cells_[2] - 1, middle[2] + ring);
              ++k) {
-          if (std::max({std::abs(i - middle[0]), std::abs(j - middle[1]), std::abs(k - middle[2])}) !=
-              ring)
+          if (std::max({std::abs(i - middle[0]), std::abs(j - middle[1]),
+                        std::abs(k - middle[2])}) != ring)
             continue;
           for (const std::int32_t f :
                grid_[(static_cast<std::size_t>(i) * cells_[1] + j) * cells_[2] + k]) {

@@ -13,8 +13,8 @@ namespace remeshd::campaign {
 class MeshSurface {
  public:
   /// `tiny`: distance within which a node lies on a surface.
-  MeshSurface(const TetMesh& mesh, const std::vector<Triangle>& facets, const Membership& membership,
-              double tiny);
+  MeshSurface(const TetMesh& mesh, const std::vector<Triangle>& facets,
+              const Membership& membership, double tiny);
 
   struct Nearest {
     double distance;

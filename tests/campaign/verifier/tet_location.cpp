@@ -37,7 +37,8 @@ int TetLocation::count(const Vec3& p) const {
   if (box_.empty() || !box_.contains(p)) return 0;
   const auto [i, j, k] = cell_of(p);
   int found = 0;
-  for (const std::int32_t t : grid_[(static_cast<std::size_t>(i) * cells_[1] + j) * cells_[2] + k]) {
+  for (const std::int32_t t :
+       grid_[(static_cast<std::size_t>(i) * cells_[1] + j) * cells_[2] + k]) {
     const Tet& tet = mesh_.tets[t];
     bool within = true;
     for (const auto& [a, b, c] : kTetFacets) {

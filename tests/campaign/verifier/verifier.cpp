@@ -3,8 +3,7 @@
 namespace remeshd::campaign {
 
 Findings verify_independently(const Revision& revision, const Revision* base,
-                              std::set<std::uint64_t>& node_ids,
-                              std::set<std::uint64_t>& tet_ids) {
+                              std::set<std::uint64_t>& node_ids, std::set<std::uint64_t>& tet_ids) {
   Findings findings;
   const std::vector<Triangle> facets = check_connectivity(revision.delivery.mesh, findings);
   check_maps(revision, base, node_ids, tet_ids, findings);

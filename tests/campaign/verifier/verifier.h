@@ -12,8 +12,8 @@ namespace remeshd::campaign {
 /// formulas: exact surfaces and membership. What each check asks stands above its function in the
 /// check_*.cpp files.
 ///
-/// `base`: the revision that was edited, null for a first mesh. `node_ids`, `tet_ids`: all permanent
-/// ids that ancestors had; those of this revision are added.
+/// `base`: the revision that was edited, null for a first mesh. `node_ids`, `tet_ids`: all
+/// permanent ids that ancestors had; those of this revision are added.
 Findings verify_independently(const Revision& revision, const Revision* base,
                               std::set<std::uint64_t>& node_ids, std::set<std::uint64_t>& tet_ids);
 
