@@ -12,6 +12,8 @@ namespace {
 using Kind = Surface::Kind;
 
 constexpr double kTouch = 1e-9;  // of the diagonal: surfaces this near touch
+constexpr double kSame = 1e-11;  // of the diagonal: faces this near lie on each other
+constexpr double kFilm = 1e-6;   // of the diagonal: faces this near, but no nearer, leave a film
 constexpr double kProbe = 1e-6;  // of the diagonal: both sides of a face are looked at this far off
 constexpr int kTries = 400;      // points looked at for a common area
 
@@ -174,11 +176,13 @@ Contacts find_contacts(const FeatureModel& model, const Membership& membership) 
       if (bi.lo.x > bj.hi.x + touch || bj.lo.x > bi.hi.x + touch || bi.lo.y > bj.hi.y + touch ||
           bj.lo.y > bi.hi.y + touch || bi.lo.z > bj.hi.z + touch || bj.lo.z > bi.hi.z + touch)
         continue;
-      bool tangent = false, coincident = false;
+      bool tangent = false, coincident = false, film = false;
       for (const SolidFace& f : solids[i].faces())
         for (const SolidFace& g : solids[j].faces()) {
-          if (same_surface(f.surface, g.surface, bi, touch)) {
-            coincident = coincident || share_area(solids[i], solids[j], f.surface, probe);
+          if (same_surface(f.surface, g.surface, bi, kFilm * diagonal)) {
+            const bool same = same_surface(f.surface, g.surface, bi, kSame * diagonal);
+            bool& kind = same ? coincident : film;
+            kind = kind || share_area(solids[i], solids[j], f.surface, same ? probe : 3 * probe);
             continue;
           }
           if (tangent) continue;
@@ -195,6 +199,7 @@ Contacts find_contacts(const FeatureModel& model, const Membership& membership) 
         }
       result.tangent += tangent;
       result.coincident += coincident;
+      result.film += film;
     }
   return result;
 }

@@ -10,6 +10,7 @@ namespace remeshd::campaign {
 struct Contacts {
   int tangent = 0;     ///< surfaces that touch at a point or along a line without crossing there
   int coincident = 0;  ///< faces that share an area
+  int film = 0;        ///< faces that nearly do, a millionth of the diagonal or less apart
 };
 
 /// Looks at all pairs. Tangent pairs of planes, cylinders and spheres, and of coaxial round

@@ -89,8 +89,9 @@ void print_facts(const ModelFacts& facts, double length) {
   std::cout << "  in l: edge " << m.edge / length << ", face " << m.face / length << ", wall "
             << m.wall / length << ", gap " << m.gap / length << ", edges apart " << m.apart / length
             << "; angle " << m.angle << (m.tangent ? ", tangent" : "")
-            << (m.coincident ? ", coincident" : "") << (m.wedge() ? ", wedge" : "")
-            << (m.good_natured(length) ? ", good-natured" : "") << "\n";
+            << (m.coincident ? ", coincident" : "") << (m.film ? ", film" : "")
+            << (m.wedge() ? ", wedge" : "") << (m.good_natured(length) ? ", good-natured" : "")
+            << "\n";
 }
 
 int describe(const Options& options) {

@@ -68,6 +68,7 @@ class Measurer {
     const Contacts contacts = find_contacts(model_, membership_);
     result_.tangent = result_.tangent || contacts.tangent > 0;
     result_.coincident = contacts.coincident > 0;
+    result_.film = contacts.film > 0;
     return result_;
   }
 
@@ -260,7 +261,7 @@ class Measurer {
 double Measure::smallest() const { return std::min({edge, face, wall, gap, apart}); }
 
 bool Measure::good_natured(double length) const {
-  return smallest() >= length && !tangent && !wedge();
+  return smallest() >= length && !tangent && !film && !wedge();
 }
 
 Measure measure(const FeatureModel& model, const BoundaryModel& boundary, double spacing) {

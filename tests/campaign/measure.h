@@ -22,11 +22,15 @@ struct Measure {
   /// of different features, or features that touch inside the material.
   bool tangent = false;
   bool coincident = false;  ///< features whose faces share an area
+  /// Features whose faces nearly do, at most a millionth of the diagonal apart: a wall or gap too
+  /// thin for `wall` and `gap`, and one that the CAD kernel may close.
+  bool film = false;
 
   [[nodiscard]] double smallest() const;
   [[nodiscard]] bool wedge() const { return angle < 30; }
-  /// The smallest face, wall, gap and edge are at least `length`; a tangent contact is smaller than
-  /// any length; a wedge, which has no wall at its edge, is good-natured from 30 degrees on.
+  /// The smallest face, wall, gap and edge are at least `length`; a tangent contact or a film is
+  /// smaller than any length; a wedge, which has no wall at its edge, is good-natured from 30
+  /// degrees on.
   [[nodiscard]] bool good_natured(double length) const;
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "tests/campaign/rays.h"
 #include "tests/campaign/verifier/mesh_surface.h"
 #include "tests/campaign/verifier/verifier.h"
 
@@ -16,6 +18,7 @@ class NameChecker {
         mesh_(revision.delivery.mesh),
         membership_(revision.model),
         tiny_(kOnSurface * membership_.bounds().diagonal()),
+        rays_(membership_),
         surface_(mesh_, facets, membership_, tiny_),
         findings_(findings) {}
 
@@ -76,13 +79,29 @@ class NameChecker {
       for (const double probe : {tiny_, 0.01 * tiny_})
         any = any || (membership_.inside(p - probe * out) && !membership_.inside(p + probe * out));
     }
-    if (!any) findings_.add("facet place", "a facet where the model has no boundary", c);
+    const double reach = 2 * surface_.allowed(static_cast<std::int32_t>(index)) + tiny_;
+    if (!any && !boundary_beside(project(surface, c), normalised(n), reach))
+      findings_.add("facet place", "a facet where the model has no boundary", c);
+  }
+
+  /// Whether the model's boundary is within reach to some side, just above or below the point: a
+  /// chord of a curved rim may cut that far into the face.
+  [[nodiscard]] bool boundary_beside(const Vec3& p, const Vec3& n, double reach) const {
+    const Vec3 x = any_perpendicular(n), y = cross(n, x);
+    for (const double side : {-tiny_, tiny_})
+      for (int k = 0; k < 24; ++k) {
+        const double a = k * std::numbers::pi / 12;
+        const Vec3 d = std::cos(a) * x + std::sin(a) * y;
+        if (rays_.first_change(p + side * n, d, 0, reach) < reach) return true;
+      }
+    return false;
   }
 
   const Revision& revision_;
   const TetMesh& mesh_;
   const Membership membership_;
   const double tiny_;
+  const Rays rays_;
   const MeshSurface surface_;
   Findings& findings_;
 };
@@ -90,7 +109,7 @@ class NameChecker {
 }  // namespace
 
 /// The delivered facets are the boundary of the mesh, each with its tet; all nodes of a facet lie
-/// on each face that it is named after, and the model has its boundary there.
+/// on each face that it is named after, and the model has its boundary there, chords of rims apart.
 void check_names(const Revision& revision, const std::vector<Triangle>& facets,
                  Findings& findings) {
   const MeshGroups& groups = revision.delivery.groups;
