@@ -63,7 +63,8 @@ void one_site(Draft& d, const Transform& frame, double radius, double below) {
 }
 
 void block(Draft& d, double size) {
-  const double w = size, h = size * d.random.uniform(0.4, 1), t = size * d.random.uniform(0.1, 0.5);
+  const double w = size, h = size * d.random.uniform(0.4, 1),
+               t = size * d.random.uniform(0.08, 0.4);
   d.body.push_back(d.add("block", Nature::Additive, {}, {{"dx", w}, {"dy", h}, {"dz", t}}));
   find_length(d);
   grid_sites(d, shifted({}, 0, 0, t), w, h, t);

@@ -32,7 +32,7 @@ void add_troubles(Draft& d) {
   if (d.chance(0.45)) add(Trouble::Tangent);
   if (d.chance(0.35)) add(Trouble::Coincident);
   if (d.chance(0.45)) add(Trouble::Wedge);
-  for (std::uint64_t n = d.random.below(d.chance(0.2) ? 12 : 3); n > 0; --n)
+  for (std::uint64_t n = d.random.below(d.chance(0.25) ? 16 : 3); n > 0; --n)
     add(static_cast<Trouble>(d.random.below(kTroubles)));
 }
 
@@ -58,8 +58,10 @@ Draft draft_model(std::uint64_t seed, bool gentle) {
   d.model.name = "campaign";
   d.model.unit = "mm";
   add_body(d);
-  fill_sites(d, gentle ? d.random.uniform(0.4, 1) : d.random.uniform(0, 0.8));
-  if (!gentle) add_troubles(d);
+  fill_sites(d, gentle ? d.random.uniform(0.5, 1) : d.random.uniform(0, 1));
+  // Else the first edit brings it: where trouble keeps the first mesh from being made, no edit of
+  // the model is ever seen.
+  if (!gentle && d.chance(0.35)) add_troubles(d);
   while (d.model.features.size() < 3) {
     if (free_sites(d).empty()) throw error::no_features();
     const std::size_t before = d.model.features.size();
@@ -145,6 +147,7 @@ class CaseMaker {
     for (int k = 0; k < kEditTries; ++k) {
       // The same kind again for a while, else those that rarely succeed become rare.
       if (k % 8 == 0) kind = draft.random.below(kEditKinds.size());
+      if (k < 8 && !made_.gentle && made_.facts.size() == 1) kind = kAddFeature;
       Draft trial = draft;
       trial.may_add_parameters = false;
       draft.random.next();

@@ -165,13 +165,14 @@ RandomEdit add_feature(Draft& d, const Now& now, bool gentle) {
   const std::size_t before = d.model.features.size();
   d.may_add_parameters = false;
   const std::vector<std::size_t> open = free_sites(d);
-  if (gentle || (!open.empty() && d.chance(0.3))) {
+  if (gentle || (!open.empty() && d.chance(0.2))) {
     if (open.empty()) throw error::no_features();
     add_on_site(d, open[d.random.below(open.size())]);
   } else {
     if (d.sites.empty()) throw error::no_features();
-    add_trouble(d, static_cast<Trouble>(d.random.below(kTroubles)),
-                d.sites[d.random.below(d.sites.size())]);
+    // The three that the campaign promises come first.
+    const auto family = d.chance(0.5) ? d.random.below(3) : d.random.below(kTroubles);
+    add_trouble(d, static_cast<Trouble>(family), d.sites[d.random.below(d.sites.size())]);
   }
   RandomEdit result{{}, "", 0};
   std::string after;
@@ -226,7 +227,7 @@ RandomEdit random_edit(Draft& d, std::size_t kind, bool gentle) {
     case 2:
       result = set_placement(d, now, gentle);
       break;
-    case 3:
+    case kAddFeature:
       result = add_feature(d, now, gentle);
       break;
     default:

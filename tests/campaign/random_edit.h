@@ -11,6 +11,8 @@ namespace remeshd::campaign {
 inline constexpr std::array<const char*, 5> kEditKinds{
     "setParameter", "setFeatureParameter", "setPlacement", "addFeature", "removeFeature"};
 
+inline constexpr std::size_t kAddFeature = 3;
+
 struct RandomEdit {
   ModelEdit edit;
   std::string kind;  ///< as in documents: `setParameter`, ...

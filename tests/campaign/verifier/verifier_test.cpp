@@ -1,0 +1,205 @@
+#include "tests/campaign/verifier/verifier.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/model/feature_model.h"
+#include "tests/support/cases.h"
+
+namespace remeshd::campaign {
+namespace {
+
+/// A plate of 10 x 10 x 4 with a hole of radius `radius` through its middle.
+ModelSource plate(double radius) {
+  ModelSource model =
+      test::one_feature(test::feature("plate", "block", {{"dx", 10.0}, {"dy", 10.0}, {"dz", 4.0}}));
+  FeatureSource hole = test::feature("hole", "cylinder", {{"radius", radius}, {"height", 4.0}});
+  hole.nature = Nature::Subtractive;
+  model.features.push_back(hole);
+  return model;
+}
+
+struct Meshes {
+  Revision first, edited;
+};
+
+/// Of the plate and of an edit of its hole.
+const Meshes& meshes() {
+  static const Meshes made = [] {
+    Meshes m;
+    m.first = make_revision(nullptr, plate(2), {.nodes = 700}, Run{});
+    m.edited = make_revision(&m.first, plate(2.2), {}, Run{});
+    return m;
+  }();
+  return made;
+}
+
+Findings verify_edited(const Revision& revision) {
+  std::set<std::uint64_t> nodes, tets;
+  return verify_independently(revision, &meshes().first, nodes, tets);
+}
+
+std::string list(const Findings& findings) {
+  std::string text;
+  for (const auto& [check, entry] : findings.entries()) text += check + ": " + entry.first + "\n";
+  return text;
+}
+
+std::size_t some_node(const Revision& r, bool boundary) {
+  std::vector<char> on(r.delivery.mesh.nodes.size(), 0);
+  for (const MeshFacet& f : r.delivery.groups.facets)
+    for (const std::int32_t n : f.nodes) on[n] = 1;
+  for (std::size_t n = 0; n < on.size(); ++n)
+    if ((on[n] == 1) == boundary && r.delivery.map.node_origin[n] == NodeOrigin::Kept) return n;
+  return 0;
+}
+
+TEST(Verifier, FindsNothingInGoodMeshes) {
+  std::set<std::uint64_t> nodes, tets;
+  EXPECT_EQ(list(verify_independently(meshes().first, nullptr, nodes, tets)), "");
+  EXPECT_EQ(list(verify_independently(meshes().edited, &meshes().first, nodes, tets)), "");
+}
+
+TEST(Verifier, FindsAnInvertedTet) {
+  Revision r = meshes().edited;
+  std::swap(r.delivery.mesh.tets[7][0], r.delivery.mesh.tets[7][1]);
+  EXPECT_TRUE(verify_edited(r).has("volume sign")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAFlatTet) {
+  Findings findings;
+  check_connectivity({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0}}, {{0, 1, 2, 3}}}, findings);
+  EXPECT_TRUE(findings.has("volume sign"));
+}
+
+TEST(Verifier, FindsARepeatedTet) {
+  Revision r = meshes().edited;
+  r.delivery.mesh.tets[8] = r.delivery.mesh.tets[7];
+  EXPECT_TRUE(verify_edited(r).has("repeated tet")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAMissingTet) {
+  Revision r = meshes().edited;
+  r.delivery.mesh.tets.pop_back();
+  r.delivery.tet_ids.pop_back();
+  r.delivery.map.original_tet.pop_back();
+  r.delivery.groups.tet_cell.pop_back();
+  EXPECT_TRUE(verify_edited(r).has("facets")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAnOrphanNode) {
+  Findings findings;
+  check_connectivity({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 5, 5}}, {{0, 1, 2, 3}}},
+                     findings);
+  EXPECT_TRUE(findings.has("orphan node"));
+}
+
+TEST(Verifier, FindsTetsThatMeetAtANodeOnly) {
+  Findings findings;
+  check_connectivity(
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+       {{0, 1, 2, 3}, {0, 4, 6, 5}}},
+      findings);
+  EXPECT_TRUE(findings.has("connected")) << list(findings);
+  EXPECT_TRUE(findings.has("manifold node")) << list(findings);
+}
+
+TEST(Verifier, FindsTetsThatMeetAlongAnEdgeOnly) {
+  Findings findings;
+  check_connectivity({{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                      {{0, 2, 3, 1}, {0, 4, 5, 1}}},
+                     findings);
+  EXPECT_TRUE(findings.has("closed boundary")) << list(findings);
+}
+
+TEST(Verifier, FindsTwoTetsOnOneSideOfAFacet) {
+  Findings findings;
+  check_connectivity(
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 2}}, {{0, 1, 2, 3}, {0, 1, 2, 4}}},
+      findings);
+  EXPECT_TRUE(findings.has("facet")) << list(findings);
+}
+
+TEST(Verifier, FindsABoundaryNodeOffItsSurface) {
+  Revision r = meshes().edited;
+  r.delivery.mesh.nodes[some_node(r, true)] += Vec3{1e-3, 1e-3, 1e-3};
+  EXPECT_TRUE(verify_edited(r).has("node on surface")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAKeptNodeThatMovedByABit) {
+  Revision r = meshes().edited;
+  double& x = r.delivery.mesh.nodes[some_node(r, false)].x;
+  x = std::nextafter(x, 100);
+  EXPECT_TRUE(verify_edited(r).has("kept node")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsFacetsUnderTheNameOfAnotherFace) {
+  Revision r = meshes().edited;
+  std::int32_t& group = r.delivery.groups.facets[3].group;
+  group = (group + 1) % static_cast<std::int32_t>(r.delivery.groups.facet_groups.size());
+  EXPECT_TRUE(verify_edited(r).has("names")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsATetInTheWrongCell) {
+  Revision r = meshes().edited;
+  r.delivery.groups.cell_owners.push_back({"plate", "hole"});
+  r.delivery.groups.tet_cell[5] =
+      static_cast<std::int32_t>(r.delivery.groups.cell_owners.size()) - 1;
+  EXPECT_TRUE(verify_edited(r).has("owners")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAnIdThatIsUsedTwice) {
+  Revision r = meshes().edited;
+  r.delivery.node_ids[0] = r.delivery.node_ids[1];
+  r.delivery.tet_ids[0] = r.delivery.tet_ids[1];
+  EXPECT_TRUE(verify_edited(r).has("node ids")) << list(verify_edited(r));
+  EXPECT_TRUE(verify_edited(r).has("tet ids")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAnIdThatAnAncestorHad) {
+  std::set<std::uint64_t> nodes;
+  std::set<std::uint64_t> tets{meshes().edited.delivery.tet_ids.begin(),
+                               meshes().edited.delivery.tet_ids.end()};
+  const Findings findings = verify_independently(meshes().edited, &meshes().first, nodes, tets);
+  EXPECT_TRUE(findings.has("tet ids")) << list(findings);
+}
+
+TEST(Verifier, FindsAKeptTetOfOtherNodes) {
+  Revision r = meshes().edited;
+  std::vector<std::int32_t>& from = r.delivery.map.original_tet;
+  std::size_t a = 0;
+  while (from[a] < 0) ++a;
+  std::size_t b = a + 1;
+  while (from[b] < 0) ++b;
+  std::swap(from[a], from[b]);
+  EXPECT_TRUE(verify_edited(r).has("tet map")) << list(verify_edited(r));
+}
+
+TEST(Verifier, FindsAMeshThatLacksAHole) {
+  Revision r = meshes().first;
+  r.model = evaluate([] {
+    ModelSource two = plate(2);
+    FeatureSource small = test::feature("small", "cylinder", {{"radius", 0.8}, {"height", 4.0}});
+    small.nature = Nature::Subtractive;
+    small.placement.origin = {3.5, 3.5, 0.0};
+    two.features.push_back(small);
+    return two;
+  }());
+  std::set<std::uint64_t> nodes, tets;
+  const Findings findings = verify_independently(r, nullptr, nodes, tets);
+  for (const char* check : {"coverage", "inside", "centroid", "exact volume"})
+    EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
+}
+
+TEST(Verifier, FindsAWrongVolumeInTheReport) {
+  Revision r = meshes().edited;
+  r.report.volume *= 1.001;
+  r.report.exact_volume *= 1.1;
+  const Findings findings = verify_edited(r);
+  for (const char* check : {"volume", "exact volume", "reported volume"})
+    EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
+}
+
+}  // namespace
+}  // namespace remeshd::campaign
