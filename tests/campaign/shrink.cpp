@@ -1,9 +1,11 @@
 #include "tests/campaign/shrink.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -38,9 +40,9 @@ class Shrinker {
     if (!first || first->valid()) throw std::runtime_error(file_.string() + " does not fail");
     failure_ = signature(*first);
     drop_steps();
-    remove_edits();
+    fewer_nodes();  // at first: what follows takes less time
     remove_features();
-    fewer_nodes();
+    remove_edits();
     plain_numbers();
     for (const int digits : {2, 3, 5, 8}) fewer_digits(digits);
     remove_features();
@@ -80,14 +82,14 @@ class Shrinker {
     return true;
   }
 
-  void change(const std::function<void(CampaignCase&)>& how) {
+  bool change(const std::function<void(CampaignCase&)>& how) {
     CampaignCase smaller = best_;
     try {
       how(smaller);
     } catch (const Error&) {
-      return;
+      return false;
     }
-    take(smaller);
+    return take(smaller);
   }
 
   void drop_steps() {
@@ -135,24 +137,39 @@ class Shrinker {
     return std::visit(Feature{}, edit) == id;
   }
 
+  /// Halves of them at first, then quarters, down to one by one.
   void remove_features() {
-    for (std::size_t k = best_.model.features.size(); k-- > 0;)
-      change([&](CampaignCase& c) {
-        const std::string id = c.model.features[k].id;
-        c.model.features.erase(c.model.features.begin() + static_cast<std::ptrdiff_t>(k));
-        for (Step& step : c.steps) {
-          std::erase_if(step.edit.edits, [&](const Edit& e) { return concerns(e, id); });
-          for (Edit& e : step.edit.edits)
-            if (auto* add = std::get_if<AddFeature>(&e); add != nullptr && add->after == id)
-              add->after.clear();
-        }
-      });
+    for (std::size_t n = std::max<std::size_t>(1, best_.model.features.size() / 2);; n /= 2) {
+      for (std::size_t k = best_.model.features.size(); k > 0;) {
+        const std::size_t from = k > n ? k - n : 0;
+        change([&](CampaignCase& c) { erase_features(c, from, k); });
+        k = from;
+      }
+      if (n == 1) return;
+    }
+  }
+
+  /// With all edits of them.
+  static void erase_features(CampaignCase& c, std::size_t from, std::size_t to) {
+    for (std::size_t k = to; k-- > from;) {
+      const std::string id = c.model.features[k].id;
+      c.model.features.erase(c.model.features.begin() + static_cast<std::ptrdiff_t>(k));
+      for (Step& step : c.steps) {
+        std::erase_if(step.edit.edits, [&](const Edit& e) { return concerns(e, id); });
+        for (Edit& e : step.edit.edits)
+          if (auto* add = std::get_if<AddFeature>(&e); add != nullptr && add->after == id)
+            add->after.clear();
+      }
+    }
+    // What cannot fail as before need not be tried.
+    if (c.model.features.empty()) throw error::no_features();
+    evaluate(model_before(c, c.steps.size()));
   }
 
   void fewer_nodes() {
     if (!best_.options.nodes) return;
     for (const std::uint32_t n : {300U, 600U, 1000U, 1500U, 2000U, 3000U})
-      if (n < *best_.options.nodes) change([&](CampaignCase& c) { c.options.nodes = n; });
+      if (n < *best_.options.nodes && change([&](CampaignCase& c) { c.options.nodes = n; })) return;
   }
 
   /// Every number of the model and of the edits' features.
@@ -217,6 +234,30 @@ class Shrinker {
     change([](CampaignCase& c) {
       for (FeatureSource& f : c.model.features) f.reference = ReferenceKind::Origin;
     });
+    // Each parameter by its number, then those that nothing uses any more go.
+    const std::map<std::string, Scalar> parameters = best_.model.parameters;
+    for (const auto& [name, value] : parameters)
+      if (const double* number = std::get_if<double>(&value))
+        change([&](CampaignCase& c) { write_out(c.model, name, *number); });
+  }
+
+  /// Expressions of this parameter alone, `p1`, `p1*2` or `p1-2`, as the generator writes them, as
+  /// numbers.
+  static void write_out(ModelSource& model, const std::string& name, double number) {
+    for (FeatureSource& f : model.features)
+      for (auto& [key, value] : f.parameters) {
+        const std::string* text = std::get_if<std::string>(&value);
+        if (text == nullptr || !text->starts_with(name)) continue;
+        const std::string rest = text->substr(name.size());
+        if (rest.empty()) {
+          value = number;
+        } else if (rest[0] == '*' || rest[0] == '+' || rest[0] == '-') {
+          const double by = std::strtod(rest.c_str() + 1, nullptr);
+          value = rest[0] == '*' ? number * by : rest[0] == '+' ? number + by : number - by;
+        }
+      }
+    model.parameters.erase(name);
+    evaluate(model);
   }
 
   fs::path file_, trial_file_;
