@@ -31,7 +31,7 @@ Transform facing(const Transform& frame, int direction) {
 /// Sites in a grid on the rectangle width x depth about the origin of `frame`.
 void grid_sites(Draft& d, const Transform& frame, double width, double depth, double below) {
   const double l = d.length;
-  const double pitch = l * d.random.uniform(4.6, 8);
+  const double pitch = l * (d.dense ? 4.4 : d.random.uniform(4.6, 8));
   const double w = width - l, h = depth - l;
   const int nx = std::max(1, static_cast<int>(w / pitch));
   const int ny = std::max(1, static_cast<int>(h / pitch));
@@ -64,7 +64,7 @@ void one_site(Draft& d, const Transform& frame, double radius, double below) {
 
 void block(Draft& d, double size) {
   const double w = size, h = size * d.random.uniform(0.4, 1),
-               t = size * d.random.uniform(0.08, 0.4);
+               t = size * (d.dense ? 0.1 : d.random.uniform(0.08, 0.4));
   d.body.push_back(d.add("block", Nature::Additive, {}, {{"dx", w}, {"dy", h}, {"dz", t}}));
   find_length(d);
   grid_sites(d, shifted({}, 0, 0, t), w, h, t);
@@ -195,7 +195,7 @@ void add_body(Draft& d) {
                                                 slot,  polygon_plate, angle_plate,    flange, tube,
                                                 ball,  ring,          frustum,        block};
   const double size = d.log_uniform(0.5, 500);
-  kBodies[d.random.below(kBodies.size())](d, size);
+  kBodies[d.dense ? 0 : d.random.below(kBodies.size())](d, size);
 }
 
 }  // namespace remeshd::campaign

@@ -8,9 +8,10 @@ namespace remeshd::campaign {
 
 using nlohmann::json;
 
-ModelSource model_before(const CampaignCase& c, std::size_t k) {
+ModelSource model_after(const CampaignCase& c, std::size_t k) {
   ModelSource model = c.model;
-  for (std::size_t i = 0; i < k; ++i) model = apply(model, c.steps[i].edit);
+  for (std::size_t i = 0; i < k; ++i)
+    if (!c.steps[i].undone || i + 1 == k) model = apply(model, c.steps[i].edit);
   return model;
 }
 
@@ -20,8 +21,10 @@ json write_case(const CampaignCase& c) {
   if (c.options.size) options["size"] = *c.options.size;
   json steps = json::array();
   for (const Step& step : c.steps)
-    steps.push_back(
-        {{"kind", step.kind}, {"size", step.size}, {"edit", test::write_edit(step.edit)}});
+    steps.push_back({{"kind", step.kind},
+                     {"size", step.size},
+                     {"undone", step.undone},
+                     {"edit", test::write_edit(step.edit)}});
   return {{"seed", c.seed},
           {"case", c.number},
           {"note", c.note},
@@ -43,7 +46,7 @@ CampaignCase read_case(const json& j) {
   c.options.seed = options.value("seed", std::uint64_t{1});
   for (const json& step : j.at("steps"))
     c.steps.push_back({test::read_edit(step.at("edit")), step.value("kind", std::string()),
-                       step.value("size", 0.0)});
+                       step.value("size", 0.0), step.value("undone", false)});
   return c;
 }
 

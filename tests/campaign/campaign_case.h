@@ -13,6 +13,8 @@ struct Step {
   ModelEdit edit;
   std::string kind;  ///< of the edit, as in documents
   double size = 0;   ///< by the model's diagonal
+  /// The CAD kernel fails at its model, which is therefore no base: later edits do without it.
+  bool undone = false;
 };
 
 /// A model, its first mesh's options, and edits that follow each other: each is meshed from the
@@ -25,8 +27,8 @@ struct CampaignCase {
   std::vector<Step> steps;
 };
 
-/// The document before step k; of all steps where k is their number.
-ModelSource model_before(const CampaignCase& c, std::size_t k);
+/// The document after k steps.
+ModelSource model_after(const CampaignCase& c, std::size_t k);
 
 nlohmann::json write_case(const CampaignCase& c);
 /// Throws nlohmann's exceptions where the text is not a case.

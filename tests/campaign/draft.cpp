@@ -7,6 +7,7 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/feature_model.h"
 #include "engine/nodes/density.h"
+#include "tests/support/cases.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -99,14 +100,14 @@ std::vector<ProfileEntry> polygon(int corners, double radius) {
   std::vector<ProfileEntry> result;
   for (int k = 0; k < corners; ++k) {
     const double angle = 2 * std::numbers::pi * k / corners;
-    result.push_back({radius * std::cos(angle), radius * std::sin(angle), {}});
+    result.push_back(test::point(radius * std::cos(angle), radius * std::sin(angle)));
   }
   return result;
 }
 
 std::vector<ProfileEntry> outline(const std::vector<std::array<double, 2>>& corners) {
   std::vector<ProfileEntry> result;
-  for (const auto& [x, y] : corners) result.push_back({x, y, {}});
+  for (const auto& [x, y] : corners) result.push_back(test::point(x, y));
   return result;
 }
 

@@ -27,6 +27,7 @@ struct Draft {
   std::vector<std::string> body;   ///< ids of the features that carry all others
   double length = 0;               ///< about the target edge length l
   double nodes = 2000;             ///< the target that l follows from
+  bool dense = false;              ///< as many sites as there is room for
   bool may_add_parameters = true;  ///< an edit adds none
   int serial = 0;                  ///< for ids
 

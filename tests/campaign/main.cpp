@@ -99,7 +99,7 @@ int describe(const Options& options) {
   const CampaignCase& c = made.campaign_case;
   std::cout << write_case(c).dump(1) << "\n";
   for (std::size_t k = 0; k < made.facts.size(); ++k) {
-    std::cout << "model " << k << ": " << model_before(c, k).features.size() << " features\n";
+    std::cout << "model " << k << ": " << model_after(c, k).features.size() << " features\n";
     print_facts(made.facts[k], made.length);
   }
   for (const auto& [reason, n] : made.discarded)

@@ -3,7 +3,9 @@
 #include "engine/base/error.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/feature_model.h"
+#include "engine/model/solid.h"
 #include "engine/nodes/density.h"
+#include "tests/campaign/contacts.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -22,6 +24,13 @@ ModelFacts find_facts(const ModelSource& source, double length, double nodes) {
     facts.topology = topology(cells.boundary);
   } catch (const Error& failure) {
     facts.refused = failure.info().reason;
+    if (rightly_refused(facts)) return facts;
+    // Without cells, what the features' own surfaces tell.
+    const FeatureModel model = evaluate(source);
+    const Contacts contacts = find_contacts(model, Membership(model));
+    facts.measure.tangent = contacts.tangent > 0;
+    facts.measure.coincident = contacts.coincident > 0;
+    facts.measure.film = contacts.film > 0;
   }
   return facts;
 }

@@ -13,7 +13,7 @@ namespace remeshd::campaign {
 struct ModelFacts {
   std::string refused;  ///< reason of the Error that the document or its cells raise; else empty
   double volume = 0, area = 0;
-  Measure measure;  ///< this and the rest only where nothing was refused
+  Measure measure;  ///< this and the rest where nothing was refused, else contacts only
   Topology topology;
 };
 

@@ -14,13 +14,13 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kGentle = 0.7;  // share of cases
-constexpr int kModelTries = 40;  // before a gentle model is made mean
-constexpr int kEditTries = 12;   // before the chain ends
+constexpr double kGentle = 0.59;  // share of cases
+constexpr int kModelTries = 40;   // before a gentle model is made mean
+constexpr int kEditTries = 12;    // before the chain ends
 
 void fill_sites(Draft& d, double share) {
   for (const std::size_t site : free_sites(d))
-    if (d.chance(share)) add_on_site(d, site);
+    if (d.model.features.size() < 38 && d.chance(share)) add_on_site(d, site);
 }
 
 void add_troubles(Draft& d) {
@@ -54,14 +54,15 @@ void place_anywhere(Draft& d) {
 Draft draft_model(std::uint64_t seed, bool gentle) {
   Draft d(seed);
   d.random.next();
-  d.nodes = std::floor(d.random.uniform(2000, 5000));
+  d.dense = d.chance(0.15);
+  d.nodes = std::floor(d.random.uniform(d.dense ? 4500 : 2000, 5000));
   d.model.name = "campaign";
   d.model.unit = "mm";
   add_body(d);
-  fill_sites(d, gentle ? d.random.uniform(0.5, 1) : d.random.uniform(0, 1));
+  fill_sites(d, gentle || d.dense ? d.random.uniform(0.5, 1) : d.random.uniform(0, 1));
   // Else the first edit brings it: where trouble keeps the first mesh from being made, no edit of
   // the model is ever seen.
-  if (!gentle && d.chance(0.35)) add_troubles(d);
+  if (!gentle && d.chance(0.2)) add_troubles(d);
   while (d.model.features.size() < 3) {
     if (free_sites(d).empty()) throw error::no_features();
     const std::size_t before = d.model.features.size();
@@ -96,7 +97,7 @@ class CaseMaker {
       draft = try_model(mix(seed_, k));
     }
     const int steps = 4 + static_cast<int>(random.below(3));
-    for (int k = 0; k < steps && made_.facts.back().refused.empty(); ++k)
+    for (int k = 0; k < steps && made_.facts.front().refused.empty(); ++k)
       if (!add_step(*draft)) break;
     return std::move(made_);
   }
@@ -147,7 +148,7 @@ class CaseMaker {
     for (int k = 0; k < kEditTries; ++k) {
       // The same kind again for a while, else those that rarely succeed become rare.
       if (k % 8 == 0) kind = draft.random.below(kEditKinds.size());
-      if (k < 8 && !made_.gentle && made_.facts.size() == 1) kind = kAddFeature;
+      if (k < 8 && !made_.gentle && !troubled_) kind = kAddFeature;
       Draft trial = draft;
       trial.may_add_parameters = false;
       draft.random.next();
@@ -158,9 +159,14 @@ class CaseMaker {
         before_look_(next);
         std::optional<ModelFacts> facts = look(trial.model, trial.nodes);
         if (!facts) continue;
+        const bool usable = facts->refused.empty();
+        next.steps.back().undone = !usable;
         made_.campaign_case = std::move(next);
         made_.facts.push_back(std::move(*facts));
-        draft = std::move(trial);
+        if (usable) {
+          draft = std::move(trial);
+          troubled_ = troubled_ || kind == kAddFeature;
+        }
         return true;
       } catch (const Error& failure) {
         discard(failure.info().reason);
@@ -171,6 +177,7 @@ class CaseMaker {
 
   const std::function<void(const CampaignCase&)>& before_look_;
   std::uint64_t seed_;
+  bool troubled_ = false;  ///< a mean case has had its trouble
   RandomCase made_;
 };
 

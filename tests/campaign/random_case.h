@@ -20,7 +20,8 @@ struct RandomCase {
 };
 
 /// Case `number` of a campaign: always the same for the same seed and number. Models that are
-/// rightly refused are made anew; one that the CAD kernel fails at ends the case.
+/// rightly refused are made anew. An edit that the CAD kernel fails at stays, and is undone; a
+/// first model ends the case.
 ///
 /// `before_look`: called with each model before it is looked at, which may crash.
 RandomCase make_case(std::uint64_t seed, std::uint64_t number,

@@ -34,7 +34,7 @@ TEST(RandomCase, HasThreeToFortyFeaturesAndValidDocuments) {
   for (std::uint64_t k = 0; k < 10; ++k) {
     const CampaignCase c = make(8, k).campaign_case;
     for (std::size_t step = 0; step <= c.steps.size(); ++step) {
-      const ModelSource model = model_before(c, step);
+      const ModelSource model = model_after(c, step);
       EXPECT_GE(model.features.size(), 3U);
       EXPECT_LE(model.features.size(), 45U);
       EXPECT_NO_THROW(evaluate(model)) << "case " << k << " step " << step;

@@ -170,9 +170,14 @@ RandomEdit add_feature(Draft& d, const Now& now, bool gentle) {
     add_on_site(d, open[d.random.below(open.size())]);
   } else {
     if (d.sites.empty()) throw error::no_features();
-    // The three that the campaign promises come first.
-    const auto family = d.chance(0.5) ? d.random.below(3) : d.random.below(kTroubles);
-    add_trouble(d, static_cast<Trouble>(family), d.sites[d.random.below(d.sites.size())]);
+    const auto add = [&](Trouble family) {
+      add_trouble(d, family, d.sites[d.random.below(d.sites.size())]);
+    };
+    // Those that the campaign promises, or anything.
+    if (d.chance(0.4)) add(Trouble::Tangent);
+    if (d.chance(0.4)) add(Trouble::Wedge);
+    if (d.model.features.size() == before || d.chance(0.3))
+      add(static_cast<Trouble>(d.random.below(kTroubles)));
   }
   RandomEdit result{{}, "", 0};
   std::string after;

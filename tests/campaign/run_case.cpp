@@ -144,7 +144,7 @@ void run_case(const CampaignCase& c, const std::function<void(std::size_t)>& bef
   inherited.size.reset();
   for (std::size_t step = 0; step <= c.steps.size(); ++step) {
     before(step);
-    after(try_step(step, model_before(c, step), step == 0 ? c.options : inherited, base));
+    after(try_step(step, model_after(c, step), step == 0 ? c.options : inherited, base));
     if (!base) return;
   }
 }

@@ -96,13 +96,22 @@ class Shrinker {
     if (best_.steps.empty()) return;
     // The last document alone; the last edit alone; then edit by edit.
     change([](CampaignCase& c) {
-      c.model = model_before(c, c.steps.size());
+      c.model = model_after(c, c.steps.size());
       c.steps.clear();
     });
+    if (!best_.steps.empty()) {
+      // Undone steps are there for their own sake.
+      const Step last = best_.steps.back();
+      CampaignCase& c = best_;
+      std::erase_if(c.steps, [](const Step& s) { return s.undone; });
+      if (last.undone) c.steps.push_back(last);
+      c.steps.back().undone = false;
+    }
     if (best_.steps.size() > 1)
       change([](CampaignCase& c) {
-        c.model = model_before(c, c.steps.size() - 1);
+        c.model = model_after(c, c.steps.size() - 1);
         c.steps.erase(c.steps.begin(), c.steps.end() - 1);
+        c.steps.front().undone = false;
       });
     for (std::size_t k = 0; k + 1 < best_.steps.size();) {
       const std::size_t before = best_.steps.size();
@@ -163,7 +172,7 @@ class Shrinker {
     }
     // What cannot fail as before need not be tried.
     if (c.model.features.empty()) throw error::no_features();
-    evaluate(model_before(c, c.steps.size()));
+    evaluate(model_after(c, c.steps.size()));
   }
 
   void fewer_nodes() {

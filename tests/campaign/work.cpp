@@ -50,7 +50,9 @@ std::vector<StepFacts> step_facts(const RandomCase& made) {
   const CampaignCase& c = made.campaign_case;
   for (std::size_t k = 0; k < made.facts.size(); ++k) {
     const ModelFacts& now = made.facts[k];
-    const ModelFacts& before = made.facts[k == 0 ? 0 : k - 1];
+    std::size_t base = k == 0 ? 0 : k - 1;
+    while (base > 0 && c.steps[base - 1].undone) --base;
+    const ModelFacts& before = made.facts[base];
     StepFacts f;
     f.measured = now.refused.empty() && before.refused.empty();
     f.good_natured = f.measured && now.measure.good_natured(made.length) &&
@@ -62,8 +64,7 @@ std::vector<StepFacts> step_facts(const RandomCase& made) {
     f.smallest = now.refused.empty() ? std::min(1e9, now.measure.smallest() / made.length) : 0;
     if (k > 0) f.kind = c.steps[k - 1].kind;
     if (k > 0) f.size = c.steps[k - 1].size;
-    for (const FeatureSource& feature : model_before(c, k).features)
-      f.types.push_back(feature.type);
+    for (const FeatureSource& feature : model_after(c, k).features) f.types.push_back(feature.type);
     result.push_back(std::move(f));
   }
   return result;
