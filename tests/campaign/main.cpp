@@ -21,7 +21,8 @@ struct Options {
   std::uint64_t seed = 1, number = 0, from = 0;
   int edits = 300;
   std::string file, out, json;
-  bool keep_refusals = false, keep_fallbacks = false, strict = false, verbose = false;
+  bool only_gentle = false, only_others = false, keep_refusals = false, keep_fallbacks = false,
+       strict = false, verbose = false;
   double shrink_seconds = 60;
 };
 
@@ -57,6 +58,8 @@ int run(const Options& options) {
     if (!options.json.empty()) std::ofstream(options.json) << write_tally(tally).dump(1) << "\n";
   };
   for (std::uint64_t k = options.from; tally.edits < options.edits; ++k) {
+    const bool gentle = is_gentle(options.seed, k);
+    if (gentle ? options.only_others : options.only_gentle) continue;
     const WorkedCase worked = have_worked(options.seed, k, kCaseSeconds);
     tally.add(worked);
     for (const Outcome& o : worked.outcomes) {
@@ -121,6 +124,9 @@ int main(int argc, char** argv) try {
   run_command->add_option("--out", options.out, "folder for what failed");
   run_command->add_option("--json", options.json, "file for the figures");
   run_command->add_option("--shrink", options.shrink_seconds, "seconds for each failure; 0: none");
+  CLI::Option* gentle = run_command->add_flag("--good-natured", options.only_gentle,
+                                              "only cases made to be good-natured");
+  run_command->add_flag("--others", options.only_others, "only the others")->excludes(gentle);
   run_command->add_flag("--keep-refusals", options.keep_refusals, "store refused edits too");
   run_command->add_flag("--keep-fallbacks", options.keep_fallbacks, "store edits that fell back");
   run_command->add_flag("--strict", options.strict, "exit with 1 where anything failed");

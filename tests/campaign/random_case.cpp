@@ -59,7 +59,7 @@ Draft draft_model(std::uint64_t seed, bool gentle) {
   d.model.name = "campaign";
   d.model.unit = "mm";
   add_body(d);
-  fill_sites(d, gentle || d.dense ? d.random.uniform(0.5, 1) : d.random.uniform(0, 1));
+  fill_sites(d, gentle || d.dense ? d.random.uniform(0.35, 0.8) : d.random.uniform(0, 1));
   // Else the first edit brings it: where trouble keeps the first mesh from being made, no edit of
   // the model is ever seen.
   if (!gentle && d.chance(0.2)) add_troubles(d);
@@ -90,7 +90,7 @@ class CaseMaker {
 
   RandomCase operator()() {
     Random random(seed_);
-    made_.gentle = random.uniform() < kGentle;
+    made_.gentle = random.uniform() < kGentle;  // as is_gentle
     std::optional<Draft> draft;
     for (std::uint64_t k = 0; !draft; ++k) {
       if (k == kModelTries) made_.gentle = false;
@@ -182,6 +182,10 @@ class CaseMaker {
 };
 
 }  // namespace
+
+bool is_gentle(std::uint64_t seed, std::uint64_t number) {
+  return Random(mix(seed, number)).uniform() < kGentle;
+}
 
 RandomCase make_case(std::uint64_t seed, std::uint64_t number,
                      const std::function<void(const CampaignCase&)>& before_look) {

@@ -19,6 +19,9 @@ struct RandomCase {
   std::map<std::string, int> discarded;  ///< models not used, by the reason of their refusal
 };
 
+/// Whether the case is meant to be good-natured.
+bool is_gentle(std::uint64_t seed, std::uint64_t number);
+
 /// Case `number` of a campaign: always the same for the same seed and number. Models that are
 /// rightly refused are made anew. An edit that the CAD kernel fails at stays, and is undone; a
 /// first model ends the case.
