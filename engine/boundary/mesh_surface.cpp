@@ -106,6 +106,13 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
   };
   SurfaceRemesher remesher(tessellated_surface(boundary), boundary, longest, run);
   remesher.grade();
+  // The triangulation has long slivers, whose quarters are slivers again: collapse what is short
+  // between.
+  for (const double limit : {64.0, 32.0, 16.0, 8.0, 4.0, 2.0}) {
+    remesher.split_long(limit);
+    remesher.flip();
+    remesher.collapse_short();
+  }
   remesh(remesher, kRounds, least);
   for (int round = 0; round < options.crossing_rounds; ++round) {
     if (!heed_crossings(remesher, run)) break;

@@ -10,11 +10,12 @@ namespace remeshd {
 namespace {
 
 constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;  // between them a split is not undone at once
+constexpr double kLonger = 1.05;                     // of a long side, by a collapse at its end
 constexpr double kUpright = 0.64;     // cosine of 50 degrees: a hexagon for a circle passes
 constexpr double kLeastShape = 0.01;  // of a facet that a step makes
 constexpr double kFairShape = 0.6;    // above this a facet may lose shape when a node moves
-constexpr double kFlipGain = 1e-3;
-constexpr double kGrowth = 0.5;  // of the length asked for, per distance
+constexpr double kFlipGain = 1.01;    // of the worse facet's shape
+constexpr double kGrowth = 0.5;       // of the length asked for, per distance
 
 bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
 
@@ -136,7 +137,7 @@ void SurfaceRemesher::remove(std::int32_t facet) {
   mesh_.facets[facet].face = -1;
 }
 
-std::vector<SurfaceRemesher::Job> SurfaceRemesher::sides_by_ratio(bool longest_first) const {
+std::vector<SurfaceRemesher::Job> SurfaceRemesher::sides_beyond(double limit, bool above) const {
   std::vector<Job> jobs;
   for (const FaceFacet& f : mesh_.facets) {
     if (f.face < 0) continue;
@@ -144,17 +145,18 @@ std::vector<SurfaceRemesher::Job> SurfaceRemesher::sides_by_ratio(bool longest_f
       const std::int32_t a = f.nodes[i], b = f.nodes[(i + 1) % 3];
       if (a > b) continue;
       const double r = ratio(a, b);
-      if (longest_first ? r > kLong : r < kShort) jobs.push_back({longest_first ? r : -r, a, b});
+      if (above ? r > limit : r < limit) jobs.push_back({above ? r : -r, a, b});
     }
   }
   return jobs;
 }
 
-void SurfaceRemesher::split_long() {
+void SurfaceRemesher::split_long(double limit) {
   const auto shorter = [](const Job& x, const Job& y) {
     return x.key != y.key ? x.key < y.key : std::pair{x.a, x.b} > std::pair{y.a, y.b};
   };
-  std::priority_queue<Job, std::vector<Job>, decltype(shorter)> jobs(shorter, sides_by_ratio(true));
+  std::priority_queue<Job, std::vector<Job>, decltype(shorter)> jobs(shorter,
+                                                                     sides_beyond(limit, true));
   Polling poll(run_);
   while (!jobs.empty()) {
     poll();
@@ -164,7 +166,7 @@ void SurfaceRemesher::split_long() {
     if (!s || !split(*s)) continue;
     const auto added = static_cast<std::int32_t>(mesh_.nodes.size()) - 1;
     for (const std::int32_t n : neighbours(added))
-      if (const double r = ratio(n, added); r > kLong) jobs.push({r, n, added});
+      if (const double r = ratio(n, added); r > limit) jobs.push({r, n, added});
   }
 }
 
@@ -198,7 +200,7 @@ bool SurfaceRemesher::split(const Side& s) {
 }
 
 void SurfaceRemesher::collapse_short() {
-  std::vector<Job> jobs = sides_by_ratio(false);
+  std::vector<Job> jobs = sides_beyond(kShort, false);
   std::ranges::stable_sort(jobs, [](const Job& x, const Job& y) {
     return x.key != y.key ? x.key > y.key : std::pair{x.a, x.b} < std::pair{y.a, y.b};
   });
@@ -227,7 +229,7 @@ bool SurfaceRemesher::may_collapse(const Side& s, std::int32_t from, std::int32_
   for (const std::int32_t k : at_[from])
     before = std::min(before, shape_with(mesh_.facets[k], from, mesh_.nodes[from]));
   for (const std::int32_t n : at_from)
-    if (n != to && ratio(n, to) > kLong) return false;
+    if (n != to && ratio(n, to) > std::max(kLong, kLonger * ratio(n, from))) return false;
   for (const std::int32_t k : at_[from]) {
     if (k == s.left || k == s.right) continue;
     const double after = shape_with(mesh_.facets[k], from, mesh_.nodes[to]);
@@ -288,7 +290,7 @@ bool SurfaceRemesher::try_flip(const Side& s) {
   const Vec3 &c = mesh_.nodes[s.apex_left], &d = mesh_.nodes[s.apex_right];
   const double before = std::min(shape(left.face, a, b, c), shape(left.face, b, a, d));
   const double after = std::min(shape(left.face, a, d, c), shape(left.face, d, b, c));
-  if (after < before + kFlipGain || after <= 0) return false;
+  if (after <= 0 || after < kFlipGain * before) return false;
   const std::int32_t bc = edge_between(s.left, s.b, s.apex_left);
   const std::int32_t ca = edge_between(s.left, s.apex_left, s.a);
   const std::int32_t ad = edge_between(s.right, s.a, s.apex_right);

@@ -33,8 +33,8 @@ class SurfaceRemesher {
   /// Lets the lengths asked for grow no faster than by half of the distance (Dijkstra).
   void grade();
 
-  /// Splits sides that are longer than 4/3 of their length, the longest first.
-  void split_long();
+  /// Splits sides that are longer than `limit` of their length, the longest first.
+  void split_long(double limit = 4.0 / 3);
   /// Collapses sides that are shorter than 4/5 of their length, the shortest first.
   void collapse_short();
   /// Flips sides within faces while that improves the worse of their two facets.
@@ -65,7 +65,8 @@ class SurfaceRemesher {
   [[nodiscard]] std::int32_t edge_between(std::int32_t facet, std::int32_t a, std::int32_t b) const;
   [[nodiscard]] bool joined(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] std::vector<std::int32_t> neighbours(std::int32_t n) const;
-  [[nodiscard]] std::vector<Job> sides_by_ratio(bool longest_first) const;
+  /// Sides whose ratio is above or below a limit.
+  [[nodiscard]] std::vector<Job> sides_beyond(double limit, bool above) const;
   [[nodiscard]] bool may_collapse(const Side& s, std::int32_t from, std::int32_t to) const;
   [[nodiscard]] std::optional<Vec3> evened_place(std::int32_t n) const;
   bool split(const Side& s);
