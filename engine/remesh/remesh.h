@@ -125,7 +125,8 @@ struct Revision {
 ///
 /// The result depends on the arguments alone, not on `run.threads` or the clock.
 /// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `BoundaryNotRecovered`
-/// where no valid mesh could be made, naming the place and the features there; Cancelled within 100 ms of a stop request.
+/// where no valid mesh could be made, naming the place and the features there; Cancelled within 100
+/// ms of a stop request.
 Revision make_revision(const Revision* original, const ModelSource& source,
                        const MeshOptions& options, const Run& run);
 
