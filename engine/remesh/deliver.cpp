@@ -1,7 +1,9 @@
 #include "engine/remesh/deliver.h"
 
 #include <algorithm>
+#include <numbers>
 
+#include "engine/cellular/sharp_places.h"
 #include "engine/remesh/group_areas.h"
 #include "engine/remesh/groups.h"
 #include "engine/remesh/master.h"
@@ -10,6 +12,8 @@
 namespace remeshd {
 
 namespace {
+
+constexpr double kSharp = 25 * std::numbers::pi / 180;
 
 /// Puts the nodes that the clean-up has made superfluous behind all others, so that those of the
 /// delivered mesh come first in the master too. Returns how many are delivered.
@@ -92,6 +96,26 @@ std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals
   return ids;
 }
 
+/// Quality away from where the model is sharp.
+void measure_away(Revision& revision, const Run& run) {
+  Report& report = revision.report;
+  report.quality_away = report.quality;
+  report.sharp_tets = 0;
+  const SharpPlaces sharp =
+      sharp_places(revision.cells.boundary, Membership(revision.model), kSharp);
+  if (!sharp.any()) return;
+  const TetMesh& mesh = revision.delivery.mesh;
+  const std::span<const Support> supports = revision.supports();
+  std::vector<std::uint8_t> at(mesh.nodes.size());
+  for (std::size_t n = 0; n < at.size(); ++n) at[n] = sharp.holds(supports[n]) ? 1 : 0;
+  std::vector<Tet> away;
+  away.reserve(mesh.tets.size());
+  for (const Tet& t : mesh.tets)
+    if (!(at[t[0]] || at[t[1]] || at[t[2]] || at[t[3]])) away.push_back(t);
+  report.sharp_tets = static_cast<std::uint32_t>(mesh.tets.size() - away.size());
+  if (report.sharp_tets > 0) report.quality_away = measure_quality(mesh.nodes, away, run);
+}
+
 }  // namespace
 
 void account(Revision& revision, const Run& run) {
@@ -110,6 +134,7 @@ void account(Revision& revision, const Run& run) {
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
   revision.report.quality = measure_quality(d.mesh.nodes, d.mesh.tets, run);
+  measure_away(revision, run);
   revision.report.volume = revision.report.quality.volume;
   revision.report.exact_volume = revision.cells.volume;
 }

@@ -58,6 +58,10 @@ struct Report {
   double volume = 0, exact_volume = 0;
   Quality quality_before;  ///< of the peeled Delaunay mesh
   Quality quality;         ///< as delivered
+  /// Of the tets without a corner where the model itself has an angle below 25 degrees: a wedge of
+  /// material, or edges of one face that meet sharply or touch.
+  Quality quality_away;
+  std::uint32_t sharp_tets = 0;  ///< the others
   std::vector<GroupArea> groups;
   std::vector<std::string> warnings;
 };

@@ -99,7 +99,8 @@ void serialize(A& a, GroupArea& g) {
 template <class A>
 void serialize(A& a, Report& r) {
   a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
-    r.exact_volume, r.quality_before, r.quality, r.groups, r.warnings);
+    r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.groups,
+    r.warnings);
 }
 
 std::string serialise(const Revision& revision) {

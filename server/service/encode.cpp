@@ -150,6 +150,8 @@ v1::Report encode(const Report& report) {
   seconds.set_total(report.seconds.total);
   put_quality(report.quality, *out.mutable_quality());
   put_quality(report.quality_before, *out.mutable_quality_before());
+  put_quality(report.quality_away, *out.mutable_quality_away());
+  out.set_sharp_tets(report.sharp_tets);
   for (const GroupArea& group : report.groups) {
     v1::GroupArea& area = *out.add_groups();
     area.set_group(group.group);
