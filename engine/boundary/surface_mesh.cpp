@@ -1,6 +1,7 @@
 #include "engine/boundary/surface_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -24,7 +25,19 @@ SurfaceMesh join_faces(const BoundaryModel& boundary) {
   return mesh;
 }
 
-/// The model edge between two faces that a side runs along: the nearest.
+double polyline_distance(const std::vector<Vec3>& points, const Vec3& p) {
+  double least2 = HUGE_VAL;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec3 step = points[i + 1] - points[i];
+    const double length2 = norm2(step);
+    const double t = length2 > 0 ? std::clamp(dot(p - points[i], step) / length2, 0.0, 1.0) : 0;
+    least2 = std::min(least2, norm2(p - (points[i] + t * step)));
+  }
+  return std::sqrt(least2);
+}
+
+/// The model edge between two faces that a side runs along: the nearest by its polyline, for
+/// `project` may come out on another edge of the same two surfaces.
 std::int32_t edge_along(const BoundaryModel& boundary, int f, int g, const Vec3& a, const Vec3& b) {
   const std::vector<int> faces{std::min(f, g), std::max(f, g)};
   std::int32_t best = -1;
@@ -34,7 +47,7 @@ std::int32_t edge_along(const BoundaryModel& boundary, int f, int g, const Vec3&
     if (edge.faces != faces) continue;
     double far = 0;
     for (const Vec3& p : {a, b, 0.5 * (a + b)})
-      far = std::max(far, distance(p, project(boundary, edge, p)));
+      far = std::max(far, polyline_distance(edge.points, p));
     if (far >= nearest) continue;
     nearest = far;
     best = e;

@@ -125,6 +125,24 @@ TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
   expect_sound(mesh_surface(cells.boundary, {.edge_length = 6}, kRun), cells.boundary);
 }
 
+TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
+  // The ring leaves the block through a side and comes back: loops that `project` may confuse.
+  const CellularModel cells = cells_of(
+      {block("b", 47.65, 57.757, 12.379),
+       placed(test::feature("r", "torus", {{"major_radius", 13.9066}, {"minor_radius", 1.2514}}),
+              -10.3108, -18.2377, 11.7107)});
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 2.461}, kRun);
+  expect_sound(mesh, cells.boundary);
+  for (std::size_t e = 0; e < cells.boundary.edges.size(); ++e) {
+    Box box;
+    for (const Vec3& p : cells.boundary.edges[e].points) box.add(p);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+      if (mesh.supports[n] == Support{Support::Kind::Edge, static_cast<std::int32_t>(e)}) {
+        EXPECT_TRUE(box.contains(mesh.nodes[n], 0.1)) << "edge " << e << " node " << n;
+      }
+  }
+}
+
 TEST(MeshSurface, IsTheSameEveryTime) {
   const CellularModel cells = build_cells(test::case_features("tool2-d"), kRun);
   const SurfaceMesh a = mesh_surface(cells.boundary, {.edge_length = 4}, kRun);
