@@ -128,10 +128,10 @@ TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
 TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
   // The ring leaves the block through a side and comes back: loops that `project` may confuse.
   const CellularModel cells = cells_of(
-      {block("b", 47.65, 57.757, 12.379),
-       placed(test::feature("r", "torus", {{"major_radius", 13.9066}, {"minor_radius", 1.2514}}),
-              -10.3108, -18.2377, 11.7107)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 2.461}, kRun);
+      {block("b", 34.9971, 53.401, 22.8141),
+       placed(test::feature("r", "torus", {{"major_radius", 10.1277}, {"minor_radius", 1.3575}}),
+              14.1619, -1.0384, 3.2407)});
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 4.702}, kRun);
   expect_sound(mesh, cells.boundary);
   for (std::size_t e = 0; e < cells.boundary.edges.size(); ++e) {
     Box box;
