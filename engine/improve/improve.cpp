@@ -28,6 +28,7 @@ constexpr int kRelaxRounds = 12;
 constexpr std::size_t kMostStubborn = 40;
 constexpr int kPollEvery = 64;
 constexpr int kClimbRounds = 4;
+constexpr double kLeastGain = 1e-4;  // of the score, for a step of a climb: it bounds their number
 constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge length
 
 /// Cosine of a positive tet's smallest dihedral angle.
@@ -266,8 +267,9 @@ class CleanUp {
         Vec3 towards{};
         (k / 2 == 0 ? towards.x : k / 2 == 1 ? towards.y : towards.z) = k % 2 ? -step : step;
         const Vec3 p = rules_.settle(node, place + towards);
-        const double s = worst(p, reached);
-        if (s <= reached || (!facets_.empty() && !rules_.may_move(node, p, facets_))) continue;
+        const double s = worst(p, reached + kLeastGain);
+        if (s <= reached + kLeastGain || (!facets_.empty() && !rules_.may_move(node, p, facets_)))
+          continue;
         reached = s;
         best = p;
       }
