@@ -116,7 +116,9 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
   if (!sound(c.mesh, c.verification)) return c;
   if (input.clean_up) {
     const std::vector<std::uint8_t> dirty(c.mesh.tets.size(), 1);
-    c.mesh = improve(c.mesh, c.nodes.supports, cells.boundary, dirty, {}, run).mesh;
+    c.mesh = improve(c.mesh, c.nodes.supports, cells.boundary, dirty,
+                     {.threshold = input.threshold}, run)
+                 .mesh;
   }
   c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
   if (!c.verification.valid) return c;

@@ -13,6 +13,7 @@ struct LastResort {
   const CellularModel& cells;
   double edge_length;                ///< target edge length l
   bool clean_up = true;              ///< as in MeshOptions
+  double threshold = 0.52;           ///< as in MeshOptions
   kernel::TetGenLimits limits = {};  ///< of each call of TetGen
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "engine/boundary/samples.h"
 #include "engine/nodes/place_supports.h"
@@ -19,6 +20,10 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
+/// More nodes than this, a number and a share of those there are, no boundary of the edge length
+/// asked for needs.
+constexpr std::uint32_t kFewInserted = 200;
+constexpr double kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
 /// Adds up the seconds between calls, each to a phase.
@@ -110,12 +115,15 @@ std::uint32_t repair(Candidate& c, const Setting& s, const Samples& samples,
                      const InsideTest& inside, const Run& run) {
   const CellularModel& cells = s.target.cells;
   const double l = s.density.edge_length;
+  const auto most = kFewInserted + static_cast<std::uint32_t>(kMostInserted * c.nodes.size());
   std::uint32_t repaired = 0;
   for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
     const std::int32_t first = c.nodes.size();
     if (insert_where_missing(c.nodes, c.verification, cells.boundary, samples, l) == 0) break;
     c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, run);
     repaired += c.nodes.size() - first;
+    c.too_fine = repaired > most;
+    if (c.too_fine) break;
     c = extract(std::move(c.nodes), std::move(c.loop), cells, inside, run);
     // What the peeled mesh lacks no clean-up brings back.
     c.verification = verify({c.nodes.positions, c.delaunay}, c.nodes.supports, cells.boundary,
@@ -172,14 +180,10 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   return candidate;
 }
 
-/// Meshes by TetGen what no other way has given a valid mesh of.
-Candidate rescue(const LastResort& input, const Verification& failed, Report& report,
-                 const Run& run) {
-  report.warnings.push_back(first_failure(failed) + "; meshed by TetGen");
-  report.way = Way::TetGen;
-  Candidate candidate = last_resort(input, failed, run);
-  report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
-  return candidate;
+/// Tells that a mesh has failed and what is done about it.
+void next_way(Report& report, Way way, const Verification& failed, const char* what) {
+  report.way = way;
+  report.warnings.push_back(first_failure(failed) + "; " + what);
 }
 
 }  // namespace
@@ -230,30 +234,35 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   // As planned; failing that with every copied node free; failing that from new nodes altogether.
   Setting setting{{original, source, cells, options}, density, options.seed, false};
   Candidate candidate = try_mesh(setting, report, watch, run);
-  if (original && !candidate.verification.valid) {
-    report.warnings.push_back(first_failure(candidate.verification) +
-                              "; all nodes were optimised anew");
+  const Revision* copied_from = original;
+  const auto failed = [&] { return !candidate.verification.valid; };
+  // Where the boundary has details far finer than the edge length, placing nodes anew is in vain.
+  if (failed() && original && !candidate.too_fine) {
+    next_way(report, Way::Full, candidate.verification, "all nodes were optimised anew");
     setting.all_free = true;
-    report.way = Way::Full;
     candidate = try_mesh(setting, report, watch, run);
   }
-  if (candidate.verification.valid) {
-    deliver(std::move(candidate), original, original, source, revision, run);
-  } else {
-    report.warnings.push_back(first_failure(candidate.verification) + "; meshed from another seed");
-    report.way = Way::Fresh;
-    const PointSource nothing(nullptr, revision.model, density.edge_length, run);
+  std::optional<PointSource> nothing;
+  if (failed()) nothing.emplace(nullptr, revision.model, density.edge_length, run);
+  if (failed() && !candidate.too_fine) {
+    next_way(report, Way::Fresh, candidate.verification, "meshed from another seed");
+    copied_from = nullptr;
     Density same = density;
     if (!options.size) same.count = std::lround(density.nodes_per_volume * cells.volume);
     candidate =
-        try_mesh({{nullptr, nothing, cells, options}, same, options.seed + kOtherSeed, true},
+        try_mesh({{nullptr, *nothing, cells, options}, same, options.seed + kOtherSeed, true},
                  report, watch, run);
-    if (!candidate.verification.valid)
-      candidate =
-          rescue({revision.model, nothing.modified(), cells, density.edge_length, options.clean_up},
-                 candidate.verification, report, run);
-    deliver(std::move(candidate), nullptr, original, nothing, revision, run);
   }
+  if (failed()) {
+    next_way(report, Way::TetGen, candidate.verification, "meshed by TetGen");
+    copied_from = nullptr;
+    candidate = last_resort({revision.model, nothing->modified(), cells, density.edge_length,
+                             options.clean_up, options.threshold},
+                            candidate.verification, run);
+    report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
+  }
+  deliver(std::move(candidate), copied_from, original, nothing && !copied_from ? *nothing : source,
+          revision, run);
   watch.lap(seconds.extract);
   seconds.total = watch.total();
   return revision;

@@ -39,6 +39,7 @@ struct Candidate {
   TetMesh mesh;               ///< cleaned up
   OptimiseResult loop;
   Verification verification;
+  bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
 };
 
 /// What a mesh is made for.
