@@ -1,11 +1,14 @@
 #include "engine/remesh/remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "engine/boundary/samples.h"
+#include "engine/nodes/density.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
@@ -24,6 +27,7 @@ constexpr int kRepairRounds = 8;
 /// asked for needs.
 constexpr std::uint32_t kFewInserted = 200;
 constexpr double kMostInserted = 0.2;
+constexpr double kWornQuality = 0.005, kWornDensity = 0.1;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
 /// Adds up the seconds between calls, each to a phase.
@@ -56,6 +60,7 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
 void repeat(const Revision& original, Revision& revision, const Run& run) {
   deliver_kept(original, original.delivery.mesh.nodes, revision);
   revision.anchor = original.anchor;
+  revision.reference = original.reference;
   revision.meshed_source = original.meshed_source;
   revision.meshed_model = original.meshed_model;
   revision.report.groups = original.report.groups;
@@ -81,6 +86,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
              made_for,
              {original.master_nodes().begin(), original.master_nodes().end()},
              std::move(mesh.supports)});
+  revision.reference = original.reference;
   revision.report.way = Way::Continued;
   revision.report.free_share =
       mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
@@ -180,6 +186,26 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   return candidate;
 }
 
+Reference reference_of(const Revision& r) {
+  return {r.report.quality.volume_length_mean,
+          static_cast<double>(r.report.counts.nodes) /
+              expected_nodes(r.cells.volume, r.cells.area, r.edge_length)};
+}
+
+/// Whether so much is lost against the last regular mesh that another may be worth its time.
+bool worn(const Reference& now, const Reference& then) {
+  return now.volume_length_mean < then.volume_length_mean - kWornQuality ||
+         std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) > kWornDensity;
+}
+
+/// `0.801 mean volume-length, 1.08 of the nodes expected`.
+std::string text(const Reference& r) {
+  std::array<char, 96> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.3f mean volume-length, %.2f of the nodes expected",
+                r.volume_length_mean, r.nodes_over_expected);
+  return buffer.data();
+}
+
 /// Tells that a mesh has failed and what is done about it.
 void next_way(Report& report, Way way, const Verification& failed, const char* what) {
   report.way = way;
@@ -242,27 +268,51 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     setting.all_free = true;
     candidate = try_mesh(setting, report, watch, run);
   }
+  const PointSource* copied_by = &source;
   std::optional<PointSource> nothing;
-  if (failed()) nothing.emplace(nullptr, revision.model, density.edge_length, run);
-  if (failed() && !candidate.too_fine) {
-    next_way(report, Way::Fresh, candidate.verification, "meshed from another seed");
+  const auto mesh_anew = [&](std::uint64_t seed) {
     copied_from = nullptr;
+    copied_by = &nothing.emplace(nullptr, revision.model, density.edge_length, run);
     Density same = density;
     if (!options.size) same.count = std::lround(density.nodes_per_volume * cells.volume);
-    candidate =
-        try_mesh({{nullptr, *nothing, cells, options}, same, options.seed + kOtherSeed, true},
-                 report, watch, run);
+    return try_mesh({{nullptr, *copied_by, cells, options}, same, seed, true}, report, watch, run);
+  };
+  if (failed() && !candidate.too_fine) {
+    next_way(report, Way::Fresh, candidate.verification, "meshed from another seed");
+    candidate = mesh_anew(options.seed + kOtherSeed);
   }
   if (failed()) {
     next_way(report, Way::TetGen, candidate.verification, "meshed by TetGen");
     copied_from = nullptr;
-    candidate = last_resort({revision.model, nothing->modified(), cells, density.edge_length,
+    copied_by = &nothing.emplace(nullptr, revision.model, density.edge_length, run);
+    candidate = last_resort({revision.model, copied_by->modified(), cells, density.edge_length,
                              options.clean_up, options.threshold},
                             candidate.verification, run);
     report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
   }
-  deliver(std::move(candidate), copied_from, original, nothing && !copied_from ? *nothing : source,
-          revision, run);
+  deliver(std::move(candidate), copied_from, original, *copied_by, revision, run);
+
+  const Reference now = reference_of(revision);
+  const bool by_rule = original && !options.nodes && !options.size;
+  revision.reference = by_rule && report.way != Way::Fresh ? original->reference : now;
+  if (by_rule && copied_from && worn(now, original->reference)) {
+    const Report as_remeshed = report;
+    candidate = mesh_anew(options.seed);
+    Revision anew = revision;
+    if (!failed()) deliver(std::move(candidate), nullptr, original, *copied_by, anew, run);
+    anew.reference = reference_of(anew);
+    if (!failed() && worn(now, anew.reference)) {
+      revision = std::move(anew);
+      revision.report.way = Way::Rebased;
+      revision.report.warnings.push_back("the mesh had worn (" + text(now) +
+                                         ") and was made anew (" + text(revision.reference) + ")");
+    } else {
+      const PhaseSeconds spent = report.seconds;
+      revision.report = as_remeshed;
+      report.seconds = spent;
+      revision.reference = now;
+    }
+  }
   watch.lap(seconds.extract);
   seconds.total = watch.total();
   return revision;

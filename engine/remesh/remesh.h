@@ -96,6 +96,12 @@ struct Anchor {
   std::vector<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
 };
 
+/// What wear along a chain of edits is told by: the chain's last regular mesh.
+struct Reference {
+  double volume_length_mean = 0;
+  double nodes_over_expected = 1;  ///< its nodes over those that its edge length lets one expect
+};
+
 /// One design revision as the engine sees it: immutable once made.
 struct Revision {
   ModelSource source;  ///< as asked for
@@ -111,6 +117,7 @@ struct Revision {
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
   Report report;
+  Reference reference;
 
   [[nodiscard]] const FeatureModel& master_model() const;
   /// The delivered nodes as the master gave them.
@@ -122,6 +129,10 @@ struct Revision {
 /// The whole road of the paper: from a model document (and, for an edit, the original revision) to
 /// a checked mesh with its maps. A first mesh is a remesh whose cells are all new
 /// (`original == nullptr`).
+///
+/// A remesh that has worn is made anew, as a regular mesh, and the Report says so: where its mean
+/// volume-length lies more than 0.005 below that of the chain's last regular mesh, or its nodes are
+/// more than a tenth off in number, and the regular mesh is better.
 ///
 /// The result depends on the arguments alone, not on `run.threads` or the clock.
 /// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `BoundaryNotRecovered`

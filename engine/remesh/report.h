@@ -37,6 +37,7 @@ enum class Way : std::uint8_t {
   Full,       ///< every node was optimised anew, copied ones included
   Fresh,      ///< a regular mesh from new nodes
   TetGen,     ///< TetGen's mesh of the conforming surface
+  Rebased,    ///< a regular mesh, valid as the remesh was: edits had worn it
 };
 
 /// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.

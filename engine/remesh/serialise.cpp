@@ -16,7 +16,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 3;
+constexpr std::uint32_t kFormat = 4;
 }  // namespace
 
 template <class A>
@@ -97,6 +97,10 @@ void serialize(A& a, GroupArea& g) {
   a(g.group, g.exact_area, g.mesh_area);
 }
 template <class A>
+void serialize(A& a, Reference& r) {
+  a(r.volume_length_mean, r.nodes_over_expected);
+}
+template <class A>
 void serialize(A& a, Report& r) {
   a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
     r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.groups,
@@ -109,7 +113,7 @@ std::string serialise(const Revision& revision) {
     cereal::PortableBinaryOutputArchive archive(out);
     archive(kFormat, revision.source, revision.meshed_source, revision.options,
             revision.edge_length, *revision.master, revision.delivery, revision.report,
-            revision.anchor != nullptr);
+            revision.reference, revision.anchor != nullptr);
     if (revision.anchor)
       archive(revision.anchor->source, revision.anchor->nodes, revision.anchor->supports);
   }
@@ -129,7 +133,7 @@ Revision deserialise(const std::string& bytes, const Run& run) {
     if (format != kFormat) throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, master,
-            revision.delivery, revision.report, anchored);
+            revision.delivery, revision.report, revision.reference, anchored);
     if (anchored) archive(anchor.source, anchor.nodes, anchor.supports);
 #endif
   } catch (const Error&) {

@@ -82,8 +82,10 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
     if (!original) density.count = nodes;
   } else {
     density.edge_length = original->edge_length;
-    density.nodes_per_volume =
-        static_cast<double>(original->delivery.mesh.nodes.size()) / original->cells.volume;
+    // What the edge length says, not what the original has: small errors of many edits would add
+    // up.
+    density.nodes_per_volume = original->reference.nodes_over_expected *
+                               expected_nodes(volume, area, density.edge_length) / volume;
   }
   if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
   return density;

@@ -19,6 +19,8 @@ v1::Report::Way encode(Way way) {
       return v1::Report::WAY_FRESH;
     case Way::TetGen:
       return v1::Report::WAY_TETGEN;
+    case Way::Rebased:
+      return v1::Report::WAY_REBASED;
   }
   return v1::Report::WAY_UNSPECIFIED;
 }

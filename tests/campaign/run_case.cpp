@@ -28,6 +28,8 @@ std::string name_of(Way way) {
       return "fresh";
     case Way::TetGen:
       return "tetgen";
+    case Way::Rebased:
+      return "rebased";
   }
   return "unknown";
 }

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/base/random.h"
+#include "engine/remesh/remesh.h"
+#include "engine/verify/verify.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+struct Knob {
+  const char* parameter;
+  double lo, hi;
+};
+struct Chain {
+  const char* model;
+  std::vector<Knob> knobs;
+};
+
+class ChainOfEdits : public testing::TestWithParam<Chain> {};
+
+TEST_P(ChainOfEdits, IsAsGoodAsFreshAfterAHundred) {
+  ModelSource source = test::case_model(GetParam().model);
+  Random random(7);
+  Revision r = make_revision(nullptr, source, {.nodes = 2000}, kRun);
+  for (int k = 0; k < 100; ++k) {
+    const Knob& knob = GetParam().knobs[random.below(GetParam().knobs.size())];
+    source.parameters[knob.parameter] = random.uniform(knob.lo, knob.hi);
+    r = make_revision(&r, source, {}, kRun);
+  }
+  const Revision fresh = make_revision(nullptr, source, {.size = r.edge_length}, kRun);
+  EXPECT_GE(r.report.quality.volume_length_mean, fresh.report.quality.volume_length_mean - 0.01);
+  EXPECT_NEAR(r.report.counts.nodes, fresh.report.counts.nodes, 0.12 * fresh.report.counts.nodes);
+  EXPECT_TRUE(verify(r.delivery.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Models, ChainOfEdits,
+    testing::Values(Chain{"simple-a", {{"top_x", -20, 20}}},
+                    Chain{"tool1-a",
+                          {{"pin_radius", 3, 5}, {"hole_circle", 33, 39}, {"hole_turn", 0, 12}}},
+                    Chain{"tool2-c", {{"pipe_x", 5, 28}}}),
+    [](const auto& info) {
+      std::string name = info.param.model;
+      std::erase(name, '-');
+      return name;
+    });
+
+TEST(WornMesh, IsMadeAnewAndTheReportSaysSo) {
+  Revision base = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 2500}, kRun);
+  base.reference.volume_length_mean += 0.05;  // as if the chain had begun with a better mesh
+  const Revision r =
+      make_revision(&base, apply(base.source, test::case_edit("simple-ab")), {}, kRun);
+  EXPECT_EQ(r.report.way, Way::Local);  // a regular mesh is no better, and is not taken
+  EXPECT_NEAR(r.reference.volume_length_mean, r.report.quality.volume_length_mean, 1e-12);
+
+  Revision thinned = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 2500}, kRun);
+  thinned.reference.nodes_over_expected = 1.3;
+  const Revision anew =
+      make_revision(&thinned, apply(thinned.source, test::case_edit("simple-ab")), {}, kRun);
+  EXPECT_EQ(anew.report.way, Way::Rebased);
+  EXPECT_EQ(anew.report.counts.nodes_kept, 0U);
+  ASSERT_FALSE(anew.report.warnings.empty());
+  EXPECT_NE(anew.report.warnings.back().find("worn"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace remeshd
