@@ -26,6 +26,11 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionReply& reply) {
             {"nodes kept", share(report.nodes_kept(), report.nodes())},
             {"tets kept", share(report.tets_kept(), report.tets())},
             {"volume", exact(report.volume()) + " (exact " + exact(report.exact_volume()) + ")"},
+            {"verified", std::to_string(report.verification().tets_proved()) + " tets, " +
+                             std::to_string(report.verification().tets_inherited()) +
+                             " inherited; chords off by " +
+                             rounded(report.verification().chord_error(), 3) + ", volume by " +
+                             rounded(report.verification().volume_error(), 3)},
             {"volume-length", "mean " + rounded(quality.volume_length_mean(), 4) +
                                   ", 1st percentile " + rounded(quality.volume_length_p01(), 4) +
                                   ", minimum " + rounded(quality.volume_length_min(), 4)},

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "engine/cellular/match_boundary.h"
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
 #include "engine/nodes/nearest.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/node_map.h"
+#include "engine/remesh/stopwatch.h"
 
 namespace remeshd {
 
@@ -154,7 +157,17 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
       return NotContinued("a tet would have missed the goals of quality");
   }
   run.report("verify", 0.95);
-  c.verification = verify(c.mesh, c.supports, boundary, modified.cells.volume, run);
+  const Stopwatch watch;
+  const Membership membership(modified.model);
+  std::vector<std::int32_t> itself(std::max(c.mesh.nodes.size(), c.mesh.tets.size()));
+  std::iota(itself.begin(), itself.end(), 0);
+  const std::span<const std::int32_t> all = itself;
+  const VerifiedParent parent =
+      verified_parent(original, all.first(c.mesh.nodes.size()), all.first(c.mesh.tets.size()));
+  c.verification =
+      verify(c.mesh, c.supports, boundary, modified.cells.volume, run,
+             {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});
+  c.verify_seconds = watch.total();
   if (!c.verification.valid) return NotContinued(c.verification.failures.front().what);
   return c;
 }

@@ -14,6 +14,7 @@ struct ContinuedMesh {
   TetMesh mesh;  ///< the tets of the base
   std::vector<Support> supports;
   Verification verification;
+  double verify_seconds = 0;
   std::uint32_t nodes_moved = 0;  ///< against the anchor
 };
 

@@ -12,6 +12,9 @@ namespace remeshd {
 void deliver(Candidate candidate, const Revision* original, const Revision* parent,
              const PointSource& source, Revision& revision, const Run& run);
 
+/// What the report says of a verification.
+VerificationFigures figures_of(const Verification& verification);
+
 /// The tets of the original over nodes that stand where `nodes` says, permanent ids and master
 /// included; groups stay as they were.
 void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision);

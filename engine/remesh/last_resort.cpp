@@ -13,6 +13,7 @@
 #include "engine/extract/peel.h"
 #include "engine/mesh/quality.h"
 #include "engine/remesh/failure_place.h"
+#include "engine/remesh/node_map.h"
 
 namespace remeshd {
 
@@ -120,8 +121,10 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
                      {.threshold = input.threshold}, run)
                  .mesh;
   }
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run,
+                          {.material = [&](const Vec3& p) { return input.membership.inside(p); }});
   if (!c.verification.valid) return c;
+  c.map = map_to_nothing(c.mesh);
   c.nodes.positions = c.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };

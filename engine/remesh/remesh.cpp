@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "engine/boundary/samples.h"
 #include "engine/nodes/density.h"
@@ -16,6 +16,7 @@
 #include "engine/remesh/master.h"
 #include "engine/remesh/repair.h"
 #include "engine/remesh/stages.h"
+#include "engine/remesh/stopwatch.h"
 
 namespace remeshd {
 
@@ -29,25 +30,6 @@ constexpr std::uint32_t kFewInserted = 200;
 constexpr double kMostInserted = 0.2;
 constexpr double kWornQuality = 0.005, kWornDensity = 0.1;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
-
-/// Adds up the seconds between calls, each to a phase.
-class Stopwatch {
- public:
-  /// The time since the last call goes to `phase`.
-  void lap(double& phase) {
-    const auto now = Clock::now();
-    phase += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-  [[nodiscard]] double total() const {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
 
 double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   if (loop.free_per_iteration.empty() || nodes == 0) return 0;
@@ -64,6 +46,9 @@ void repeat(const Revision& original, Revision& revision, const Run& run) {
   revision.meshed_source = original.meshed_source;
   revision.meshed_model = original.meshed_model;
   revision.report.groups = original.report.groups;
+  revision.report.verification = original.report.verification;
+  revision.report.verification.tets_inherited +=
+      std::exchange(revision.report.verification.tets_proved, 0);
   revision.report.way = Way::Unchanged;
   account(revision, run);
 }
@@ -77,6 +62,8 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
     return false;
   }
   auto& mesh = std::get<ContinuedMesh>(result);
+  revision.report.seconds.verify += mesh.verify_seconds;
+  revision.report.verification = figures_of(mesh.verification);
   deliver_kept(original, std::move(mesh.mesh.nodes), revision);
   const Membership membership(revision.model);
   name_delivery(mesh.verification.surface, mesh.supports, membership, revision, run);
@@ -183,6 +170,7 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
     report.warnings.push_back(std::to_string(counts.nodes_inserted) +
                               " nodes were inserted to make the boundary complete");
   watch.lap(report.seconds.extract);
+  report.seconds.verify += candidate.verify_seconds;
   return candidate;
 }
 

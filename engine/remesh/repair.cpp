@@ -52,7 +52,8 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification,
 bool boundary_is_complete(const Verification& v) {
   return v.count(MeshFailure::OpenBoundary) + v.count(MeshFailure::PinchedNode) +
              v.count(MeshFailure::MissingVertex) + v.count(MeshFailure::BrokenEdge) +
-             v.count(MeshFailure::StrayFacet) + v.count(MeshFailure::FaceArea) ==
+             v.count(MeshFailure::StrayFacet) + v.count(MeshFailure::FacetOffFace) +
+             v.count(MeshFailure::FaceArea) ==
          0;
 }
 

@@ -15,6 +15,7 @@ struct PhaseSeconds {
   double extract = 0;     ///< [t3, t8] peel, clean-up, groups, maps, verification
   double difference = 0;  ///< [t4] classes by membership, copy order
   double copy = 0;        ///< [t5] copying, new nodes, active faces, free and fixed
+  double verify = 0;      ///< of these, verification
   double total = 0;       ///< decoded request to checked mesh with all that the next edit needs
 };
 
@@ -47,6 +48,14 @@ struct GroupArea {
   double mesh_area = 0;
 };
 
+/// What verification measured of a mesh that it found valid.
+struct VerificationFigures {
+  std::uint32_t tets_proved = 0;     ///< by themselves: new ones and those with a node that moved
+  std::uint32_t tets_inherited = 0;  ///< by the base's verification, of tets that are unchanged
+  double chord_error = 0;   ///< largest distance of a boundary facet or edge from its face or curve
+  double volume_error = 0;  ///< relative, what chords cut off apart
+};
+
 /// What a run did. Everything but `seconds` is the same for the same request.
 struct Report {
   std::string revision;  ///< set by the session
@@ -63,6 +72,7 @@ struct Report {
   /// material, or edges of one face that meet sharply or touch.
   Quality quality_away;
   std::uint32_t sharp_tets = 0;  ///< the others
+  VerificationFigures verification;
   std::vector<GroupArea> groups;
   std::vector<std::string> warnings;
 };

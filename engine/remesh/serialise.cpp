@@ -16,7 +16,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 4;
+constexpr std::uint32_t kFormat = 5;
 }  // namespace
 
 template <class A>
@@ -79,7 +79,7 @@ void serialize(A& a, Delivery& d) {
 }
 template <class A>
 void serialize(A& a, PhaseSeconds& s) {
-  a(s.setup, s.optimise, s.extract, s.difference, s.copy, s.total);
+  a(s.setup, s.optimise, s.extract, s.difference, s.copy, s.verify, s.total);
 }
 template <class A>
 void serialize(A& a, Counts& c) {
@@ -101,10 +101,14 @@ void serialize(A& a, Reference& r) {
   a(r.volume_length_mean, r.nodes_over_expected);
 }
 template <class A>
+void serialize(A& a, VerificationFigures& v) {
+  a(v.tets_proved, v.tets_inherited, v.chord_error, v.volume_error);
+}
+template <class A>
 void serialize(A& a, Report& r) {
   a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
-    r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.groups,
-    r.warnings);
+    r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.verification,
+    r.groups, r.warnings);
 }
 
 std::string serialise(const Revision& revision) {

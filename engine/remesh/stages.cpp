@@ -13,6 +13,8 @@
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/node_map.h"
+#include "engine/remesh/stopwatch.h"
 
 namespace remeshd {
 
@@ -174,7 +176,19 @@ void finish(Candidate& c, const Target& target, const Run& run) {
   else
     c.mesh = std::move(carried.mesh);
   run.report("verify", 0.95);
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  VerifyOptions proof{
+      .material = [&](const Vec3& p) { return target.source.modified().inside(p); }};
+  VerifiedParent parent;
+  if (original) {
+    c.map = map_to(*original, c.nodes, c.mesh, target.source, run);
+    parent = verified_parent(*original, c.map.original_node, c.map.original_tet);
+    proof.parent = &parent;
+  } else {
+    c.map = map_to_nothing(c.mesh);
+  }
+  const Stopwatch watch;
+  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run, proof);
+  c.verify_seconds = watch.total();
 }
 
 }  // namespace remeshd

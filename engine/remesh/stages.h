@@ -38,8 +38,10 @@ struct Candidate {
   std::vector<Tet> delaunay;  ///< peeled
   TetMesh mesh;               ///< cleaned up
   OptimiseResult loop;
+  NodeMap map;  ///< of `mesh`
   Verification verification;
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
+  double verify_seconds = 0;
 };
 
 /// What a mesh is made for.
@@ -54,7 +56,7 @@ struct Target {
 Candidate extract(NodeSet nodes, OptimiseResult loop, const CellularModel& cells,
                   const InsideTest& inside, const Run& run);
 
-/// Carrying over, clean-up and verification of an extracted mesh.
+/// Carrying over, clean-up, map and verification of an extracted mesh.
 void finish(Candidate& candidate, const Target& target, const Run& run);
 
 /// The inside test that the options ask for. It keeps a reference to `membership`.

@@ -34,13 +34,22 @@ Sorted sorted(const Tet& tet, int corner) {
   return s;
 }
 
-}  // namespace
+/// One bit for each facet of a tet, by the corner opposite.
+using FacetMask = std::uint8_t;
+constexpr FacetMask kAll = 15;
 
-FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll) {
+/// Counts the tets at each facet that `mask(tet)` has, adds the tets that clash to `clashes` and
+/// marks in `alone`, by tet, the facets in one tet only.
+template <class Mask>
+void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
+           std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
   std::vector<std::uint32_t> end(node_count + 1, 0);
-  for (const Tet& tet : tets) {
+  for (std::size_t t = 0; t < tets.size(); ++t) {
     poll();
+    const FacetMask wanted = mask(t);
+    if (wanted == 0) continue;
     // Three of the four facets have the tet's smallest node as theirs, the fourth the second.
+    const Tet& tet = tets[t];
     std::int32_t first = tet[0];
     std::int32_t second = tet[1];
     if (first > second) std::swap(first, second);
@@ -50,22 +59,22 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polli
       else if (n < second)
         second = n;
     }
-    end[first + 1] += 3;
-    end[second + 1] += 1;
+    for (int i = 0; i < 4; ++i)
+      if ((wanted >> i & 1) != 0) ++end[(tet[i] == first ? second : first) + 1];
   }
   for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
-  std::vector<Entry> entries(4 * tets.size());
+  std::vector<Entry> entries(end[node_count]);
   for (std::size_t t = 0; t < tets.size(); ++t) {
     poll();
+    const FacetMask wanted = mask(t);
     for (int i = 0; i < 4; ++i) {
+      if ((wanted >> i & 1) == 0) continue;
       const Sorted s = sorted(tets[t], i);
       entries[end[s.nodes[0]]++] = {s.nodes[1], s.nodes[2], static_cast<std::int32_t>(4 * t + i),
                                     -1,         s.turn,     1};
     }
   }
 
-  FacetMatch match;
-  std::vector<std::int32_t> alone;
   std::vector<std::int32_t> head(node_count, -1);  // first entry of this bucket by its `mid`
   std::uint32_t begin = 0;
   for (std::size_t n = 0; n < node_count; ++n) {
@@ -79,24 +88,98 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polli
         continue;
       }
       entry.tets = 0;
-      if (entries[a].tets == 2 || entries[a].turn == entry.turn)
-        match.clashes.push_back(entry.facet / 4);
+      if (entries[a].tets == 2 || entries[a].turn == entry.turn) clashes.push_back(entry.facet / 4);
       entries[a].tets = 2;
     }
     for (std::uint32_t b = begin; b < end[n]; ++b) {
       head[entries[b].mid] = -1;
-      if (entries[b].tets == 1) alone.push_back(entries[b].facet);
+      if (entries[b].tets == 1)
+        alone[entries[b].facet / 4] |= static_cast<FacetMask>(1 << entries[b].facet % 4);
     }
     begin = end[n];
   }
-  std::sort(alone.begin(), alone.end());
-  match.surface.reserve(alone.size());
-  for (const std::int32_t facet : alone) {
-    const Tet& tet = tets[facet / 4];
-    const auto& f = kTetFacets[facet % 4];
-    match.surface.push_back({{tet[f[0]], tet[f[1]], tet[f[2]]}, facet / 4});
+}
+
+std::vector<SurfaceFacet> collect(std::span<const Tet> tets, std::span<const FacetMask> alone) {
+  std::vector<SurfaceFacet> surface;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    for (int i = 0; i < 4 && alone[t] >> i != 0; ++i) {
+      if ((alone[t] >> i & 1) == 0) continue;
+      const Tet& tet = tets[t];
+      const auto& f = kTetFacets[i];
+      surface.push_back({{tet[f[0]], tet[f[1]], tet[f[2]]}, static_cast<std::int32_t>(t)});
+    }
+  return surface;
+}
+
+}  // namespace
+
+FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll) {
+  FacetMatch result;
+  std::vector<FacetMask> alone(tets.size(), 0);
+  match(
+      tets, node_count, [](std::size_t) { return kAll; }, result.clashes, alone, poll);
+  result.surface = collect(tets, alone);
+  return result;
+}
+
+FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count,
+                        const VerifiedParent& parent, const Inheritance& inherited, Polling& poll) {
+  // A tet that came or went has touched all its nodes. So at a facet with an untouched node there
+  // are the tets that there were, and those with touched nodes only are matched with each other.
+  const std::vector<std::uint8_t>& touched = inherited.touched;
+  const auto mask = [&](std::size_t t) -> FacetMask {
+    const Tet& tet = tets[t];
+    const int corners =
+        touched[tet[0]] | touched[tet[1]] << 1 | touched[tet[2]] << 2 | touched[tet[3]] << 3;
+    if (corners == kAll) return kAll;
+    for (int i = 0; i < 4; ++i)
+      if ((corners | 1 << i) == kAll) return static_cast<FacetMask>(1 << i);
+    return 0;
+  };
+  FacetMatch result;
+  std::vector<FacetMask> alone(tets.size(), 0);
+  match(tets, node_count, mask, result.clashes, alone, poll);
+  for (const SurfaceFacet& facet : parent.surface) {
+    poll();
+    const std::int32_t t = inherited.heir[facet.tet];
+    if (t < 0) continue;
+    bool rim = true;
+    std::int32_t corner = 6;  // what is left of the four corners' sum
+    for (const std::int32_t o : facet.nodes) {
+      const std::int32_t n = inherited.name[o];
+      rim = rim && touched[n] != 0;
+      for (int i = 0; i < 4; ++i)
+        if (tets[t][i] == n) corner -= i;
+    }
+    if (!rim) alone[t] |= static_cast<FacetMask>(1 << corner);
   }
-  return match;
+  result.surface = collect(tets, alone);
+  return result;
+}
+
+std::vector<std::int32_t> repeated_tets(std::span<const Tet> tets, std::size_t node_count,
+                                        std::span<const std::int32_t> clashes) {
+  // Whatever is at a repeated tet's facets, a tet that clashes is there, so that these have its
+  // nodes.
+  std::vector<std::int32_t> repeated;
+  if (clashes.empty()) return repeated;
+  std::vector<std::uint8_t> flagged(node_count, 0);
+  for (const std::int32_t t : clashes)
+    for (const std::int32_t n : tets[t]) flagged[n] = 1;
+  std::vector<std::pair<Tet, std::int32_t>> suspects;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    Tet key = tets[t];
+    if (!std::all_of(key.begin(), key.end(), [&](std::int32_t n) { return flagged[n] != 0; }))
+      continue;
+    std::sort(key.begin(), key.end());
+    suspects.emplace_back(key, static_cast<std::int32_t>(t));
+  }
+  std::sort(suspects.begin(), suspects.end());
+  for (std::size_t i = 1; i < suspects.size(); ++i)
+    if (suspects[i].first == suspects[i - 1].first) repeated.push_back(suspects[i].second);
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
 }
 
 }  // namespace remeshd

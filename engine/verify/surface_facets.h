@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "engine/base/run.h"
-#include "engine/mesh/tet_mesh.h"
+#include "engine/verify/inheritance.h"
 
 namespace remeshd {
-
-/// A facet that is in one tet only.
-struct SurfaceFacet {
-  Triangle nodes;  ///< outward
-  std::int32_t tet;
-};
 
 struct FacetMatch {
   std::vector<SurfaceFacet> surface;  ///< in the order of their tets
@@ -23,5 +17,14 @@ struct FacetMatch {
 
 /// Matches the facets of all tets.
 FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll);
+
+/// The same, where only the facets between touched nodes are matched: of all others the parent
+/// tells which are on the surface.
+FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count,
+                        const VerifiedParent& parent, const Inheritance& inherited, Polling& poll);
+
+/// Tets with the same four nodes as an earlier one. `clashes`: as found in the same tets.
+std::vector<std::int32_t> repeated_tets(std::span<const Tet> tets, std::size_t node_count,
+                                        std::span<const std::int32_t> clashes);
 
 }  // namespace remeshd

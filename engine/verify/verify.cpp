@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +21,7 @@ constexpr std::uint32_t kKeptPerKind = 20;
 constexpr double kFlat = 1e-6;
 /// Share of the model's diagonal within which a node stands on its support.
 constexpr double kOnSupport = 1e-7;
+
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
@@ -29,33 +31,32 @@ std::string text(const Vec3& p) {
 class Checker {
  public:
   Checker(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
-          const Run& run)
+          const Run& run, const VerifyOptions& options)
       : mesh_(mesh),
         supports_(supports),
         boundary_(boundary),
+        options_(options),
         faces_(boundary, supports),
         tolerance_(kOnSupport * boundary.bounds.diagonal()),
-        poll_(run) {}
+        poll_(run) {
+    if (options.parent) inherited_ = inherit(mesh, *options.parent, poll_);
+  }
 
-  Verification check(double exact_volume, double volume_tolerance) {
+  Verification check(double exact_volume) {
     check_tets();
     check_surface();
     check_nodes();
     check_edges();
     check_faces();
-    const double error = std::fabs(result_.volume + result_.chord_volume - exact_volume);
-    if (!(error <= volume_tolerance * exact_volume))
-      fail(MeshFailure::Volume, -1, 0.5 * (boundary_.bounds.lo + boundary_.bounds.hi),
-           "the volume is " + std::to_string(result_.volume) + ", chords apart " +
-               std::to_string(result_.volume + result_.chord_volume) + ", the model's " +
-               std::to_string(exact_volume));
+    check_volume(exact_volume);
     result_.valid = result_.failures.empty();
     result_.surface = std::move(surface_);
     return std::move(result_);
   }
 
  private:
-  using Edge = std::pair<std::int32_t, std::int32_t>;
+  /// A boundary facet seen from one of its nodes: the other two in its turning direction.
+  using Spoke = std::pair<std::int32_t, std::int32_t>;
 
   void fail(MeshFailure kind, std::int32_t entity, const Vec3& place, std::string_view what) {
     if (result_.counts[static_cast<std::size_t>(kind)]++ >= kKeptPerKind) return;
@@ -66,6 +67,9 @@ class Checker {
     for (const std::int32_t n : mesh_.tets[t]) c += 0.25 * mesh_.nodes[n];
     return c;
   }
+  static double volume_of(const Tet& tet, std::span<const Vec3> nodes) {
+    return tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]);
+  }
 
   void check_tets() {
     used_.assign(mesh_.nodes.size(), 0);
@@ -73,74 +77,129 @@ class Checker {
       poll_();
       const Tet& tet = mesh_.tets[t];
       for (const std::int32_t n : tet) used_[n] = 1;
-      const Vec3& a = mesh_.nodes[tet[0]];
-      const Vec3& b = mesh_.nodes[tet[1]];
-      const Vec3& c = mesh_.nodes[tet[2]];
-      const Vec3& d = mesh_.nodes[tet[3]];
-      result_.volume += tet_volume(a, b, c, d);
-      const double quality = volume_length(a, b, c, d);
+      if (inherited_ && inherited_->unchanged(tet, t)) continue;
+      ++result_.tets_proved;
+      result_.volume += volume_of(tet, mesh_.nodes);
+      const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
+                                           mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
       const auto index = static_cast<std::int32_t>(t);
       if (!(quality > kFlat))
         fail(MeshFailure::BadTet, index, centroid(index),
              quality < -kFlat ? "an inverted tet" : "a flat tet");
+      if (options_.material && !in_material(tet))
+        fail(MeshFailure::OutsideTet, index, centroid(index), "a tet outside of the material");
     }
+    result_.tets_inherited = static_cast<std::uint32_t>(mesh_.tets.size()) - result_.tets_proved;
+    if (inherited_) inherit_volume();
+  }
+
+  /// Adds the parent's volume but for that of the tets that are gone or moved.
+  void inherit_volume() {
+    const VerifiedParent& parent = *options_.parent;
+    result_.volume += parent.volume;
+    for (std::size_t o = 0; o < parent.mesh.tets.size(); ++o) {
+      const std::int32_t t = inherited_->heir[o];
+      if (t >= 0 && inherited_->unchanged(mesh_.tets[t], t)) continue;
+      result_.volume -= volume_of(parent.mesh.tets[o], parent.mesh.nodes);
+    }
+  }
+
+  /// Whether the tet has a cell: at its centroid or, where a chord has cut that off from the
+  /// material, nearer to one of its corners. What is all behind chords may be off its face as they
+  /// may.
+  [[nodiscard]] bool in_material(const Tet& tet) const {
+    const Vec3 c = 0.25 * (mesh_.nodes[tet[0]] + mesh_.nodes[tet[1]] + mesh_.nodes[tet[2]] +
+                           mesh_.nodes[tet[3]]);
+    if (options_.material(c)) return true;
+    for (const double share : {0.5, 0.9})
+      for (const std::int32_t n : tet)
+        if (options_.material((1 - share) * c + share * mesh_.nodes[n])) return true;
+    double longest = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
+        longest = std::max(longest, distance(mesh_.nodes[tet[i]], mesh_.nodes[tet[j]]));
+    const auto at_first = faces_.faces_of(tet[0]);
+    return std::any_of(at_first.begin(), at_first.end(), [&](int face) {
+      return std::all_of(tet.begin() + 1, tet.end(),
+                         [&](std::int32_t n) {
+                           const auto at = faces_.faces_of(n);
+                           return std::find(at.begin(), at.end(), face) != at.end();
+                         }) &&
+             faces_.deviation(face, c) <= kChordShare * longest;
+    });
   }
 
   void check_surface() {
-    FacetMatch match = match_facets(mesh_.tets, mesh_.nodes.size(), poll_);
+    const std::size_t nodes = mesh_.nodes.size();
+    FacetMatch match = inherited_
+                           ? match_facets(mesh_.tets, nodes, *options_.parent, *inherited_, poll_)
+                           : match_facets(mesh_.tets, nodes, poll_);
     for (const std::int32_t t : match.clashes)
       fail(MeshFailure::BadFacet, t, centroid(t), "a tet that overlaps another across a facet");
+    for (const std::int32_t t : repeated_tets(mesh_.tets, nodes, match.clashes))
+      fail(MeshFailure::RepeatedTet, t, centroid(t), "a tet that is there twice");
     surface_ = std::move(match.surface);
     result_.boundary_facets = static_cast<std::uint32_t>(surface_.size());
 
-    edges_.reserve(3 * surface_.size());
+    spokes_begin_.assign(nodes + 1, 0);
     for (const SurfaceFacet& facet : surface_)
-      for (int i = 0; i < 3; ++i) edges_.emplace_back(facet.nodes[i], facet.nodes[(i + 1) % 3]);
-    std::sort(edges_.begin(), edges_.end());
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      poll_();
-      const Edge& edge = edges_[i];
-      const bool twice = i + 1 < edges_.size() && edges_[i + 1] == edge;
-      const bool matched =
-          std::binary_search(edges_.begin(), edges_.end(), Edge{edge.second, edge.first});
-      if (twice || !matched)
-        fail(MeshFailure::OpenBoundary, edge.first,
-             0.5 * (mesh_.nodes[edge.first] + mesh_.nodes[edge.second]),
-             "a boundary edge that is not in two boundary facets");
-    }
-    check_fans();
-  }
-
-  /// The facets round each boundary node must turn it once.
-  void check_fans() {
-    on_surface_.assign(mesh_.nodes.size(), 0);
-    std::vector<std::uint32_t> begin(mesh_.nodes.size() + 1, 0);
-    for (const SurfaceFacet& facet : surface_)
-      for (const std::int32_t n : facet.nodes) ++begin[n + 1];
-    for (std::size_t n = 1; n < begin.size(); ++n) begin[n] += begin[n - 1];
-    std::vector<Edge> spokes(3 * surface_.size());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+      for (const std::int32_t n : facet.nodes) ++spokes_begin_[n + 1];
+    for (std::size_t n = 0; n < nodes; ++n) spokes_begin_[n + 1] += spokes_begin_[n];
+    spokes_.resize(3 * surface_.size());
+    std::vector<std::uint32_t> next(spokes_begin_.begin(), spokes_begin_.end() - 1);
     for (const SurfaceFacet& facet : surface_)
       for (int i = 0; i < 3; ++i)
-        spokes[next[facet.nodes[i]]++] = {facet.nodes[(i + 1) % 3], facet.nodes[(i + 2) % 3]};
-    for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+        spokes_[next[facet.nodes[i]]++] = {facet.nodes[(i + 1) % 3], facet.nodes[(i + 2) % 3]};
+    for (std::size_t n = 0; n < nodes; ++n) {
       poll_();
-      const std::span<const Edge> fan(spokes.data() + begin[n], begin[n + 1] - begin[n]);
-      if (fan.empty()) continue;
-      on_surface_[n] = 1;
-      std::size_t turned = 1;
-      std::int32_t at = fan[0].second;
-      while (at != fan[0].first && turned < fan.size()) {
-        const auto* const it = std::find_if(fan.data(), fan.data() + fan.size(),
-                                            [&](const Edge& e) { return e.first == at; });
-        if (it == fan.data() + fan.size()) break;
-        at = it->second;
-        ++turned;
-      }
-      if (at != fan[0].first || turned != fan.size())
-        fail(MeshFailure::PinchedNode, static_cast<std::int32_t>(n), mesh_.nodes[n],
-             "a node whose boundary facets are not one fan");
+      if (inherited_ && inherited_->touched[n] == 0) continue;
+      const auto node = static_cast<std::int32_t>(n);
+      check_boundary_edges(node);
+      check_fan(node);
     }
+  }
+
+  /// The boundary facets at a node.
+  [[nodiscard]] std::span<const Spoke> fan(std::int32_t n) const {
+    return {spokes_.data() + spokes_begin_[n], spokes_begin_[n + 1] - spokes_begin_[n]};
+  }
+  /// Whether a boundary facet has the edge from a to b in its turning direction.
+  [[nodiscard]] bool boundary_edge(std::int32_t a, std::int32_t b) const {
+    const auto at = fan(a);
+    return std::any_of(at.begin(), at.end(), [&](const Spoke& s) { return s.first == b; });
+  }
+
+  /// Every boundary edge that leaves a node comes back once.
+  void check_boundary_edges(std::int32_t n) {
+    const auto at = fan(n);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const std::int32_t b = at[i].first;
+      const bool twice = std::any_of(at.begin() + static_cast<std::ptrdiff_t>(i) + 1, at.end(),
+                                     [&](const Spoke& s) { return s.first == b; });
+      const bool back =
+          std::any_of(at.begin(), at.end(), [&](const Spoke& s) { return s.second == b; });
+      if (twice || !back)
+        fail(MeshFailure::OpenBoundary, n, 0.5 * (mesh_.nodes[n] + mesh_.nodes[b]),
+             "a boundary edge that is not in two boundary facets");
+    }
+  }
+
+  /// The facets round a boundary node must turn it once.
+  void check_fan(std::int32_t n) {
+    const auto at = fan(n);
+    if (at.empty()) return;
+    std::size_t turned = 1;
+    std::int32_t edge = at[0].second;
+    while (edge != at[0].first && turned < at.size()) {
+      const auto it =
+          std::find_if(at.begin(), at.end(), [&](const Spoke& s) { return s.first == edge; });
+      if (it == at.end()) break;
+      edge = it->second;
+      ++turned;
+    }
+    if (edge != at[0].first || turned != at.size())
+      fail(MeshFailure::PinchedNode, n, mesh_.nodes[n],
+           "a node whose boundary facets are not one fan");
   }
 
   void check_nodes() {
@@ -157,7 +216,7 @@ class Checker {
       if (support.kind == Support::Kind::Interior) continue;
       if (!(distance(project(boundary_, support, p), p) <= tolerance_))
         fail(MeshFailure::NodeOffSupport, node, p, "a node away from where it should stand");
-      if (support.kind == Support::Kind::Vertex && on_surface_[n] != 0)
+      if (support.kind == Support::Kind::Vertex && !fan(node).empty())
         vertex_node[support.entity] = node;
     }
     for (std::size_t v = 0; v < vertex_node.size(); ++v)
@@ -180,7 +239,7 @@ class Checker {
         continue;
       }
       for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-        if (!std::binary_search(edges_.begin(), edges_.end(), Edge{chain[i], chain[i + 1]}))
+        if (!boundary_edge(chain[i], chain[i + 1]))
           fail(MeshFailure::BrokenEdge, index,
                0.5 * (mesh_.nodes[chain[i]] + mesh_.nodes[chain[i + 1]]),
                "a model edge whose chain of boundary edges is broken");
@@ -209,11 +268,19 @@ class Checker {
              "a boundary facet that is turned over on its face");
       area[face] += facet_area;
       if (boundary_.faces[face].surface.kind == Surface::Kind::Plane) continue;
-      // Exact for a surface that is quadratic over the facet (mid-edge rule).
-      for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
-        result_.chord_volume -= facet_area / 3 * faces_.height(face, middle);
+      double off = faces_.deviation(face, centre);
+      for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {
+        const double height = faces_.height(face, middle);
+        off = std::max(off, std::fabs(height));
+        // Exact for a surface that is quadratic over the facet (mid-edge rule).
+        result_.chord_volume -= facet_area / 3 * height;
+      }
+      result_.chord_error = std::max(result_.chord_error, off);
       const double radius = radius_of_curvature(boundary_.faces[face].surface, centre);
       const double longest2 = std::max({norm2(b - a), norm2(c - b), norm2(a - c)});
+      if (!(off * off <= kChordShare * kChordShare * longest2))
+        fail(MeshFailure::FacetOffFace, facet.tet, centre,
+             "a boundary facet " + std::to_string(off) + " off its face");
       slack[face] += facet_area * std::min(1.0, 0.25 * longest2 / (radius * radius));
     }
     // On a face beside a curved edge the lens between chord and curve is missing or too much.
@@ -224,6 +291,7 @@ class Checker {
         const Vec3& b = mesh_.nodes[chains_[e][i + 1]];
         const Vec3 middle = 0.5 * (a + b);
         const double sagitta = distance(middle, project(boundary_, boundary_.edges[e], middle));
+        result_.chord_error = std::max(result_.chord_error, sagitta);
         for (const int face : boundary_.edges[e].faces) slack[face] += sagitta * distance(a, b);
       }
     }
@@ -236,6 +304,16 @@ class Checker {
            "a model face of area " + std::to_string(exact) + " with facets of area " +
                std::to_string(area[f]));
     }
+  }
+
+  void check_volume(double exact) {
+    const double whole = result_.volume + result_.chord_volume;
+    const double error = std::fabs(whole - exact);
+    result_.volume_error = error / exact;
+    if (!(error <= options_.volume_tolerance * exact))
+      fail(MeshFailure::Volume, -1, 0.5 * (boundary_.bounds.lo + boundary_.bounds.hi),
+           "the volume is " + std::to_string(result_.volume) + ", chords apart " +
+               std::to_string(whole) + ", the model's " + std::to_string(exact));
   }
 
   /// Smallest radius of curvature at p, infinite on a plane.
@@ -261,13 +339,16 @@ class Checker {
   const TetMesh& mesh_;
   std::span<const Support> supports_;
   const BoundaryModel& boundary_;
+  const VerifyOptions& options_;
   FacetFaces faces_;
   double tolerance_;
   Polling poll_;
+  std::optional<Inheritance> inherited_;
   Verification result_;
-  std::vector<std::uint8_t> used_, on_surface_;
+  std::vector<std::uint8_t> used_;
   std::vector<SurfaceFacet> surface_;
-  std::vector<Edge> edges_;  ///< of the boundary facets, in their turning direction, sorted
+  std::vector<std::uint32_t> spokes_begin_;  ///< by node: its first spoke
+  std::vector<Spoke> spokes_;
   std::vector<std::vector<std::int32_t>> chains_;
 };
 
@@ -275,8 +356,8 @@ class Checker {
 
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
-                    double volume_tolerance) {
-  return Checker(mesh, supports, boundary, run).check(exact_volume, volume_tolerance);
+                    const VerifyOptions& options) {
+  return Checker(mesh, supports, boundary, run, options).check(exact_volume);
 }
 
 }  // namespace remeshd

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/inside_test.h"
 #include "engine/cellular/support.h"
 #include "engine/mesh/tet_mesh.h"
-#include "engine/verify/surface_facets.h"
+#include "engine/verify/inheritance.h"
 
 namespace remeshd {
 
@@ -22,11 +23,18 @@ enum class MeshFailure : std::uint8_t {
   BrokenEdge,      ///< a model edge that is no chain of boundary edges from its start to its end
   OrphanNode,      ///< a node in no tet
   NodeOffSupport,  ///< a node away from the vertex, edge or face that it is said to stand on
-  StrayFacet,  ///< a boundary facet whose nodes share no model face, or that is turned over on it
-  FaceArea,    ///< a model face that its facets do not cover, or cover twice
-  Volume,      ///< off the exact one by more than the tolerance
+  StrayFacet,    ///< a boundary facet whose nodes share no model face, or that is turned over on it
+  FaceArea,      ///< a model face that its facets do not cover, or cover twice
+  Volume,        ///< off the exact one by more than the tolerance
+  RepeatedTet,   ///< a tet with the four nodes of an earlier one
+  FacetOffFace,  ///< a boundary facet further from its curved face than a chord may be
+  OutsideTet,    ///< a tet in no cell: away from the material
 };
-inline constexpr std::size_t kMeshFailures = 11;
+inline constexpr std::size_t kMeshFailures = 14;
+/// How far a boundary facet may be from its face at its centroid and at the middles of its edges,
+/// as a share of its longest edge; the chord between the ends of a third of a circle has 0.29, a
+/// facet across a hole 0.5.
+inline constexpr double kChordShare = 0.3;
 
 struct MeshDefect {
   MeshFailure kind{};
@@ -45,21 +53,36 @@ struct Verification {
   double chord_volume =
       0;  ///< between the facets and their curved faces; positive where the mesh lacks it
   double boundary_area = 0;
+  double chord_error = 0;  ///< largest distance found between a facet or edge and its face or curve
+  double volume_error = 0;           ///< relative, of the volume with the chords' share
+  std::uint32_t tets_proved = 0;     ///< by themselves
+  std::uint32_t tets_inherited = 0;  ///< the parent's, unchanged
 
   [[nodiscard]] std::uint32_t count(MeshFailure kind) const {
     return counts[static_cast<std::size_t>(kind)];
   }
 };
 
-/// Checks a mesh against the model that it is to represent: positive tets, a closed manifold
-/// boundary (by facets, edges and nodes), every model vertex, edge and face there, no node unused,
-/// and the volume within `volume_tolerance` (relative) of the exact one. What flat facets cut off
-/// curved faces is no defect, however coarse the mesh: it is integrated and added to the volume,
-/// and areas are compared within the error that the facets' size allows.
+struct VerifyOptions {
+  double volume_tolerance = 0.002;  ///< relative
+  InsideTest material;              ///< of the model; empty: whether tets are in it is not asked
+  const VerifiedParent* parent = nullptr;  ///< whose proof unchanged tets inherit
+};
+
+/// Checks a mesh against the model that it is to represent: positive tets in the material, each
+/// once, a closed manifold boundary (by facets, edges and nodes), every model vertex, edge and face
+/// there, every boundary facet on its face, no node unused, and the volume within its tolerance of
+/// the exact one. What flat facets cut off curved faces is no defect, however coarse the mesh,
+/// while they stay within `kChordShare`: it is integrated and added to the volume, and areas are
+/// compared within the error that the facets' size allows.
+///
+/// With a parent, unchanged tets are positive and in the material because the parent's are, and
+/// facets are matched, boundary edges and fans turned only at the nodes of tets that came or went.
+/// The model may be another, so the boundary is held against it whole. Says the same as without.
 ///
 /// A defect of the mesh is a value here. Throws Cancelled only.
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
-                    double volume_tolerance = 0.002);
+                    const VerifyOptions& options = {});
 
 }  // namespace remeshd

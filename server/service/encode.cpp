@@ -150,6 +150,12 @@ v1::Report encode(const Report& report) {
   seconds.set_difference(report.seconds.difference);
   seconds.set_copy(report.seconds.copy);
   seconds.set_total(report.seconds.total);
+  seconds.set_verify(report.seconds.verify);
+  v1::Report::Verification& verification = *out.mutable_verification();
+  verification.set_tets_proved(report.verification.tets_proved);
+  verification.set_tets_inherited(report.verification.tets_inherited);
+  verification.set_chord_error(report.verification.chord_error);
+  verification.set_volume_error(report.verification.volume_error);
   put_quality(report.quality, *out.mutable_quality());
   put_quality(report.quality_before, *out.mutable_quality_before());
   put_quality(report.quality_away, *out.mutable_quality_away());

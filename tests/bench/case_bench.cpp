@@ -18,11 +18,13 @@ void print(const char* what, const Report& r) {
   const PhaseSeconds& s = r.seconds;
   std::printf(
       "%-8s nodes %6u tets %6u kept %5.1f%% tets kept %5.1f%% free %5.1f%% | setup %.3f diff %.3f "
-      "copy %.3f loop %.3f extract %.3f total %.3f | vl %.3f p01 %.3f min %.3f dih %.1f %.1f "
+      "copy %.3f loop %.3f extract %.3f (verify %.4f, %.1f%%; %u proved, chord %.3g) total %.3f | "
+      "vl %.3f p01 %.3f min %.3f dih %.1f %.1f "
       "(before "
       "%.3f) away dih %.1f %.1f, sharp tets %u | vol %+.4f%% it %u samples %u active %u\n",
       what, c.nodes, c.tets, 100.0 * c.nodes_kept / c.nodes, 100.0 * c.tets_kept / c.tets,
-      100 * r.free_share, s.setup, s.difference, s.copy, s.optimise, s.extract, s.total,
+      100 * r.free_share, s.setup, s.difference, s.copy, s.optimise, s.extract, s.verify,
+      100 * s.verify / s.total, r.verification.tets_proved, r.verification.chord_error, s.total,
       r.quality.volume_length_mean, r.quality.volume_length_p01, r.quality.volume_length_min,
       r.quality.dihedral_min, r.quality.dihedral_max, r.quality_before.volume_length_mean,
       r.quality_away.dihedral_min, r.quality_away.dihedral_max, r.sharp_tets,

@@ -230,7 +230,8 @@ TEST(Verify, FindsAVolumeThatIsOffByMoreThanTheTolerance) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
   EXPECT_TRUE(verify(s.mesh, s.supports, s.boundary, 1.0019, {}).valid);
   EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, {}).count(MeshFailure::Volume), 1U);
-  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, {}, 0.01).count(MeshFailure::Volume),
+  EXPECT_EQ(verify(s.mesh, s.supports, s.boundary, 1.0021, {}, {.volume_tolerance = 0.01})
+                .count(MeshFailure::Volume),
             0U);
 }
 
