@@ -1,6 +1,7 @@
 #include "engine/verify/surface_facets.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace remeshd {
@@ -15,28 +16,11 @@ struct Entry {
   std::int8_t tets;    ///< met so far, 2 standing for more
 };
 
-struct Sorted {
-  std::array<std::int32_t, 3> nodes;
-  std::int8_t turn;
-};
-
-Sorted sorted(const Tet& tet, int corner) {
-  const auto& f = kTetFacets[corner];
-  Sorted s{{tet[f[0]], tet[f[1]], tet[f[2]]}, 1};
-  const auto order = [&](int i, int j) {
-    if (s.nodes[i] <= s.nodes[j]) return;
-    std::swap(s.nodes[i], s.nodes[j]);
-    s.turn = static_cast<std::int8_t>(-s.turn);
-  };
-  order(0, 1);
-  order(1, 2);
-  order(0, 1);
-  return s;
-}
-
 /// One bit for each facet of a tet, by the corner opposite.
 using FacetMask = std::uint8_t;
 constexpr FacetMask kAll = 15;
+/// By a mask of corners: the facets that have no other.
+constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 4, 0, 2, 1, 15};
 
 /// Counts the tets at each facet that `mask(tet)` has, adds the tets that clash to `clashes` and
 /// marks in `alone`, by tet, the facets in one tet only.
@@ -50,15 +34,10 @@ void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
     if (wanted == 0) continue;
     // Three of the four facets have the tet's smallest node as theirs, the fourth the second.
     const Tet& tet = tets[t];
-    std::int32_t first = tet[0];
-    std::int32_t second = tet[1];
-    if (first > second) std::swap(first, second);
-    for (const std::int32_t n : {tet[2], tet[3]}) {
-      if (n < first)
-        second = std::exchange(first, n);
-      else if (n < second)
-        second = n;
-    }
+    const std::int32_t lower = std::min(tet[0], tet[1]), low = std::min(tet[2], tet[3]);
+    const std::int32_t first = std::min(lower, low);
+    const std::int32_t second = std::min(
+        std::max(lower, low), std::min(std::max(tet[0], tet[1]), std::max(tet[2], tet[3])));
     for (int i = 0; i < 4; ++i)
       if ((wanted >> i & 1) != 0) ++end[(tet[i] == first ? second : first) + 1];
   }
@@ -69,9 +48,20 @@ void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
     const FacetMask wanted = mask(t);
     for (int i = 0; i < 4; ++i) {
       if ((wanted >> i & 1) == 0) continue;
-      const Sorted s = sorted(tets[t], i);
-      entries[end[s.nodes[0]]++] = {s.nodes[1], s.nodes[2], static_cast<std::int32_t>(4 * t + i),
-                                    -1,         s.turn,     1};
+      // Without branches, for which node is the smallest cannot be foreseen; and in place, for a
+      // value that is returned through memory is waited for.
+      const auto& f = kTetFacets[i];
+      const std::int32_t a = tets[t][f[0]], b = tets[t][f[1]], c = tets[t][f[2]];
+      const std::int32_t low = std::min(std::min(a, b), c);
+      const std::int32_t high = std::max(std::max(a, b), c);
+      const int odd = static_cast<int>(a > b) ^ static_cast<int>(a > c) ^ static_cast<int>(b > c);
+      Entry& entry = entries[end[low]++];
+      entry.mid = a ^ b ^ c ^ low ^ high;
+      entry.high = high;
+      entry.facet = static_cast<std::int32_t>(4 * t + i);
+      entry.next = -1;
+      entry.turn = static_cast<std::int8_t>(1 - 2 * odd);
+      entry.tets = 1;
     }
   }
 
@@ -130,12 +120,8 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count,
   const std::vector<std::uint8_t>& touched = inherited.touched;
   const auto mask = [&](std::size_t t) -> FacetMask {
     const Tet& tet = tets[t];
-    const int corners =
-        touched[tet[0]] | touched[tet[1]] << 1 | touched[tet[2]] << 2 | touched[tet[3]] << 3;
-    if (corners == kAll) return kAll;
-    for (int i = 0; i < 4; ++i)
-      if ((corners | 1 << i) == kAll) return static_cast<FacetMask>(1 << i);
-    return 0;
+    return kFacetsBetween[touched[tet[0]] | touched[tet[1]] << 1 | touched[tet[2]] << 2 |
+                          touched[tet[3]] << 3];
   };
   FacetMatch result;
   std::vector<FacetMask> alone(tets.size(), 0);

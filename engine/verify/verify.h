@@ -32,9 +32,9 @@ enum class MeshFailure : std::uint8_t {
 };
 inline constexpr std::size_t kMeshFailures = 14;
 /// How far a boundary facet may be from its face at its centroid and at the middles of its edges,
-/// as a share of its longest edge; the chord between the ends of a third of a circle has 0.29, a
-/// facet across a hole 0.5.
-inline constexpr double kChordShare = 0.3;
+/// as a share of its longest edge. The chord of a third of a circle has 0.29, as is fair where a
+/// coarse mesh meets a small hole; that of a half, across the hole, has 0.5.
+inline constexpr double kChordShare = 0.45;
 
 struct MeshDefect {
   MeshFailure kind{};

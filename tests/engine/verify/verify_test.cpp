@@ -120,6 +120,33 @@ TEST(Verify, FindsTetsThatOverlapAcrossAFacet) {
   EXPECT_GT(check(s).count(MeshFailure::BadFacet), 0U);
 }
 
+TEST(Verify, FindsATetThatIsThereTwiceWhicheverWayItIsTurned) {
+  for (const bool turned : {false, true}) {
+    SolidFixture s = make_box({1, 1, 1}, 5, 2);
+    Tet again = s.mesh.tets[inner_tet(s, 0)];
+    if (turned) std::swap(again[1], again[3]);
+    s.mesh.tets.push_back(again);
+    const Verification v = check(s);
+    ASSERT_EQ(v.count(MeshFailure::RepeatedTet), 1U);
+    EXPECT_EQ(first(v, MeshFailure::RepeatedTet)->entity,
+              static_cast<std::int32_t>(s.mesh.tets.size()) - 1);
+  }
+}
+
+TEST(Verify, FindsTetsOutsideOfTheMaterial) {
+  // A mesh of the whole box for a model that has a notch in one corner.
+  const SolidFixture s = make_box({1, 1, 1}, 5, 2);
+  const auto notched = [](const Vec3& p) { return p.x < 0.5 || p.y < 0.5 || p.z < 0.5; };
+  const Verification v =
+      verify(s.mesh, s.supports, s.boundary, s.volume, {}, {.material = notched});
+  EXPECT_GT(v.count(MeshFailure::OutsideTet), 10U);
+  ASSERT_NE(first(v, MeshFailure::OutsideTet), nullptr);
+  EXPECT_FALSE(notched(first(v, MeshFailure::OutsideTet)->place));
+  EXPECT_TRUE(verify(s.mesh, s.supports, s.boundary, s.volume, {},
+                     {.material = [](const Vec3& p) { return p.x > 0 && p.x < 1; }})
+                  .valid);
+}
+
 TEST(Verify, FindsAnEdgeOfTheBoundaryInFourFacets) {
   SolidFixture s = make_box({1, 1, 1}, 5, 2);
   s.mesh.tets.erase(s.mesh.tets.begin() + static_cast<std::ptrdiff_t>(inner_tet(s, 2)));
@@ -208,6 +235,41 @@ TEST(Verify, FindsAFacetThatIsTurnedOverOnItsFace) {
   SolidFixture s = make_cylinder(10, 8, 24, 1);
   s.boundary.faces[2].reversed = true;
   EXPECT_GT(check(s).count(MeshFailure::StrayFacet), 20U);
+}
+
+/// A flat cylinder of radius 10 with four nodes round each circle; every tet stands on the wall.
+SolidFixture four_sided_cylinder() {
+  SolidFixture s = make_cylinder(10, 2, 24, 1);
+  s.mesh = {};
+  s.supports.clear();
+  for (int top = 0; top < 2; ++top)
+    for (const Vec3& p : {Vec3{10, 0, 0}, Vec3{0, 10, 0}, Vec3{-10, 0, 0}, Vec3{0, -10, 0}})
+      s.add(p + Vec3{0, 0, 2.0 * top}, Support::Kind::Edge, top);
+  for (const auto& [x, y, z] : {std::array{0, 1, 2}, std::array{0, 3, 2}})  // prisms of three tets
+    for (Tet t : {Tet{x, y, z, z + 4}, Tet{x, y, z + 4, y + 4}, Tet{x, x + 4, y + 4, z + 4}}) {
+      const auto& p = s.mesh.nodes;
+      if (tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < 0) std::swap(t[0], t[1]);
+      s.mesh.tets.push_back(t);
+    }
+  return s;
+}
+
+TEST(Verify, AllowsAsFewNodesRoundACircleAsCloseIt) {
+  const SolidFixture s = four_sided_cylinder();
+  const Verification v =
+      verify(s.mesh, s.supports, s.boundary, s.volume, {}, {.volume_tolerance = 0.02});
+  EXPECT_TRUE(v.valid) << report(v);
+  EXPECT_NEAR(v.chord_error, 10 * (1 - std::sqrt(0.5)), 1e-9);
+}
+
+TEST(Verify, FindsFacetsThatRunStraightAcrossACurvedFace) {
+  // One half of the cylinder: its cut has nodes of the wall only.
+  SolidFixture s = four_sided_cylinder();
+  s.mesh.tets.resize(3);
+  const Verification v = check(s);
+  ASSERT_EQ(v.count(MeshFailure::FacetOffFace), 2U) << report(v);
+  EXPECT_NEAR(first(v, MeshFailure::FacetOffFace)->place.y, 0, 1e-12);
+  EXPECT_NEAR(v.chord_error, 10, 1e-9);
 }
 
 TEST(Verify, FindsAModelFaceThatIsNotCovered) {
