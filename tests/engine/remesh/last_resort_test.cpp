@@ -41,7 +41,7 @@ ModelSource model_of(std::vector<FeatureSource> features) {
 /// tool1-a with pins much finer than an edge at 5,000 nodes.
 ModelSource fine_pins() {
   ModelSource model = test::case_model("tool1-a");
-  model.parameters["pin_radius"] = 1.0;
+  model.parameters["pin_radius"] = 0.8;
   return model;
 }
 
