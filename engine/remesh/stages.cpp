@@ -86,8 +86,7 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
     density.edge_length = original->edge_length;
     // What the edge length says, not what the original has: small errors of many edits would add
     // up.
-    density.nodes_per_volume = original->reference.nodes_over_expected *
-                               expected_nodes(volume, area, density.edge_length) / volume;
+    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
   }
   if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
   return density;

@@ -216,10 +216,6 @@ class RevisionByTetGen : public testing::Test {
   const Revision original_ = make_revision(nullptr, ledge(), {.nodes = 3000}, kRun);
 };
 
-TEST(FinePins, NeedNoLastResort) {
-  EXPECT_LE(make_revision(nullptr, fine_pins(), {.nodes = 5000}, kRun).report.way, Way::Local);
-}
-
 TEST_F(RevisionByTetGen, IsWhatALedgeMuchLowerThanAnEdgeEndsIn) {
   EXPECT_EQ(original_.report.way, Way::TetGen);
   expect_valid(original_);
