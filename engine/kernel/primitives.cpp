@@ -98,7 +98,9 @@ int index_in(const TopoDS_Shape& solid, const TopoDS_Shape& face) {
   return faces.FindIndex(face);
 }
 
-/// Labels the face that the point lies on, if there is one: a side on the axis sweeps none.
+bool on_axis(const ProfileCurve& side) { return !side.arc && side.from[0] == 0 && side.to[0] == 0; }
+
+/// Labels the face that the point lies on.
 void label_face_at(const TopoDS_Shape& solid, const gp_Pnt& p, const std::string& label,
                    Labels& labels) {
   const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(p);
@@ -153,6 +155,7 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
     gp_Trsf half_way;
     half_way.SetRotation(axis, 0.5 * (full ? 2 * std::numbers::pi : angle));
     for (std::size_t i = 0; i < profile.size(); ++i) {
+      if (on_axis(profile[i])) continue;  // sweeps no face
       bool found = false;
       for (const TopoDS_Shape& face : sweep.Generated(base.edges[i])) {
         labels.emplace_back(face, profile[i].label);

@@ -23,7 +23,8 @@ struct ProfileCurve {
 /// Profile in xy, extruded along z; faces by the sides' labels, `bottom`, `top`.
 Brep make_prism(std::span<const ProfileCurve> profile, double height, double scale);
 /// Profile in the xz half-plane (its second coordinate is z), turned about z by `angle` rad from
-/// the half-plane on; faces by the sides' labels, `start`, `end` (where angle < 2 pi).
+/// the half-plane on; faces by the sides' labels, `start`, `end` (where angle < 2 pi). A side on
+/// the axis sweeps no face.
 Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double scale);
 /// Along +z from 0; faces `wall`, `bottom`, `top`. Equal radii give a cylinder, one may be 0.
 Brep make_cone(double radius_bottom, double radius_top, double height, double scale);
