@@ -24,6 +24,21 @@ std::string number(double value) {
   return {digits.data(), end};
 }
 
+/// Nine digits: a place is there to be looked for, not to be computed with.
+std::string at(const Vec3& p) {
+  std::string text = " at (";
+  const char* separator = "";
+  for (const double c : {p.x, p.y, p.z}) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), c,
+                                   std::chars_format::general, 9)
+                         .ptr;
+    text.append(separator).append(digits.data(), end);
+    separator = ", ";
+  }
+  return text + ")";
+}
+
 std::string where(std::string_view feature, std::string_view parameter) {
   if (feature.empty()) return "parameter " + quoted(parameter);
   if (parameter.empty()) return "feature " + quoted(feature);
@@ -216,23 +231,26 @@ Error disconnected_model(int pieces) {
                "their own"});
 }
 
-Error non_manifold_model(std::string_view what, double x, double y, double z) {
+Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features) {
   return Error({.kind = ErrorKind::FailedPrecondition,
                 .reason = "NonManifoldModel",
-                .message = "the boundary touches itself " + std::string(what) + " at (" +
-                           number(x) + ", " + number(y) + ", " + number(z) + ")",
+                .message = "the boundary touches itself " + std::string(what) + at(place),
                 .stage = "cells",
-                .hint = "move one of the features that meet there a little"});
+                .feature = clip(features),
+                .hint = "move one of the features that meet there a little",
+                .place = place});
 }
 
-Error kernel_failure(std::string_view what, std::string_view feature) {
+Error kernel_failure(std::string_view what, const std::optional<Vec3>& place,
+                     std::string_view features) {
   return Error({.kind = ErrorKind::FailedPrecondition,
                 .reason = "KernelFailure",
-                .message = "the CAD kernel failed: " + clip(what, 400),
+                .message = "the CAD kernel failed: " + clip(what, 400) + (place ? at(*place) : ""),
                 .stage = "cells",
-                .feature = clip(feature),
+                .feature = clip(features),
                 .hint = "features that nearly coincide are the usual cause: let them coincide, or "
-                        "keep them further apart"});
+                        "keep them further apart",
+                .place = place});
 }
 
 Error tetgen_refused(std::string_view why) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "engine/base/vec.h"
+
 namespace remeshd {
 
 /// What kind of failure an Error is; the server maps each to one gRPC status.
@@ -28,11 +30,12 @@ struct ErrorInfo {
   std::string reason{};     ///< stable CamelCase name, e.g. `DegenerateFeature`
   std::string message{};    ///< one sentence
   std::string stage{};      ///< station of the engine or `request`
-  std::string feature{};    ///< feature id, empty if none
+  std::string feature{};    ///< feature id, several joined by commas, empty if none
   std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
   std::string hint{};       ///< what would help; empty if nothing sensible can be said
   std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
   std::optional<double> retry_after{};  ///< s, with ResourceExhausted
+  std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
 };
 
 class Error : public std::runtime_error {
@@ -101,10 +104,13 @@ Error unknown_model_parameter(std::string_view name);
 Error empty_model();
 /// The material falls into `pieces` that do not hang together by faces.
 Error disconnected_model(int pieces);
-/// The boundary touches itself along an edge or at a point, at x y z.
-Error non_manifold_model(std::string_view what, double x, double y, double z);
-/// The CAD kernel failed, or a check of its result did.
-Error kernel_failure(std::string_view what, std::string_view feature = {});
+/// The boundary touches itself, `what`: along an edge or at a point; `features`: ids of those that
+/// meet there, joined by commas.
+Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features);
+/// The CAD kernel failed, or a check of its result did. Who catches it and knows the features adds
+/// those at the place.
+Error kernel_failure(std::string_view what, const std::optional<Vec3>& place = {},
+                     std::string_view features = {});
 
 // Stage `control mesh`: TetGen in its own process.
 

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "engine/base/error.h"
 #include "engine/cellular/build_boundary.h"
 #include "engine/cellular/check_cells.h"
 #include "engine/cellular/feature_brep.h"
+#include "engine/cellular/features_at.h"
 #include "engine/cellular/skeleton.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
@@ -74,7 +76,8 @@ const Surface& surface_of(const Solid& solid, const std::string& name, const Bre
     }
   }
   if (best == nullptr || nearest > 100 * kernel_tolerance(brep))
-    throw error::kernel_failure("a face lies on no surface called " + name);
+    throw error::kernel_failure("a face lies on no surface called " + name,
+                                brep.edges[brep.faces[face].edges.front()].points.front());
   return best->surface;
 }
 
@@ -209,15 +212,20 @@ CellularModel build_with_seam(const FeatureModel& model, const Membership& membe
 CellularModel build_cells(const FeatureModel& model, const Run& run) {
   run.poll();
   const Membership membership(model);
-  // Twice more where the kernel fails; the last failure is the one to tell.
-  for (const double seam : {0.0, 0.7}) {
+  // Again where the kernel fails; the first failure is the one to tell.
+  std::optional<Error> first;
+  for (const double seam : {0.0, 0.7, 2.5}) {
     try {
       return build_with_seam(model, membership, seam, run);
-    } catch (const Error& failure) {
-      if (failure.info().reason != "KernelFailure") throw;
+    } catch (Error& failure) {
+      const ErrorInfo& info = failure.info();
+      if (info.place && info.feature.empty())
+        failure.info().feature = features_at(model, membership, *info.place);
+      if (info.reason != "KernelFailure") throw;
+      if (!first) first = failure;
     }
   }
-  return build_with_seam(model, membership, 2.5, run);
+  throw std::move(*first);
 }
 
 }  // namespace remeshd

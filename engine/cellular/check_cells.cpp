@@ -5,6 +5,7 @@
 
 #include "engine/base/error.h"
 #include "engine/cellular/cell_samples.h"
+#include "engine/cellular/features_at.h"
 
 namespace remeshd {
 namespace {
@@ -34,11 +35,17 @@ double facet_gap(const kernel::Brep& brep, int cell, const Membership& membershi
   return gap;
 }
 
-/// The first owner that one side knows and the other does not.
-int odd_one_out(const std::vector<int>& a, const std::vector<int>& b) {
+/// The owners that one side knows and the other does not.
+std::vector<int> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> odd;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(odd));
-  return odd.front();
+  return odd;
+}
+
+Vec3 centre_of(const Box& box) { return 0.5 * (box.lo + box.hi); }
+
+Vec3 some_point(const kernel::Brep& brep, int cell) {
+  return brep.edges[brep.faces[brep.cells[cell].faces.front()].edges.front()].points.front();
 }
 
 }  // namespace
@@ -63,7 +70,7 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
       }
       if (!agrees && sample.depth > 2 * facet_gap(brep, c, membership))
         throw error::kernel_failure("a point inside a cell belongs to other features than the cell",
-                                    model.features[odd_one_out(owners, cell.owners)].id);
+                                    sample.point, ids_of(model, difference(owners, cell.owners)));
     }
     // Thin curved cells: look all along the rays.
     for (const CellSample& sample : samples)
@@ -75,7 +82,7 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
       }
     if (!found)
       throw error::kernel_failure("a cell holds no point that belongs to its owners",
-                                  model.features[cell.owners.back()].id);
+                                  some_point(brep, c), ids_of(model, cell.owners));
   }
   for (int f = 0; f < static_cast<int>(model.features.size()); ++f) {
     double volume = 0;
@@ -84,7 +91,7 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
     const double exact = membership.solids()[f].volume();
     if (std::fabs(volume - exact) > kVolumeTolerance * exact)
       throw error::kernel_failure("the cells of a feature do not add up to its volume",
-                                  model.features[f].id);
+                                  centre_of(membership.solids()[f].bounds()), model.features[f].id);
   }
 }
 

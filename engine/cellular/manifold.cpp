@@ -34,14 +34,14 @@ void require_manifold(const kernel::Brep& brep, const Skeleton& skeleton) {
     if (n != 2) {
       const auto& points = brep.edges[e].points;
       const Vec3 p = 0.5 * (points[(points.size() - 1) / 2] + points[points.size() / 2]);
-      throw error::non_manifold_model("along an edge", p.x, p.y, p.z);
+      throw error::non_manifold_model("along an edge", p, {});
     }
     for (const int v : brep.edges[e].vertices) edges_at_vertex[v].push_back(e);
   }
   for (std::size_t v = 0; v < edges_at_vertex.size(); ++v)
     if (!edges_at_vertex[v].empty() && fans(skeleton, edges_at_vertex[v]) != 1) {
       const Vec3& p = brep.vertices[v].position;
-      throw error::non_manifold_model("at a vertex", p.x, p.y, p.z);
+      throw error::non_manifold_model("at a vertex", p, {});
     }
 }
 

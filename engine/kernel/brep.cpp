@@ -2,6 +2,7 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Curve.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -156,7 +157,10 @@ std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Run& run) {
 }
 
 /// Fills in who bounds whom.
-void connect(Brep& brep) {
+void connect(Brep& brep, double scale) {
+  const auto failure_at = [&](const char* what, const TopoDS_Shape& shape) {
+    return error::kernel_failure(what, in_model_units(point_on(shape), scale));
+  };
   const BrepShapes& shapes = *brep.shapes;
   brep.vertices.resize(shapes.vertices.Extent());
   brep.edges.resize(shapes.edges.Extent());
@@ -169,8 +173,7 @@ void connect(Brep& brep) {
         TopoDS::Edge(shapes.edges(static_cast<int>(e) + 1).Oriented(TopAbs_FORWARD));
     brep.edges[e].vertices = {index_of(brep, Element::Vertex, TopExp::FirstVertex(edge)),
                               index_of(brep, Element::Vertex, TopExp::LastVertex(edge))};
-    if (std::ranges::min(brep.edges[e].vertices) < 0)
-      throw error::kernel_failure("an edge has no end");
+    if (std::ranges::min(brep.edges[e].vertices) < 0) throw failure_at("an edge has no end", edge);
   }
   for (std::size_t f = 0; f < brep.faces.size(); ++f) {
     auto& edges = brep.faces[f].edges;
@@ -186,15 +189,16 @@ void connect(Brep& brep) {
          it.Next()) {
       const int f = index_of(brep, Element::Face, it.Current());
       int& side = brep.faces[f].cells[it.Current().Orientation() == TopAbs_FORWARD ? 0 : 1];
-      if (side >= 0) throw error::kernel_failure("two cells overlap");
+      if (side >= 0) throw failure_at("two cells overlap", it.Current());
       side = static_cast<int>(c);
       faces.push_back(f);
     }
     std::sort(faces.begin(), faces.end());
   }
-  for (const BrepFace& face : brep.faces)
-    if (std::ranges::max(face.cells) < 0)
-      throw error::kernel_failure("a face of the result bounds no cell");
+  for (std::size_t f = 0; f < brep.faces.size(); ++f)
+    if (std::ranges::max(brep.faces[f].cells) < 0)
+      throw failure_at("a face of the result bounds no cell",
+                       shapes.faces(static_cast<int>(f) + 1));
 }
 
 void fill_measures(Brep& brep, const std::vector<FaceMoments>& moments) {
@@ -224,9 +228,9 @@ Brep describe(const TopoDS_Shape& shape, double scale, const Run& run) {
     const auto shapes = collect(shape);
     const std::vector<FaceMoments> moments = sort_by_geometry(*shapes, run);
     brep.shapes = shapes;
-    connect(brep);
+    connect(brep, scale);
     fill_measures(brep, moments);
-    triangulate(brep, shape, run);
+    triangulate(brep, shape, scale, run);
     unscale(brep, scale);
     return brep;
   } catch (const Standard_Failure& failure) {
@@ -238,11 +242,27 @@ Brep describe_primitive(const TopoDS_Shape& solid, double scale,
                         const std::vector<std::pair<TopoDS_Shape, std::string>>& labels) {
   Brep brep;
   brep.shapes = collect(solid);
-  connect(brep);
+  connect(brep, scale);
   for (const auto& [face, label] : labels)
     if (const int f = index_of(brep, Element::Face, face); f >= 0) brep.faces[f].label = label;
   unscale(brep, scale);
   return brep;
+}
+
+std::optional<Vec3> point_on(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    double first = 0, last = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    if (!curve.IsNull()) return vec(curve->Value(0.5 * (first + last)));
+  }
+  TopExp_Explorer vertex(shape, TopAbs_VERTEX);
+  if (!vertex.More()) return std::nullopt;
+  return position(vertex.Current());
+}
+
+std::optional<Vec3> in_model_units(const std::optional<Vec3>& p, double scale) {
+  return p ? std::optional(*p / scale) : std::nullopt;
 }
 
 const TopoDS_Shape& shape_of(const Brep& brep, Element kind, int index) {

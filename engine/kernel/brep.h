@@ -92,7 +92,8 @@ struct Fusion {
 /// Splits all parts by each other and merges what coincides; nothing is taken away (a non-regular
 /// union). Cells of one part must not overlap.
 ///
-/// Throws Error(KernelFailure) where the CAD kernel raises an alert, Error(Cancelled).
+/// Throws Error(KernelFailure) where the CAD kernel raises an alert, with the place unless it is
+/// unknown, Error(Cancelled).
 /// Source: BOPAlgo_PaveFiller and BOPAlgo_Builder of OpenCASCADE, with no glue, no fuzzy value.
 Fusion general_fuse(std::span<const Part> parts, const Run& run);
 

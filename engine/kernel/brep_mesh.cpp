@@ -13,6 +13,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include "engine/base/error.h"
@@ -48,12 +49,15 @@ class NodeNumbers {
 
   /// False where a face has no sound triangulation.
   bool add_all() {
-    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
-      if (!add_face(f, TopoDS::Face(shape_of(brep_, Element::Face, f).Oriented(TopAbs_FORWARD))) ||
-          !sound(brep_.faces[f]))
+    for (bad_ = 0; bad_ < static_cast<int>(brep_.faces.size()); ++bad_)
+      if (!add_face(bad_,
+                    TopoDS::Face(shape_of(brep_, Element::Face, bad_).Oriented(TopAbs_FORWARD))) ||
+          !sound(brep_.faces[bad_]))
         return false;
     return apart();
   }
+  /// The first without one.
+  [[nodiscard]] int bad_face() const { return bad_; }
 
  private:
   bool add_face(int index, const TopoDS_Face& face) {
@@ -123,10 +127,10 @@ class NodeNumbers {
   }
 
   /// Whether no two faces have a triangle in common, as a shallow cap and the disc below it may.
-  [[nodiscard]] bool apart() const {
+  [[nodiscard]] bool apart() {
     std::set<std::array<int, 3>> all;
-    for (const BrepFace& face : brep_.faces)
-      for (std::array<int, 3> t : face.triangles) {
+    for (bad_ = 0; bad_ < static_cast<int>(brep_.faces.size()); ++bad_)
+      for (std::array<int, 3> t : brep_.faces[bad_].triangles) {
         std::ranges::sort(t);
         if (!all.insert(t).second) return false;
       }
@@ -140,17 +144,35 @@ class NodeNumbers {
 
   Brep& brep_;
   std::vector<std::vector<int>> of_edge_;
+  int bad_ = 0;
 };
+
+/// A point of a face for people to look at: of its edges' points the nearest to its centroid, which
+/// may lie off the face.
+Vec3 place_on(const Brep& brep, int face) {
+  Vec3 best = brep.faces[face].centroid;
+  double nearest = HUGE_VAL;
+  for (const int e : brep.faces[face].edges)
+    for (const Vec3& p : brep.edges[e].points)
+      if (const double d = distance(p, brep.faces[face].centroid); d < nearest) {
+        nearest = d;
+        best = p;
+      }
+  return best;
+}
 
 }  // namespace
 
-void triangulate(Brep& brep, const TopoDS_Shape& shape, const Run& run) {
+void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
+  int bad = 0;
   for (const double angle : kMeshAngles) {
     if (angle != kMeshAngles.front()) BRepTools::Clean(shape);
     with_progress(run, [&](const Message_ProgressRange& range) { mesh(shape, angle, range); });
-    if (NodeNumbers(brep).add_all()) return;
+    NodeNumbers numbers(brep);
+    if (numbers.add_all()) return;
+    bad = numbers.bad_face();
   }
-  throw error::kernel_failure("a face could not be triangulated");
+  throw error::kernel_failure("a face could not be triangulated", place_on(brep, bad) / scale);
 }
 
 }  // namespace remeshd::kernel

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@ namespace remeshd::kernel {
 /// Reads every element of a CAD shape, measures and triangulates it, and orders all of it by
 /// geometry. The shape is the Brep's own from then on: triangulating changes it.
 ///
-/// Throws Error(KernelFailure) where the shape holds no solid or anything dangling, or a face
-/// cannot be triangulated, Error(Cancelled).
+/// Throws Error(KernelFailure) with the place where the shape holds no solid or anything dangling,
+/// or a face cannot be triangulated, Error(Cancelled).
 Brep describe(const TopoDS_Shape& shape, double scale, const Run& run);
 
 /// Reads a feature's solid: who bounds whom, and the names of its faces. No measures, no triangles,
@@ -40,12 +41,19 @@ FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference);
 void measure_edge(const TopoDS_Edge& edge, BrepEdge& out);
 
 /// Fills in points and triangles, kernel units.
-void triangulate(Brep& brep, const TopoDS_Shape& shape, const Run& run);
+///
+/// Throws Error(KernelFailure) with the place, in the model's unit by `scale`.
+void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run);
 
 /// Lets a stop request break off what the CAD kernel does in `work`.
 ///
 /// Throws Error(Cancelled) where one did.
 void with_progress(const Run& run, const std::function<void(const Message_ProgressRange&)>& work);
+
+/// A point on a shape, kernel units: inside one of its edges where it has any. Nothing where the
+/// shape has no geometry.
+std::optional<Vec3> point_on(const TopoDS_Shape& shape);
+std::optional<Vec3> in_model_units(const std::optional<Vec3>& p, double scale);
 
 enum class Element { Cell, Face, Edge, Vertex };
 

@@ -7,13 +7,14 @@
 #include <Message_ProgressRange.hxx>
 #include <Message_Report.hxx>
 #include <Standard_Failure.hxx>
+#include <TopoDS_AlertWithShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
-#include <sstream>
+#include <string>
 
 #include "engine/base/error.h"
 #include "engine/kernel/brep.h"
@@ -74,14 +75,24 @@ class PlacedPart {
 /// One warning is let pass: that the kernel could not tell whether a split face looks the way its
 /// original did. Natures here come from the cells' own orientation, and samples and volumes check
 /// those.
-void refuse_alerts(const BOPAlgo_Options& algorithm, const char* what, const Run& run) {
+///
+/// The place told is the first alert's that has a shape with geometry.
+void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double scale,
+                   const Run& run) {
   run.poll();
-  std::ostringstream text;
+  std::vector<std::string> keys;
+  std::optional<Vec3> place;
   for (const Message_Gravity gravity : {Message_Fail, Message_Alarm, Message_Warning})
-    for (const Handle(Message_Alert) & alert : algorithm.GetReport()->GetAlerts(gravity))
-      if (!alert->IsKind(STANDARD_TYPE(BOPAlgo_AlertUnableToOrientTheShape)))
-        text << ' ' << alert->GetMessageKey();
-  if (!text.str().empty()) throw error::kernel_failure(what + text.str());
+    for (const Handle(Message_Alert) & alert : algorithm.GetReport()->GetAlerts(gravity)) {
+      if (alert->IsKind(STANDARD_TYPE(BOPAlgo_AlertUnableToOrientTheShape))) continue;
+      const std::string key = alert->GetMessageKey();
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+      const auto with_shape = Handle(TopoDS_AlertWithShape)::DownCast(alert);
+      if (!place && !with_shape.IsNull()) place = point_on(with_shape->GetShape());
+    }
+  if (keys.empty()) return;
+  for (const std::string& key : keys) what += ' ' + key;
+  throw error::kernel_failure(what, in_model_units(place, scale));
 }
 
 Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run) {
@@ -93,11 +104,11 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
     for (const PlacedPart& part : parts) arguments.Append(part.shape());
     filler.SetArguments(arguments);
     with_progress(run, [&](const Message_ProgressRange& range) { filler.Perform(range); });
-    refuse_alerts(filler, "intersecting the features:", run);
+    refuse_alerts(filler, "intersecting the features:", scale, run);
     builder.SetArguments(arguments);
     with_progress(
         run, [&](const Message_ProgressRange& range) { builder.PerformWithFiller(filler, range); });
-    refuse_alerts(builder, "building the cells:", run);
+    refuse_alerts(builder, "building the cells:", scale, run);
     result = builder.Shape();
   } else {
     result = parts.front().shape();
@@ -115,7 +126,9 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
         const TopoDS_Shape shape = parts[p].copy_of(kind, i);
         const auto add = [&](const TopoDS_Shape& image) {
           const int at = index_of(fusion.brep, kind, image);
-          if (at < 0) throw error::kernel_failure("the history names what the result lacks");
+          if (at < 0)
+            throw error::kernel_failure("the history names what the result lacks",
+                                        in_model_units(point_on(image), scale));
           sources[at].push_back({p, i});
         };
         // An empty list means unchanged.
@@ -135,10 +148,16 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
     trace(Element::Edge, fusion.edges);
     trace(Element::Vertex, fusion.vertices);
   }
-  for (const auto& sources : fusion.cells)
-    if (sources.empty()) throw error::kernel_failure("a cell of the result has no owner");
-  for (const auto& sources : fusion.faces)
-    if (sources.empty()) throw error::kernel_failure("a face of the result has no owner");
+  const auto require_owners = [&](Element kind, const std::vector<std::vector<Source>>& sources,
+                                  const char* what) {
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      if (sources[i].empty()) {
+        const TopoDS_Shape& shape = shape_of(fusion.brep, kind, static_cast<int>(i));
+        throw error::kernel_failure(what, in_model_units(point_on(shape), scale));
+      }
+  };
+  require_owners(Element::Cell, fusion.cells, "a cell of the result has no owner");
+  require_owners(Element::Face, fusion.faces, "a face of the result has no owner");
   return fusion;
 }
 

@@ -202,6 +202,7 @@ TEST(CellularModelTest, ABodyThatTouchesItselfAlongAnEdgeIsRefused) {
   EXPECT_EQ(error.reason, "NonManifoldModel");
   EXPECT_EQ(error.kind, ErrorKind::FailedPrecondition);
   EXPECT_THAT(error.message, ::testing::HasSubstr("(0, 0, 2.5)"));
+  EXPECT_EQ(error.feature, "t1,t2");
 }
 
 TEST(CellularModelTest, ABodyThatTouchesItselfAtAVertexIsRefused) {
@@ -213,6 +214,7 @@ TEST(CellularModelTest, ABodyThatTouchesItselfAtAVertexIsRefused) {
   });
   EXPECT_EQ(error.reason, "NonManifoldModel");
   EXPECT_THAT(error.message, ::testing::HasSubstr("at a vertex"));
+  EXPECT_EQ(error.feature, "c1,c2");
 }
 
 TEST(CellularModelTest, AHoleThatTouchesAWallFromInsideIsRefused) {
@@ -247,6 +249,17 @@ TEST(CellularModelTest, WhereARoundFeatureHasItsSeamMakesNoDifference) {
   EXPECT_LT(expected, 32000 - 450 * pi + 288 * pi);
   EXPECT_NEAR(volume(std::array<Scalar, 3>{0.3, 1.0, 0.0}), expected, 1e-5);
   EXPECT_NEAR(volume(std::array<Scalar, 3>{-1.0, 0.2, 0.0}), expected, 1e-5);
+}
+
+TEST(CellularModelTest, HalfAPieBeginsAndEndsInOneFace) {
+  const CellularModel cells = cells_of({test::feature(
+      "pie", "revolution",
+      {test::point(0.0, 0.0), test::point(4.0, 0.0), test::point(4.0, 3.0), test::point(0.0, 3.0)},
+      {{"angle", 180.0}})});
+  EXPECT_NEAR(cells.volume, 24 * pi, 1e-9);
+  EXPECT_EQ(cells.boundary.faces.size(), 4u);
+  EXPECT_EQ(cells.boundary.edges.size(), 6u);
+  EXPECT_EQ(cells.boundary.vertices.size(), 4u);
 }
 
 TEST(CellularModelTest, AStopRequestEndsIt) {

@@ -1,0 +1,44 @@
+#include "engine/cellular/features_at.h"
+
+#include <algorithm>
+
+namespace remeshd {
+namespace {
+
+/// Whether the solid's surface passes through the ball: some of its points are in, others not.
+bool passes(const Solid& solid, const Vec3& centre, double radius) {
+  const bool inside = solid.contains(centre);
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const double y : {-1.0, 0.0, 1.0})
+      for (const double z : {-1.0, 0.0, 1.0}) {
+        const Vec3 d{x, y, z};
+        if (norm2(d) > 0 && solid.contains(centre + radius * normalised(d)) != inside) return true;
+      }
+  return false;
+}
+
+}  // namespace
+
+std::string ids_of(const FeatureModel& model, const std::vector<int>& features) {
+  std::string ids;
+  for (const int f : features) ids += (ids.empty() ? "" : ",") + model.features[f].id;
+  return ids;
+}
+
+std::string features_at(const FeatureModel& model, const Membership& membership,
+                        const Vec3& place) {
+  Box box;
+  for (const Solid& solid : membership.solids()) box.add(solid.bounds());
+  std::vector<int> features;
+  for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
+    std::vector<int> found;
+    for (std::size_t f = 0; f < membership.solids().size(); ++f)
+      if (passes(membership.solids()[f], place, share * box.diagonal()))
+        found.push_back(static_cast<int>(f));
+    if (found.size() > features.size()) features = std::move(found);
+    if (features.size() > 1) break;
+  }
+  return ids_of(model, features);
+}
+
+}  // namespace remeshd
