@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace remeshd {
 namespace {
@@ -84,6 +85,21 @@ std::vector<CellSample> sample_cell(const kernel::Brep& brep, int cell, int coun
   std::stable_sort(samples.begin(), samples.end(),
                    [](const CellSample& l, const CellSample& r) { return l.depth > r.depth; });
   return samples;
+}
+
+double winding_number(const kernel::Brep& brep, int cell, const Vec3& p) {
+  double angle = 0;
+  for (const Facet& facet : facets_of(brep, cell)) {
+    // Van Oosterom & Strackee 1983. The facet's corners may turn either way, its normal tells.
+    const Vec3 a = facet.a - p, b = facet.b - p, c = facet.c - p;
+    const double la = norm(a), lb = norm(b), lc = norm(c);
+    const double turned =
+        dot(cross(facet.b - facet.a, facet.c - facet.a), facet.normal) < 0 ? -1 : 1;
+    angle += turned * 2 *
+             std::atan2(dot(a, cross(b, c)),
+                        la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return angle / (4 * std::numbers::pi);
 }
 
 }  // namespace remeshd

@@ -17,6 +17,11 @@ struct CellSample {
 /// Points inside a cell, the deepest first: from the middles of its largest facets straight inwards
 /// to the facet opposite. Facets cut curved faces short, so only a depth above the facets' distance
 /// from the true face proves that a sample lies inside.
+///
+/// Near a tangency facets may cross, so that a sample lies outside of them after all.
 std::vector<CellSample> sample_cell(const kernel::Brep& brep, int cell, int count);
+
+/// How often the facets of a cell go round a point: 1 inside, 0 outside.
+double winding_number(const kernel::Brep& brep, int cell, const Vec3& p);
 
 }  // namespace remeshd

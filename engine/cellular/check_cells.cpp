@@ -48,6 +48,28 @@ Vec3 some_point(const kernel::Brep& brep, int cell) {
   return brep.edges[brep.faces[brep.cells[cell].faces.front()].edges.front()].points.front();
 }
 
+/// Looks for a point of the cell between the middle of its facets and each of them, where rays from
+/// facet to facet miss: thin caps, whose facets meet at one node. Sets Cell::inside.
+bool search(const kernel::Brep& brep, int c, const Membership& membership, Cell& cell) {
+  std::vector<Vec3> centroids;
+  Vec3 middle;
+  for (const int f : brep.cells[c].faces)
+    for (const auto& [i, j, k] : brep.faces[f].triangles) {
+      centroids.push_back((brep.points[i] + brep.points[j] + brep.points[k]) / 3);
+      middle += centroids.back();
+    }
+  middle = middle / static_cast<double>(centroids.size());
+  std::vector<int> owners;
+  for (const double t : {0.0, 0.5, 0.8})
+    for (const Vec3& p : centroids) {
+      cell.inside = middle + t * (p - middle);
+      owners.clear();
+      membership.owners(cell.inside, owners);
+      if (owners == cell.owners) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureModel& model,
@@ -68,7 +90,8 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
         cell.inside = sample.point;
         found = true;
       }
-      if (!agrees && sample.depth > 2 * facet_gap(brep, c, membership))
+      if (!agrees && sample.depth > 2 * facet_gap(brep, c, membership) &&
+          winding_number(brep, c, sample.point) > 0.5)
         throw error::kernel_failure("a point inside a cell belongs to other features than the cell",
                                     sample.point, ids_of(model, difference(owners, cell.owners)));
     }
@@ -80,6 +103,7 @@ void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureMo
         cell.inside = p;
         found = true;
       }
+    if (!found) found = search(brep, c, membership, cell);
     if (!found)
       throw error::kernel_failure("a cell holds no point that belongs to its owners",
                                   some_point(brep, c), ids_of(model, cell.owners));

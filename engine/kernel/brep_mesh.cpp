@@ -1,6 +1,8 @@
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Message_ProgressRange.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/base/error.h"
@@ -41,23 +44,51 @@ void mesh(const TopoDS_Shape& shape, double angle, const Message_ProgressRange& 
 /// Numbers the nodes of all faces' triangulations so that those on a shared edge are one.
 class NodeNumbers {
  public:
-  explicit NodeNumbers(Brep& brep) : brep_(brep), of_edge_(brep.edges.size()) {
+  explicit NodeNumbers(Brep& brep) : brep_(brep), chains_(brep.edges.size()) {
     brep.points.clear();
     for (const BrepVertex& vertex : brep.vertices) brep.points.push_back(vertex.position);
     for (BrepFace& face : brep.faces) face.triangles.clear();
   }
 
-  /// False where a face has no sound triangulation.
-  bool add_all() {
-    for (bad_ = 0; bad_ < static_cast<int>(brep_.faces.size()); ++bad_)
-      if (!add_face(bad_,
-                    TopoDS::Face(shape_of(brep_, Element::Face, bad_).Oriented(TopAbs_FORWARD))) ||
-          !sound(brep_.faces[bad_]))
-        return false;
-    return apart();
+  void add_all() {
+    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
+      if (!add_face(f, face_shape(f))) brep_.faces[f].triangles.clear();
   }
-  /// The first without one.
-  [[nodiscard]] int bad_face() const { return bad_; }
+
+  /// Faces without a sound triangulation.
+  [[nodiscard]] std::vector<int> bad_faces() const {
+    std::vector<int> bad;
+    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
+      if (brep_.faces[f].triangles.empty() || !sound(brep_.faces[f])) bad.push_back(f);
+    return bad;
+  }
+
+  /// Faces with a triangle that another one has too, as a shallow cap and the disc below it may,
+  /// are parted in its middle. Returns those where that was not possible.
+  std::vector<int> part_touching() {
+    std::map<std::array<int, 3>, int> face_of;
+    std::vector<std::pair<int, std::array<int, 3>>> splits;
+    std::vector<int> bad;
+    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
+      for (std::array<int, 3> t : brep_.faces[f].triangles) {
+        std::ranges::sort(t);
+        const auto [it, fresh] = face_of.try_emplace(t, f);
+        if (fresh) continue;
+        const auto round = [&](int face) {
+          return BRepAdaptor_Surface(face_shape(face), false).GetType() != GeomAbs_Plane;
+        };
+        if (round(f))
+          splits.emplace_back(f, t);
+        else if (round(it->second))
+          splits.emplace_back(it->second, t);
+        else
+          bad.push_back(f);
+      }
+    for (const auto& [f, t] : splits) split(f, t);
+    return bad;
+  }
+
+  EdgeChains& chains() { return chains_; }
 
  private:
   bool add_face(int index, const TopoDS_Face& face) {
@@ -79,15 +110,17 @@ class NodeNumbers {
         for (int i = 1; i <= n; ++i) node[polygon->Node(i)] = v;
         continue;
       }
-      std::vector<int>& numbers = of_edge_[e];
-      if (numbers.empty()) {
-        numbers.push_back(brep_.edges[e].vertices[0]);
+      std::vector<EdgeNode>& chain = chains_[e];
+      if (chain.empty()) {
+        if (!polygon->HasParameters()) return false;
+        chain.push_back({brep_.edges[e].vertices[0], polygon->Parameter(1)});
         for (int i = 2; i < n; ++i)
-          numbers.push_back(add(mesh->Node(polygon->Node(i)).Transformed(location)));
-        numbers.push_back(brep_.edges[e].vertices[1]);
+          chain.push_back(
+              {add(mesh->Node(polygon->Node(i)).Transformed(location)), polygon->Parameter(i)});
+        chain.push_back({brep_.edges[e].vertices[1], polygon->Parameter(n)});
       }
-      if (static_cast<int>(numbers.size()) != n) return false;
-      for (int i = 1; i <= n; ++i) node[polygon->Node(i)] = numbers[i - 1];
+      if (static_cast<int>(chain.size()) != n) return false;
+      for (int i = 1; i <= n; ++i) node[polygon->Node(i)] = chain[i - 1].node;
     }
     for (int i = 1; i <= mesh->NbNodes(); ++i)
       if (node[i] < 0) node[i] = add(mesh->Node(i).Transformed(location));
@@ -117,8 +150,8 @@ class NodeNumbers {
     std::size_t segments = 0;
     for (const int e : face.edges) {
       if (std::ranges::count(face.edges, e) != 1) continue;  // a seam has the face on both sides
-      for (std::size_t i = 0; i + 1 < of_edge_[e].size(); ++i) {
-        const int a = of_edge_[e][i], b = of_edge_[e][i + 1];
+      for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
+        const int a = chains_[e][i].node, b = chains_[e][i + 1].node;
         if (!rim.contains({std::min(a, b), std::max(a, b)})) return false;
         ++segments;
       }
@@ -126,15 +159,25 @@ class NodeNumbers {
     return segments == rim.size();
   }
 
-  /// Whether no two faces have a triangle in common, as a shallow cap and the disc below it may.
-  [[nodiscard]] bool apart() {
-    std::set<std::array<int, 3>> all;
-    for (bad_ = 0; bad_ < static_cast<int>(brep_.faces.size()); ++bad_)
-      for (std::array<int, 3> t : brep_.faces[bad_].triangles) {
-        std::ranges::sort(t);
-        if (!all.insert(t).second) return false;
-      }
-    return true;
+  [[nodiscard]] TopoDS_Face face_shape(int f) const {
+    return TopoDS::Face(shape_of(brep_, Element::Face, f).Oriented(TopAbs_FORWARD));
+  }
+
+  /// Splits a triangle at a point of its face above the centroid.
+  void split(int f, const std::array<int, 3>& corners) {
+    std::vector<std::array<int, 3>>& triangles = brep_.faces[f].triangles;
+    const auto at = std::ranges::find_if(triangles, [&](std::array<int, 3> t) {
+      std::ranges::sort(t);
+      return t == corners;
+    });
+    const auto [a, b, c] = *at;
+    const Vec3 p = (brep_.points[a] + brep_.points[b] + brep_.points[c]) / 3;
+    const GeomAPI_ProjectPointOnSurf above({p.x, p.y, p.z}, BRep_Tool::Surface(face_shape(f)));
+    if (above.NbPoints() == 0) return;
+    const int middle = add(above.NearestPoint());
+    *at = {a, b, middle};
+    triangles.push_back({b, c, middle});
+    triangles.push_back({c, a, middle});
   }
 
   int add(const gp_Pnt& p) {
@@ -143,8 +186,7 @@ class NodeNumbers {
   }
 
   Brep& brep_;
-  std::vector<std::vector<int>> of_edge_;
-  int bad_ = 0;
+  EdgeChains chains_;
 };
 
 /// A point of a face for people to look at: of its edges' points the nearest to its centroid, which
@@ -164,15 +206,20 @@ Vec3 place_on(const Brep& brep, int face) {
 }  // namespace
 
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
-  int bad = 0;
+  std::vector<int> bad;
   for (const double angle : kMeshAngles) {
     if (angle != kMeshAngles.front()) BRepTools::Clean(shape);
     with_progress(run, [&](const Message_ProgressRange& range) { mesh(shape, angle, range); });
     NodeNumbers numbers(brep);
-    if (numbers.add_all()) return;
-    bad = numbers.bad_face();
+    numbers.add_all();
+    bad = numbers.bad_faces();
+    if (!bad.empty() && (!mend_faces(brep, numbers.chains(), bad) || !numbers.bad_faces().empty()))
+      continue;
+    bad = numbers.part_touching();
+    if (bad.empty()) return;
   }
-  throw error::kernel_failure("a face could not be triangulated", place_on(brep, bad) / scale);
+  throw error::kernel_failure("a face could not be triangulated",
+                              place_on(brep, bad.front()) / scale);
 }
 
 }  // namespace remeshd::kernel

@@ -40,6 +40,20 @@ FaceMoments moments_of(const TopoDS_Face& face, const Vec3& reference);
 /// Fills in the curve of an edge, kernel units.
 void measure_edge(const TopoDS_Edge& edge, BrepEdge& out);
 
+/// A node of the polyline that stands for an edge.
+struct EdgeNode {
+  int node = -1;         ///< in Brep::points
+  double parameter = 0;  ///< of the edge's curve
+};
+using EdgeChains = std::vector<std::vector<EdgeNode>>;  ///< by edge, from start to end
+
+/// Triangulates faces anew, from the polylines of their edges and nodes of its own inside. Where
+/// polylines cross, at edges that nearly touch, their segments are split, and all faces at them
+/// triangulated anew. Kernel units.
+///
+/// Returns false, with the Brep's triangles of no use, where that leads to nothing.
+bool mend_faces(Brep& brep, EdgeChains& chains, const std::vector<int>& bad);
+
 /// Fills in points and triangles, kernel units.
 ///
 /// Throws Error(KernelFailure) with the place, in the model's unit by `scale`.

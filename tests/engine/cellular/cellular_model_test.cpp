@@ -251,6 +251,57 @@ TEST(CellularModelTest, WhereARoundFeatureHasItsSeamMakesNoDifference) {
   EXPECT_NEAR(volume(std::array<Scalar, 3>{-1.0, 0.2, 0.0}), expected, 1e-5);
 }
 
+/// Every directed side of a triangle once, and once the other way round.
+void expect_watertight(const CellularModel& cells) {
+  std::map<std::array<double, 6>, int> sides;
+  double volume = 0;
+  for (const BoundaryFace& face : cells.boundary.faces)
+    for (const auto& t : face.triangles) {
+      volume += dot(face.points[t[0]], cross(face.points[t[1]], face.points[t[2]])) / 6;
+      for (int i = 0; i < 3; ++i) {
+        const Vec3 &a = face.points[t[i]], &b = face.points[t[(i + 1) % 3]];
+        ++sides[{a.x, a.y, a.z, b.x, b.y, b.z}];
+      }
+    }
+  for (const auto& [s, n] : sides) {
+    EXPECT_EQ(n, 1);
+    EXPECT_EQ(sides.count({s[3], s[4], s[5], s[0], s[1], s[2]}), 1u);
+  }
+  EXPECT_NEAR(volume, cells.volume, 0.02 * cells.volume);
+}
+
+// Thin faces, which the CAD kernel alone does not triangulate: found by random edits.
+
+TEST(CellularModelTest, ALedgeOfAMillionthIsAFace) {
+  for (const double d : {5e-6, -5e-6, 1.2e-5}) {
+    const CellularModel cells = cells_of({block("base", {0.0, 0.0, 0.0}, {115, 88 + d, 30}),
+                                          block("wall", {26.0, 0.0, 30.0}, {63, 88, 30})});
+    EXPECT_NEAR(cells.volume, 115 * (88 + d) * 30 + 63 * 88 * 30, 1e-6);
+    EXPECT_EQ(cells.boundary.faces.size(), d > 0 ? 10u : 12u);
+    expect_watertight(cells);
+  }
+}
+
+TEST(CellularModelTest, ABossThatTouchesTheWallOfItsRodFromInsideLeavesACrescent) {
+  for (const double radius : {2.0, 3.0, 4.5, 4.95}) {
+    const CellularModel cells = cells_of({cylinder("rod", {0.0, 0.0, 0.0}, 5, 10),
+                                          cylinder("boss", {radius - 5, 0.0, 0.0}, radius, 14)});
+    EXPECT_NEAR(cells.volume, pi * (250 + 4 * radius * radius), 1e-5);
+    expect_watertight(cells);
+  }
+}
+
+TEST(CellularModelTest, CylindersTiltedByLessThanAMillionthAreTwo) {
+  FeatureSource peg = minus(cylinder("peg", {-0.045, 0.041, -0.29}, 0.018, 0.055));
+  peg.placement.x_axis = {0.12659060142369988, 0.3887242216834695, 0.9126161838953805};
+  peg.placement.z_axis = {-0.08526671920374683, 0.9208766667621889, -0.3804152352485241};
+  FeatureSource core = cylinder("core", {-0.045, 0.041, -0.29}, 0.018, 0.023);
+  core.placement.x_axis = {0.12659054983159687, 0.38872477887550017, 0.9126159537185002};
+  core.placement.z_axis = {-0.08526679579952935, 0.9208764315578134, -0.3804157874424105};
+  const CellularModel cells = cells_of({peg, core});
+  EXPECT_NEAR(cells.volume, pi * 0.018 * 0.018 * 0.023, 1e-9);
+}
+
 TEST(CellularModelTest, HalfAPieBeginsAndEndsInOneFace) {
   const CellularModel cells = cells_of({test::feature(
       "pie", "revolution",
