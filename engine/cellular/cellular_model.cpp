@@ -12,6 +12,7 @@
 #include "engine/cellular/check_cells.h"
 #include "engine/cellular/feature_brep.h"
 #include "engine/cellular/features_at.h"
+#include "engine/cellular/point_contact.h"
 #include "engine/cellular/skeleton.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
@@ -20,6 +21,15 @@ namespace remeshd {
 namespace {
 
 using kernel::Brep;
+
+/// After a fuse of the features in reverse order.
+void restore_order(kernel::Fusion& fusion, int parts) {
+  for (auto* kind : {&fusion.cells, &fusion.faces, &fusion.edges, &fusion.vertices})
+    for (std::vector<kernel::Source>& sources : *kind) {
+      for (kernel::Source& source : sources) source.part = parts - 1 - source.part;
+      std::ranges::sort(sources);
+    }
+}
 
 /// The general fuse of all features, with what is known about each feature's own faces.
 struct Fused {
@@ -35,28 +45,43 @@ bool has_seam(const Shape& shape) {
          !std::holds_alternative<Slot>(shape);
 }
 
-/// `seam`: where round features are cut open, rad about their axis. The model does not depend on
-/// it, but the kernel may fail where a seam meets other features.
-Fused fuse_features(const FeatureModel& model, const Membership& membership, double seam,
+/// What the model does not depend on, but whether the CAD kernel gets it right.
+struct Attempt {
+  double seam;        ///< rad about their axis: where round features are cut open
+  bool last_first;    ///< order of the features as the kernel's arguments
+  int doublings = 0;  ///< of the kernel's unit
+};
+
+/// In this order until one succeeds. A finer unit tells apart what nearly coincides; a coarser one
+/// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
+/// and moves nothing by more than that; samples and volumes are those of the exact model either
+/// way. Where all fail, that takes as long as five fuses.
+constexpr std::array kAttempts{Attempt{0.0, false, 0}, Attempt{0.7, false, 0},
+                               Attempt{2.5, false, 0}, Attempt{0.7, false, -4},
+                               Attempt{2.5, true, 4}};
+
+Fused fuse_features(const FeatureModel& model, const Membership& membership, const Attempt& attempt,
                     const Run& run) {
   Box box;
   for (const Solid& solid : membership.solids()) box.add(solid.bounds());
-  const double scale = kernel::unit_scale(box.diagonal());
+  const double scale = std::ldexp(kernel::unit_scale(box.diagonal()), -attempt.doublings);
   Fused fused;
   for (const Feature& feature : model.features) {
     fused.features.push_back(feature_brep(feature, scale));
     run.poll();
   }
-  const double c = std::cos(seam), t = std::sin(seam);
+  const double c = std::cos(attempt.seam), t = std::sin(attempt.seam);
   const Transform turn = Transform::frame({c, t, 0}, {-t, c, 0}, {0, 0, 1}, {});
   std::vector<kernel::Part> parts;
   for (std::size_t i = 0; i < model.features.size(); ++i) {
     const Feature& feature = model.features[i];
-    const bool turned = seam != 0 && has_seam(feature.shape);
+    const bool turned = attempt.seam != 0 && has_seam(feature.shape);
     parts.push_back(
         {&fused.features[i], {0}, turned ? feature.placement * turn : feature.placement});
   }
+  if (attempt.last_first) std::ranges::reverse(parts);
   fused.fusion = kernel::general_fuse(parts, run);
+  if (attempt.last_first) restore_order(fused.fusion, static_cast<int>(parts.size()));
   return fused;
 }
 
@@ -187,9 +212,9 @@ void fill_edges_and_vertices(CellularModel& out, const Brep& brep, const Skeleto
           {vertex_owners[v], boundary.vertex[v] != 0, brep.vertices[v].position, v});
 }
 
-CellularModel build_with_seam(const FeatureModel& model, const Membership& membership, double seam,
-                              const Run& run) {
-  const Fused fused = fuse_features(model, membership, seam, run);
+CellularModel build(const FeatureModel& model, const Membership& membership, const Attempt& attempt,
+                    const Run& run) {
+  const Fused fused = fuse_features(model, membership, attempt, run);
   const Brep& brep = fused.fusion.brep;
 
   CellularModel out;
@@ -201,6 +226,8 @@ CellularModel build_with_seam(const FeatureModel& model, const Membership& membe
   const std::vector<BoundaryPiece> pieces = describe_faces(out, fused, membership);
   const Skeleton boundary = skeleton_of(brep, pieces, true);
   require_manifold(brep, boundary);
+  if (const auto contact = find_point_contact(membership, 0.1 * kernel_tolerance(brep)))
+    throw error::non_manifold_model("at a point", *contact, {});
   fill_edges_and_vertices(out, brep, skeleton_of(brep, pieces, false), boundary);
   out.boundary = build_boundary(brep, pieces, boundary);
   out.brep = std::make_shared<const Brep>(brep);
@@ -214,9 +241,9 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
   const Membership membership(model);
   // Again where the kernel fails; the first failure is the one to tell.
   std::optional<Error> first;
-  for (const double seam : {0.0, 0.7, 2.5}) {
+  for (const Attempt& attempt : kAttempts) {
     try {
-      return build_with_seam(model, membership, seam, run);
+      return build(model, membership, attempt, run);
     } catch (Error& failure) {
       const ErrorInfo& info = failure.info();
       if (info.place && info.feature.empty())

@@ -57,9 +57,9 @@ struct CellularModel {
 ///
 /// Throws Error(FailedPrecondition): `EmptyModel` where no cell is positive, `DisconnectedModel`
 /// where the positive cells do not hang together by faces, `NonManifoldModel` where one body
-/// touches itself along an edge or at a vertex, `KernelFailure` where the CAD kernel raised an
-/// alert or a membership sample disagrees with its result; the last two name the features and the
-/// place.
+/// touches itself along an edge, at a vertex or, where a sphere does, at a point, `KernelFailure`
+/// where the CAD kernel raised an alert or a membership sample disagrees with its result; the last
+/// two name the features and the place.
 CellularModel build_cells(const FeatureModel& model, const Run& run);
 
 }  // namespace remeshd

@@ -225,6 +225,41 @@ TEST(CellularModelTest, AHoleThatTouchesAWallFromInsideIsRefused) {
   EXPECT_THAT(error.reason, ::testing::AnyOf("NonManifoldModel", "DisconnectedModel"));
 }
 
+FeatureSource ball(std::string id, std::array<Scalar, 3> origin, double radius) {
+  FeatureSource source = test::feature(std::move(id), "sphere", {{"radius", radius}});
+  source.placement.origin = std::move(origin);
+  return source;
+}
+
+TEST(CellularModelTest, ABallThatTouchesAFaceAtAPointIsRefused) {
+  const FeatureSource base = block("base", {0.0, 0.0, 0.0}, {20, 20, 10});
+  const auto refused = [](std::vector<FeatureSource> features) {
+    const ErrorInfo error = error_of([&] { cells_of(std::move(features)); });
+    return error.reason + ' ' + error.feature + ' ' +
+           error.message.substr(std::min(error.message.size(), error.message.find("at a point")));
+  };
+  EXPECT_EQ(refused({base, minus(ball("cavity", {1.0, 2.0, 7.0}, 3))}),
+            "NonManifoldModel base,cavity at a point at (1, 2, 10)");
+  EXPECT_EQ(refused({base, block("wall", {9.0, 0.0, 10.0}, {2, 20, 10}),
+                     ball("knob", {5.0, 0.0, 14.0}, 4)}),
+            "NonManifoldModel base,knob at a point at (5, 0, 10)");
+  EXPECT_EQ(
+      refused({base, minus(ball("c1", {0.0, 0.0, 5.0}, 2)), minus(ball("c2", {3.0, 0.0, 5.0}, 1))}),
+      "NonManifoldModel c1,c2 at a point at (2, 0, 5)");
+}
+
+TEST(CellularModelTest, ABallThatTouchesAFaceInsideMaterialOrNearlyIsNot) {
+  const FeatureSource base = block("base", {0.0, 0.0, 0.0}, {20, 20, 10});
+  const double four = 4 * pi / 3;
+  EXPECT_NEAR(cells_of({base, ball("inner", {1.0, 2.0, 7.0}, 3)}).volume, 4000, 1e-6);
+  EXPECT_NEAR(cells_of({base, minus(ball("cavity", {1.0, 2.0, 6.9}, 3))}).volume, 4000 - four * 27,
+              1e-6);
+  // Tangent all round: a rod with a round end.
+  EXPECT_NEAR(
+      cells_of({cylinder("rod", {0.0, 0.0, 0.0}, 3, 10), ball("end", {0.0, 0.0, 10.0}, 3)}).volume,
+      90 * pi + four * 13.5, 1e-4);
+}
+
 TEST(CellularModelTest, ACavityInsideIsBoundaryToo) {
   const CellularModel cells = cells_of({block("base", {0.0, 0.0, 0.0}, {20, 20, 20}),
                                         minus(block("cavity", {0.0, 0.0, 5.0}, {4, 4, 4}))});
