@@ -62,21 +62,23 @@ void find_sides(SurfaceMesh& mesh, const BoundaryModel& boundary) {
     const Triangle& t = mesh.facets[k].nodes;
     for (int i = 0; i < 3; ++i)
       if (!facet_of.try_emplace({t[i], t[(i + 1) % 3]}, static_cast<std::int32_t>(k)).second)
-        throw error::kernel_failure("two triangulated faces overlap");
+        throw error::kernel_failure("two triangulated faces overlap", mesh.nodes[t[i]]);
   }
   for (FaceFacet& facet : mesh.facets)
     for (int i = 0; i < 3; ++i) {
       const std::int32_t a = facet.nodes[i], b = facet.nodes[(i + 1) % 3];
       const auto beyond = facet_of.find({b, a});
       if (beyond == facet_of.end())
-        throw error::kernel_failure("the triangulated faces do not close the boundary off");
+        throw error::kernel_failure("the triangulated faces do not close the boundary off",
+                                    mesh.nodes[a]);
       const std::int32_t other = mesh.facets[beyond->second].face;
       if (other == facet.face) continue;
       // Lower node first, so that both sides find the same edge to the bit.
       facet.edge[i] = edge_along(boundary, facet.face, other, mesh.nodes[std::min(a, b)],
                                  mesh.nodes[std::max(a, b)]);
       if (facet.edge[i] < 0)
-        throw error::kernel_failure("two triangulated faces meet where the model has no edge");
+        throw error::kernel_failure("two triangulated faces meet where the model has no edge",
+                                    mesh.nodes[a]);
     }
 }
 

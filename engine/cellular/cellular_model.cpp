@@ -31,6 +31,36 @@ void restore_order(kernel::Fusion& fusion, int parts) {
     }
 }
 
+/// The same as a general fuse, by one fuse for each part with the result of those before it.
+kernel::Fusion fuse_in_turn(const std::vector<kernel::Part>& parts, const Run& run) {
+  kernel::Fusion all = kernel::general_fuse(std::span(parts).first(1), run);
+  for (int p = 1; p < static_cast<int>(parts.size()); ++p) {
+    std::vector<int> cells(all.brep.cells.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    kernel::Fusion next = kernel::general_fuse(
+        std::array{kernel::Part{&all.brep, cells, Transform()}, parts[p]}, run);
+    const auto trace = [&](auto kernel::Fusion::*kind) {
+      for (std::vector<kernel::Source>& sources : next.*kind) {
+        std::vector<kernel::Source> traced;
+        for (const kernel::Source& source : sources)
+          if (source.part == 1)
+            traced.push_back({p, source.element});
+          else
+            std::ranges::copy((all.*kind)[source.element], std::back_inserter(traced));
+        std::ranges::sort(traced);
+        traced.erase(std::unique(traced.begin(), traced.end()), traced.end());
+        sources = std::move(traced);
+      }
+    };
+    trace(&kernel::Fusion::cells);
+    trace(&kernel::Fusion::faces);
+    trace(&kernel::Fusion::edges);
+    trace(&kernel::Fusion::vertices);
+    all = std::move(next);
+  }
+  return all;
+}
+
 /// The general fuse of all features, with what is known about each feature's own faces.
 struct Fused {
   std::vector<Brep> features;  ///< in history order; part i of the fusion is feature i
@@ -47,18 +77,21 @@ bool has_seam(const Shape& shape) {
 
 /// What the model does not depend on, but whether the CAD kernel gets it right.
 struct Attempt {
-  double seam;        ///< rad about their axis: where round features are cut open
-  bool last_first;    ///< order of the features as the kernel's arguments
-  int doublings = 0;  ///< of the kernel's unit
+  double seam;           ///< rad about their axis: where round features are cut open
+  bool last_first;       ///< order of the features as the kernel's arguments
+  int doublings = 0;     ///< of the kernel's unit
+  bool in_turn = false;  ///< one feature after the other
 };
+
+constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
 
 /// In this order until one succeeds. A finer unit tells apart what nearly coincides; a coarser one
 /// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
 /// and moves nothing by more than that; samples and volumes are those of the exact model either
-/// way. Where all fail, that takes as long as five fuses.
+/// way. Where all fail, that takes as long as ten fuses.
 constexpr std::array kAttempts{Attempt{0.0, false, 0}, Attempt{0.7, false, 0},
                                Attempt{2.5, false, 0}, Attempt{0.7, false, -4},
-                               Attempt{2.5, true, 4}};
+                               Attempt{2.5, true, 4},  Attempt{0.0, false, 0, true}};
 
 Fused fuse_features(const FeatureModel& model, const Membership& membership, const Attempt& attempt,
                     const Run& run) {
@@ -80,7 +113,7 @@ Fused fuse_features(const FeatureModel& model, const Membership& membership, con
         {&fused.features[i], {0}, turned ? feature.placement * turn : feature.placement});
   }
   if (attempt.last_first) std::ranges::reverse(parts);
-  fused.fusion = kernel::general_fuse(parts, run);
+  fused.fusion = attempt.in_turn ? fuse_in_turn(parts, run) : kernel::general_fuse(parts, run);
   if (attempt.last_first) restore_order(fused.fusion, static_cast<int>(parts.size()));
   return fused;
 }
@@ -187,9 +220,10 @@ Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
   for (std::size_t f = 0; f < pieces.size(); ++f) {
     SkeletonFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
     if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
-      const auto& [a, b, c] = brep.faces[f].triangles.front();
-      const Vec3 n = cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]);
-      const double along = dot(n, normal(face.surface, brep.points[a]));
+      double along = 0;  // of all triangles, for some may be slivers
+      for (const auto& [a, b, c] : brep.faces[f].triangles)
+        along += dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]),
+                     normal(face.surface, brep.points[a]));
       face.side = (along > 0) == pieces[f].outward ? 1 : -1;
     }
     faces.push_back(face);
@@ -242,6 +276,7 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
   // Again where the kernel fails; the first failure is the one to tell.
   std::optional<Error> first;
   for (const Attempt& attempt : kAttempts) {
+    if (attempt.in_turn && model.features.size() > kMaxInTurn) continue;
     try {
       return build(model, membership, attempt, run);
     } catch (Error& failure) {

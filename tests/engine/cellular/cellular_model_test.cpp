@@ -337,6 +337,45 @@ TEST(CellularModelTest, CylindersTiltedByLessThanAMillionthAreTwo) {
   EXPECT_NEAR(cells.volume, pi * 0.018 * 0.018 * 0.023, 1e-9);
 }
 
+TEST(CellularModelTest, BlocksFlushToWithinTheKernelsToleranceAreFused) {
+  for (const double d : {1e-9, 1e-8, 1e-7, 3.8e-7, -3.8e-7, 1e-6}) {
+    const CellularModel cells =
+        cells_of({block("base", {0.0, 0.0, 0.0}, {64.6, 33.4, 21.6}),
+                  block("wall", {18.4, 0.0, 21.6}, {27.7, 33.4 + d, 21.6})});
+    EXPECT_NEAR(cells.volume, 21.6 * (64.6 * 33.4 + 27.7 * (33.4 + d)), 1e-3) << d;
+  }
+}
+
+TEST(CellularModelTest, WhatAGeneralFuseFailsAtIsFusedInTurn) {
+  // Found by random models; the kernel left faces unused in any order, unit or seam.
+  const std::array<Scalar, 3> x{-0.02773187999514548, 0.8640874707557284, 0.5025771440434821};
+  const std::array<Scalar, 3> z{-0.1562954367159696, -0.5003350064784209, 0.8516082536906291};
+  FeatureSource post = block("post", {-7.252815055634992, -9.694667809356806, -12.546203782506655},
+                             {0.32980824576772355, 0.2367539167, 0.67088076637574});
+  FeatureSource disc =
+      cylinder("disc", {-7.2654184200451715, -9.73501386517465, -12.477531725398011},
+               0.25589429827801063, 0.14935236672786437);
+  FeatureSource tip = test::feature("tip", "cone",
+                                    {{"height", 0.30725676519649764},
+                                     {"radius_bottom", 0.3081312414676274},
+                                     {"radius_top", 0.0}});
+  tip.placement.origin = disc.placement.origin;
+  for (FeatureSource* source : {&post, &disc, &tip}) {
+    source->placement.x_axis = x;
+    source->placement.z_axis = z;
+  }
+  disc.placement.x_axis = {-0.3306212323421541, 0.8389678586228062, 0.4322297223958786};
+  const FeatureModel model = model_of({post, disc, tip});
+  const CellularModel cells = build_cells(model, kRun);
+  for (int f = 0; f < 3; ++f) {
+    double volume = 0;
+    for (const Cell& cell : cells.cells)
+      if (std::ranges::binary_search(cell.owners, f)) volume += cell.volume;
+    EXPECT_NEAR(volume, Solid(model.features[f]).volume(), 1e-8);
+  }
+  expect_watertight(cells);
+}
+
 TEST(CellularModelTest, HalfAPieBeginsAndEndsInOneFace) {
   const CellularModel cells = cells_of({test::feature(
       "pie", "revolution",
