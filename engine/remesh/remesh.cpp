@@ -174,20 +174,20 @@ Candidate try_mesh(const Setting& s, Report& report, Stopwatch& watch, const Run
   return candidate;
 }
 
-Reference reference_of(const Revision& r) {
+WearReference reference_of(const Revision& r) {
   return {r.report.quality.volume_length_mean,
           static_cast<double>(r.report.counts.nodes) /
               expected_nodes(r.cells.volume, r.cells.area, r.edge_length)};
 }
 
 /// Whether so much is lost against the last regular mesh that another may be worth its time.
-bool worn(const Reference& now, const Reference& then) {
+bool worn(const WearReference& now, const WearReference& then) {
   return now.volume_length_mean < then.volume_length_mean - kWornQuality ||
          std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) > kWornDensity;
 }
 
 /// `0.801 mean volume-length, 1.08 of the nodes expected`.
-std::string text(const Reference& r) {
+std::string text(const WearReference& r) {
   std::array<char, 96> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.3f mean volume-length, %.2f of the nodes expected",
                 r.volume_length_mean, r.nodes_over_expected);
@@ -280,7 +280,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   }
   deliver(std::move(candidate), copied_from, original, *copied_by, revision, run);
 
-  const Reference now = reference_of(revision);
+  const WearReference now = reference_of(revision);
   const bool by_rule = original && !options.nodes && !options.size;
   revision.reference = by_rule && report.way != Way::Fresh ? original->reference : now;
   if (by_rule && copied_from && worn(now, original->reference)) {

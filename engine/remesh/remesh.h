@@ -97,7 +97,7 @@ struct Anchor {
 };
 
 /// What wear along a chain of edits is told by: the chain's last regular mesh.
-struct Reference {
+struct WearReference {
   double volume_length_mean = 0;
   double nodes_over_expected = 1;  ///< its nodes over those that its edge length lets one expect
 };
@@ -117,7 +117,7 @@ struct Revision {
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
   Report report;
-  Reference reference;
+  WearReference reference;
 
   [[nodiscard]] const FeatureModel& master_model() const;
   /// The delivered nodes as the master gave them.

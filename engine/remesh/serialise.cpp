@@ -97,7 +97,7 @@ void serialize(A& a, GroupArea& g) {
   a(g.group, g.exact_area, g.mesh_area);
 }
 template <class A>
-void serialize(A& a, Reference& r) {
+void serialize(A& a, WearReference& r) {
   a(r.volume_length_mean, r.nodes_over_expected);
 }
 template <class A>
