@@ -180,6 +180,11 @@ WearReference reference_of(const Revision& r) {
               expected_nodes(r.cells.volume, r.cells.area, r.edge_length)};
 }
 
+/// Whether it is the chain's last regular mesh itself: one edit wears nothing out.
+bool is_regular(const Revision& r) {
+  return r.reference.volume_length_mean == r.report.quality.volume_length_mean;
+}
+
 /// Whether so much is lost against the last regular mesh that another may be worth its time.
 bool worn(const WearReference& now, const WearReference& then) {
   return now.volume_length_mean < then.volume_length_mean - kWornQuality ||
@@ -283,7 +288,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   const WearReference now = reference_of(revision);
   const bool by_rule = original && !options.nodes && !options.size;
   revision.reference = by_rule && report.way != Way::Fresh ? original->reference : now;
-  if (by_rule && copied_from && worn(now, original->reference)) {
+  if (by_rule && copied_from && !is_regular(*original) && worn(now, original->reference)) {
     const Report as_remeshed = report;
     candidate = mesh_anew(options.seed);
     Revision anew = revision;

@@ -132,7 +132,8 @@ struct Revision {
 ///
 /// A remesh that has worn is made anew, as a regular mesh, and the Report says so: where its mean
 /// volume-length lies more than 0.005 below that of the chain's last regular mesh, or its nodes are
-/// more than a tenth off in number, and the regular mesh is better.
+/// more than a tenth off in number, and the regular mesh is better. The first edit of a regular
+/// mesh is never made anew for that.
 ///
 /// The result depends on the arguments alone, not on `run.threads` or the clock.
 /// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `BoundaryNotRecovered`
