@@ -5,13 +5,15 @@
 #include <limits>
 #include <queue>
 
+#include "engine/base/error.h"
 #include "engine/boundary/surface_crossings.h"
 #include "engine/boundary/surface_remesher.h"
 
 namespace remeshd {
 namespace {
 
-constexpr int kRounds = 6;  // of splitting, collapsing, flipping and evening out
+constexpr int kRounds = 6;                    // of splitting, collapsing, flipping and evening out
+constexpr std::size_t kMostFacets = 300'000;  // more take TetGen longer than it may run
 constexpr int kRoundsPerCrossing = 2;
 constexpr double kPerWidth = 2.0;   // longest sides beside a thin face, in widths of it
 constexpr double kPerRadius = 1.0;  // longest sides on a curve, in its radii: a hexagon
@@ -93,6 +95,8 @@ void remesh(SurfaceRemesher& remesher, int rounds, double least) {
     remesher.flip();
     remesher.compact();
     heed_thin_faces(remesher, least);
+    if (remesher.mesh().facets.size() > kMostFacets)
+      throw error::tetgen_refused("the surface would need more than 300,000 facets");
   }
 }
 

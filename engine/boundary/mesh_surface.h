@@ -19,7 +19,7 @@ struct SurfaceMeshOptions {
 /// would cut others; lengths vary gradually.
 ///
 /// Post: what SurfaceMesh promises. Facets that cut each other may be left where rounds run out.
-/// Throws what tessellated_surface throws; Cancelled.
+/// Throws what tessellated_surface throws; Error(TetGenRefused) above 300,000 facets; Cancelled.
 SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions& options,
                          const Run& run);
 

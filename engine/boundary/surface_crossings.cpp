@@ -1,17 +1,12 @@
 #include "engine/boundary/surface_crossings.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "engine/kernel/box_pairs.h"
 #include "engine/kernel/predicates.h"
 
 namespace remeshd {
 namespace {
-
-bool overlap(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
 
 bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
 
@@ -43,22 +38,16 @@ std::vector<std::pair<std::int32_t, std::int32_t>> surface_crossings(const Surfa
   std::vector<Box> boxes(mesh.facets.size());
   for (std::size_t k = 0; k < boxes.size(); ++k)
     for (const std::int32_t n : mesh.facets[k].nodes) boxes[k].add(mesh.nodes[n]);
-  std::vector<std::int32_t> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::int32_t k) { return boxes[k].lo.x; });
   std::vector<std::pair<std::int32_t, std::int32_t>> found;
   Polling poll(run);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      poll();
-      if (boxes[order[j]].lo.x > boxes[order[i]].hi.x) break;
-      if (!overlap(boxes[order[i]], boxes[order[j]])) continue;
-      const Triangle& s = mesh.facets[order[i]].nodes;
-      const Triangle& t = mesh.facets[order[j]].nodes;
-      if (std::ranges::count_if(s, [&](std::int32_t n) { return has(t, n); }) >= 2) continue;
-      if (side_cuts(mesh.nodes, s, t) || side_cuts(mesh.nodes, t, s))
-        found.emplace_back(order[i], order[j]);
-    }
+  kernel::for_each_touching_pair(boxes, [&](std::int32_t a, std::int32_t b) {
+    poll();
+    const Triangle& s = mesh.facets[a].nodes;
+    const Triangle& t = mesh.facets[b].nodes;
+    if (std::ranges::count_if(s, [&](std::int32_t n) { return has(t, n); }) >= 2) return;
+    if (side_cuts(mesh.nodes, s, t) || side_cuts(mesh.nodes, t, s)) found.emplace_back(a, b);
+  });
+  std::ranges::sort(found);
   return found;
 }
 
