@@ -146,6 +146,25 @@ double signed_distance(const Surface& surface, const Vec3& p) {
   return local_foot(surface, p).distance;
 }
 
+double radius_of_curvature(const Surface& surface, const Vec3& p) {
+  switch (surface.kind) {
+    case Surface::Kind::Plane:
+      break;
+    case Surface::Kind::Cylinder:
+    case Surface::Kind::Sphere:
+      return surface.r1;
+    case Surface::Kind::Torus:
+      return surface.r2;
+    case Surface::Kind::Cone: {
+      const Transform& frame = surface.frame;
+      const Vec3 axis{frame.m[2], frame.m[6], frame.m[10]};
+      const Vec3 from = p - Vec3{frame.m[3], frame.m[7], frame.m[11]};
+      return norm(from - dot(from, axis) * axis);
+    }
+  }
+  return HUGE_VAL;
+}
+
 bool same_surface(const Surface& a, const Surface& b, const Box& where, double tolerance) {
   using Kind = Surface::Kind;
   const auto conical = [](const Surface& s) {

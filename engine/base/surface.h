@@ -34,6 +34,10 @@ Vec3 normal(const Surface& surface, const Vec3& p);
 /// Distance to the surface, positive on the side that `normal` points to.
 double signed_distance(const Surface& surface, const Vec3& p);
 
+/// Smallest radius of curvature at the point nearest to p; infinite on a plane, nought at a cone's
+/// apex.
+double radius_of_curvature(const Surface& surface, const Vec3& p);
+
 /// Whether two surfaces are the same point set to within `tolerance` (length) in the box given.
 bool same_surface(const Surface& a, const Surface& b, const Box& where, double tolerance);
 

@@ -19,23 +19,10 @@ constexpr double kPerWidth = 2.0;   // longest sides beside a thin face, in widt
 constexpr double kPerRadius = 1.0;  // longest sides on a curve, in its radii: a hexagon
 constexpr int kLeastSegments = 6;   // of a closed edge of another kind
 
-/// Smallest radius of curvature of a surface, infinite for planes; of a cone at p, but at least
-/// `least`, for at its apex there is none.
+/// Smallest radius of curvature; of a cone at least `least`, for at its apex there is none.
 double radius_of(const Surface& surface, const Vec3& p, double least) {
-  switch (surface.kind) {
-    case Surface::Kind::Plane:
-      break;
-    case Surface::Kind::Cylinder:
-    case Surface::Kind::Sphere:
-      return surface.r1;
-    case Surface::Kind::Torus:
-      return surface.r2;
-    case Surface::Kind::Cone: {
-      const Vec3 local = rigid_inverse(surface.frame).apply(p);
-      return std::max(least, std::hypot(local.x, local.y));
-    }
-  }
-  return HUGE_VAL;
+  const double radius = radius_of_curvature(surface, p);
+  return surface.kind == Surface::Kind::Cone ? std::max(least, radius) : radius;
 }
 
 /// How long sides may be for the curvature of what a node stands on.

@@ -11,8 +11,8 @@ namespace remeshd {
 struct RecoverOptions {
   double edge_length = 0;  ///< target edge length l
   int rounds = 12;         ///< at most
-  /// So many nodes at most, as a share of those there are, and 200 more: two model edges much nearer
-  /// to each other than the edge length would split each other into pieces as short as that.
+  /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
+  /// nearer to each other than the edge length would split each other into pieces as short as that.
   double most = 0.2;
 };
 

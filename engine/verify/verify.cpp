@@ -316,26 +316,6 @@ class Checker {
                std::to_string(whole) + ", the model's " + std::to_string(exact));
   }
 
-  /// Smallest radius of curvature at p, infinite on a plane.
-  static double radius_of_curvature(const Surface& surface, const Vec3& p) {
-    switch (surface.kind) {
-      case Surface::Kind::Plane:
-        break;
-      case Surface::Kind::Cylinder:
-      case Surface::Kind::Sphere:
-        return surface.r1;
-      case Surface::Kind::Torus:
-        return surface.r2;
-      case Surface::Kind::Cone: {
-        const Transform& frame = surface.frame;
-        const Vec3 axis{frame.m[2], frame.m[6], frame.m[10]};
-        const Vec3 from = p - Vec3{frame.m[3], frame.m[7], frame.m[11]};
-        return norm(from - dot(from, axis) * axis);
-      }
-    }
-    return HUGE_VAL;
-  }
-
   const TetMesh& mesh_;
   std::span<const Support> supports_;
   const BoundaryModel& boundary_;
