@@ -33,13 +33,14 @@ struct ImproveResult {
 /// Removes slivers from a peeled Delaunay mesh: edge removal over rings (Freitag & Ollivier-Gooch
 /// 1997, Shewchuk 2002), face removal (2-3, 4-4 flips, 2-2 and peeling of flat tets on the
 /// boundary) and local smoothing in which boundary nodes slide on their surface or curve. Works on
-/// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches. Every
-/// reconnection and every move of one node raises the worst quality of the tets it replaces; where
-/// neither helps, the nodes round a tet are eased together, which may leave the worst as it is
-/// while what all of them lack of the threshold gets less.
+/// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches. A tet
+/// scores by how near it comes to the threshold in measure and to the least dihedral angle; every
+/// reconnection and every move of one node raises the worst measure, or as a last means the worst
+/// score, of the tets it touches. Where neither helps, the nodes round a tet are eased together,
+/// which may leave the worst as it is while what all of them lack gets less.
 ///
-/// Post: volume covered, boundary manifold and its model edges as before; no tet worse than the
-/// worst of the input; the same input gives the same bytes.
+/// Post: volume covered, boundary manifold and its model edges as before; no tet scores worse than
+/// the worst of the input; the same input gives the same bytes.
 ImproveResult improve(const TetMesh& mesh, std::span<const Support> supports,
                       const BoundaryModel& boundary, std::span<const std::uint8_t> dirty,
                       const ImproveOptions& options, const Run& run);
