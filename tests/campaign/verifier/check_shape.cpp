@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "engine/base/random.h"
 #include "tests/campaign/rays.h"
@@ -10,10 +12,11 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kOnSurface = 1e-6;  // of the diagonal
-constexpr int kLinesPerAxis = 24;    // squared, along each of the three axes
-constexpr int kPoints = 4000;        // inside or outside
-constexpr double kSlack = 2.0;       // what rises of neighbouring chords may add up to
+constexpr double kOnSurface = 1e-6;            // of the diagonal
+constexpr int kLinesPerAxis = 24;              // squared, along each of the three axes
+constexpr int kPoints = 4000;                  // inside or outside
+constexpr int kDirections = 16, kReaches = 5;  // round a node between two surfaces
+constexpr double kSlack = 2.0;                 // what rises of neighbouring chords may add up to
 
 double six_volumes(const TetMesh& mesh, const Tet& t) {
   const Vec3& a = mesh.nodes[t[0]];
@@ -72,31 +75,34 @@ class ShapeChecker {
     for (std::size_t n = 0; n < boundary.size(); ++n) {
       if (!boundary[n]) continue;
       const Vec3& p = mesh_.nodes[n];
-      if (!on_a_surface(p)) {
+      const std::vector<Surface> at = surfaces_at(p);
+      if (at.empty()) {
         findings_.add("node on surface", "a boundary node on no feature's surface", p);
         continue;
       }
-      if (!both_natures(p, into[n], outwards[n]))
+      if (!both_natures(p, into[n], outwards[n], at))
         findings_.add("node on boundary", "a boundary node with one nature all round", p);
     }
   }
 
-  [[nodiscard]] bool on_a_surface(const Vec3& p) const {
+  [[nodiscard]] std::vector<Surface> surfaces_at(const Vec3& p) const {
+    std::vector<Surface> at;
     for (const Solid& solid : membership_.solids()) {
       if (!solid.bounds().contains(p, tiny_)) continue;
       for (const SolidFace& face : solid.faces())
-        if (std::fabs(signed_distance(face.surface, p)) <= tiny_) return true;
+        if (std::fabs(signed_distance(face.surface, p)) <= tiny_) at.push_back(face.surface);
     }
-    return false;
+    return at;
   }
 
-  [[nodiscard]] bool both_natures(const Vec3& p, const std::vector<Vec3>& into,
-                                  const Vec3& outward) const {
+  [[nodiscard]] bool both_natures(const Vec3& p, const std::vector<Vec3>& into, const Vec3& outward,
+                                  const std::vector<Surface>& at) const {
     bool any_inside = false, any_outside = false;
-    const auto look = [&](const Vec3& d) {
-      (membership_.inside(p + 2 * tiny_ * d) ? any_inside : any_outside) = true;
+    const auto look_at = [&](const Vec3& q) {
+      (membership_.inside(q) ? any_inside : any_outside) = true;
       return any_inside && any_outside;
     };
+    const auto look = [&](const Vec3& d) { return look_at(p + 2 * tiny_ * d); };
     if (norm(outward) > 0 && look(normalised(outward))) return true;
     for (const Vec3& d : into)
       if (look(d) || look(-d)) return true;
@@ -105,6 +111,16 @@ class ShapeChecker {
       const double z = 1 - (k + 0.5) / 1000.0, r = std::sqrt(1 - z * z), a = 2.399963229728653 * k;
       if (look({r * std::cos(a), r * std::sin(a), z})) return true;
     }
+    // Between surfaces at so small an angle, or tangent, that no direction finds the middle.
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = i + 1; j < at.size(); ++j)
+        for (int k = 0; k < kDirections * kReaches; ++k) {
+          const double a = 2 * std::numbers::pi * (k % kDirections) / kDirections;
+          const Vec3 n = normal(at[i], p), u = any_perpendicular(n), v = cross(n, u);
+          const double reach = std::ldexp(tiny_, 1 + 2 * (k / kDirections));
+          const Vec3 q = p + reach * (std::cos(a) * u + std::sin(a) * v);
+          if (look_at(0.5 * (project(at[i], q) + project(at[j], q)))) return true;
+        }
     return false;
   }
 
@@ -161,12 +177,18 @@ class ShapeChecker {
     return result;
   }
 
+  /// The facet that p is least beyond the chords of, where it is beyond those of all.
+  [[nodiscard]] std::optional<MeshSurface::Nearest> away_from_boundary(const Vec3& p) const {
+    const MeshSurface::Nearest near = surface_.least_beyond(p, kSlack, 0.1 * diagonal_);
+    if (near.distance <= kSlack * near.allowed + tiny_) return {};
+    return near;
+  }
+
   void check_near(const Vec3& p) {
-    const MeshSurface::Nearest near = surface_.nearest(p, 0.1 * diagonal_);
-    if (near.distance > kSlack * near.allowed + tiny_)
+    if (const auto near = away_from_boundary(p))
       findings_.add("coverage",
-                    "a point of the model's boundary " + std::to_string(near.distance) +
-                        " from the mesh's, allowed " + std::to_string(near.allowed),
+                    "a point of the model's boundary " + std::to_string(near->distance) +
+                        " from the mesh's, allowed " + std::to_string(near->allowed),
                     p);
   }
 
@@ -189,8 +211,7 @@ class ShapeChecker {
           findings_.add("overlap", "a point in more than one tet", p);
         continue;
       }
-      const MeshSurface::Nearest near = surface_.nearest(p, 0.1 * diagonal_);
-      if (near.distance > kSlack * near.allowed + tiny_)
+      if (away_from_boundary(p))
         findings_.add("inside",
                       inside ? "a point of the model outside of the mesh"
                              : "a point outside of the model inside of the mesh",
@@ -211,9 +232,7 @@ class ShapeChecker {
       const Vec3 c = 0.25 * (mesh_.nodes[tet[0]] + mesh_.nodes[tet[1]] + mesh_.nodes[tet[2]] +
                              mesh_.nodes[tet[3]]);
       if (!inside_anyhow(c, 0.01 * tiny_)) {
-        const MeshSurface::Nearest near = surface_.nearest(c, 0.1 * diagonal_);
-        if (near.distance > kSlack * near.allowed + tiny_)
-          findings_.add("centroid", "a tet outside of the model", c);
+        if (away_from_boundary(c)) findings_.add("centroid", "a tet outside of the model", c);
         continue;
       }
       const std::int32_t cell = groups.tet_cell[t];

@@ -98,6 +98,7 @@ void MeshSurface::measure_rises(const Membership& membership) {
     double most = 0;
     for (const std::int32_t n : facet) most = std::max(most, round[n]);
     allowed_.push_back(most + tiny_);
+    most_allowed_ = std::max(most_allowed_, allowed_.back());
   }
 }
 
@@ -130,15 +131,22 @@ void MeshSurface::build_grid() {
   }
 }
 
-MeshSurface::Nearest MeshSurface::nearest(const Vec3& p, double far) const {
+MeshSurface::Nearest MeshSurface::measure(std::int32_t facet, const Vec3& p) const {
+  const Triangle& t = facets_[facet];
+  const Vec3 q = nearest_on_triangle(p, mesh_.nodes[t[0]], mesh_.nodes[t[1]], mesh_.nodes[t[2]]);
+  return {distance(p, q), allowed_[facet], facet};
+}
+
+MeshSurface::Nearest MeshSurface::least_beyond(const Vec3& p, double slack, double far) const {
   Nearest best{HUGE_VAL, 0, -1};
   if (facets_.empty()) return best;
+  const auto beyond = [&](const Nearest& n) { return n.distance - slack * n.allowed; };
   const auto middle = cell_of(p);
   const int most = std::max({cells_[0], cells_[1], cells_[2]});
   for (int ring = 0; ring <= most; ++ring) {
     // All of the earlier rings are nearer than this.
     const double reached = (ring - 1) * cell_;
-    if (reached > std::min(best.distance, far)) break;
+    if (reached > far || reached - slack * most_allowed_ > beyond(best)) break;
     for (int i = std::max(0, middle[0] - ring); i <= std::min(cells_[0] - 1, middle[0] + ring); ++i)
       for (int j = std::max(0, middle[1] - ring); j <= std::min(cells_[1] - 1, middle[1] + ring);
            ++j)
@@ -149,15 +157,12 @@ MeshSurface::Nearest MeshSurface::nearest(const Vec3& p, double far) const {
             continue;
           for (const std::int32_t f :
                grid_[(static_cast<std::size_t>(i) * cells_[1] + j) * cells_[2] + k]) {
-            const Triangle& t = facets_[f];
-            const Vec3 q =
-                nearest_on_triangle(p, mesh_.nodes[t[0]], mesh_.nodes[t[1]], mesh_.nodes[t[2]]);
-            const double d = distance(p, q);
-            if (d < best.distance) best = {d, 0, f};
+            const Nearest here = measure(f, p);
+            if (beyond(here) < beyond(best)) best = here;
+            if (beyond(best) <= 0) return best;
           }
         }
   }
-  if (best.facet >= 0) best.allowed = allowed_[best.facet];
   return best;
 }
 

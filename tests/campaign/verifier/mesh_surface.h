@@ -21,8 +21,10 @@ class MeshSurface {
     double allowed;  ///< for a point of the model's boundary, by the chords round the facet
     std::int32_t facet;
   };
-  /// The facet nearest to p. `far`: nothing further off than this is looked for; -1 then.
-  [[nodiscard]] Nearest nearest(const Vec3& p, double far) const;
+  /// The facet whose allowance, `slack` times, p is least beyond; any within it if there is one:
+  /// the nearest may be a plane's beside a coarse facet of the curved face that p lies on. `far`:
+  /// nothing further off than this is looked for; -1 then.
+  [[nodiscard]] Nearest least_beyond(const Vec3& p, double slack, double far) const;
 
   [[nodiscard]] const std::vector<Triangle>& facets() const { return facets_; }
   [[nodiscard]] double allowed(std::int32_t facet) const { return allowed_[facet]; }
@@ -35,12 +37,13 @@ class MeshSurface {
   void measure_rises(const Membership& membership);
   void build_grid();
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
+  [[nodiscard]] Nearest measure(std::int32_t facet, const Vec3& p) const;
 
   const TetMesh& mesh_;
   std::vector<Triangle> facets_;
   double tiny_;
   std::vector<double> rise_, allowed_;
-  double longest_ = 0;
+  double longest_ = 0, most_allowed_ = 0;
   Box box_;
   double cell_ = 1;
   std::array<int, 3> cells_{1, 1, 1};

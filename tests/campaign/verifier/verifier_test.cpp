@@ -192,6 +192,45 @@ TEST(Verifier, FindsAMeshThatLacksAHole) {
     EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
 }
 
+// The plane below is nearer to the wall's points than the wall's own coarse facets.
+TEST(Verifier, ForgivesAWallsChordsBesideAPlane) {
+  ModelSource model =
+      test::one_feature(test::feature("disc", "cylinder", {{"radius", 100.0}, {"height", 34.0}}));
+  FeatureSource hole = test::feature("hole", "cylinder", {{"radius", 8.9}, {"height", 34.0}});
+  hole.nature = Nature::Subtractive;
+  hole.placement.origin = {70.0, 11.0, 4.7e-5};  // a film is left below
+  model.features.push_back(hole);
+  const Revision r = make_revision(nullptr, model, {.nodes = 300, .seed = 662}, remeshd::Run{});
+  std::set<std::uint64_t> nodes, tets;
+  EXPECT_EQ(list(verify_independently(r, nullptr, nodes, tets)), "");
+}
+
+// A gap of 1e-4 rad opens between the block's top and the cylinder's bottom: where it begins, no
+// direction at a fair angle to them leads out of the material.
+TEST(Verifier, FindsTheAirInAGapOfATinyAngle) {
+  ModelSource model = test::one_feature(
+      test::feature("plate", "block", {{"dx", 375.75636}, {"dy", 265.03945}, {"dz", 38.102921}}));
+  PlacementSource& plate = model.features[0].placement;
+  plate.x_axis = {{-0.3047171438789854, -0.8464596929487336, -0.43663881004712535}};
+  plate.z_axis = {{-0.7901560920775541, 0.4806338921097069, -0.38032145864807915}};
+  FeatureSource pocket =
+      test::feature("pocket", "block", {{"dx", 17.0}, {"dy", 20.0}, {"dz", 22.0}});
+  pocket.nature = Nature::Subtractive;
+  pocket.placement = {{16.0, 130.0, 86.0},
+                      plate.z_axis,
+                      {{0.18131257077825977, 0.7760511746200663, 0.604044970220425}}};
+  model.features.push_back(pocket);
+  FeatureSource peg =
+      test::feature("peg", "cylinder", {{"radius", 14.255922}, {"height", 42.11087}});
+  peg.placement.origin = {-22.501555, -0.12063199, -53.589299};
+  peg.placement.x_axis = {{-0.30461862419233143, -0.8465196122025773, -0.436591387857765}};
+  peg.placement.z_axis = {{-0.7901940783226674, 0.4805283510759669, -0.3803758961816624}};
+  model.features.push_back(peg);
+  const Revision r = make_revision(nullptr, model, {.nodes = 300, .seed = 557}, remeshd::Run{});
+  std::set<std::uint64_t> nodes, tets;
+  EXPECT_EQ(list(verify_independently(r, nullptr, nodes, tets)), "");
+}
+
 TEST(Verifier, FindsAWrongVolumeInTheReport) {
   Revision r = meshes().edited;
   r.report.volume *= 1.001;
