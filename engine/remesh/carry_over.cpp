@@ -185,8 +185,17 @@ class Carrier {
       if (unmoved_[n]) copy[nodes_.original[n]] = n;
     for (std::size_t p = 0; p < pieces_.delaunay.size(); ++p) {
       if (!whole[p] || found[p] == 0 || found[p] != pieces_.delaunay[p].size()) continue;
+      // Delivered tets may have nodes that none of the piece's Delaunay tets has.
+      const auto came_along = [&](std::int32_t n) {
+        return copy[n] >= 0 && nodes_.transform[copy[n]] == transform[p];
+      };
+      const auto& delivered = pieces_.delivered[p];
+      if (!std::ranges::all_of(delivered, [&](std::int32_t d) {
+            return std::ranges::all_of(delivered_.tets[d], came_along);
+          }))
+        continue;
       carried_piece_[p] = 1;
-      for (const std::int32_t d : pieces_.delivered[p]) {
+      for (const std::int32_t d : delivered) {
         Tet t = delivered_.tets[d];
         for (std::int32_t& n : t) n = copy[n];
         piece_tets_[p].push_back(t);
