@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <string>
 
 #include "engine/base/error.h"
 #include "engine/boundary/surface_crossings.h"
@@ -12,8 +13,7 @@
 namespace remeshd {
 namespace {
 
-constexpr int kRounds = 6;                    // of splitting, collapsing, flipping and evening out
-constexpr std::size_t kMostFacets = 300'000;  // more take TetGen longer than it may run
+constexpr int kRounds = 6;  // of splitting, collapsing, flipping and evening out
 constexpr int kRoundsPerCrossing = 2;
 constexpr double kPerWidth = 2.0;   // longest sides beside a thin face, in widths of it
 constexpr double kPerRadius = 1.0;  // longest sides on a curve, in its radii: a hexagon
@@ -72,7 +72,7 @@ bool heed_crossings(SurfaceRemesher& remesher, const Run& run) {
   return !crossings.empty();
 }
 
-void remesh(SurfaceRemesher& remesher, int rounds, double least) {
+void remesh(SurfaceRemesher& remesher, int rounds, double least, std::size_t most_facets) {
   for (int round = 0; round < rounds; ++round) {
     remesher.split_long();
     remesher.flip();
@@ -82,8 +82,9 @@ void remesh(SurfaceRemesher& remesher, int rounds, double least) {
     remesher.flip();
     remesher.compact();
     heed_thin_faces(remesher, least);
-    if (remesher.mesh().facets.size() > kMostFacets)
-      throw error::tetgen_refused("the surface would need more than 300,000 facets");
+    if (remesher.mesh().facets.size() > most_facets)
+      throw error::tetgen_refused("the surface would need more than " +
+                                  std::to_string(most_facets) + " facets");
   }
 }
 
@@ -104,10 +105,10 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
     remesher.flip();
     remesher.collapse_short();
   }
-  remesh(remesher, kRounds, least);
+  remesh(remesher, kRounds, least, options.most_facets);
   for (int round = 0; round < options.crossing_rounds; ++round) {
     if (!heed_crossings(remesher, run)) break;
-    remesh(remesher, kRoundsPerCrossing, least);
+    remesh(remesher, kRoundsPerCrossing, least, options.most_facets);
   }
   return remesher.mesh();
 }

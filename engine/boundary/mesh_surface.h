@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "engine/base/run.h"
 #include "engine/boundary/surface_mesh.h"
 
@@ -9,6 +11,7 @@ struct SurfaceMeshOptions {
   double edge_length = 0;  ///< target length of sides, model's unit
   /// Share of the edge length below which thin faces ask for no shorter sides.
   double least_length = 0.125;
+  std::size_t most_facets = 300'000;  ///< a surface that would need more is refused
   /// Rounds of local refinement where facets of near faces cut each other.
   int crossing_rounds = 8;
 };
@@ -19,7 +22,7 @@ struct SurfaceMeshOptions {
 /// would cut others; lengths vary gradually.
 ///
 /// Post: what SurfaceMesh promises. Facets that cut each other may be left where rounds run out.
-/// Throws what tessellated_surface throws; Error(TetGenRefused) above 300,000 facets; Cancelled.
+/// Throws what tessellated_surface throws; Error(TetGenRefused) above `most_facets`; Cancelled.
 SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions& options,
                          const Run& run);
 

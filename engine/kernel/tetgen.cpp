@@ -190,12 +190,17 @@ QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality
       encode({.segments = marked.segments.size(),
               .task = quality.split_surface ? Task::MeshSplittingSurface : Task::MeshKeepingSurface,
               .radius_edge = quality.radius_edge,
-              .max_volume = quality.max_volume},
+              .max_volume = quality.max_volume,
+              .most_added = quality.most_added},
              marked.surface);
   put(request, std::span(marked.triangle_markers));
   put(request, std::span(marked.segments));
   put(request, std::span(marked.segment_markers));
   QualityMesh out = ask(request, limits, run);
+  const std::size_t added = out.filling.mesh.nodes.size() - marked.surface.points.size();
+  if (quality.most_added > 0 && added >= quality.most_added)
+    throw error::tetgen_refused("the mesh would need more than " +
+                                std::to_string(quality.most_added) + " nodes inside");
   out.filling.regions = find_regions(out);
   return out;
 }

@@ -36,9 +36,10 @@ struct MarkedSurface {
 
 /// What a quality mesh is to be like, as far as its surface allows.
 struct TetGenQuality {
-  double radius_edge = 1.2;   ///< circumradius of a tet over its shortest edge, at most
-  double max_volume = 0;      ///< of a tet, model's unit cubed, > 0
-  bool split_surface = true;  ///< whether points may be added on the surface
+  double radius_edge = 1.2;      ///< circumradius of a tet over its shortest edge, at most
+  double max_volume = 0;         ///< of a tet, model's unit cubed, > 0
+  bool split_surface = true;     ///< whether points may be added on the surface
+  std::uint32_t most_added = 0;  ///< points; a mesh that would need more is refused. 0: no bound
 };
 
 /// A quality mesh; its first points are those of the surface.

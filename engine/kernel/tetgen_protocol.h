@@ -28,6 +28,7 @@ struct RequestHeader {
   std::uint64_t points = 0, triangles = 0, segments = 0;
   Task task = Task::Fill;
   double radius_edge = 0, max_volume = 0;  ///< of a quality mesh, as in TetGenQuality
+  std::uint64_t most_added = 0;            ///< likewise
 };
 
 enum class Status : std::uint64_t {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -12,8 +14,10 @@
 #include "engine/boundary/mesh_surface.h"
 #include "engine/extract/peel.h"
 #include "engine/mesh/quality.h"
+#include "engine/nodes/density.h"
 #include "engine/remesh/failure_place.h"
 #include "engine/remesh/node_map.h"
+#include "engine/remesh/stopwatch.h"
 
 namespace remeshd {
 
@@ -28,6 +32,9 @@ struct Attempt {
 // where a thin wall makes its tets bad, by the ten thousand.
 constexpr std::array kAttempts{Attempt{1, false}, Attempt{0.7, false}, Attempt{1, true},
                                Attempt{0.5, false}, Attempt{0.5, true}};
+// Facets and nodes inside: so many times what a regular mesh has, and some more.
+constexpr double kMostTimes = 20;
+constexpr std::uint32_t kMostMore = 20'000;
 constexpr double kMaxVolume = 0.2;  // x edge length^3; a regular tet has 0.118
 // Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
 constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
@@ -101,15 +108,29 @@ bool sound(const TetMesh& mesh, const Verification& verification) {
   });
 }
 
+std::uint32_t most_nodes_inside(const LastResort& input) {
+  const CellularModel& cells = input.cells;
+  const double expected = expected_nodes(cells.volume, cells.area, input.edge_length);
+  return kMostMore + static_cast<std::uint32_t>(kMostTimes * std::fmin(expected, 1e7));
+}
+
+std::size_t most_facets(const LastResort& input) {
+  const double l = input.edge_length;
+  const double expected = 4 / std::numbers::sqrt3 * input.cells.area / (l * l);
+  return kMostMore + static_cast<std::size_t>(kMostTimes * std::fmin(expected, 1e7));
+}
+
 /// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
 Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastResort& input,
-                     const Run& run) {
+                     const kernel::TetGenLimits& limits, const Run& run) {
   const double l = input.edge_length;
   const CellularModel& cells = input.cells;
   const kernel::MarkedSurface marked = mark(surface);
-  const kernel::QualityMesh out = kernel::run_tetgen(
-      marked, {.max_volume = kMaxVolume * l * l * l, .split_surface = split_surface}, input.limits,
-      run);
+  const kernel::QualityMesh out = kernel::run_tetgen(marked,
+                                                     {.max_volume = kMaxVolume * l * l * l,
+                                                      .split_surface = split_surface,
+                                                      .most_added = most_nodes_inside(input)},
+                                                     limits, run);
   Candidate c;
   c.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
                      find_supports(surface, out), cells.boundary, c.nodes);
@@ -150,16 +171,23 @@ bool tetgen_failed(const Error& e) {
 }  // namespace
 
 Candidate mesh_by_tetgen(const LastResort& input, const Run& run) {
+  const Stopwatch watch;
   std::optional<Error> failure;
+  kernel::TetGenLimits limits = input.limits;
+  const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
   for (const Attempt& attempt : kAttempts) {
     const SurfaceMesh surface = mesh_surface(
-        input.cells.boundary, {.edge_length = attempt.surface_length * input.edge_length}, run);
+        input.cells.boundary,
+        {.edge_length = attempt.surface_length * input.edge_length, .most_facets = facets}, run);
+    limits.seconds = input.limits.seconds - watch.total();
+    if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
     try {
-      Candidate c = try_tetgen(surface, attempt.split_surface, input, run);
+      Candidate c = try_tetgen(surface, attempt.split_surface, input, limits, run);
       if (c.verification.valid) return c;
       failure = not_recovered(input, c.verification, {});
     } catch (const Error& e) {
-      if (!tetgen_failed(e) || e.info().reason == "TetGenTooSlow") throw;
+      if (e.info().reason == "TetGenTooSlow") throw error::tetgen_too_slow(input.limits.seconds);
+      if (!tetgen_failed(e)) throw;
       failure = e;
     }
   }

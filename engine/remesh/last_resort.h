@@ -14,12 +14,13 @@ struct LastResort {
   double edge_length;                ///< target edge length l
   bool clean_up = true;              ///< as in MeshOptions
   double threshold = 0.52;           ///< as in MeshOptions
-  kernel::TetGenLimits limits = {};  ///< of each call of TetGen
+  kernel::TetGenLimits limits = {};  ///< of TetGen; the time for all attempts
 };
 
 /// The mesher of last resort: TetGen's mesh of a conforming surface mesh, cleaned up and verified.
 /// All nodes are new. Where TetGen fails, or its mesh does not verify, the surface is made finer,
-/// then TetGen may add points on it.
+/// then TetGen may add points on it. A mesh of very many more nodes than the edge length asks for,
+/// as a film or a razor-thin gap would need, is none that anyone has asked for: it is refused.
 ///
 /// Post: a valid candidate. Its `loop.mesh` is the Delaunay mesh of the delivered mesh's nodes, its
 /// `delaunay` what peeling leaves of that: it may lack parts of the boundary.

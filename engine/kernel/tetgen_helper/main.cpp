@@ -114,13 +114,17 @@ void fill(tetgenio& in, const Request& request) {
 }
 
 /// p: keep the surface; A: number the regions it encloses; Y: add no point on it; q, a: bounds on
-/// the shape and volume of tets; Q: quiet. Never Y with A, which aborts now and then.
+/// the shape and volume of tets; S: on the number of points added; Q: quiet. Never Y with A, which
+/// aborts now and then.
 std::array<char, 80> switches(const RequestHeader& header) {
   std::array<char, 80> text{"pAQ"};
-  if (header.task != Task::Fill)
-    std::snprintf(text.data(), text.size(), "pQ%sq%.4fa%.9e",
-                  header.task == Task::MeshKeepingSurface ? "Y" : "", header.radius_edge,
-                  header.max_volume);
+  if (header.task == Task::Fill) return text;
+  const int used = std::snprintf(text.data(), text.size(), "pQ%sq%.4fa%.9e",
+                                 header.task == Task::MeshKeepingSurface ? "Y" : "",
+                                 header.radius_edge, header.max_volume);
+  if (header.most_added > 0)
+    std::snprintf(text.data() + used, text.size() - used, "S%u",
+                  static_cast<std::uint32_t>(header.most_added));
   return text;
 }
 
