@@ -223,6 +223,9 @@ bool SurfaceRemesher::may_collapse(const Side& s, std::int32_t from, std::int32_
   std::vector<std::int32_t> common;
   std::ranges::set_intersection(at_from, at_to, std::back_inserter(common));
   if (common.size() != 2) return false;
+  // An arc would fall onto its chord, and the face between them be gone.
+  for (const auto& [facet, apex] : {std::pair{s.left, s.apex_left}, {s.right, s.apex_right}})
+    if (edge_between(facet, from, apex) >= 0 && edge_between(facet, to, apex) >= 0) return false;
   // A tetrahedron would fold into a doubled facet.
   if (at_[from].size() <= 3 && at_[to].size() <= 3) return false;
   double before = 1;

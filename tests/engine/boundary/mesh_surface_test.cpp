@@ -125,6 +125,22 @@ TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
   expect_sound(mesh_surface(cells.boundary, {.edge_length = 6}, kRun), cells.boundary);
 }
 
+TEST(MeshSurface, AFaceBetweenAnArcAndItsChordStays) {
+  // The boss's corners stand out of the collar, whose sides stand out of the boss.
+  const CellularModel cells = cells_of({block("plate", 200, 200, 40),
+                                        placed(block("boss", 47.7, 39.1, 160), 0, 0, 0),
+                                        placed(cylinder("collar", 25.84, 25.84), 0, 0, 40)});
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 45}, kRun);
+  expect_sound(mesh, cells.boundary);
+  std::vector<double> area(cells.boundary.faces.size(), 0);
+  for (const FaceFacet& f : mesh.facets) {
+    const Vec3& a = mesh.nodes[f.nodes[0]];
+    area[f.face] += 0.5 * norm(cross(mesh.nodes[f.nodes[1]] - a, mesh.nodes[f.nodes[2]] - a));
+  }
+  for (std::size_t f = 0; f < area.size(); ++f)
+    EXPECT_NEAR(area[f], cells.boundary.faces[f].area, 0.3 * cells.boundary.faces[f].area);
+}
+
 TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
   // The ring leaves the block through a side and comes back: loops that `project` may confuse.
   const CellularModel cells = cells_of(
