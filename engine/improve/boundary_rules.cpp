@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/boundary/face_distance.h"
 #include "engine/improve/edge_chains.h"
 
 namespace remeshd {
@@ -11,6 +12,9 @@ namespace {
 /// A facet is upright on its face while the normals differ by less than 60 degrees; meshes that
 /// resolve a curved face at all stay far below.
 constexpr double kUprightCosine = 0.5;
+/// Normals that fit a facet this evenly do not tell whose it is: faces that cross at less than 18
+/// degrees.
+constexpr double kSameFit = 0.05;
 
 std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
   return a < b ? std::pair{a, b} : std::pair{b, a};
@@ -25,8 +29,7 @@ int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) cons
   const auto at_b = faces_of(facet[1]);
   const auto at_c = faces_of(facet[2]);
   int best = -1;
-  double best_fit = -HUGE_VAL;
-  bool normal_known = false;
+  double best_fit = 0;
   Vec3 centroid;
   Vec3 normal;
   for (const int f : faces_of(facet[0])) {
@@ -36,22 +39,28 @@ int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) cons
       best = f;
       continue;
     }
-    const Vec3& a = nodes[facet[0]];
-    const Vec3& b = nodes[facet[1]];
-    const Vec3& c = nodes[facet[2]];
-    if (!normal_known) {
+    if (norm2(normal) == 0) {
+      const Vec3& a = nodes[facet[0]];
+      const Vec3& b = nodes[facet[1]];
+      const Vec3& c = nodes[facet[2]];
       centroid = (a + b + c) / 3.0;
       normal = cross(b - a, c - a);
       best_fit = dot(normal, outward(best, centroid));
-      normal_known = true;
     }
     const double fit = dot(normal, outward(f, centroid));
-    if (fit > best_fit) {
-      best_fit = fit;
-      best = f;
-    }
+    const bool better = std::fabs(fit - best_fit) > kSameFit * norm(normal)
+                            ? fit > best_fit
+                            : face_distance2(f, centroid) < face_distance2(best, centroid);
+    if (!better) continue;
+    best_fit = fit;
+    best = f;
   }
   return best;
+}
+
+double FacetFaces::face_distance2(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  return remeshd::face_distance2(f, project(f.surface, p));
 }
 
 Vec3 FacetFaces::outward(int face, const Vec3& p) const {

@@ -24,7 +24,8 @@ class FacetFaces {
     return faces_(supports_[node]);
   }
   /// The common face of the three nodes, -1 if there is none. Where they share several (nodes on an
-  /// edge curve), the one whose outward normal the facet's fits best.
+  /// edge curve), the one whose outward normal the facet's fits best; of those that it fits evenly,
+  /// as on a strip of a wall that stands out of another by little, the one that lies there.
   [[nodiscard]] int face_of(const Triangle& facet, std::span<const Vec3> nodes) const;
   /// Unit normal of the face out of the material.
   [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
@@ -35,6 +36,9 @@ class FacetFaces {
   }
 
  private:
+  /// Of p, brought onto the face's surface, from the face.
+  [[nodiscard]] double face_distance2(int face, const Vec3& p) const;
+
   const BoundaryModel& boundary_;
   std::span<const Support> supports_;
   FacesOf faces_;
