@@ -33,8 +33,8 @@ struct Attempt {
 constexpr std::array kAttempts{Attempt{1, false}, Attempt{0.7, false}, Attempt{1, true},
                                Attempt{0.5, false}, Attempt{0.5, true}};
 // Facets and nodes inside: so many times what a regular mesh has, and some more.
-constexpr double kMostTimes = 20;
-constexpr std::uint32_t kMostMore = 20'000;
+constexpr double kMostTimes = 10;
+constexpr std::uint32_t kMostMore = 10'000;
 constexpr double kMaxVolume = 0.2;  // x edge length^3; a regular tet has 0.118
 // Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
 constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
@@ -153,6 +153,15 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
   return c;
 }
 
+/// Whether nothing is wrong but that tets are flat: the model is, there, and will be however fine
+/// the surface.
+bool is_flat_only(const Candidate& c) {
+  const Verification& v = c.verification;
+  const auto& counts = v.counts;
+  return std::accumulate(counts.begin(), counts.end(), 0U) == v.count(MeshFailure::BadTet) &&
+         sound(c.mesh, v);
+}
+
 Error not_recovered(const LastResort& input, const Verification& failed, const std::string& also) {
   if (failed.failures.empty()) return error::boundary_not_recovered(also, {});
   const MeshDefect& defect = failed.failures.front();
@@ -185,6 +194,7 @@ Candidate mesh_by_tetgen(const LastResort& input, const Run& run) {
       Candidate c = try_tetgen(surface, attempt.split_surface, input, limits, run);
       if (c.verification.valid) return c;
       failure = not_recovered(input, c.verification, {});
+      if (!attempt.split_surface && is_flat_only(c)) break;
     } catch (const Error& e) {
       if (e.info().reason == "TetGenTooSlow") throw error::tetgen_too_slow(input.limits.seconds);
       if (!tetgen_failed(e)) throw;
@@ -199,8 +209,6 @@ Candidate last_resort(const LastResort& input, const Verification& failed, const
     return mesh_by_tetgen(input, run);
   } catch (const Error& e) {
     const std::string& reason = e.info().reason;
-    if (reason == "BoundaryNotRecovered")
-      throw not_recovered(input, failed, "nor has TetGen's mesh a complete boundary");
     if (tetgen_failed(e) || reason == "KernelFailure")
       throw not_recovered(input, failed, e.info().message);
     throw;

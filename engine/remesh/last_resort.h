@@ -20,7 +20,8 @@ struct LastResort {
 /// The mesher of last resort: TetGen's mesh of a conforming surface mesh, cleaned up and verified.
 /// All nodes are new. Where TetGen fails, or its mesh does not verify, the surface is made finer,
 /// then TetGen may add points on it. A mesh of very many more nodes than the edge length asks for,
-/// as a film or a razor-thin gap would need, is none that anyone has asked for: it is refused.
+/// as a film or a razor-thin gap would need, is none that anyone has asked for: it is refused. So
+/// is one with nothing wrong but flat tets: there the model is flat.
 ///
 /// Post: a valid candidate. Its `loop.mesh` is the Delaunay mesh of the delivered mesh's nodes, its
 /// `delaunay` what peeling leaves of that: it may lack parts of the boundary.
@@ -31,8 +32,8 @@ Candidate mesh_by_tetgen(const LastResort& input, const Run& run);
 /// The same after other ways to a mesh have failed.
 ///
 /// Throws Error(BoundaryNotRecovered) where TetGen fails too: it names the place and the features
-/// of `failed`'s first defect, and what was wrong with TetGen. Cancelled, TetGenMissing as they
-/// are.
+/// of the first defect of TetGen's mesh; where there is none, of `failed`, and what was wrong with
+/// TetGen. Cancelled, TetGenMissing as they are.
 Candidate last_resort(const LastResort& input, const Verification& failed, const Run& run);
 
 }  // namespace remeshd
