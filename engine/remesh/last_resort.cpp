@@ -134,7 +134,9 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
   Candidate c;
   c.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
                      find_supports(surface, out), cells.boundary, c.nodes);
+  Stopwatch watch;
   c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  watch.lap(c.verify_seconds);
   if (!sound(c.mesh, c.verification)) return c;
   if (input.clean_up) {
     const std::vector<std::uint8_t> dirty(c.mesh.tets.size(), 1);
@@ -142,8 +144,10 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
                      {.threshold = input.threshold}, run)
                  .mesh;
   }
+  Stopwatch again;
   c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run,
                           {.material = [&](const Vec3& p) { return input.membership.inside(p); }});
+  again.lap(c.verify_seconds);
   if (!c.verification.valid) return c;
   c.map = map_to_nothing(c.mesh);
   c.nodes.positions = c.mesh.nodes;  // where the nodes were matters to no Delaunay mesh

@@ -1,0 +1,174 @@
+#include "engine/remesh/ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/boundary/samples.h"
+#include "engine/nodes/place_supports.h"
+#include "engine/remesh/last_resort.h"
+#include "engine/remesh/repair.h"
+
+namespace remeshd {
+namespace {
+
+constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
+constexpr int kRepairRounds = 8;
+/// More nodes than this, a number and a share of those there are, no boundary of the edge length
+/// asked for needs.
+constexpr std::uint32_t kFewInserted = 200;
+constexpr double kMostInserted = 0.2;
+constexpr std::uint64_t kOtherSeed = 0x5EED;
+
+double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
+  if (loop.free_per_iteration.empty() || nodes == 0) return 0;
+  double sum = 0;
+  for (const std::uint32_t f : loop.free_per_iteration) sum += f;
+  return std::fmin(1.0, sum / static_cast<double>(loop.free_per_iteration.size()) / nodes);
+}
+
+std::string first_failure(const Verification& v) {
+  return v.failures.empty() ? "the mesh did not pass verification" : v.failures.front().what;
+}
+
+std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) {
+  return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
+}
+
+}  // namespace
+
+Ways::Ways(const Revision* original, Revision& revision, const Density& density, Stopwatch& watch,
+           const Run& run)
+    : original_(original), revision_(revision), density_(density), watch_(watch), run_(run) {}
+
+NewMesh Ways::first_valid() {
+  NewMesh made{{}, original_, points_of(original_)};
+  watch_.lap(revision_.report.seconds.difference);
+  Candidate& candidate = made.candidate;
+  Setting setting{{original_, *made.source, revision_.cells, revision_.options},
+                  density_,
+                  revision_.options.seed,
+                  false};
+  candidate = attempt(setting);
+  const auto failed = [&] { return !candidate.verification.valid; };
+  if (failed() && original_ && !candidate.too_fine) {
+    next(Way::Full, candidate, "all nodes were optimised anew");
+    setting.all_free = true;
+    candidate = attempt(setting);
+  }
+  if (failed() && !candidate.too_fine) {
+    next(Way::Fresh, candidate, "meshed from another seed");
+    made = regular(revision_.options.seed + kOtherSeed);
+  }
+  if (failed()) {
+    next(Way::TetGen, candidate, "meshed by TetGen");
+    made.copied_from = nullptr;
+    made.source = points_of(nullptr);
+    candidate =
+        last_resort({revision_.model, made.source->modified(), revision_.cells,
+                     density_.edge_length, revision_.options.clean_up, revision_.options.threshold},
+                    candidate.verification, run_);
+    revision_.report.seconds.verify += candidate.verify_seconds;
+    revision_.report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
+  }
+  return made;
+}
+
+NewMesh Ways::regular(std::uint64_t seed) {
+  NewMesh made{{}, nullptr, points_of(nullptr)};
+  Density same = density_;
+  const MeshOptions& options = revision_.options;
+  if (!options.size) same.count = std::lround(same.nodes_per_volume * revision_.cells.volume);
+  made.candidate = attempt({{nullptr, *made.source, revision_.cells, options}, same, seed, true});
+  return made;
+}
+
+std::shared_ptr<const PointSource> Ways::points_of(const Revision* original) {
+  return std::make_shared<const PointSource>(original ? &original->master_model() : nullptr,
+                                             revision_.model, density_.edge_length, run_);
+}
+
+/// Tells that a mesh has failed and what is done about it.
+void Ways::next(Way way, const Candidate& failed, const char* what) {
+  revision_.report.way = way;
+  revision_.report.warnings.push_back(first_failure(failed.verification) + "; " + what);
+}
+
+/// Nodes, optimisation, extraction, verification (Sects. 6-8), and repair where the boundary is not
+/// all there. What was done goes into the report, whether or not the mesh is valid.
+Candidate Ways::attempt(const Setting& s) {
+  const auto& [original, source, cells, options] = s.target;
+  const BoundaryModel& boundary = cells.boundary;
+  const Membership& membership = source.modified();
+  const double l = s.density.edge_length;
+  Report& report = revision_.report;
+  Counts& counts = report.counts;
+
+  run_.report("nodes", 0.1);
+  NodeSet nodes = initial_nodes(original, source, s.density, options.start, s.seed, run_);
+  if (s.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
+  counts.nodes_new =
+      static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
+  counts.nodes_copied = static_cast<std::uint32_t>(nodes.size()) - counts.nodes_new;
+  watch_.lap(report.seconds.copy);
+
+  const Samples samples = sample_boundary(boundary, membership, l, s.seed, {}, run_);
+  const InsideTest inside = inside_test(options.inside, membership, boundary, run_);
+  counts.samples = static_cast<std::uint32_t>(samples.points.size());
+  if (original)
+    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(), run_);
+  counts.free_at_start = count(nodes.free, 1);
+  const bool all_free = count(nodes.free, 0) == 0;
+  watch_.lap(report.seconds.setup);
+
+  OptimiseResult loop =
+      optimise(nodes, start_mesh(original, nodes, source, boundary.bounds, run_), boundary, inside,
+               samples, {.edge_length = l, .iterations = options.iterations}, run_);
+  counts.free_at_end = count(nodes.free, 1);
+  counts.free_per_iteration = loop.free_per_iteration;
+  counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
+  counts.active_samples = loop.samples_active;
+  // Nodes added on the way are free from their first iteration on.
+  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size());
+  watch_.lap(report.seconds.optimise);
+
+  Candidate candidate = extract(std::move(nodes), std::move(loop), cells, inside, run_);
+  finish(candidate, s.target, run_);
+  counts.nodes_inserted = repair(candidate, s, samples, inside);
+  if (counts.nodes_inserted > 0)
+    report.warnings.push_back(std::to_string(counts.nodes_inserted) +
+                              " nodes were inserted to make the boundary complete");
+  watch_.lap(report.seconds.extract);
+  report.seconds.verify += candidate.verify_seconds;
+  return candidate;
+}
+
+/// Inserts nodes where the boundary is not all there. Returns their number.
+std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Samples& samples,
+                           const InsideTest& inside) {
+  const CellularModel& cells = s.target.cells;
+  const double l = s.density.edge_length;
+  const auto most = kFewInserted + static_cast<std::uint32_t>(kMostInserted * c.nodes.size());
+  std::uint32_t repaired = 0;
+  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
+    const std::int32_t first = c.nodes.size();
+    if (insert_where_missing(c.nodes, c.verification, cells.boundary, samples, l) == 0) break;
+    c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, run_);
+    repaired += c.nodes.size() - first;
+    c.too_fine = repaired > most;
+    if (c.too_fine) break;
+    double verifying = c.verify_seconds;
+    c = extract(std::move(c.nodes), std::move(c.loop), cells, inside, run_);
+    // What the peeled mesh lacks no clean-up brings back.
+    Stopwatch watch;
+    c.verification = verify({c.nodes.positions, c.delaunay}, c.nodes.supports, cells.boundary,
+                            cells.volume, run_);
+    watch.lap(verifying);
+    if (boundary_is_complete(c.verification)) finish(c, s.target, run_);
+    c.verify_seconds += verifying;
+  }
+  return repaired;
+}
+
+}  // namespace remeshd
