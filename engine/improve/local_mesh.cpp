@@ -121,6 +121,13 @@ bool LocalMesh::ring(std::int32_t a, std::int32_t b, int max_tets, EdgeRing& out
 
 void LocalMesh::replace(std::span<const std::int32_t> old_tets, std::span<const Tet> fresh,
                         std::vector<std::int32_t>& slots) {
+  const std::size_t first = slots.size();
+  Change change;
+  if (on_trial_) {
+    change.slots = this->slots();
+    change.old_slots.assign(old_tets.begin(), old_tets.end());
+    for (const std::int32_t t : old_tets) change.old_tets.push_back(tets_[t]);
+  }
   for (const std::int32_t t : old_tets) {
     for (const std::int32_t n : tets_[t]) unlink(n, t);
     tets_[t][0] = -1;
@@ -144,9 +151,59 @@ void LocalMesh::replace(std::span<const std::int32_t> old_tets, std::span<const 
     for (const std::int32_t n : tet) link(n, t);
     slots.push_back(t);
   }
+  if (on_trial_) {
+    change.fresh_slots.assign(slots.begin() + static_cast<std::ptrdiff_t>(first), slots.end());
+    changes_.push_back(std::move(change));
+  }
 }
 
 void LocalMesh::move(std::int32_t node, const Vec3& position) {
+  if (on_trial_) {
+    Change change;
+    change.node = node;
+    change.position = nodes_[node];
+    changes_.push_back(std::move(change));
+  }
+  set_position(node, position);
+}
+
+void LocalMesh::begin_trial() {
+  assert(!on_trial_);
+  on_trial_ = true;
+}
+
+void LocalMesh::keep_trial() {
+  on_trial_ = false;
+  changes_.clear();
+}
+
+void LocalMesh::undo_trial() {
+  for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) take_back(*change);
+  keep_trial();
+}
+
+void LocalMesh::take_back(const Change& change) {
+  if (change.node >= 0) return set_position(change.node, change.position);
+  for (auto t = change.fresh_slots.rbegin(); t != change.fresh_slots.rend(); ++t) {
+    for (const std::int32_t n : tets_[*t]) unlink(n, *t);
+    tets_[*t][0] = -1;
+    ++stamps_[*t];
+    if (*t < change.slots) gaps_.push_back(*t);
+  }
+  tets_.resize(change.slots);
+  qualities_.resize(change.slots);
+  stamps_.resize(change.slots);
+  gaps_.resize(gaps_.size() - change.old_slots.size());
+  for (std::size_t i = 0; i < change.old_slots.size(); ++i) {
+    const std::int32_t t = change.old_slots[i];
+    tets_[t] = change.old_tets[i];
+    qualities_[t] = kUnknown;
+    ++stamps_[t];
+    for (const std::int32_t n : tets_[t]) link(n, t);
+  }
+}
+
+void LocalMesh::set_position(std::int32_t node, const Vec3& position) {
   nodes_[node] = position;
   for (const std::int32_t t : tets_of(node)) {
     qualities_[t] = kUnknown;

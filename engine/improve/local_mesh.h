@@ -55,6 +55,13 @@ class LocalMesh {
                std::vector<std::int32_t>& slots);
   void move(std::int32_t node, const Vec3& position);
 
+  /// From now on changes can be taken back.
+  void begin_trial();
+  /// Ends the trial and keeps what it changed.
+  void keep_trial();
+  /// Ends the trial and takes back all that it changed: the same tets stand in the same slots.
+  void undo_trial();
+
   /// The tets in use, in the order of their slots.
   [[nodiscard]] TetMesh result() const;
 
@@ -63,6 +70,16 @@ class LocalMesh {
   struct List {
     std::int32_t begin = 0, size = 0, capacity = 0;
   };
+  /// One change of a trial: a node's position before, or the tets that others took the place of.
+  struct Change {
+    std::int32_t node = -1;
+    Vec3 position;
+    std::vector<std::int32_t> old_slots, fresh_slots;
+    std::vector<Tet> old_tets;
+    std::int32_t slots = 0;  ///< how many there were
+  };
+  void set_position(std::int32_t node, const Vec3& position);
+  void take_back(const Change& change);
   void link(std::int32_t node, std::int32_t t);
   void unlink(std::int32_t node, std::int32_t t);
 
@@ -73,6 +90,8 @@ class LocalMesh {
   std::vector<List> lists_;
   std::vector<std::int32_t> pool_;
   std::vector<std::int32_t> gaps_;
+  bool on_trial_ = false;
+  std::vector<Change> changes_;
 };
 
 }  // namespace remeshd
