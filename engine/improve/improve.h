@@ -37,7 +37,8 @@ struct ImproveResult {
 /// scores by how near it comes to the threshold in measure and to the least dihedral angle; every
 /// reconnection and every move of one node raises the worst measure, or as a last means the worst
 /// score, of the tets it touches. Where neither helps, the nodes round a tet are eased together,
-/// which may leave the worst as it is while what all of them lack gets less.
+/// which may leave the worst as it is while what all of them lack gets less; and at the very last
+/// eased and reconnected in turn, which is taken back unless the outcome is better.
 ///
 /// Post: volume covered, boundary manifold and its model edges as before; no tet scores worse than
 /// the worst of the input; the same input gives the same bytes.

@@ -5,14 +5,33 @@
 
 #include "engine/improve/boundary_rules.h"
 #include "engine/improve/local_mesh.h"
+#include "engine/improve/score.h"
+#include "engine/mesh/quality.h"
 
 namespace remeshd {
+
+/// What reconnections compare tets by: the measure, or a score.
+class Worth {
+ public:
+  Worth() = default;
+  /// Keeps a reference.
+  explicit Worth(const Score& score) : score_(&score) {}
+  double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    return score_ ? (*score_)(a, b, c, d) : volume_length(a, b, c, d);
+  }
+  double operator()(const LocalMesh& mesh, std::int32_t t) const {
+    return score_ ? (*score_)(mesh, t) : mesh.quality(t);
+  }
+
+ private:
+  const Score* score_ = nullptr;
+};
 
 /// Tets to be taken out and those that fill the same room.
 struct Reconnection {
   std::vector<std::int32_t> old_tets;
   std::vector<Tet> fresh;
-  double quality = 0;  ///< worst of the fresh tets, +infinity where there are none
+  double quality = 0;  ///< worth of the worst of the fresh tets, +infinity where there are none
   void clear() {
     old_tets.clear();
     fresh.clear();
@@ -29,13 +48,13 @@ struct Reconnection {
 /// Source: Freitag & Ollivier-Gooch 1997; Shewchuk 2002, "Two discrete optimization algorithms for
 /// the topological improvement of tetrahedral meshes".
 bool remove_edge(const LocalMesh& mesh, const BoundaryRules& rules, std::int32_t a, std::int32_t b,
-                 int max_ring, double floor, Reconnection& out);
+                 int max_ring, double floor, Reconnection& out, const Worth& worth = {});
 
 /// Takes out the facet opposite a tet's corner, and with it those neighbouring facets between the
 /// same two apexes whose removal helps, and joins the apexes by an edge: a 2-3 flip where it is one
 /// facet alone. Same postcondition.
 /// Source: Shewchuk 2002, multi-face removal.
 bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double floor,
-                  Reconnection& out);
+                  Reconnection& out, const Worth& worth = {});
 
 }  // namespace remeshd

@@ -17,6 +17,8 @@ constexpr double kBand = 0.06;
 constexpr double kMaxStep = 0.3;
 /// The same for one easing step, which is repeated.
 constexpr double kEaseStep = 0.1;
+/// Half the span of the differences that give a score's energy its slope; of the same length.
+constexpr double kProbe = 1e-4;
 /// Easing keeps away from tets of this measure and below.
 constexpr double kLeastEased = 0.05;
 
@@ -126,11 +128,38 @@ double Smoother::energy(const Vec3& p, double limit) const {
 bool Smoother::ease(std::int32_t node, Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
-  const Vec3& p = mesh_.node(node);
-  const bool slides = !facets_.empty();
-  if (!(slopes(p) > kLeastEased)) return false;
+  if (!(slopes(mesh_.node(node)) > kLeastEased)) return false;
   Vec3 direction;
   for (const Slope& s : slopes_) direction += std::pow(s.quality, -9) * s.gradient;
+  return step_down(
+      node, direction, [&](const Vec3& x, double limit) { return energy(x, limit); }, position);
+}
+
+bool Smoother::ease(std::int32_t node, const Score& score, int steepness, Vec3& position) {
+  if (!rules_.facets_at(node, facets_)) return false;
+  gather(node);
+  const auto energy = [&](const Vec3& p, double limit) {
+    double sum = 0;
+    for (const Opposite& o : star_) {
+      sum += score.energy(p, o.b, o.c, o.d, steepness);
+      if (sum >= limit) break;
+    }
+    return sum;
+  };
+  const Vec3& p = mesh_.node(node);
+  const double h = kProbe * length_;
+  const auto fall = [&](const Vec3& by) {
+    return energy(p - by, HUGE_VAL) - energy(p + by, HUGE_VAL);
+  };
+  const Vec3 direction{fall({h, 0, 0}), fall({0, h, 0}), fall({0, 0, h})};
+  return std::isfinite(norm2(direction)) && step_down(node, direction, energy, position);
+}
+
+template <class Energy>
+bool Smoother::step_down(std::int32_t node, Vec3 direction, const Energy& energy,
+                         Vec3& position) const {
+  const Vec3& p = mesh_.node(node);
+  const bool slides = !facets_.empty();
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
   const Vec3 unit = normalised(direction);
   const double now = energy(p, HUGE_VAL);

@@ -5,6 +5,7 @@
 
 #include "engine/improve/boundary_rules.h"
 #include "engine/improve/local_mesh.h"
+#include "engine/improve/score.h"
 
 namespace remeshd {
 
@@ -24,6 +25,9 @@ class Smoother {
   /// on; the worst tet of a single node may get worse on the way.
   /// Post: true with the new place in `position` where the sum gets less; no tet is inverted.
   bool ease(std::int32_t node, Vec3& position);
+
+  /// The same down the energy of the node's tets by a score (Score::energy), angles counted.
+  bool ease(std::int32_t node, const Score& score, int steepness, Vec3& position);
 
  private:
   /// A tet at the node: (node, b, c, d) is positive.
@@ -47,6 +51,10 @@ class Smoother {
   /// nothing.
   bool slide(std::int32_t node, const Vec3& p, Vec3& direction) const;
   [[nodiscard]] double energy(const Vec3& p, double limit) const;
+  /// One easing step along a direction. Energy is called with a place and a limit, and may stop
+  /// adding up once it has reached that.
+  template <class Energy>
+  bool step_down(std::int32_t node, Vec3 direction, const Energy& energy, Vec3& position) const;
 
   const LocalMesh& mesh_;
   const BoundaryRules& rules_;

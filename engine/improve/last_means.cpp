@@ -1,0 +1,200 @@
+#include "engine/improve/last_means.h"
+
+#include <algorithm>
+
+namespace remeshd {
+namespace {
+
+/// Least gain of a score for which a change is worth while; it also bounds the number of changes.
+constexpr double kGain = 1e-3;
+/// Rounds of easing over the nodes at a stubborn tet's neighbours.
+constexpr int kRelaxRounds = 12;
+constexpr int kClimbRounds = 4;
+constexpr double kLeastGain = 1e-4;  // of the score, for a step of a climb: it bounds their number
+constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge length
+/// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
+constexpr int kMendSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
+
+void sort_unique(std::vector<std::int32_t>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+bool LastMeans::Standing::better_than(const Standing& other) const {
+  if (worst > other.worst + kGain) return true;
+  const bool mended = lacking == 0 && other.lacking > 0;
+  return worst >= other.worst && (mended || lacking < other.lacking - kGain);
+}
+
+std::vector<std::int32_t> LastMeans::nodes_round(std::int32_t t) const {
+  std::vector<std::int32_t> nodes;
+  for (const std::int32_t node : mesh_.tet(t))
+    for (const std::int32_t s : mesh_.tets_of(node))
+      nodes.insert(nodes.end(), mesh_.tet(s).begin(), mesh_.tet(s).end());
+  sort_unique(nodes);
+  return nodes;
+}
+
+std::vector<std::int32_t> LastMeans::tets_at(const std::vector<std::int32_t>& nodes) const {
+  std::vector<std::int32_t> tets;
+  for (const std::int32_t node : nodes)
+    tets.insert(tets.end(), mesh_.tets_of(node).begin(), mesh_.tets_of(node).end());
+  sort_unique(tets);
+  return tets;
+}
+
+LastMeans::Standing LastMeans::standing(const std::vector<std::int32_t>& tets) const {
+  Standing now;
+  for (const std::int32_t t : tets) {
+    const double score = std::min(1.0, score_(mesh_, t));
+    now.worst = std::min(now.worst, score);
+    now.lacking += 1 - score;
+  }
+  return now;
+}
+
+bool LastMeans::relax(std::int32_t t) {
+  const std::vector<std::int32_t> nodes = nodes_round(t);
+  std::vector<std::int32_t> tets = tets_at(nodes);
+  const Standing before = standing(tets);
+  Standing after = before;
+  mesh_.begin_trial();
+  for (int round = 0; round < kRelaxRounds && after.lacking > 0; ++round) {
+    for (const std::int32_t node : nodes) {
+      Vec3 position;
+      if (smoother_.ease(node, position)) mesh_.move(node, position);
+    }
+    after = standing(tets);
+  }
+  if (after.worst < before.worst || !after.better_than(before)) {
+    mesh_.undo_trial();
+    return false;
+  }
+  mesh_.keep_trial();
+  touched_ = std::move(tets);
+  return true;
+}
+
+bool LastMeans::reconnect(std::int32_t t) {
+  const Tet tet = mesh_.tet(t);
+  const Worth worth(score_);
+  double floor = score_(mesh_, t) + kGain;
+  bool found = false;
+  const auto take = [&] {
+    std::swap(trial_, best_);
+    floor = best_.quality;
+    found = true;
+  };
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (remove_edge(mesh_, rules_, tet[i], tet[j], max_ring_, floor, trial_, worth)) take();
+  for (int i = 0; i < 4; ++i)
+    if (remove_faces(mesh_, t, i, floor, trial_, worth)) take();
+  if (!found) return false;
+  touched_.clear();
+  mesh_.replace(best_.old_tets, best_.fresh, touched_);
+  return true;
+}
+
+bool LastMeans::climb(std::int32_t t) {
+  const Tet tet = mesh_.tet(t);
+  bool changed = false;
+  for (int round = 0; round < kClimbRounds && !good(t); ++round) {
+    bool moved = false;
+    for (const std::int32_t node : tet) moved |= climb_node(node);
+    if (!moved) break;
+    changed = true;
+  }
+  if (changed) touched_ = tets_at({tet.begin(), tet.end()});
+  return changed;
+}
+
+double LastMeans::worst_at(std::int32_t node, const Vec3& p, double floor) const {
+  double worst = 1;
+  for (const std::int32_t t : mesh_.tets_of(node)) {
+    const Tet& tet = mesh_.tet(t);
+    const auto corner = [&](int i) { return tet[i] == node ? p : mesh_.node(tet[i]); };
+    worst = std::min(worst, score_(corner(0), corner(1), corner(2), corner(3)));
+    if (worst <= floor) break;
+  }
+  return worst;
+}
+
+bool LastMeans::climb_node(std::int32_t node) {
+  if (!rules_.facets_at(node, facets_)) return false;
+  double length = 0;
+  for (const std::int32_t n : mesh_.tet(mesh_.tets_of(node)[0]))
+    length = std::max(length, distance(mesh_.node(n), mesh_.node(node)));
+  Vec3 place = mesh_.node(node);
+  double reached = worst_at(node, place, -1);
+  const double before = reached;
+  for (double step = kClimbStep * length; step > kLeastClimb * length && reached < 1;) {
+    Vec3 best = place;
+    for (int k = 0; k < 6; ++k) {
+      Vec3 towards{};
+      (k / 2 == 0 ? towards.x : k / 2 == 1 ? towards.y : towards.z) = k % 2 ? -step : step;
+      const Vec3 p = rules_.settle(node, place + towards);
+      const double s = worst_at(node, p, reached + kLeastGain);
+      if (s <= reached + kLeastGain || (!facets_.empty() && !rules_.may_move(node, p, facets_)))
+        continue;
+      reached = s;
+      best = p;
+    }
+    if (best == place)
+      step *= 0.5;
+    else
+      place = best;
+  }
+  if (reached < before + kGain) return false;
+  mesh_.move(node, place);
+  return true;
+}
+
+bool LastMeans::mend(std::int32_t t) {
+  const std::vector<std::int32_t> nodes = nodes_round(t);
+  const Standing before = standing(tets_at(nodes));
+  Standing after = before;
+  mesh_.begin_trial();
+  for (const int steepness : kMendSteepness) {
+    mend_round(nodes, steepness);
+    after = standing(tets_at(nodes));
+    if (after.lacking <= 0) break;
+  }
+  std::vector<std::int32_t> tets = tets_at(nodes);
+  if (after.lacking > 0) {
+    climb_all(tets);
+    after = standing(tets);
+  }
+  if (!after.better_than(before)) {
+    mesh_.undo_trial();
+    return false;
+  }
+  mesh_.keep_trial();
+  touched_ = std::move(tets);
+  return true;
+}
+
+void LastMeans::mend_round(const std::vector<std::int32_t>& nodes, int steepness) {
+  for (const std::int32_t node : nodes) {
+    Vec3 position;
+    if (smoother_.ease(node, score_, steepness, position)) mesh_.move(node, position);
+  }
+  // What is reconnected stays among the tets at these nodes: one whose nodes are not all of them is
+  // left alone.
+  const auto within = [&](std::int32_t t) {
+    return std::ranges::all_of(mesh_.tet(t), [&](std::int32_t n) {
+      return std::binary_search(nodes.begin(), nodes.end(), n);
+    });
+  };
+  for (const std::int32_t t : tets_at(nodes))
+    if (mesh_.used(t) && within(t) && !good(t)) reconnect(t);
+}
+
+void LastMeans::climb_all(const std::vector<std::int32_t>& tets) {
+  for (const std::int32_t t : tets)
+    if (!good(t)) climb(t);
+}
+
+}  // namespace remeshd
