@@ -25,6 +25,8 @@ constexpr double kSharpGain = 0.02;
 constexpr std::size_t kMostStubborn = 40;
 /// The same for those that are mended together with all that surrounds them.
 constexpr std::size_t kMostMended = 12;
+/// And of these for the dearest, ten times that.
+constexpr std::size_t kMostTakenOut = 3;
 constexpr int kPollEvery = 64;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
@@ -58,13 +60,12 @@ class CleanUp {
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(kMostStubborn, [&](std::int32_t t) {
+      changed |= on_stubborn(most_stubborn(), [&](std::int32_t t) {
         return last_.relax(t) || last_.reconnect(t) || last_.climb(t);
       });
       if (!changed) break;
     }
-    for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_stubborn(kMostMended, [&](std::int32_t t) { return last_.mend(t); })) break;
+    if (bad_tets().size() <= most_stubborn()) mend();
     ImproveResult result;
     result.below_threshold = static_cast<std::uint32_t>(bad_tets().size());
     result.mesh = mesh_.result();
@@ -103,12 +104,22 @@ class CleanUp {
     return changed;
   }
 
+  [[nodiscard]] std::size_t most_stubborn() const {
+    return kMostStubborn + static_cast<std::size_t>(mesh_.slots()) / 1000;
+  }
+
+  /// Has the few that are left mended; where there are many the goals are out of reach.
+  void mend() {
+    for (int pass = 0; pass < options_.passes; ++pass)
+      if (!on_stubborn(kMostMended, [&](std::int32_t t) { return last_.mend(t); })) break;
+    on_stubborn(kMostTakenOut, [&](std::int32_t t) { return last_.mend_otherwise(t); });
+  }
+
   /// The worst of the bad tets: few enough for the dear treatment that they get.
   [[nodiscard]] std::vector<std::int32_t> stubborn_tets(std::size_t most) const {
     std::vector<std::pair<double, std::int32_t>> order;
     for (const std::int32_t t : bad_tets()) order.emplace_back(score_(mesh_, t), t);
     std::sort(order.begin(), order.end());
-    most += static_cast<std::size_t>(mesh_.slots()) / 1000;
     std::vector<std::int32_t> tets;
     for (std::size_t i = 0; i < std::min(most, order.size()); ++i) tets.push_back(order[i].second);
     return tets;

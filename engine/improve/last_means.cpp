@@ -15,6 +15,10 @@ constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge le
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
 constexpr int kMendSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
 
+/// Edges and facets of a tet.
+constexpr int kWaysOut = 10;
+constexpr double kWorstStart = 0.2;  // score; from worse tets motion seldom recovers
+
 void sort_unique(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -152,11 +156,33 @@ bool LastMeans::climb_node(std::int32_t node) {
   return true;
 }
 
-bool LastMeans::mend(std::int32_t t) {
+bool LastMeans::mend(std::int32_t t) { return mend_from({}, nodes_round(t)); }
+
+bool LastMeans::mend_otherwise(std::int32_t t) {
   const std::vector<std::int32_t> nodes = nodes_round(t);
+  Reconnection start;
+  for (int way = 0; way < kWaysOut; ++way)
+    if (take_out(t, way, start) && mend_from(start, nodes)) return true;
+  return false;
+}
+
+bool LastMeans::take_out(std::int32_t t, int way, Reconnection& out) const {
+  constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  const Worth worth(score_, 0);
+  if (way >= 6) return remove_faces(mesh_, t, way - 6, kWorstStart, out, worth);
+  const Tet& tet = mesh_.tet(t);
+  return remove_edge(mesh_, rules_, tet[kEdges[way][0]], tet[kEdges[way][1]], max_ring_,
+                     kWorstStart, out, worth);
+}
+
+bool LastMeans::mend_from(const Reconnection& start, const std::vector<std::int32_t>& nodes) {
   const Standing before = standing(tets_at(nodes));
   Standing after = before;
   mesh_.begin_trial();
+  if (!start.old_tets.empty()) {
+    touched_.clear();
+    mesh_.replace(start.old_tets, start.fresh, touched_);
+  }
   for (const int steepness : kMendSteepness) {
     mend_round(nodes, steepness);
     after = standing(tets_at(nodes));

@@ -37,6 +37,11 @@ class LastMeans {
   /// lack less.
   bool mend(std::int32_t t);
 
+  /// The same from another start: each of the edges and facets of the tet in turn is taken out
+  /// first, at the price of worse tets. It helps where no motion can with the tets as they are: two
+  /// of them stand on a segment of a model edge, say, and what one gains the other loses.
+  bool mend_otherwise(std::int32_t t);
+
   /// The tets that the last of these that returned true changed or may have changed.
   [[nodiscard]] const std::vector<std::int32_t>& touched() const { return touched_; }
 
@@ -55,6 +60,9 @@ class LastMeans {
   /// Worst score of the node's tets with the node at p; stops once one is at or below `floor`.
   [[nodiscard]] double worst_at(std::int32_t node, const Vec3& p, double floor) const;
   bool climb_node(std::int32_t node);
+  /// One of the ten ways to take the tet out, whether it gets worse or not.
+  bool take_out(std::int32_t t, int way, Reconnection& out) const;
+  bool mend_from(const Reconnection& start, const std::vector<std::int32_t>& nodes);
   void mend_round(const std::vector<std::int32_t>& nodes, int steepness);
   void climb_all(const std::vector<std::int32_t>& tets);
 

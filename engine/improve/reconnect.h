@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/improve/boundary_rules.h"
@@ -16,15 +18,18 @@ class Worth {
   Worth() = default;
   /// Keeps a reference.
   explicit Worth(const Score& score) : score_(&score) {}
+  /// Tets of the mesh count as worth `most` at most, so that worse ones may take their place.
+  Worth(const Score& score, double most) : score_(&score), most_(most) {}
   double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
     return score_ ? (*score_)(a, b, c, d) : volume_length(a, b, c, d);
   }
   double operator()(const LocalMesh& mesh, std::int32_t t) const {
-    return score_ ? (*score_)(mesh, t) : mesh.quality(t);
+    return std::min(most_, score_ ? (*score_)(mesh, t) : mesh.quality(t));
   }
 
  private:
   const Score* score_ = nullptr;
+  double most_ = std::numeric_limits<double>::infinity();
 };
 
 /// Tets to be taken out and those that fill the same room.

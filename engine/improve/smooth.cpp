@@ -19,6 +19,9 @@ constexpr double kMaxStep = 0.3;
 constexpr double kEaseStep = 0.1;
 /// Half the span of the differences that give a score's energy its slope; of the same length.
 constexpr double kProbe = 1e-4;
+/// Least energy by a score for which a step is worth its while: where no tet at the node is near to
+/// lacking anything it is far less.
+constexpr double kLeastEnergy = 0.03;
 /// Easing keeps away from tets of this measure and below.
 constexpr double kLeastEased = 0.05;
 
@@ -147,6 +150,7 @@ bool Smoother::ease(std::int32_t node, const Score& score, int steepness, Vec3& 
     return sum;
   };
   const Vec3& p = mesh_.node(node);
+  if (energy(p, kLeastEnergy) < kLeastEnergy) return false;
   const double h = kProbe * length_;
   const auto fall = [&](const Vec3& by) {
     return energy(p - by, HUGE_VAL) - energy(p + by, HUGE_VAL);

@@ -111,6 +111,25 @@ TEST(LastMeans, MendATetOrLeaveTheMeshAsItWas) {
   EXPECT_GT(left, 0);
 }
 
+TEST(LastMeans, TakeATetOutAtAPriceWhereMotionAloneDoesNotHelp) {
+  const SolidFixture s = crowded(make_box({1, 1, 1}, 5, 6, 0.3));
+  Workshop w(s);
+  int helped = 0;
+  for (std::int32_t t = 0; t < w.mesh.slots(); ++t) {
+    if (!w.mesh.used(t) || w.score(w.mesh, t) >= 1 || w.last.mend(t)) continue;
+    const TetMesh before = w.mesh.result();
+    const double worst = w.worst();
+    if (w.last.mend_otherwise(t)) {
+      ++helped;
+      EXPECT_GE(w.worst(), worst);
+    } else {
+      EXPECT_EQ(w.mesh.result().tets, before.tets);
+      EXPECT_EQ(w.mesh.result().nodes, before.nodes);
+    }
+  }
+  EXPECT_GT(helped, 0);
+}
+
 TEST(LastMeans, ReconnectSharpTetsOfAFairMeasure) {
   const SolidFixture s = make_box({2, 1, 1}, 14, 1);
   Workshop w(s);
