@@ -25,6 +25,9 @@ constexpr double kReach = 0.1;          // x edge length: how far entities look 
 constexpr double kInfluence = 2.9;      // x edge length: interior nodes this near may move
 constexpr double kLeverage = 5;         // node motion over surface motion
 constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rounding
+/// The CAD kernel takes faces this near for one, model's unit, and draws their edges on either: an
+/// edge may move by this together with a hidden face, though no face of the boundary does.
+constexpr double kCoincident = 5e-7;
 constexpr int kSweeps = 24;
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -37,22 +40,27 @@ class Motion {
   Motion(std::span<const Vec3> anchor, std::span<const Support> supports, double edge_length)
       : anchor_(anchor), supports_(supports), l_(edge_length), by_(anchor.size()) {}
 
-  /// Boundary nodes to their entities. Post: false where a surface or node moved too far.
+  /// Boundary nodes to their entities. Post: false where a surface moved too far.
   bool follow(const BoundaryModel& boundary) {
     const FacesOf faces(boundary);
-    const double none = kNone * boundary.bounds.diagonal();
+    none_ = kNone * boundary.bounds.diagonal();
     for (std::size_t n = 0; n < anchor_.size(); ++n) {
       if (supports_[n].kind == Support::Kind::Interior) continue;
       for (const int f : faces(supports_[n]))
         surface_ =
             std::max(surface_, std::fabs(signed_distance(boundary.faces[f].surface, anchor_[n])));
       const Vec3 d = project(boundary, supports_[n], anchor_[n]) - anchor_[n];
-      if (norm(d) <= none) continue;
+      if (norm(d) <= none_) continue;
       by_[n] = d;
       moved_.push_back(anchor_[n]);
       node_ = std::max(node_, norm(d));
     }
-    return surface_ < kLargestMotion * l_ && node_ <= kLeverage * std::max(surface_, none);
+    return surface_ < kLargestMotion * l_;
+  }
+
+  /// Whether no node moved out of proportion. `bound`: of the motion of any surface, hidden or not.
+  [[nodiscard]] bool in_proportion(double bound) const {
+    return node_ <= std::max(kLeverage * surface_, std::min(bound, kCoincident)) + none_;
   }
 
   /// Interior nodes near moved ones by harmonic extension, nought further away.
@@ -100,6 +108,7 @@ class Motion {
   double l_;
   std::vector<Vec3> by_;     ///< by node
   std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
+  double none_ = 0;          ///< a motion that is rounding
   double surface_ = 0;       ///< largest distance of a boundary node from a surface it stood on
   double node_ = 0;          ///< largest motion of a boundary node
 };
@@ -129,8 +138,8 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
                                                         const Revision& modified, const Run& run) {
   const double l = original.edge_length;
   const BoundaryModel& boundary = modified.cells.boundary;
-  if (motion_bound(original.master_model(), modified.model) > kLargestBound * l)
-    return NotContinued{};
+  const double bound = motion_bound(original.master_model(), modified.model);
+  if (bound > kLargestBound * l) return NotContinued{};
   const auto match = match_boundaries(original.cells.boundary, boundary, kReach * l);
   if (!match) return NotContinued{};
 
@@ -141,6 +150,8 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   const std::span<const Vec3> anchor = original.master_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotContinued{};
+  if (!motion.in_proportion(bound))
+    return NotContinued("a node would have moved more than five times as far as any surface");
   Polling poll(run);
   c.mesh.tets = original.delivery.mesh.tets;
   motion.extend(c.mesh.tets, poll);

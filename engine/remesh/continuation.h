@@ -27,7 +27,7 @@ using NotContinued = std::string;
 /// boundary nodes go to the nearest point of their surface, curve or vertex, and interior nodes
 /// less than 3 l from them share the motion by a discrete harmonic extension. No node moves further
 /// than five times the largest distance between a node of the anchor's boundary and its surface
-/// now.
+/// now, or with an edge that the CAD kernel draws on a hidden face by its tolerance.
 ///
 /// Post: the mesh is valid; a tet that met the goals of quality at the anchor (least dihedral angle
 /// 25 degrees, largest 145, volume-length 0.42) meets them still, any other lost next to nothing.
