@@ -132,23 +132,6 @@ TEST_F(RealEngine, ALoadedBaseGivesTheSameBytesAsTheOneInMemory) {
   EXPECT_EQ(arrays(again.revision().id()), bytes);
 }
 
-TEST_F(RealEngine, ThreadsChangeNoByte) {
-  create(coarse("tool2-a"));
-  const auto bytes = arrays("tool2-a");
-  const auto edited = edit("tool2-a", change("tool2-ab"));
-  const auto edited_bytes = arrays("tool2-a");
-  start();
-  auto request = coarse("tool2-a");
-  request.set_threads(3);
-  create(request);
-  EXPECT_EQ(arrays("tool2-a"), bytes);
-  auto edit_again = edit_request("tool2-a", change("tool2-ab"));
-  edit_again.set_threads(3);
-  const auto again = edit(edit_again);
-  EXPECT_EQ(timeless(again.report()), timeless(edited.report()));
-  EXPECT_EQ(arrays("tool2-a"), edited_bytes);
-}
-
 TEST_F(RealEngine, CancellingTheCallFreesItsWorkerInEveryStage) {
   start();
   std::vector<std::string> stages{"cells", "nodes", "optimise", "extract", "improve"};

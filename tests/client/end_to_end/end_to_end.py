@@ -69,17 +69,28 @@ def check_case(name, folder, address):
 
 
 def check_same_bytes(folder, address):
-    model, edit = case("tool1-ac")
-    reports = []
-    for k, way in enumerate([[], ["--local", "--store", folder / "local"], []]):
-        remesh("edit", model, edit, "--nodes", NODES, "--seed", 3, "-o", folder / f"{k}.msh",
-               "--json", folder / "r.json", *way, address=address)
-        reports.append(json.loads((folder / "r.json").read_text()))
-    files = [(folder / f"{k}.msh").read_bytes() for k in range(3)]
-    assert files[0] == files[1] == files[2]
-    assert without_seconds(reports[0]) == without_seconds(reports[1]) == without_seconds(reports[2])
-    assert [r["cached"] for r in reports] == [False, False, True]
-    assert reports[0]["seconds"] == reports[2]["seconds"], "a cached Report is the stored one"
+    """A chain of edits gives the same bytes in the daemon and with --local, and again from the store."""
+    (folder / "continue.json").write_text(
+        '{"edits": [{"setParameter": {"name": "hole_circle", "value": 38.01}}]}')
+    model, first = case("tool1-ac")
+    edits = [first, folder / "continue.json", case("tool1-ab")[1]]
+    chains = []
+    for way in ([], ["--local", "--store", folder / "local"], []):
+        base, chain = model, []
+        for edit in edits:
+            remesh("edit", base, edit, *(["--nodes", NODES] if base == model else []), "--seed", 3,
+                   "-o", folder / "same.vtu", "--json", folder / "r.json", *way, address=address)
+            report = json.loads((folder / "r.json").read_text())
+            chain.append((report, (folder / "same.vtu").read_bytes()))
+            base = report["revision"]
+        chains.append(chain)
+    for here, local, again in zip(*chains):
+        assert here[1] == local[1] == again[1]
+        assert without_seconds(here[0]) == without_seconds(local[0]) == without_seconds(again[0])
+        assert [r["cached"] for r, _ in (here, local, again)] == [False, False, True]
+        assert here[0]["seconds"] == again[0]["seconds"], "a cached Report is the stored one"
+    ways = [report["way"] for report, _ in chains[0]]
+    assert ways == ["WAY_LOCAL", "WAY_CONTINUED", "WAY_LOCAL"], ways
 
 
 def check_sweep(folder, address):
@@ -164,14 +175,17 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         daemon = Daemon(folder)
-        for name in ("simple-ab", "tool1-ab", "tool1-ac", "tool2-ab", "tool2-bc", "tool2-cd", "tool3-ab"):
-            check_case(name, folder, daemon.address)
-        check_same_bytes(folder, daemon.address)
-        check_sweep(folder, daemon.address)
-        check_refusals(folder, daemon.address)
-        check_interrupt(folder, daemon.address)
-        check_revisions(folder, daemon.address)
-        daemon.end()
+        try:
+            for name in ("simple-ab", "tool1-ab", "tool1-ac", "tool2-ab", "tool2-bc", "tool2-cd", "tool3-ab"):
+                check_case(name, folder, daemon.address)
+            check_same_bytes(folder, daemon.address)
+            check_sweep(folder, daemon.address)
+            check_refusals(folder, daemon.address)
+            check_interrupt(folder, daemon.address)
+            check_revisions(folder, daemon.address)
+            daemon.end()
+        finally:  # left alone it would keep ctest waiting for its output
+            daemon.process.kill()
 
 
 main()
