@@ -221,14 +221,16 @@ Error empty_model() {
                 .hint = "add a feature, or move one in history after those that remove it"});
 }
 
-Error disconnected_model(int pieces) {
-  return Error(
-      {.kind = ErrorKind::FailedPrecondition,
-       .reason = "DisconnectedModel",
-       .message = "the model falls into " + std::to_string(pieces) + " pieces that share no face",
-       .stage = "cells",
-       .hint = "let the pieces overlap or touch along a face, or mesh them as models of "
-               "their own"});
+Error disconnected_model(int pieces, const Vec3& place, std::string_view features) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "DisconnectedModel",
+                .message = "the model falls into " + std::to_string(pieces) +
+                           " pieces that share no face, one of them" + at(place),
+                .stage = "cells",
+                .feature = clip(features),
+                .hint = "let the pieces overlap or touch along a face, or mesh them as models of "
+                        "their own",
+                .place = place});
 }
 
 Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features) {

@@ -103,7 +103,8 @@ Error unknown_model_parameter(std::string_view name);
 /// No cell of the model is material.
 Error empty_model();
 /// The material falls into `pieces` that do not hang together by faces.
-Error disconnected_model(int pieces);
+/// `place`, `features`: of the smallest piece.
+Error disconnected_model(int pieces, const Vec3& place, std::string_view features);
 /// The boundary touches itself, `what`: along an edge or at a point; `features`: ids of those that
 /// meet there, joined by commas.
 Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <set>
+#include <string>
 
 #include "engine/base/error.h"
 #include "engine/cellular/build_boundary.h"
@@ -170,7 +171,15 @@ void fill_cells_and_faces(CellularModel& out, const kernel::Fusion& fusion,
   }
 }
 
-void require_one_piece(const CellularModel& model) {
+/// A part of the model's material that shares no face with the rest.
+struct Piece {
+  double volume = 0;
+  int largest = -1;           ///< cell
+  std::vector<int> features;  ///< owners of its cells
+};
+
+/// Throws Error(EmptyModel, DisconnectedModel); the latter names the smallest piece.
+void require_one_piece(const CellularModel& model, const FeatureModel& features) {
   std::vector<int> piece(model.cells.size());
   std::iota(piece.begin(), piece.end(), 0);
   const auto find = [&](int c) {
@@ -181,11 +190,24 @@ void require_one_piece(const CellularModel& model) {
     if (face.cells[0] >= 0 && face.cells[1] >= 0 && model.cells[face.cells[0]].positive &&
         model.cells[face.cells[1]].positive)
       piece[find(face.cells[0])] = find(face.cells[1]);
-  std::set<int> pieces;
-  for (std::size_t c = 0; c < piece.size(); ++c)
-    if (model.cells[c].positive) pieces.insert(find(static_cast<int>(c)));
+  std::map<int, Piece> pieces;
+  for (int c = 0; c < static_cast<int>(piece.size()); ++c) {
+    const Cell& cell = model.cells[c];
+    if (!cell.positive) continue;
+    Piece& p = pieces[find(c)];
+    p.volume += cell.volume;
+    if (p.largest < 0 || cell.volume > model.cells[p.largest].volume) p.largest = c;
+    merge_owners(p.features, cell.owners);
+  }
   if (pieces.empty()) throw error::empty_model();
-  if (pieces.size() > 1) throw error::disconnected_model(static_cast<int>(pieces.size()));
+  if (pieces.size() == 1) return;
+  const Piece& smallest =
+      std::ranges::min_element(pieces, {}, [](const auto& p) { return p.second.volume; })->second;
+  std::string names;
+  for (const int f : smallest.features)
+    names += (names.empty() ? "" : ", ") + features.features[f].id;
+  throw error::disconnected_model(static_cast<int>(pieces.size()),
+                                  model.cells[smallest.largest].inside, names);
 }
 
 /// Names and surface of every face of the B-rep, boundary or not.
@@ -255,7 +277,7 @@ CellularModel build(const FeatureModel& model, const Membership& membership, con
   fill_cells_and_faces(out, fused.fusion, membership);
   check_cells(out, brep, model, membership);
   run.poll();
-  require_one_piece(out);
+  require_one_piece(out, model);
 
   const std::vector<BoundaryPiece> pieces = describe_faces(out, fused, membership);
   const Skeleton boundary = skeleton_of(brep, pieces, true);

@@ -170,10 +170,14 @@ TEST(CellularModelTest, AModelThatIsAllSubtractedIsEmpty) {
 
 TEST(CellularModelTest, BodiesApartAreDisconnected) {
   const ErrorInfo error = error_of([] {
-    cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {5.0, 0.0, 0.0}, {1, 1, 1})});
+    cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {5.0, 0.0, 0.0}, {1, 1, 1}),
+              block("small", {-5.0, 0.0, 0.0}, {1, 1, 0.5})});
   });
   EXPECT_EQ(error.reason, "DisconnectedModel");
-  EXPECT_THAT(error.message, ::testing::HasSubstr("2 pieces"));
+  EXPECT_THAT(error.message, ::testing::HasSubstr("3 pieces"));
+  EXPECT_EQ(error.feature, "small");
+  ASSERT_TRUE(error.place);
+  EXPECT_NEAR(error.place->x, -5, 0.5);
 }
 
 TEST(CellularModelTest, BodiesThatShareAnEdgeOrAVertexOnlyAreDisconnected) {

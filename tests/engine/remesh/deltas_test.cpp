@@ -210,8 +210,7 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
     result.what = e.info().reason;
     EXPECT_NE(result.what, "");
     EXPECT_NE(result.what, "Internal") << e.what();
-    // These two are the whole model's.
-    if (result.what != "DisconnectedModel" && result.what != "EmptyModel") {
+    if (result.what != "EmptyModel") {  // which is the whole model's
       EXPECT_NE(e.info().feature + e.info().parameter, "") << e.what();
     }
     return result;
