@@ -115,6 +115,12 @@ void intersect(const Surface& surface, const Vec3& p, const Vec3& d, std::vector
   }
 }
 
+Vec3 spiral_direction(int k, int n) {
+  constexpr double kGoldenAngle = 2.399963229728653;
+  const double z = 1 - (2 * k + 1.0) / n, r = std::sqrt(1 - z * z), a = kGoldenAngle * k;
+  return {r * std::cos(a), r * std::sin(a), z};
+}
+
 Rays::Rays(const Membership& membership)
     : membership_(membership), same_(1e-12 * membership.bounds().diagonal()) {}
 
@@ -146,6 +152,13 @@ std::vector<std::pair<double, double>> Rays::material(const Vec3& p, const Vec3&
     last = t;
   }
   return result;
+}
+
+bool Rays::boundary_within(const Vec3& p, double reach) const {
+  constexpr int kDirections = 200;
+  for (int k = 0; k < kDirections; ++k)
+    if (first_change(p, spiral_direction(k, kDirections), 0, reach) < reach) return true;
+  return false;
 }
 
 double Rays::first_change(const Vec3& p, const Vec3& d, double from, double to) const {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tests/campaign/rays.h"
 #include "tests/campaign/verifier/mesh_surface.h"
@@ -80,21 +79,9 @@ class NameChecker {
         any = any || (membership_.inside(p - probe * out) && !membership_.inside(p + probe * out));
     }
     const double reach = 2 * surface_.allowed(static_cast<std::int32_t>(index)) + tiny_;
-    if (!any && !boundary_beside(project(surface, c), normalised(n), reach))
+    // A chord of a curved rim may cut that far into the face.
+    if (!any && !rays_.boundary_within(project(surface, c), reach))
       findings_.add("facet place", "a facet where the model has no boundary", c);
-  }
-
-  /// Whether the model's boundary is within reach to some side, just above or below the point: a
-  /// chord of a curved rim may cut that far into the face.
-  [[nodiscard]] bool boundary_beside(const Vec3& p, const Vec3& n, double reach) const {
-    const Vec3 x = any_perpendicular(n), y = cross(n, x);
-    for (const double side : {-tiny_, tiny_})
-      for (int k = 0; k < 24; ++k) {
-        const double a = k * std::numbers::pi / 12;
-        const Vec3 d = std::cos(a) * x + std::sin(a) * y;
-        if (rays_.first_change(p + side * n, d, 0, reach) < reach) return true;
-      }
-    return false;
   }
 
   const Revision& revision_;

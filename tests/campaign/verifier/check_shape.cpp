@@ -15,6 +15,7 @@ namespace {
 constexpr double kOnSurface = 1e-6;            // of the diagonal
 constexpr int kLinesPerAxis = 24;              // squared, along each of the three axes
 constexpr int kPoints = 4000;                  // inside or outside
+constexpr int kSpiral = 2000;                  // directions round a node
 constexpr int kDirections = 16, kReaches = 5;  // round a node between two surfaces
 constexpr double kSlack = 2.0;                 // what rises of neighbouring chords may add up to
 
@@ -53,16 +54,20 @@ class ShapeChecker {
   }
 
   /// Every node of the boundary on a surface of a feature, with material on one side and none on
-  /// the other.
+  /// the other; or as near to such a place as the chords of a curved rim beside it allow.
   void check_boundary_nodes() {
     std::vector<Vec3> inwards(mesh_.nodes.size()), outwards(mesh_.nodes.size());
     std::vector<char> boundary(mesh_.nodes.size(), 0);
-    for (const Triangle& f : surface_.facets()) {
+    std::vector<double> chords(mesh_.nodes.size(), HUGE_VAL);
+    for (std::size_t k = 0; k < surface_.facets().size(); ++k) {
+      const Triangle& f = surface_.facets()[k];
+      const double allowed = surface_.allowed(static_cast<std::int32_t>(k));
       const Vec3 n =
           cross(mesh_.nodes[f[1]] - mesh_.nodes[f[0]], mesh_.nodes[f[2]] - mesh_.nodes[f[0]]);
-      for (const std::int32_t k : f) {
-        boundary[k] = 1;
-        outwards[k] += n / std::max(norm(n), 1e-300);
+      for (const std::int32_t node : f) {
+        boundary[node] = 1;
+        outwards[node] += n / std::max(norm(n), 1e-300);
+        chords[node] = std::min(chords[node], allowed);
       }
     }
     std::vector<std::vector<Vec3>> into(mesh_.nodes.size());
@@ -80,7 +85,8 @@ class ShapeChecker {
         findings_.add("node on surface", "a boundary node on no feature's surface", p);
         continue;
       }
-      if (!both_natures(p, into[n], outwards[n], at))
+      if (!both_natures(p, into[n], outwards[n], at) &&
+          !rays_.boundary_within(p, kSlack * chords[n]))
         findings_.add("node on boundary", "a boundary node with one nature all round", p);
     }
   }
@@ -106,11 +112,8 @@ class ShapeChecker {
     if (norm(outward) > 0 && look(normalised(outward))) return true;
     for (const Vec3& d : into)
       if (look(d) || look(-d)) return true;
-    // A spiral of directions over the sphere.
-    for (int k = 0; k < 2000; ++k) {
-      const double z = 1 - (k + 0.5) / 1000.0, r = std::sqrt(1 - z * z), a = 2.399963229728653 * k;
-      if (look({r * std::cos(a), r * std::sin(a), z})) return true;
-    }
+    for (int k = 0; k < kSpiral; ++k)
+      if (look(spiral_direction(k, kSpiral))) return true;
     // Between surfaces at so small an angle, or tangent, that no direction finds the middle.
     for (std::size_t i = 0; i < at.size(); ++i)
       for (std::size_t j = i + 1; j < at.size(); ++j)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/model/feature_model.h"
+#include "tests/campaign/rays.h"
 #include "tests/support/cases.h"
 
 namespace remeshd::campaign {
@@ -238,6 +239,14 @@ TEST(Verifier, FindsAWrongVolumeInTheReport) {
   const Findings findings = verify_edited(r);
   for (const char* check : {"volume", "exact volume", "reported volume"})
     EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
+}
+
+TEST(Rays, FindTheBoundaryWithinReachOnly) {
+  const Membership membership(evaluate(plate(2)));
+  const Rays rays(membership);
+  const Vec3 in_the_hole{1.9, 0, 2};
+  EXPECT_TRUE(rays.boundary_within(in_the_hole, 0.15));
+  EXPECT_FALSE(rays.boundary_within(in_the_hole, 0.09));
 }
 
 }  // namespace
