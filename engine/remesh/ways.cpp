@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/boundary/samples.h"
+#include "engine/nodes/density.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/remesh/last_resort.h"
 #include "engine/remesh/repair.h"
@@ -15,11 +16,16 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
-/// More nodes than this, a number and a share of those there are, no boundary of the edge length
-/// asked for needs.
-constexpr std::uint32_t kFewInserted = 200;
-constexpr double kMostInserted = 0.2;
+constexpr double kFewInserted = 200, kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
+
+/// More nodes beside those there are than this no boundary of the edge length asked for needs.
+double few_more(double nodes) { return kFewInserted + kMostInserted * nodes; }
+
+bool is_finer_than_asked(const Revision& r) {
+  const double regular = expected_nodes(r.cells.volume, r.cells.area, r.edge_length);
+  return static_cast<double>(r.delivery.mesh.nodes.size()) > regular + few_more(regular);
+}
 
 double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   if (loop.free_per_iteration.empty() || nodes == 0) return 0;
@@ -52,7 +58,8 @@ NewMesh Ways::first_valid() {
                   false};
   candidate = attempt(setting);
   const auto failed = [&] { return !candidate.verification.valid; };
-  if (failed() && original_ && !candidate.too_fine) {
+  // New places for all nodes would lose the boundary again that the original has by its many.
+  if (failed() && original_ && !candidate.too_fine && !is_finer_than_asked(*original_)) {
     next(Way::Full, candidate, "all nodes were optimised anew");
     setting.all_free = true;
     candidate = attempt(setting);
@@ -149,7 +156,7 @@ std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Samples& sample
                            const InsideTest& inside) {
   const CellularModel& cells = s.target.cells;
   const double l = s.density.edge_length;
-  const auto most = kFewInserted + static_cast<std::uint32_t>(kMostInserted * c.nodes.size());
+  const auto most = static_cast<std::uint32_t>(few_more(c.nodes.size()));
   std::uint32_t repaired = 0;
   for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
     const std::int32_t first = c.nodes.size();
