@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/cellular/match_boundary.h"
+#include "engine/cellular/skeleton.h"
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
 #include "engine/nodes/nearest.h"
@@ -25,9 +26,9 @@ constexpr double kReach = 0.1;          // x edge length: how far entities look 
 constexpr double kInfluence = 2.9;      // x edge length: interior nodes this near may move
 constexpr double kLeverage = 5;         // node motion over surface motion
 constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rounding
-/// The CAD kernel takes faces this near for one, model's unit, and draws their edges on either: an
-/// edge may move by this together with a hidden face, though no face of the boundary does.
-constexpr double kCoincident = 5e-7;
+/// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
+/// that an edge may move by this together with a hidden face, though no face of the boundary does.
+constexpr double kCoincident = 0.5;
 constexpr int kSweeps = 24;
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -58,9 +59,9 @@ class Motion {
     return surface_ < kLargestMotion * l_;
   }
 
-  /// Whether no node moved out of proportion. `bound`: of the motion of any surface, hidden or not.
-  [[nodiscard]] bool in_proportion(double bound) const {
-    return node_ <= std::max(kLeverage * surface_, std::min(bound, kCoincident)) + none_;
+  /// Whether no node moved out of proportion. `hidden`: what hidden faces may have moved edges by.
+  [[nodiscard]] bool in_proportion(double hidden) const {
+    return node_ <= std::max(kLeverage * surface_, hidden) + none_;
   }
 
   /// Interior nodes near moved ones by harmonic extension, nought further away.
@@ -150,7 +151,8 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   const std::span<const Vec3> anchor = original.master_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotContinued{};
-  if (!motion.in_proportion(bound))
+  const double coincident = kCoincident * kernel_tolerance(*modified.cells.brep);
+  if (!motion.in_proportion(std::min(bound, coincident)))
     return NotContinued("a node would have moved more than five times as far as any surface");
   Polling poll(run);
   c.mesh.tets = original.delivery.mesh.tets;

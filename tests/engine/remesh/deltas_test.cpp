@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/error.h"
+#include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 #include "engine/remesh/remesh.h"
 #include "engine/remesh/stopwatch.h"
@@ -34,7 +36,7 @@ constexpr double kNone = 1e-12;     // of the diagonal: a motion that is none
 constexpr double kSmallest = 0.01;  // x edge length: surface motion below which meshes continue
 constexpr double kNearly = 0.99;    // of it, where rounding decides nothing
 constexpr double kFollowed = 0.05;  // x edge length: hidden surfaces that move this far may end it
-constexpr double kCoincident = 5e-7;  // model's unit: the CAD kernel takes faces this near for one
+constexpr double kCoincident = 5e-7;  // of the CAD kernel's unit: faces this near it takes for one
 constexpr double kRadius = 3;         // x edge length: from moved surfaces to nodes that may move
 constexpr double kLeverage = 5;       // node motion over surface motion
 constexpr double kFilm = 0.3;         // x edge length: a change of topology below is thin
@@ -170,7 +172,8 @@ void expect_continued(const Revision& anchor, const Revision& r,
   EXPECT_EQ(r.delivery.mesh.tets, anchor.delivery.mesh.tets);
   EXPECT_EQ(r.delivery.node_ids, anchor.delivery.node_ids);
   // Hidden surfaces move too: where one lies on a face, the kernel may draw its edges on either.
-  const double drawn = std::min(motion_bound(anchor.model, r.model), kCoincident);
+  const double drawn =
+      std::min(motion_bound(anchor.model, r.model), kCoincident / r.cells.brep->scale);
   std::vector<bool> moved;
   for (const double m : motions) moved.push_back(m > none);
   std::vector<Vec3> sources = nodes_on(anchor, moved);
