@@ -1,12 +1,16 @@
 // Random models and edits through the engine, each mesh verified by code of its own; README.md of
 // the tests says how to use it.
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <algorithm>
+#include <deque>
 #include <fstream>
+#include <future>
 #include <iostream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "tests/campaign/random_case.h"
+#include "tests/campaign/record.h"
 #include "tests/campaign/shrink.h"
 #include "tests/campaign/store.h"
 #include "tests/campaign/tally.h"
@@ -19,8 +23,8 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::uint64_t seed = 1, number = 0, from = 0;
-  int edits = 300;
-  std::string file, out, json;
+  int edits = 300, jobs = 1;
+  std::string file, out, json, record;
   bool only_gentle = false, only_others = false, keep_refusals = false, keep_fallbacks = false,
        strict = false, verbose = false;
   double shrink_seconds = 60;
@@ -51,16 +55,52 @@ void keep(const Options& options, const WorkedCase& worked, const Outcome& o) {
   }
 }
 
+/// The cases of a campaign in their order; the next ones are worked on meanwhile.
+class Cases {
+ public:
+  explicit Cases(const Options& options)
+      : options_(options), record_(options.record), next_(options.from) {}
+
+  WorkedCase next() {
+    while (ahead_.size() < static_cast<std::size_t>(std::max(1, options_.jobs))) start_one();
+    WorkedCase worked = ahead_.front().get();
+    ahead_.pop_front();
+    return worked;
+  }
+
+ private:
+  void start_one() {
+    for (;; ++next_) {
+      const bool gentle = is_gentle(options_.seed, next_);
+      if (!(gentle ? options_.only_others : options_.only_gentle)) break;
+    }
+    ahead_.push_back(std::async(std::launch::async, [this, number = next_++] {
+      if (auto done = record_.find(options_.seed, number)) return std::move(*done);
+      WorkedCase worked = have_worked(options_.seed, number, kCaseSeconds);
+      worked.campaign_case.number = number;  // which a worker that ends early does not tell
+      const std::lock_guard lock(writing_);
+      record_.add(options_.seed, number, worked);
+      return worked;
+    }));
+  }
+
+  const Options& options_;
+  const Record record_;
+  std::mutex writing_;  ///< the record
+  std::uint64_t next_;
+  std::deque<std::future<WorkedCase>> ahead_;
+};
+
 int run(const Options& options) {
   Tally tally;
+  Cases cases(options);
   int failures = 0;
   const auto save = [&] {
     if (!options.json.empty()) std::ofstream(options.json) << write_tally(tally).dump(1) << "\n";
   };
-  for (std::uint64_t k = options.from; tally.edits < options.edits; ++k) {
-    const bool gentle = is_gentle(options.seed, k);
-    if (gentle ? options.only_others : options.only_gentle) continue;
-    const WorkedCase worked = have_worked(options.seed, k, kCaseSeconds);
+  while (tally.edits < options.edits) {
+    const WorkedCase worked = cases.next();
+    const std::uint64_t k = worked.campaign_case.number;
     tally.add(worked);
     for (const Outcome& o : worked.outcomes) {
       failures += failed(o);
@@ -123,6 +163,8 @@ int main(int argc, char** argv) try {
   run_command->add_option("--from", options.from, "the first case");
   run_command->add_option("--out", options.out, "folder for what failed");
   run_command->add_option("--json", options.json, "file for the figures");
+  run_command->add_option("--jobs", options.jobs, "cases to work on at a time");
+  run_command->add_option("--record", options.record, "file of the cases done, to go on with");
   run_command->add_option("--shrink", options.shrink_seconds, "seconds for each failure; 0: none");
   CLI::Option* gentle = run_command->add_flag("--good-natured", options.only_gentle,
                                               "only cases made to be good-natured");

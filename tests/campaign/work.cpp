@@ -121,6 +121,29 @@ WorkedCase collect(const std::vector<std::string>& arguments, double seconds) {
 
 }  // namespace
 
+json write_worked(const WorkedCase& worked) {
+  json facts = json::array(), outcomes = json::array();
+  for (const StepFacts& f : worked.facts) facts.push_back(to_json(f));
+  for (const Outcome& o : worked.outcomes) outcomes.push_back(write_outcome(o));
+  return {{"case", write_case(worked.campaign_case)},
+          {"gentle", worked.gentle},
+          {"facts", facts},
+          {"discarded", worked.discarded},
+          {"outcomes", outcomes},
+          {"made", worked.made}};
+}
+
+WorkedCase read_worked(const json& j) {
+  WorkedCase worked;
+  worked.campaign_case = read_case(j.at("case"));
+  j.at("gentle").get_to(worked.gentle);
+  for (const json& f : j.at("facts")) worked.facts.push_back(facts_from(f));
+  j.at("discarded").get_to(worked.discarded);
+  for (const json& o : j.at("outcomes")) worked.outcomes.push_back(read_outcome(o));
+  j.at("made").get_to(worked.made);
+  return worked;
+}
+
 void work_on_number(std::uint64_t seed, std::uint64_t number) {
   const RandomCase made = make_case(seed, number, [](const CampaignCase& c) {
     limit_processor_time(kProcessorSeconds);

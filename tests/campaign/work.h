@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct WorkedCase {
   std::vector<Outcome> outcomes;  ///< the last may be a crash or hang
   bool made = false;              ///< false: the process ended while the case was made
 };
+
+nlohmann::json write_worked(const WorkedCase& worked);
+WorkedCase read_worked(const nlohmann::json& j);
 
 /// The worker's side: prints an event a line.
 void work_on_number(std::uint64_t seed, std::uint64_t number);

@@ -1,0 +1,65 @@
+#include "tests/campaign/record.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/cases.h"
+
+namespace remeshd::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+WorkedCase some_case() {
+  WorkedCase worked;
+  worked.campaign_case = {.seed = 3, .number = 14, .model = test::case_model("simple-a")};
+  worked.gentle = true;
+  worked.facts.push_back({.measured = true, .wedge = true, .types = {"block"}});
+  worked.discarded["EmptyModel"] = 2;
+  Outcome refused;
+  refused.kind = "refused";
+  refused.reason = "BoundaryNotRecovered";
+  worked.outcomes.push_back(refused);
+  worked.made = true;
+  return worked;
+}
+
+struct RecordTest : testing::Test {
+  const fs::path file = fs::path(testing::TempDir()) / "record_test.jsonl";
+  void SetUp() override { fs::remove(file); }
+  void TearDown() override { fs::remove(file); }
+};
+
+TEST_F(RecordTest, GivesBackWhatWasAddedToEarlierOnes) {
+  Record(file).add(3, 14, some_case());
+  const Record record(file);
+  const auto found = record.find(3, 14);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(write_worked(*found), write_worked(some_case()));
+  EXPECT_FALSE(record.find(3, 15));
+  EXPECT_FALSE(record.find(4, 14));
+}
+
+TEST_F(RecordTest, PassesOverLinesOfOtherBuildsAndAnEndThatIsMissing) {
+  Record(file).add(3, 14, some_case());
+  std::string line;
+  std::getline(std::ifstream(file), line);
+  nlohmann::json other = nlohmann::json::parse(line);
+  other["build"] = 1;
+  other["number"] = 15;
+  std::ofstream(file, std::ios::app) << other.dump() << "\n" << line.substr(0, 100);
+  const Record record(file);
+  EXPECT_TRUE(record.find(3, 14));
+  EXPECT_FALSE(record.find(3, 15));
+}
+
+TEST_F(RecordTest, OfNoFileRemembersNothing) {
+  const Record record{fs::path()};
+  record.add(3, 14, some_case());
+  EXPECT_FALSE(record.find(3, 14));
+}
+
+}  // namespace
+}  // namespace remeshd::campaign
