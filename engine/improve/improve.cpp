@@ -27,6 +27,8 @@ constexpr std::size_t kMostStubborn = 40;
 constexpr std::size_t kMostMended = 12;
 /// And of these for the dearest, ten times that.
 constexpr std::size_t kMostTakenOut = 3;
+/// A node in more tets than this, as only a broken mesh has, stays: it would be tried for each.
+constexpr std::size_t kMostAtNode = 300;
 constexpr int kPollEvery = 64;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
@@ -96,7 +98,7 @@ class CleanUp {
     bool changed = false;
     for (const std::int32_t t : stubborn_tets(most)) {
       run_.poll();
-      if (!bad(t) || !means(t)) continue;
+      if (!bad(t) || last_.is_crowded(t) || !means(t)) continue;
       touch(last_.touched());
       drain();
       changed = true;
@@ -172,7 +174,7 @@ class CleanUp {
     bool changed = false;
     const double enough = std::max(options_.threshold, mesh_.quality(t) + kSharpGain);
     for (const std::int32_t node : mesh_.tet(t)) {
-      if (!smooth_node(node, enough)) continue;
+      if (mesh_.tets_of(node).size() > kMostAtNode || !smooth_node(node, enough)) continue;
       changed = true;
       if (!bad(t)) break;
     }

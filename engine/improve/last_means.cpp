@@ -7,6 +7,8 @@ namespace {
 
 /// Least gain of a score for which a change is worth while; it also bounds the number of changes.
 constexpr double kGain = 1e-3;
+/// More tets than this do not surround a tet: about 500 do.
+constexpr std::size_t kCrowd = 2000;
 /// Rounds of easing over the nodes at a stubborn tet's neighbours.
 constexpr int kRelaxRounds = 12;
 constexpr int kClimbRounds = 4;
@@ -58,6 +60,8 @@ LastMeans::Standing LastMeans::standing(const std::vector<std::int32_t>& tets) c
   }
   return now;
 }
+
+bool LastMeans::is_crowded(std::int32_t t) const { return tets_at(nodes_round(t)).size() > kCrowd; }
 
 bool LastMeans::relax(std::int32_t t) {
   const std::vector<std::int32_t> nodes = nodes_round(t);

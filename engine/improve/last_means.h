@@ -19,6 +19,10 @@ class LastMeans {
             int max_ring)
       : mesh_(mesh), rules_(rules), smoother_(smoother), score_(score), max_ring_(max_ring) {}
 
+  /// Whether so many tets surround a tet as only do in a mesh that is broken there, with nodes in
+  /// hundreds of tets: it would take the last means minutes, for nothing.
+  [[nodiscard]] bool is_crowded(std::int32_t t) const;
+
   /// Moves all nodes round a tet a little, several times, though most of their tets are good
   /// enough: where two nodes of a model edge are too near, each holds the other. Takes the moves
   /// back unless all tets that they touch get better taken together, and the worst no worse.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "engine/base/error.h"
@@ -201,6 +202,47 @@ TEST(Improve, StopsWhenAskedTo) {
   run.stop = source.get_token();
   const SolidFixture s = make_box({1, 1, 1}, 6, 5);
   EXPECT_THROW(improve(s.mesh, s.supports, s.boundary, s.all_dirty(), {}, run), Error);
+}
+
+/// A ball of `around` x `around` facets, all joined to one node off its middle.
+SolidFixture make_star(int around) {
+  SolidFixture s;
+  BoundaryFace sphere;
+  sphere.surface = {.kind = Surface::Kind::Sphere, .r1 = 1};
+  s.boundary.faces.push_back(sphere);
+  s.boundary.bounds = {{-1, -1, -1}, {1, 1, 1}};
+  s.mesh.nodes = {{0, 0, 0.8}, {0, 0, -1}, {0, 0, 1}};
+  const auto at = [&](int ring, int k) { return 3 + (ring - 1) * around + (k + around) % around; };
+  for (int ring = 1; ring < around; ++ring)
+    for (int k = 0; k < around; ++k) {
+      const double polar = std::numbers::pi * ring / around,
+                   angle = 2 * std::numbers::pi * k / around;
+      s.mesh.nodes.push_back(
+          {std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), -std::cos(polar)});
+    }
+  for (int k = 0; k < around; ++k) {
+    s.mesh.tets.push_back({0, 1, at(1, k), at(1, k + 1)});
+    s.mesh.tets.push_back({0, 2, at(around - 1, k + 1), at(around - 1, k)});
+    for (int ring = 1; ring + 1 < around; ++ring) {
+      s.mesh.tets.push_back({0, at(ring, k), at(ring + 1, k), at(ring, k + 1)});
+      s.mesh.tets.push_back({0, at(ring, k + 1), at(ring + 1, k), at(ring + 1, k + 1)});
+    }
+  }
+  for (Tet& t : s.mesh.tets)
+    if (volume_length(s.mesh.nodes[t[0]], s.mesh.nodes[t[1]], s.mesh.nodes[t[2]],
+                      s.mesh.nodes[t[3]]) < 0)
+      std::swap(t[2], t[3]);
+  s.supports.assign(s.mesh.nodes.size(), {Support::Kind::Face, 0});
+  s.supports[0] = {};
+  return s;
+}
+
+TEST(Improve, LeavesANodeAloneThatIsInHundredsOfTets) {
+  for (const auto& [around, moves] : {std::pair{8, true}, {40, false}}) {
+    const SolidFixture star = make_star(around);
+    const ImproveResult result = clean(star);
+    EXPECT_EQ(result.mesh.nodes[0] != star.mesh.nodes[0], moves) << around;
+  }
 }
 
 }  // namespace
