@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "engine/base/error.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 #include "engine/remesh/remesh.h"
