@@ -127,9 +127,9 @@ TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
 
 TEST(MeshSurface, AFaceBetweenAnArcAndItsChordStays) {
   // The boss's corners stand out of the collar, whose sides stand out of the boss.
-  const CellularModel cells = cells_of({block("plate", 200, 200, 40),
-                                        placed(block("boss", 47.7, 39.1, 160), 0, 0, 0),
-                                        placed(cylinder("collar", 25.84, 25.84), 0, 0, 40)});
+  const CellularModel cells =
+      cells_of({block("plate", 200, 200, 40), placed(block("boss", 47.7, 39.1, 160), 0, 0, 0),
+                placed(cylinder("collar", 25.84, 25.84), 0, 0, 40)});
   const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 45}, kRun);
   expect_sound(mesh, cells.boundary);
   std::vector<double> area(cells.boundary.faces.size(), 0);
