@@ -193,6 +193,21 @@ TEST(Verifier, FindsAMeshThatLacksAHole) {
     EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
 }
 
+TEST(Verifier, FindsABoundaryInsideOfTheMaterial) {
+  Revision r = meshes().first;
+  r.model = evaluate([] {
+    ModelSource two = plate(2);
+    FeatureSource boss = test::feature("boss", "block", {{"dx", 2.4}, {"dy", 9.0}, {"dz", 2.0}});
+    boss.placement.origin = {3.6, 0.0, 4.0};
+    two.features.push_back(boss);
+    return two;
+  }());
+  std::set<std::uint64_t> nodes, tets;
+  const Findings findings = verify_independently(r, nullptr, nodes, tets);
+  for (const char* check : {"node on boundary", "facet place"})
+    EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
+}
+
 // The plane below is nearer to the wall's points than the wall's own coarse facets.
 TEST(Verifier, ForgivesAWallsChordsBesideAPlane) {
   ModelSource model =
