@@ -36,12 +36,14 @@ Foot foot_on_cylinder(double radius, const Vec3& q) {
 Foot foot_on_cone(double radius, double slope, const Vec3& q) {
   const Meridian m = meridian(q);
   const double cosine = 1 / std::sqrt(1 + slope * slope);
-  const double r = radius + slope * m.z;
-  // Beyond the apex the other nappe is nearest, whose radius grows the other way.
-  const double signed_slope = r < 0 ? -slope : slope;
-  const double d = (m.rho - std::fabs(r)) * cosine;
-  const Vec3 n = cosine * m.out + Vec3{0, 0, -signed_slope * cosine};
-  return {m.rho * m.out + Vec3{0, 0, m.z} - d * n, n, d};
+  const double d = (m.rho - (radius + slope * m.z)) * cosine;
+  const Vec3 n = cosine * m.out + Vec3{0, 0, -slope * cosine};
+  Foot foot{m.rho * m.out + Vec3{0, 0, m.z} - d * n, n, d};
+  if (m.rho - d * cosine < 0) {
+    foot.point = {0, 0, -radius / slope};
+    foot.distance = distance(q, foot.point);
+  }
+  return foot;
 }
 
 Foot foot_on_sphere(double radius, const Vec3& q) {
@@ -115,7 +117,7 @@ double plane_gap(const Surface& a, const Surface& b, const Box& where) {
 /// offset of the axes plus difference of the radii, both linear between the ends.
 double cone_gap(const Surface& a, const Surface& b, const Box& where) {
   const auto radius = [](const Surface& s, double z) {
-    return s.kind == Surface::Kind::Cone ? std::fabs(s.r1 + s.r2 * z) : s.r1;
+    return s.kind == Surface::Kind::Cone ? std::fmax(0, s.r1 + s.r2 * z) : s.r1;
   };
   const Vec3 axis = axis_of(a);
   double z_min = HUGE_VAL, z_max = -HUGE_VAL;

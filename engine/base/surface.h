@@ -10,7 +10,7 @@ namespace remeshd {
 /// the local origin.
 ///   Plane     z = 0, normal +z
 ///   Cylinder  axis z, radius r1
-///   Cone      axis z, radius r1 at z = 0, slope dr/dz = r2 (apex at z = -r1/r2, both nappes)
+///   Cone      axis z, radius r1 >= 0 at z = 0, slope dr/dz = r2; it ends at its apex, z = -r1/r2
 ///   Sphere    centre at the origin, radius r1
 ///   Torus     axis z, major radius r1, minor radius r2. Where |r1| < r2 it is the part of the
 ///             spindle torus that its meridian circle, centred r1 from the axis, sweeps on its own

@@ -39,11 +39,13 @@ const std::vector<EditCase>& seven_cases() {
   return cases;
 }
 
-ModelSource one_feature(FeatureSource only) {
+ModelSource one_feature(FeatureSource only) { return model_of({std::move(only)}); }
+
+ModelSource model_of(std::vector<FeatureSource> features) {
   ModelSource model;
-  model.name = "one";
+  model.name = "test";
   model.unit = "mm";
-  model.features.push_back(std::move(only));
+  model.features = std::move(features);
   return model;
 }
 
@@ -60,6 +62,20 @@ FeatureSource feature(std::string id, std::string type, std::vector<ProfileEntry
   FeatureSource result = feature(std::move(id), std::move(type), std::move(parameters));
   result.profile = std::move(outline);
   return result;
+}
+
+FeatureSource block(std::string id, double dx, double dy, double dz) {
+  return feature(std::move(id), "block", {{"dx", dx}, {"dy", dy}, {"dz", dz}});
+}
+
+FeatureSource cylinder(std::string id, double radius, double height) {
+  return feature(std::move(id), "cylinder", {{"radius", radius}, {"height", height}});
+}
+
+FeatureSource placed(FeatureSource feature, double x, double y, double z, Nature nature) {
+  feature.placement.origin = {x, y, z};
+  feature.nature = nature;
+  return feature;
 }
 
 ProfileEntry point(Scalar x, Scalar y) { return {std::move(x), std::move(y), {}}; }

@@ -27,8 +27,9 @@ struct EditCase {
 /// The paper's six cases (Fig. 17) and tool2-cd.
 const std::vector<EditCase>& seven_cases();
 
-/// A model with one feature, for tests that need no document.
+/// Models for tests that need no document.
 ModelSource one_feature(FeatureSource feature);
+ModelSource model_of(std::vector<FeatureSource> features);
 
 /// An additive feature at the origin.
 FeatureSource feature(std::string id, std::string type,
@@ -37,6 +38,14 @@ FeatureSource feature(std::string id, std::string type,
 /// An additive feature at the origin with a profile.
 FeatureSource feature(std::string id, std::string type, std::vector<ProfileEntry> profile,
                       std::map<std::string, Scalar> parameters);
+
+/// Additive features at the origin, sizes in model units.
+FeatureSource block(std::string id, double dx, double dy, double dz);
+FeatureSource cylinder(std::string id, double radius, double height);
+
+/// The feature elsewhere.
+FeatureSource placed(FeatureSource feature, double x, double y, double z,
+                     Nature nature = Nature::Additive);
 
 /// Entries of a profile: a point, and an arc that ends at (x, y) by way of (tx, ty).
 ProfileEntry point(Scalar x, Scalar y);

@@ -14,28 +14,14 @@
 namespace remeshd {
 namespace {
 
+using test::block;
+using test::cylinder;
+using test::placed;
+
 const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 
-FeatureSource placed(FeatureSource feature, double x, double y, double z,
-                     Nature nature = Nature::Additive) {
-  feature.placement.origin = {x, y, z};
-  feature.nature = nature;
-  return feature;
-}
-
 CellularModel cells_of(std::vector<FeatureSource> features) {
-  ModelSource model;
-  model.name = "test";
-  model.features = std::move(features);
-  return build_cells(evaluate(model), kRun);
-}
-
-FeatureSource block(const std::string& id, double dx, double dy, double dz) {
-  return test::feature(id, "block", {{"dx", dx}, {"dy", dy}, {"dz", dz}});
-}
-
-FeatureSource cylinder(const std::string& id, double radius, double height) {
-  return test::feature(id, "cylinder", {{"radius", radius}, {"height", height}});
+  return build_cells(evaluate(test::model_of(std::move(features))), kRun);
 }
 
 double length_of(const SurfaceMesh& mesh, const FaceFacet& f, int side) {

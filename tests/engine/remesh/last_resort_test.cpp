@@ -14,29 +14,12 @@
 namespace remeshd {
 namespace {
 
+using test::block;
+using test::cylinder;
+using test::model_of;
+using test::placed;
+
 const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
-
-FeatureSource placed(FeatureSource feature, double x, double y, double z,
-                     Nature nature = Nature::Additive) {
-  feature.placement.origin = {x, y, z};
-  feature.nature = nature;
-  return feature;
-}
-
-FeatureSource block(const std::string& id, double dx, double dy, double dz) {
-  return test::feature(id, "block", {{"dx", dx}, {"dy", dy}, {"dz", dz}});
-}
-
-FeatureSource cylinder(const std::string& id, double radius, double height) {
-  return test::feature(id, "cylinder", {{"radius", radius}, {"height", height}});
-}
-
-ModelSource model_of(std::vector<FeatureSource> features) {
-  ModelSource model;
-  model.name = "test";
-  model.features = std::move(features);
-  return model;
-}
 
 /// tool1-a with pins much finer than an edge at 5,000 nodes.
 ModelSource fine_pins() {
@@ -129,6 +112,13 @@ std::vector<HardInput> hard_inputs() {
       {"ConeWithItsApex",
        model_of({test::feature("c", "cone",
                                {{"radius_bottom", 20.0}, {"radius_top", 0.0}, {"height", 40.0}})}),
+       500},
+      {"FlatConeOnAStem",
+       model_of(
+           {block("b", 60, 60, 10), placed(cylinder("stem", 2.6, 10), 0, 0, 10),
+            placed(test::feature("cap", "cone",
+                                 {{"radius_bottom", 8.6}, {"radius_top", 0.0}, {"height", 2.2}}),
+                   0, 0, 19)}),
        500},
       {"BallWithoutEdges", model_of({test::feature("s", "sphere", {{"radius", 20.0}})}), 500},
       {"TwentyNodes", test::case_model("tool1-a"), 20},
