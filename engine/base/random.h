@@ -16,6 +16,8 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
     return z ^ (z >> 31);
   }
+  /// As if `next` had been called n times.
+  void skip(std::uint64_t n) { state_ += n * 0x9E3779B97F4A7C15ULL; }
   /// Uniform in [0, 1).
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
   /// Uniform in [lo, hi).

@@ -1,6 +1,8 @@
 #include "engine/boundary/lattice.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace remeshd {
@@ -8,9 +10,14 @@ namespace remeshd {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+/// Points go up to sqrt(3) spacings beyond the box and are jittered by half of one.
+constexpr double kMargin = 2.5;
 
 struct Range {
   double lo = 0, hi = 0;
+
+  [[nodiscard]] bool holds(double x) const { return x >= lo && x <= hi; }
+  [[nodiscard]] Range shifted(double by) const { return {lo + by, hi + by}; }
 };
 
 /// The box in the surface's own frame.
@@ -23,88 +30,206 @@ Box local_box(const Surface& surface, const Box& box) {
   return local;
 }
 
-/// Jittered points of one row of `length`, `count` of them: calls point(t) with t in [0, 1).
-template <class Point>
-void visit_row(int count, double jitter, Random& random, Point&& point) {
-  const double phase = random.uniform();
-  for (int k = 0; k < count; ++k) point((k + phase + jitter * random.uniform(-0.5, 0.5)) / count);
+/// In which directions, as angles from the first axis, a rectangle is seen from the origin: in all
+/// where it holds the origin.
+Range angles_of(const Range& x, const Range& y) {
+  if (x.holds(0) && y.holds(0)) return {0, kTurn};
+  const double middle = std::atan2(y.lo + y.hi, x.lo + x.hi);
+  const double c = std::cos(middle), s = std::sin(middle);
+  Range seen{middle, middle};
+  for (const double px : {x.lo, x.hi})
+    for (const double py : {y.lo, y.hi}) {
+      const double angle = middle + std::atan2(c * py - s * px, c * px + s * py);
+      seen = {std::fmin(seen.lo, angle), std::fmax(seen.hi, angle)};
+    }
+  return seen;
 }
 
-int divisions(double length, double spacing) {
-  return std::max(1, static_cast<int>(std::lround(length / spacing)));
+/// The distances of a rectangle's points from the origin.
+Range distances_of(const Range& x, const Range& y) {
+  return {std::hypot(std::clamp(0.0, x.lo, x.hi), std::clamp(0.0, y.lo, y.hi)),
+          std::hypot(std::fmax(-x.lo, x.hi), std::fmax(-y.lo, y.hi))};
+}
+
+struct Steps {
+  std::int64_t begin = 0, end = 0;
+};
+
+/// Those of `count` even steps round a turn, each up to `jitter` / 2 steps from its place, that may
+/// be seen, in their order.
+std::array<Steps, 2> steps_seen(const Range& angles, std::int64_t count, double phase,
+                                double jitter) {
+  const auto n = static_cast<double>(count);
+  auto begin = static_cast<std::int64_t>(std::ceil(angles.lo / kTurn * n - phase - jitter / 2));
+  auto end = static_cast<std::int64_t>(std::floor(angles.hi / kTurn * n - phase + jitter / 2)) + 1;
+  if (angles.hi - angles.lo >= kTurn || end - begin >= count) return {{{0, count}}};
+  const auto turns = static_cast<std::int64_t>(std::floor(static_cast<double>(begin) / n)) * count;
+  begin -= turns;
+  end -= turns;
+  if (end <= count) return {{{begin, end}}};
+  return {{{0, end - count}, {begin, count}}};
+}
+
+std::int64_t divisions(double length, double spacing) {
+  return std::max<std::int64_t>(1, std::llround(length / spacing));
 }
 
 /// Rows at even steps over a range; the step is kept so that the density is even.
 template <class Row>
-void visit_rows(Range range, double spacing, Random& random, Row&& row) {
+void visit_rows(const Range& range, double spacing, Random& random, Row&& row) {
   const double phase = random.uniform();
-  const int count = static_cast<int>(std::ceil((range.hi - range.lo) / spacing)) + 1;
-  for (int k = 0; k < count; ++k) row(range.lo + (k + 1 - phase) * spacing);
+  const auto count = static_cast<std::int64_t>(std::ceil((range.hi - range.lo) / spacing)) + 1;
+  for (std::int64_t k = 0; k < count; ++k)
+    row(range.lo + (static_cast<double>(k + 1) - phase) * spacing);
 }
+
+class Lattice {
+ public:
+  Lattice(const Surface& surface, const Box& box, double spacing, double jitter, Random& random,
+          const std::function<void(const Vec3&)>& visit)
+      : surface_(surface),
+        spacing_(spacing),
+        jitter_(jitter),
+        random_(random),
+        visit_(visit),
+        local_(local_box(surface, box)),
+        x_(with_margin(local_.lo.x, local_.hi.x)),
+        y_(with_margin(local_.lo.y, local_.hi.y)),
+        z_(with_margin(local_.lo.z, local_.hi.z)),
+        rho_(distances_of(x_, y_)),
+        seen_(angles_of(x_, y_)) {}
+
+  void visit() {
+    switch (surface_.kind) {
+      case Surface::Kind::Plane:
+        return plane();
+      case Surface::Kind::Cylinder:
+        return cylinder(surface_.r1);
+      case Surface::Kind::Cone:
+        return cone(surface_.r1, surface_.r2);
+      case Surface::Kind::Sphere:
+        return sphere(surface_.r1);
+      case Surface::Kind::Torus:
+        return torus(surface_.r1, surface_.r2);
+    }
+  }
+
+ private:
+  [[nodiscard]] Range with_margin(double lo, double hi) const {
+    return {lo - kMargin * spacing_, hi + kMargin * spacing_};
+  }
+
+  void plane() {
+    const double width = local_.hi.x - local_.lo.x;
+    visit_rows({local_.lo.y, local_.hi.y}, spacing_, random_, [&](double y) {
+      row(divisions(width, spacing_), {0, kTurn},
+          [&](double t, double wobble) { emit(local_.lo.x + t * width, y + wobble, 0); });
+    });
+  }
+
+  void cylinder(double radius) {
+    if (!rho_.holds(radius)) return;
+    visit_rows({local_.lo.z, local_.hi.z}, spacing_, random_, [&](double z) {
+      ring(radius, true,
+           [&](double c, double s, double wobble) { emit(radius * c, radius * s, z + wobble); });
+    });
+  }
+
+  void cone(double radius, double slope) {
+    const double slant = std::sqrt(1 + slope * slope);
+    // Where the radius is one that the box has: next to flat, a cone has few rows of the height's.
+    const Range width = with_margin(rho_.lo, rho_.hi);
+    const double one = (width.lo - radius) / slope, other = (width.hi - radius) / slope;
+    const Range height{std::fmax(local_.lo.z, std::fmin(one, other)),
+                       std::fmin(local_.hi.z, std::fmax(one, other))};
+    if (height.lo > height.hi) return;
+    visit_rows({height.lo * slant, height.hi * slant}, spacing_, random_, [&](double s) {
+      ring(std::fabs(radius + slope * s / slant), true, [&](double c, double sn, double wobble) {
+        const double z = (s + wobble) / slant;
+        const double r = radius + slope * z;
+        if (r >= 0) emit(r * c, r * sn, z);
+      });
+    });
+  }
+
+  void sphere(double radius) {
+    const Range angles = angles_of(z_, rho_);
+    visit_rows({0, std::numbers::pi * radius}, spacing_, random_, [&](double s) {
+      // The last row may lie beyond the pole.
+      const double from_pole = std::numbers::pi - std::fabs(std::numbers::pi - s / radius);
+      const bool seen = angles.holds(from_pole);
+      ring(std::fabs(radius * std::sin(s / radius)), seen, [&](double c, double sn, double wobble) {
+        const double a = (s + wobble) / radius;
+        emit(radius * std::sin(a) * c, radius * std::sin(a) * sn, radius * std::cos(a));
+      });
+    });
+  }
+
+  void torus(double major, double minor) {
+    // Whole turns of the tube: the step is fitted so that the last row meets the first.
+    const std::int64_t rows = divisions(kTurn * minor, spacing_);
+    const double phase = random_.uniform();
+    const auto seen = steps_seen(angles_of(rho_.shifted(-major), z_), rows, phase, jitter_);
+    for (std::int64_t k = 0; k < rows; ++k) {
+      const double a = kTurn * (static_cast<double>(k) + phase) / static_cast<double>(rows);
+      const bool in = std::ranges::any_of(
+          seen, [&](const Steps& steps) { return k >= steps.begin && k < steps.end; });
+      ring(std::fabs(major + minor * std::cos(a)), in, [&](double c, double s, double wobble) {
+        const double b = a + wobble / minor;
+        const double r = major + minor * std::cos(b);
+        if (r >= 0) emit(r * c, r * s, minor * std::sin(b));
+      });
+    }
+  }
+
+  /// A row round the axis: calls place(cosine, sine, wobble).
+  template <class Place>
+  void ring(double radius, bool seen, Place&& place) {
+    const std::int64_t count = divisions(kTurn * radius, spacing_);
+    if (!seen) return random_.skip(draws_of_row(count));
+    row(count, seen_,
+        [&](double t, double wobble) { place(std::cos(kTurn * t), std::sin(kTurn * t), wobble); });
+  }
+
+  /// Jittered points of one row, `count` of them: calls place(t, wobble) with t in [0, 1) for those
+  /// at the angles, in turns of t. Each draws the same numbers whichever others are seen.
+  template <class Place>
+  void row(std::int64_t count, const Range& angles, Place&& place) {
+    const double phase = random_.uniform();
+    const Random first = random_;
+    random_.skip(draws_of_row(count) - 1);
+    for (const Steps& steps : steps_seen(angles, count, phase, jitter_)) {
+      Random draws = first;
+      draws.skip(2 * static_cast<std::uint64_t>(steps.begin));
+      for (std::int64_t k = steps.begin; k < steps.end; ++k) {
+        const double along = jitter_ * draws.uniform(-0.5, 0.5);
+        const double wobble = jitter_ * spacing_ * draws.uniform(-0.5, 0.5);
+        place((static_cast<double>(k) + phase + along) / static_cast<double>(count), wobble);
+      }
+    }
+  }
+
+  static std::uint64_t draws_of_row(std::int64_t count) {
+    return 1 + 2 * static_cast<std::uint64_t>(count);
+  }
+
+  void emit(double x, double y, double z) { visit_(surface_.frame.apply({x, y, z})); }
+
+  const Surface& surface_;
+  double spacing_, jitter_;
+  Random& random_;
+  const std::function<void(const Vec3&)>& visit_;
+  Box local_;
+  Range x_, y_, z_;  ///< of the box in the surface's frame, with a margin
+  Range rho_;        ///< distances from the axis in it
+  Range seen_;       ///< angles about the axis in it
+};
 
 }  // namespace
 
 void visit_lattice(const Surface& surface, const Box& box, double spacing, double jitter,
                    Random& random, const std::function<void(const Vec3&)>& visit) {
-  const Box local = local_box(surface, box);
-  const auto emit = [&](double x, double y, double z) { visit(surface.frame.apply({x, y, z})); };
-  const auto wobble = [&] { return jitter * spacing * random.uniform(-0.5, 0.5); };
-  const auto ring = [&](double radius, auto&& place) {
-    visit_row(divisions(kTurn * radius, spacing), jitter, random,
-              [&](double t) { place(std::cos(kTurn * t), std::sin(kTurn * t)); });
-  };
-
-  switch (surface.kind) {
-    case Surface::Kind::Plane:
-      visit_rows({local.lo.y, local.hi.y}, spacing, random, [&](double y) {
-        const double width = local.hi.x - local.lo.x;
-        visit_row(divisions(width, spacing), jitter, random,
-                  [&](double t) { emit(local.lo.x + t * width, y + wobble(), 0); });
-      });
-      break;
-    case Surface::Kind::Cylinder:
-      visit_rows({local.lo.z, local.hi.z}, spacing, random, [&](double z) {
-        ring(surface.r1,
-             [&](double c, double s) { emit(surface.r1 * c, surface.r1 * s, z + wobble()); });
-      });
-      break;
-    case Surface::Kind::Cone: {
-      const double slant = std::sqrt(1 + surface.r2 * surface.r2);
-      visit_rows({local.lo.z * slant, local.hi.z * slant}, spacing, random, [&](double s) {
-        const double radius = std::fabs(surface.r1 + surface.r2 * s / slant);
-        ring(radius, [&](double c, double sn) {
-          const double z = (s + wobble()) / slant;
-          const double r = surface.r1 + surface.r2 * z;
-          emit(r * c, r * sn, z);
-        });
-      });
-      break;
-    }
-    case Surface::Kind::Sphere: {
-      const double r = surface.r1;
-      visit_rows({0, std::numbers::pi * r}, spacing, random, [&](double s) {
-        ring(std::fabs(r * std::sin(s / r)), [&](double c, double sn) {
-          const double a = (s + wobble()) / r;
-          emit(r * std::sin(a) * c, r * std::sin(a) * sn, r * std::cos(a));
-        });
-      });
-      break;
-    }
-    case Surface::Kind::Torus: {
-      // Whole turns of the tube: the step is fitted so that the last row meets the first.
-      const int rows = divisions(kTurn * surface.r2, spacing);
-      const double phase = random.uniform();
-      for (int k = 0; k < rows; ++k) {
-        const double a = kTurn * (k + phase) / rows;
-        ring(std::fabs(surface.r1 + surface.r2 * std::cos(a)), [&](double c, double s) {
-          const double b = a + wobble() / surface.r2;
-          const double r = surface.r1 + surface.r2 * std::cos(b);
-          emit(r * c, r * s, surface.r2 * std::sin(b));
-        });
-      }
-      break;
-    }
-  }
+  Lattice(surface, box, spacing, jitter, random, visit).visit();
 }
 
 }  // namespace remeshd

@@ -264,6 +264,21 @@ TEST(Remesh, GroupsThatShareAPlaneStandInTheReportWithTheirExactAreas) {
   EXPECT_FALSE(groups.contains("mount1.wall"));
 }
 
+TEST(Remesh, AProfilePointNudgedOffALevelSideMakesAConeNextToAPlane) {
+  const auto stepped = [](double height) {
+    return test::one_feature(
+        test::feature("r", "revolution",
+                      {test::point(0.0, 0.0), test::point(20.0, 0.0), test::point(20.0, 10.0),
+                       test::point(8.0, height), test::point(8.0, 20.0), test::point(0.0, 20.0)},
+                      {}));
+  };
+  const Revision level = make_revision(nullptr, stepped(10), {.nodes = 1000}, kRun);
+  const Revision nudged = make_revision(&level, stepped(10 - 1e-5), {}, kRun);
+  EXPECT_GT(nudged.report.counts.nodes_kept, 0.3 * nudged.report.counts.nodes);
+  const Revision anew = make_revision(nullptr, stepped(10 - 1e-5), {.nodes = 1000}, kRun);
+  EXPECT_EQ(anew.report.way, Way::Local);
+}
+
 TEST(Remesh, AStopRequestEndsTheRunAsCancelled) {
   std::stop_source source;
   remeshd::Run run;
