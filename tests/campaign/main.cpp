@@ -8,6 +8,7 @@
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <semaphore>
 
 #include "tests/campaign/random_case.h"
 #include "tests/campaign/record.h"
@@ -55,20 +56,40 @@ void keep(const Options& options, const WorkedCase& worked, const Outcome& o) {
   }
 }
 
-/// The cases of a campaign in their order; the next ones are worked on meanwhile.
+/// The cases of a campaign in their order; the next ones are worked on meanwhile, some more than
+/// there are jobs, so that none waits for a long one.
 class Cases {
  public:
   explicit Cases(const Options& options)
-      : options_(options), record_(options.record), next_(options.from) {}
+      : options_(options),
+        record_(options.record),
+        next_(options.from),
+        free_jobs_(std::max(1, options.jobs)) {}
 
   WorkedCase next() {
-    while (ahead_.size() < static_cast<std::size_t>(std::max(1, options_.jobs))) start_one();
+    constexpr int kAheadPerJob = 16;
+    while (ahead_.size() < static_cast<std::size_t>(kAheadPerJob * std::max(1, options_.jobs)))
+      start_one();
     WorkedCase worked = ahead_.front().get();
     ahead_.pop_front();
     return worked;
   }
 
  private:
+  using Jobs = std::counting_semaphore<>;
+
+  /// One of the jobs, taken.
+  class Job {
+   public:
+    explicit Job(Jobs& jobs) : jobs_(jobs) { jobs_.acquire(); }
+    ~Job() { jobs_.release(); }
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+   private:
+    Jobs& jobs_;
+  };
+
   void start_one() {
     for (;; ++next_) {
       const bool gentle = is_gentle(options_.seed, next_);
@@ -76,6 +97,7 @@ class Cases {
     }
     ahead_.push_back(std::async(std::launch::async, [this, number = next_++] {
       if (auto done = record_.find(options_.seed, number)) return std::move(*done);
+      const Job job(free_jobs_);
       WorkedCase worked = have_worked(options_.seed, number, kCaseSeconds);
       worked.campaign_case.number = number;  // which a worker that ends early does not tell
       const std::lock_guard lock(writing_);
@@ -88,6 +110,7 @@ class Cases {
   const Record record_;
   std::mutex writing_;  ///< the record
   std::uint64_t next_;
+  Jobs free_jobs_;
   std::deque<std::future<WorkedCase>> ahead_;
 };
 

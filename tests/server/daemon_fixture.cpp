@@ -1,5 +1,6 @@
 #include "tests/server/daemon_fixture.h"
 
+#include <grpcpp/generic/generic_stub.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -159,6 +160,26 @@ bool DaemonTest::serves() {
   grpc::ClientContext context;
   v1::ServerInfo reply;
   return stub().GetServerInfo(&context, {}, &reply).ok();
+}
+
+grpc::Status DaemonTest::call(const std::string& method, const std::string& request,
+                              std::string* reply) {
+  grpc::GenericStub generic(channel_);
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const grpc::Slice slice(request);
+  auto call = generic.PrepareUnaryCall(&context, method, grpc::ByteBuffer(&slice, 1), &queue);
+  call->StartCall();
+  grpc::ByteBuffer answer;
+  grpc::Status status;
+  call->Finish(&answer, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  queue.Next(&tag, &ok);
+  grpc::Slice all;
+  if (status.ok() && answer.DumpToSingleSlice(&all).ok())
+    reply->assign(reinterpret_cast<const char*>(all.begin()), all.size());
+  return status;
 }
 
 std::vector<v1::MeshMessage> DaemonTest::mesh(const v1::GetMeshRequest& request) {

@@ -71,6 +71,8 @@ class DaemonTest : public testing::Test {
   /// The data of all parts, one after the other.
   std::string mesh_bytes(const std::string& revision);
   bool serves();
+  /// A call of bytes to bytes, past the stub; `reply` is left alone where the call fails.
+  grpc::Status call(const std::string& method, const std::string& request, std::string* reply);
 
   DaemonOptions options_;
   FakeEngine engine_;

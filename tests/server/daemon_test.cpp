@@ -14,28 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-class Daemons : public DaemonTest {
- protected:
-  /// A call of bytes to bytes.
-  grpc::Status call(const std::string& method, const std::string& request, std::string* reply) {
-    grpc::GenericStub generic(channel_);
-    grpc::ClientContext context;
-    grpc::CompletionQueue queue;
-    const grpc::Slice slice(request);
-    auto call = generic.PrepareUnaryCall(&context, method, grpc::ByteBuffer(&slice, 1), &queue);
-    call->StartCall();
-    grpc::ByteBuffer answer;
-    grpc::Status status;
-    call->Finish(&answer, &status, nullptr);
-    void* tag = nullptr;
-    bool ok = false;
-    queue.Next(&tag, &ok);
-    grpc::Slice all;
-    if (status.ok() && answer.DumpToSingleSlice(&all).ok())
-      reply->assign(reinterpret_cast<const char*>(all.begin()), all.size());
-    return status;
-  }
-};
+class Daemons : public DaemonTest {};
 
 TEST_F(Daemons, TakeAFreePortAndTellIt) {
   start();

@@ -43,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Chain{"tool1-a",
                           {{"pin_radius", 3, 5}, {"hole_circle", 33, 39}, {"hole_turn", 0, 12}}},
                     Chain{"tool2-c", {{"pipe_x", 5, 28}}}),
-    [](const auto& info) {
-      std::string name = info.param.model;
+    [](const auto& chain) {
+      std::string name = chain.param.model;
       std::erase(name, '-');
       return name;
     });
