@@ -64,12 +64,12 @@ class Cases {
       : options_(options),
         record_(options.record),
         next_(options.from),
-        free_jobs_(std::max(1, options.jobs)) {}
+        jobs_(std::max(1, options.jobs)),
+        free_jobs_(static_cast<std::ptrdiff_t>(jobs_)) {}
 
   WorkedCase next() {
-    constexpr int kAheadPerJob = 16;
-    while (ahead_.size() < static_cast<std::size_t>(kAheadPerJob * std::max(1, options_.jobs)))
-      start_one();
+    constexpr std::size_t kAheadPerJob = 16;
+    while (ahead_.size() < kAheadPerJob * jobs_) start_one();
     WorkedCase worked = ahead_.front().get();
     ahead_.pop_front();
     return worked;
@@ -110,6 +110,7 @@ class Cases {
   const Record record_;
   std::mutex writing_;  ///< the record
   std::uint64_t next_;
+  std::size_t jobs_;
   Jobs free_jobs_;
   std::deque<std::future<WorkedCase>> ahead_;
 };

@@ -50,11 +50,12 @@ TEST(BoxPairs, FlatAndEqualBoxesAndThoseThatOnlyTouchAreFoundOnce) {
   // Cells of a lattice, each with a flat top, and the first layer twice.
   std::vector<Box> boxes;
   for (int layer : {0, 0, 1, 2, 3})
-    for (int i = 0; i < 25; ++i) {
-      const Vec3 lo{i % 5 * 1.0, i / 5 * 1.0, layer * 1.0};
-      boxes.push_back({lo, lo + Vec3{1, 1, 1}});
-      boxes.push_back({lo + Vec3{0, 0, 1}, lo + Vec3{1, 1, 1}});
-    }
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        const Vec3 lo{1.0 * i, 1.0 * j, 1.0 * layer};
+        boxes.push_back({lo, lo + Vec3{1, 1, 1}});
+        boxes.push_back({lo + Vec3{0, 0, 1}, lo + Vec3{1, 1, 1}});
+      }
   EXPECT_EQ(found(boxes), all(boxes));
 }
 
