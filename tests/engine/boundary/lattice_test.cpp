@@ -76,12 +76,16 @@ TEST(Lattice, APartOfTheBoxGetsThePointsOfTheWhole) {
   const Box side{{3, -9, -2}, {9, 4, 5}};
   EXPECT_EQ(visits(cylinder, side, side).inside,
             visits(cylinder, {{-9, -9, -2}, {9, 9, 5}}, side).inside);
+  EXPECT_FALSE(visits(cylinder, side, side).inside.empty());
+  EXPECT_EQ(visits(cylinder, {{0, 1, -2}, {2, 3, 5}}, side).all, 0U) << "nothing near its axis";
 }
 
 TEST(Lattice, AConeEndsAtItsApex) {
   const Surface cone{Kind::Cone, Transform::translation({0, 0, 0}), 4, -1};
   const Box box{{-10, -10, 0}, {10, 10, 10}};
-  for (const Vec3& p : visits(cone, box, box).inside) EXPECT_LE(p.z, 4);
+  const Visits found = visits(cone, box, box);
+  EXPECT_FALSE(found.inside.empty());
+  for (const Vec3& p : found.inside) EXPECT_LE(p.z, 4);
 }
 
 }  // namespace
