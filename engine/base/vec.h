@@ -54,9 +54,14 @@ struct Box {
     return p.x >= lo.x - margin && p.x <= hi.x + margin && p.y >= lo.y - margin &&
            p.y <= hi.y + margin && p.z >= lo.z - margin && p.z <= hi.z + margin;
   }
-  [[nodiscard]] bool empty() const { return lo.x > hi.x; }
+  [[nodiscard]] bool empty() const { return lo.x > hi.x || lo.y > hi.y || lo.z > hi.z; }
   [[nodiscard]] double diagonal() const { return empty() ? 0 : distance(lo, hi); }
 };
+
+inline Box intersection(const Box& a, const Box& b) {
+  return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)},
+          {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
+}
 
 /// An affine map kept as the three rows of a 3x4 matrix [R | t].
 ///

@@ -34,38 +34,74 @@ std::vector<std::vector<int>> rivals(const BoundaryModel& boundary) {
   return result;
 }
 
+/// Where samples are wanted.
+class Wanted {
+ public:
+  Wanted(const Region* region, const Box& all)
+      : region_(region), boxes_(region ? region->boxes() : std::vector<Box>{all}) {}
+
+  [[nodiscard]] bool everywhere() const { return region_ == nullptr; }
+  [[nodiscard]] bool holds(const Vec3& p) const { return !region_ || region_->holds(p); }
+  /// Calls f(box) for parts of `box` that cover what is wanted in it; `holds_first` tells the
+  /// points of each that are in no earlier one.
+  template <class F>
+  void for_each_part(const Box& box, const F& f) const {
+    if (everywhere()) return f(box);
+    for (part_ = 0; part_ < boxes_.size(); ++part_)
+      if (const Box part = intersection(box, boxes_[part_]); !part.empty()) f(part);
+  }
+  [[nodiscard]] bool holds_first(const Vec3& p) const {
+    if (everywhere()) return true;
+    if (!region_->holds(p) || !boxes_[part_].contains(p)) return false;
+    return std::none_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(part_),
+                        [&](const Box& earlier) { return earlier.contains(p); });
+  }
+
+ private:
+  const Region* region_;
+  std::vector<Box> boxes_;
+  mutable std::size_t part_ = 0;
+};
+
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
-                 const Membership& membership, double spacing, double jitter, Random random,
-                 std::vector<Sample>& out) {
+                 const Membership& membership, double spacing, double jitter, const Wanted& wanted,
+                 Random random, std::vector<Sample>& out) {
   const BoundaryFace& face = boundary.faces[index];
   const Support support{Support::Kind::Face, index};
   const double probe = kProbe * boundary.bounds.diagonal();
   const Box box = face_box(face);
   const std::size_t begin = out.size();
-  visit_lattice(face.surface, box, spacing, jitter, random, [&](const Vec3& p) {
-    if (!box.contains(p, spacing)) return;
-    const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
-    if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
-    if (!others.empty()) {
-      const double own = face_distance2(face, p);
-      for (const int other : others)
-        if (face_distance2(boundary.faces[other], p) < own) return;
-    }
-    out.push_back({p, 0, support});
+  bool reached = false;
+  wanted.for_each_part(box, [&](const Box& part) {
+    reached = true;
+    visit_lattice(face.surface, part, spacing, jitter, random, [&](const Vec3& p) {
+      if (!box.contains(p, spacing) || !wanted.holds_first(p)) return;
+      const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
+      if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
+      if (!others.empty()) {
+        const double own = face_distance2(face, p);
+        for (const int other : others)
+          if (face_distance2(boundary.faces[other], p) < own) return;
+      }
+      out.push_back({p, 0, support});
+    });
   });
+  if (!reached) return;
   if (out.size() - begin < kFewSamples) {
-    out.resize(begin);
+    if (wanted.everywhere()) out.resize(begin);
     for (const auto& t : face.triangles) {
       const Vec3 centroid = (face.points[t[0]] + face.points[t[1]] + face.points[t[2]]) / 3.0;
-      out.push_back({project(face.surface, centroid), 0, support});
+      const Vec3 p = project(face.surface, centroid);
+      if (wanted.holds(p)) out.push_back({p, 0, support});
     }
   }
   for (std::size_t k = begin; k < out.size(); ++k)
-    out[k].weight = face.area / static_cast<double>(out.size() - begin);
+    out[k].weight =
+        wanted.everywhere() ? face.area / static_cast<double>(out.size() - begin) : spacing * spacing;
 }
 
 void sample_edge(const BoundaryModel& boundary, int index, double spacing, double jitter,
-                 Random random, std::vector<Sample>& out) {
+                 const Wanted& wanted, Random random, std::vector<Sample>& out) {
   const BoundaryEdge& edge = boundary.edges[index];
   double chords = 0;
   for (std::size_t k = 1; k < edge.points.size(); ++k)
@@ -83,7 +119,9 @@ void sample_edge(const BoundaryModel& boundary, int index, double spacing, doubl
     const double chord = distance(edge.points[k - 1], edge.points[k]);
     const double t = chord > 0 ? (at - passed) / chord : 0;
     const Vec3 p = edge.points[k - 1] + t * (edge.points[k] - edge.points[k - 1]);
-    out.push_back({project(boundary, edge, p), edge.length / count, {Support::Kind::Edge, index}});
+    if (wanted.holds(p))
+      out.push_back(
+          {project(boundary, edge, p), edge.length / count, {Support::Kind::Edge, index}});
   }
 }
 
@@ -94,18 +132,20 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
                         const Run& run) {
   Samples samples;
   const std::vector<std::vector<int>> others = rivals(boundary);
+  const Wanted wanted(options.where, boundary.bounds);
   for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
     run.poll();
     sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
-                options.jitter, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), samples.points);
+                options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), samples.points);
   }
   samples.edges_begin = samples.points.size();
   for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)
     sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter,
-                Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
+                wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
   samples.vertices_begin = samples.points.size();
   for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v)
-    samples.points.push_back({boundary.vertices[v].position, 1, {Support::Kind::Vertex, v}});
+    if (const Vec3& p = boundary.vertices[v].position; wanted.holds(p))
+      samples.points.push_back({p, 1, {Support::Kind::Vertex, v}});
   return samples;
 }
 

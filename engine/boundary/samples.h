@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/region.h"
 #include "engine/base/run.h"
 #include "engine/cellular/support.h"
 #include "engine/model/solid.h"
@@ -22,6 +23,8 @@ struct SampleOptions {
   double edge_spacing = 0.18;  ///< of the target edge length
   double jitter =
       0.2;  ///< of the spacing; lattice-aligned samples lock nodes into cocircular places
+  /// Only samples in it are wanted; null: all.
+  const Region* where = nullptr;
 };
 
 /// The samples of all faces, then of all edges, then of all vertices.
@@ -35,7 +38,8 @@ struct Samples {
 /// points along every edge, every vertex. The lattice of a face is trimmed by point membership, so
 /// it is as exact as the features are.
 ///
-/// Post: the weights of a face's samples add up to its area, those of an edge's to its length.
+/// Post: the weights of a face's samples add up to its area, those of an edge's to its length, where
+/// the whole boundary is covered.
 /// Source: Sect. 3.1 and 3.3.
 Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
                         double edge_length, std::uint64_t seed, const SampleOptions& options,

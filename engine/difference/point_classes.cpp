@@ -51,11 +51,6 @@ bool same_motion(const Transform& a, const Transform& b, const Box& box) {
   return gap <= 1e-12 * box.diagonal();
 }
 
-Box intersection(const Box& a, const Box& b) {
-  return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)},
-          {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
-}
-
 bool has_volume(const Box& box) {
   return box.lo.x < box.hi.x && box.lo.y < box.hi.y && box.lo.z < box.hi.z;
 }

@@ -1,6 +1,7 @@
 #include "engine/extract/peel.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
@@ -8,6 +9,9 @@
 namespace remeshd {
 
 namespace {
+
+/// Stands for a neighbour in the model that is not in the part.
+constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
 
 int face_of(const NodeSet& nodes, const FacesOf& faces, const Tet& t) {
   const std::array<Support, 4> supports{nodes.supports[t[0]], nodes.supports[t[1]],
@@ -27,51 +31,84 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
 
 }  // namespace
 
-std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                      const BoundaryModel& boundary, const InsideTest& inside,
-                      const PeelOptions& options, const Run& run) {
+PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
+                const BoundaryModel& boundary, const InsideTest& inside,
+                const PeelRim& rim, const PeelOptions& options, const Run& run) {
+  using Known = PeelRim::Known;
+  const auto known_of = [&](std::int32_t slot) {
+    return rim.tets.empty() ? Known::No : rim.tets[slot];
+  };
   const FacesOf faces(boundary);
-  std::vector<Tet> tets;
+  PeeledMesh mesh;
+  std::vector<Tet>& tets = mesh.tets;
   tets.reserve(delaunay.size());
+  mesh.slots.reserve(delaunay.size());
   std::vector<Tet> neighbours;  // by tet
   neighbours.reserve(delaunay.size());
   std::vector<std::int32_t> number(delaunay.slots(), -1);
   Polling poll(run);
   delaunay.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
     poll();
-    if (!contributes(nodes, boundary, faces, inside, t)) return;
+    const Known known = known_of(slot);
+    if (known != Known::Inside && !contributes(nodes, boundary, faces, inside, t)) return;
     number[slot] = static_cast<std::int32_t>(tets.size());
     tets.push_back(t);
+    mesh.slots.push_back(slot);
     neighbours.push_back(across);
   });
-  for (Tet& across : neighbours)
-    for (std::int32_t& slot : across) slot = slot < 0 ? -1 : number[slot];
+  for (std::size_t k = 0; k < neighbours.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      std::int32_t& across = neighbours[k][i];
+      const std::int32_t beyond = delaunay.beyond(mesh.slots[k], i);
+      if (beyond >= 0)
+        across = rim.beyond[beyond] != 0 ? kBeyond : -1;
+      else
+        across = across < 0 ? -1 : number[across];
+    }
 
   std::vector<std::uint8_t> gone(tets.size(), 0);
   std::vector<std::int32_t> queue;
+  const auto shows_two = [&](std::size_t k) {
+    return std::count(neighbours[k].begin(), neighbours[k].end(), -1) == 2 &&
+           known_of(mesh.slots[k]) == Known::No;
+  };
   for (std::size_t k = 0; k < tets.size(); ++k)
-    if (std::count(neighbours[k].begin(), neighbours[k].end(), -1) == 2)
-      queue.push_back(static_cast<std::int32_t>(k));
-  for (std::size_t q = 0; q < queue.size(); ++q) {
-    const std::int32_t k = queue[q];
-    const Tet& t = tets[k];
-    if (gone[k] || std::count(neighbours[k].begin(), neighbours[k].end(), -1) != 2 ||
-        face_of(nodes, faces, t) < 0 ||
-        volume_length(nodes.positions[t[0]], nodes.positions[t[1]], nodes.positions[t[2]],
-                      nodes.positions[t[3]]) >= options.flat)
-      continue;
+    if (shows_two(k)) queue.push_back(static_cast<std::int32_t>(k));
+  const auto is_flat = [&](const Tet& t) {
+    return face_of(nodes, faces, t) >= 0 &&
+           volume_length(nodes.positions[t[0]], nodes.positions[t[1]], nodes.positions[t[2]],
+                         nodes.positions[t[3]]) < options.flat;
+  };
+  const auto peel_off = [&](std::size_t k) {
     gone[k] = 1;
     for (const std::int32_t n : neighbours[k]) {
-      if (n < 0) continue;
-      std::replace(neighbours[n].begin(), neighbours[n].end(), k, -1);
-      if (std::count(neighbours[n].begin(), neighbours[n].end(), -1) == 2) queue.push_back(n);
+      if (n < 0 || n == kBeyond) continue;
+      std::ranges::replace(neighbours[n], static_cast<std::int32_t>(k), -1);
+      if (shows_two(n)) queue.push_back(n);
     }
+  };
+  std::size_t next = 0;
+  const auto work_off = [&] {
+    for (; next < queue.size(); ++next)
+      if (const std::int32_t k = queue[next]; !gone[k] && shows_two(k) && is_flat(tets[k]))
+        peel_off(k);
+  };
+  work_off();
+  // Those that were peeled before go one by one, so that others show two facets in between.
+  for (std::size_t k = 0; k < tets.size(); ++k) {
+    if (gone[k] || known_of(mesh.slots[k]) != Known::Outside) continue;
+    peel_off(k);
+    work_off();
   }
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < tets.size(); ++k)
-    if (!gone[k]) tets[kept++] = tets[k];
+  for (std::size_t k = 0; k < tets.size(); ++k) {
+    if (gone[k]) continue;
+    mesh.slots[kept] = mesh.slots[k];
+    tets[kept++] = tets[k];
+  }
   tets.resize(kept);
-  return tets;
+  mesh.slots.resize(kept);
+  return mesh;
 }
 
 }  // namespace remeshd

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/inside_test.h"
@@ -14,12 +16,26 @@ struct PeelOptions {
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 
+/// What is known at the rim of a part of a mesh; nothing for a whole mesh.
+struct PeelRim {
+  enum class Known : std::uint8_t { No, Inside, Outside };
+  std::vector<Known> tets;           ///< by slot: whether it is in the model
+  std::vector<std::uint8_t> beyond;  ///< by number of Delaunay::Cut::beyond: 1 if it is
+};
+
+struct PeeledMesh {
+  std::vector<Tet> tets;
+  std::vector<std::int32_t> slots;  ///< by tet: its slot in the Delaunay mesh, ascending
+};
+
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
-std::vector<Tet> peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                      const BoundaryModel& boundary, const InsideTest& inside,
-                      const PeelOptions& options, const Run& run);
+///
+/// `rim`: what is known of a part of a mesh.
+PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
+                const BoundaryModel& boundary, const InsideTest& inside,
+                const PeelRim& rim, const PeelOptions& options, const Run& run);
 
 }  // namespace remeshd

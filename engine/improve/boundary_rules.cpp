@@ -106,6 +106,7 @@ bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& rin
   const std::int32_t first = ring.node[0];
   const std::int32_t last = ring.node[ring.nodes - 1];
   if (interior(a) || interior(b) || interior(first) || interior(last)) return false;
+  if (mesh_.locked(first) && mesh_.locked(last)) return false;
   const int face = faces_.face_of({a, first, b}, mesh_.nodes());
   if (face < 0 || faces_.face_of({a, b, last}, mesh_.nodes()) != face) return false;
   if (on_model_edge(a, b)) return false;
@@ -128,7 +129,7 @@ bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& rin
 
 bool BoundaryRules::facets_at(std::int32_t node, std::vector<Triangle>& out) const {
   out.clear();
-  if (supports_[node].kind == Support::Kind::Vertex) return false;
+  if (supports_[node].kind == Support::Kind::Vertex || mesh_.locked(node)) return false;
   const auto tets = mesh_.tets_of(node);
   if (interior(node)) {
     // A sphere of T triangles has T / 2 + 2 corners; the link of a node on the boundary has more.

@@ -60,7 +60,7 @@ class RingTriangulation {
 bool remove_edge(const LocalMesh& mesh, const BoundaryRules& rules, std::int32_t a, std::int32_t b,
                  int max_ring, double floor, Reconnection& out, const Worth& worth) {
   EdgeRing ring;
-  if (!mesh.ring(a, b, max_ring, ring)) return false;
+  if ((mesh.locked(a) && mesh.locked(b)) || !mesh.ring(a, b, max_ring, ring)) return false;
   double worst = kInfinity;
   for (int i = 0; i < ring.tets; ++i) worst = std::min(worst, worth(mesh, ring.tet[i]));
   floor = std::max(floor, worst);

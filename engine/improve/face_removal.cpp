@@ -98,7 +98,7 @@ bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double fl
   std::int32_t b = -1;
   for (const std::int32_t n : mesh.tet(below))
     if (n != u && n != v && n != w) b = n;
-  if (mesh.joined(a, b)) return false;
+  if ((mesh.locked(a) && mesh.locked(b)) || mesh.joined(a, b)) return false;
 
   out.clear();
   out.old_tets = {tet, below};

@@ -48,7 +48,7 @@ class CleanUp {
   CleanUp(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
           std::span<const std::uint8_t> dirty, const ImproveOptions& options, const Run& run)
       : start_(mesh.nodes),
-        mesh_(mesh, run),
+        mesh_(mesh, options.locked, run),
         rules_(boundary, supports, mesh_, options.chord_tolerance),
         smoother_(mesh_, rules_),
         options_(options),

@@ -22,6 +22,8 @@ struct ImproveOptions {
   /// A boundary node that slides may leave no boundary facet off its surface by more than this
   /// share of the local edge length beyond what it was.
   double chord_tolerance = 0.05;
+  /// Nodes below are at the rim of a part of a mesh: they stay, and so does the hull between them.
+  std::int32_t locked = 0;
 };
 
 struct ImproveResult {

@@ -33,8 +33,9 @@ std::array<std::int32_t, 2> opposite_edge(const Tet& tet, std::int32_t a, std::i
 
 }  // namespace
 
-LocalMesh::LocalMesh(const TetMesh& mesh, const Run& run)
-    : nodes_(mesh.nodes),
+LocalMesh::LocalMesh(const TetMesh& mesh, std::int32_t locked, const Run& run)
+    : locked_(locked),
+      nodes_(mesh.nodes),
       tets_(mesh.tets),
       qualities_(mesh.tets.size(), kUnknown),
       stamps_(mesh.tets.size(), 0),

@@ -28,7 +28,11 @@ struct EdgeRing {
 /// last, so that untouched tets keep their place and the same operations give the same bytes.
 class LocalMesh {
  public:
-  explicit LocalMesh(const TetMesh& mesh, const Run& run = {});
+  /// `locked`: nodes below are at the rim of a part: they stay, and so do the edges and facets
+  /// between them.
+  explicit LocalMesh(const TetMesh& mesh, std::int32_t locked = 0, const Run& run = {});
+
+  [[nodiscard]] bool locked(std::int32_t node) const { return node < locked_; }
 
   [[nodiscard]] const std::vector<Vec3>& nodes() const { return nodes_; }
   [[nodiscard]] const Vec3& node(std::int32_t n) const { return nodes_[n]; }
@@ -83,6 +87,7 @@ class LocalMesh {
   void link(std::int32_t node, std::int32_t t);
   void unlink(std::int32_t node, std::int32_t t);
 
+  std::int32_t locked_;
   std::vector<Vec3> nodes_;
   std::vector<Tet> tets_;  ///< an empty slot has -1 in its first place
   mutable std::vector<double> qualities_;

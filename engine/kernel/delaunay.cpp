@@ -14,6 +14,7 @@ namespace {
 constexpr int kPollEvery = 512;
 constexpr double kFarDistance = 12;  // diagonals; hull facets are Delaunay long before that
 constexpr double kNear = 0.25;       // of the distance of the far corners: well within them
+constexpr std::size_t kStarts = 256;  // of a walk in a part, from the nearest of which it starts
 
 std::array<Vec3, 4> far_corners(const Box& bounds) {
   const Vec3 c = 0.5 * (bounds.lo + bounds.hi);
@@ -68,6 +69,7 @@ void Delaunay::insert(std::span<const Vec3> positions, std::span<const std::int3
     if (count++ % kPollEvery == 0) run.poll();
     points_[node + kFar] = positions[node];
     insert_one(node + kFar);
+    if (left_part_) return;  // it may not be a Delaunay mesh any more
   }
 }
 
@@ -76,26 +78,53 @@ bool Delaunay::conflicts(std::int32_t tet, const Vec3& p) const {
   return in_sphere(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p) > 0;
 }
 
-std::int32_t Delaunay::locate(const Vec3& p) const {
-  std::int32_t t = hint_;
+/// The tet that holds p or, where the way to it leaves the part, -1.
+std::int32_t Delaunay::walk(std::int32_t from_slot, const Vec3& p) const {
+  std::int32_t t = from_slot;
   std::int32_t from = -1;
+  const auto beyond = [&](const Slot& s, unsigned i) {
+    const auto& f = kTetFacets[i];
+    return orientation(points_[s.v[f[0]]], points_[s.v[f[1]]], points_[s.v[f[2]]], p) > 0;
+  };
   // Visibility walk; the facet tried first rotates, which keeps it from going round in circles.
   for (unsigned step = 0;; ++step) {
     const Slot& s = slots_[t];
     bool moved = false;
     for (unsigned k = 0; k < 4; ++k) {
       const unsigned i = (k + step) & 3U;
-      if (s.n[i] < 0 || (s.n[i] >> 2) == from) continue;
-      const auto& f = kTetFacets[i];
-      if (orientation(points_[s.v[f[0]]], points_[s.v[f[1]]], points_[s.v[f[2]]], p) > 0) {
-        from = t;
-        t = s.n[i] >> 2;
-        moved = true;
-        break;
-      }
+      if (s.n[i] < 0 || (s.n[i] >> 2) == from || !beyond(s, i)) continue;
+      from = t;
+      t = s.n[i] >> 2;
+      moved = true;
+      break;
     }
-    if (!moved) return t;
+    if (moved) continue;
+    for (unsigned i = 0; i < 4; ++i)
+      if (s.n[i] < -1 && beyond(s, i)) return -1;
+    return t;
   }
+}
+
+std::int32_t Delaunay::locate(const Vec3& p) const {
+  if (const std::int32_t t = walk(hint_, p); t >= 0) return t;
+  // A part may be bent or in pieces: from the nearest of some of its tets, then from all.
+  const std::size_t stride = std::max<std::size_t>(1, slots_.size() / kStarts);
+  std::int32_t nearest = -1;
+  for (std::size_t t = 0; t < slots_.size(); t += stride) {
+    if (slots_[t].v[0] == kDead) continue;
+    const auto at = [&](std::int32_t slot) { return norm2(points_[slots_[slot].v[0]] - p); };
+    if (nearest < 0 || at(static_cast<std::int32_t>(t)) < at(nearest))
+      nearest = static_cast<std::int32_t>(t);
+  }
+  if (nearest >= 0)
+    if (const std::int32_t t = walk(nearest, p); t >= 0) return t;
+  const auto holds = [&](const Slot& s) {
+    return s.v[0] != kDead && std::ranges::none_of(kTetFacets, [&](const auto& f) {
+      return orientation(points_[s.v[f[0]]], points_[s.v[f[1]]], points_[s.v[f[2]]], p) > 0;
+    });
+  };
+  const auto found = std::ranges::find_if(slots_, holds);
+  return found == slots_.end() ? -1 : static_cast<std::int32_t>(found - slots_.begin());
 }
 
 std::int32_t Delaunay::allocate() {
@@ -127,6 +156,10 @@ void Delaunay::link(std::int32_t facet, std::int32_t a, std::int32_t b) {
 bool Delaunay::insert_one(std::int32_t vertex) {
   const Vec3 p = points_[vertex];
   const std::int32_t start = locate(p);
+  if (start < 0) {
+    left_part_ = true;
+    return false;
+  }
   if (!conflicts(start, p)) return false;  // only a tet with a corner at p contains it in no sphere
 
   ++epoch_;
@@ -151,6 +184,8 @@ bool Delaunay::insert_one(std::int32_t vertex) {
           seen_[t] = 2 * epoch_ + 1;
         }
       }
+      left_part_ |= across < -1 && in_sphere(points_[s.v[f[0]]], points_[s.v[f[1]]],
+                                             points_[s.v[f[2]]], beyond_[-2 - across], p) > 0;
       // kTetFacets turns outward; seen from p, inside, the other way round is positive.
       rim_.push_back({across, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
     }
@@ -301,6 +336,111 @@ void Delaunay::rename(std::span<const std::int32_t> names, std::int32_t count) {
     }
   }
   points_ = std::move(points);
+}
+
+Delaunay Delaunay::cut(std::span<const std::int32_t> slots, std::span<const std::int32_t> names,
+                       std::int32_t count, Cut& cut) const {
+  Delaunay part;
+  part.points_.assign(points_.begin(), points_.begin() + kFar);
+  part.points_.resize(static_cast<std::size_t>(count) + kFar);
+  std::vector<std::int32_t> number(slots_.size(), -1);
+  for (std::size_t k = 0; k < slots.size(); ++k) number[slots[k]] = static_cast<std::int32_t>(k);
+  cut.slots.assign(slots.begin(), slots.end());
+  cut.beyond.clear();
+  part.slots_.reserve(slots.size());
+  for (const std::int32_t t : slots) {
+    Slot s = slots_[t];
+    for (int i = 0; i < 4; ++i) {
+      if (s.v[i] >= kFar) {
+        const std::int32_t v = names[s.v[i] - kFar] + kFar;
+        part.points_[v] = points_[s.v[i]];
+        s.v[i] = v;
+      }
+      if (s.n[i] < 0) continue;
+      const std::int32_t neighbour = number[s.n[i] >> 2];
+      if (neighbour >= 0) {
+        s.n[i] = 4 * neighbour + (s.n[i] & 3);
+      } else {
+        cut.beyond.push_back(s.n[i]);
+        part.beyond_.push_back(points_[slots_[s.n[i] >> 2].v[s.n[i] & 3]]);
+        s.n[i] = -1 - static_cast<std::int32_t>(cut.beyond.size());
+      }
+    }
+    part.slots_.push_back(s);
+  }
+  part.seen_.resize(part.slots_.size(), 0);
+  return part;
+}
+
+std::vector<std::int32_t> Delaunay::put_back(const Delaunay& part, const Cut& cut,
+                                             std::span<const std::int32_t> names,
+                                             std::int32_t count) {
+  points_.resize(static_cast<std::size_t>(count) + kFar);
+  for (std::size_t n = 0; n < names.size(); ++n)
+    if (names[n] >= 0) points_[names[n] + kFar] = part.points_[n + kFar];
+  std::vector<std::int32_t> place(part.slots_.size(), -1);
+  for (std::size_t t = 0; t < cut.slots.size(); ++t) {
+    if (part.slots_[t].v[0] != kDead) {
+      place[t] = cut.slots[t];
+      continue;
+    }
+    slots_[cut.slots[t]].v[0] = kDead;
+    free_.push_back(cut.slots[t]);
+  }
+  for (std::size_t t = cut.slots.size(); t < part.slots_.size(); ++t)
+    if (part.slots_[t].v[0] != kDead) place[t] = allocate();
+  for (std::size_t t = 0; t < part.slots_.size(); ++t) {
+    if (place[t] < 0) continue;
+    const Slot& from = part.slots_[t];
+    Slot& to = slots_[place[t]];
+    for (int i = 0; i < 4; ++i) {
+      to.v[i] = from.v[i] < kFar ? from.v[i] : names[from.v[i] - kFar] + kFar;
+      if (from.n[i] >= 0) {
+        to.n[i] = 4 * place[from.n[i] >> 2] + (from.n[i] & 3);
+      } else if (from.n[i] == -1) {
+        to.n[i] = -1;
+      } else {
+        to.n[i] = cut.beyond[-2 - from.n[i]];
+        slots_[to.n[i] >> 2].n[to.n[i] & 3] = 4 * place[t] + i;
+      }
+    }
+    hint_ = place[t];
+  }
+  return place;
+}
+
+bool Delaunay::ball_meets(std::int32_t slot, const Box& box) const {
+  const auto& v = slots_[slot].v;
+  // The nearer the origin, the less is lost to the far corners.
+  const Vec3& a = points_[*std::ranges::max_element(v)];
+  std::array<Vec3, 3> d;
+  int k = 0;
+  for (const std::int32_t w : v)
+    if (w != *std::ranges::max_element(v)) d[k++] = points_[w] - a;
+  const Vec3 bc = cross(d[1], d[2]);
+  const double det = 2 * dot(d[0], bc);
+  const Vec3 centre =
+      (norm2(d[0]) * bc + norm2(d[1]) * cross(d[2], d[0]) + norm2(d[2]) * cross(d[0], d[1])) / det;
+  const double radius2 = norm2(centre);
+  if (!std::isfinite(radius2)) return true;
+  const Vec3 c = a + centre;
+  const Vec3 nearest{std::clamp(c.x, box.lo.x, box.hi.x), std::clamp(c.y, box.lo.y, box.hi.y),
+                     std::clamp(c.z, box.lo.z, box.hi.z)};
+  return norm2(nearest - c) <= radius2 * (1 + 1e-9);
+}
+
+void Delaunay::star(std::int32_t node, std::int32_t slot, std::vector<std::int32_t>& out) const {
+  const std::size_t begin = out.size();
+  out.push_back(slot);
+  for (std::size_t k = begin; k < out.size(); ++k) {
+    const Slot& s = slots_[out[k]];
+    for (int i = 0; i < 4; ++i) {
+      if (s.v[i] == node + kFar || s.n[i] < 0) continue;
+      const std::int32_t t = s.n[i] >> 2;
+      if (std::find(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), t) == out.end())
+        out.push_back(t);
+    }
+  }
 }
 
 }  // namespace remeshd::kernel

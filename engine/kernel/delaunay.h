@@ -62,6 +62,50 @@ class Delaunay {
 
   /// Where an inserted node is.
   [[nodiscard]] const Vec3& position(std::int32_t node) const { return points_[node + kFar]; }
+  /// Where all of them are.
+  [[nodiscard]] std::span<const Vec3> positions() const { return std::span(points_).subspan(kFar); }
+
+  /// How a part hangs together with the mesh that it was cut out of.
+  struct Cut {
+    std::vector<std::int32_t> slots;   ///< by slot of the part: that of the whole
+    std::vector<std::int32_t> beyond;  ///< 4 * slot + facet of the whole, across the part's rim
+  };
+  /// Some of the tets as a mesh of their own, to be changed and put back: its nodes have the names
+  /// given, by node of the whole, below `count`.
+  [[nodiscard]] Delaunay cut(std::span<const std::int32_t> slots,
+                             std::span<const std::int32_t> names, std::int32_t count,
+                             Cut& cut) const;
+  /// Whether a change to a part may have had to go on beyond its rim: the part is not to be put
+  /// back then.
+  [[nodiscard]] bool left_part() const { return left_part_; }
+  /// Puts a changed part back in the place of the tets that were cut out. `names`: by node of the
+  /// part, its node here, below `count`, -1 where the part does not use it. Returns for each slot
+  /// of the part its slot here, -1 for those out of use.
+  /// Pre: `part.left_part()` is false; tets outside of the part use nodes that keep their names.
+  std::vector<std::int32_t> put_back(const Delaunay& part, const Cut& cut,
+                                     std::span<const std::int32_t> names, std::int32_t count);
+
+  /// Whether a slot holds a tet, which may be at a far corner.
+  [[nodiscard]] bool in_use(std::int32_t slot) const { return slots_[slot].v[0] != kDead; }
+  /// A tet's nodes; negative for the far corners.
+  [[nodiscard]] Corners corners(std::int32_t slot) const {
+    const auto& v = slots_[slot].v;
+    return {v[0] - kFar, v[1] - kFar, v[2] - kFar, v[3] - kFar};
+  }
+  /// Whether the tet has a neighbour that was not cut out with it.
+  [[nodiscard]] bool at_rim(std::int32_t slot) const {
+    const auto& n = slots_[slot].n;
+    return n[0] < -1 || n[1] < -1 || n[2] < -1 || n[3] < -1;
+  }
+  /// Across the facet opposite a corner, which of Cut::beyond there is; -1 where none of them.
+  [[nodiscard]] std::int32_t beyond(std::int32_t slot, int corner) const {
+    return slots_[slot].n[corner] < -1 ? -2 - slots_[slot].n[corner] : -1;
+  }
+  /// Whether the ball round a tet meets a box, to within rounding; also where the tet is flat.
+  [[nodiscard]] bool ball_meets(std::int32_t slot, const Box& box) const;
+  /// Appends the slots of all tets at a node, those at the far corners included. `slot`: one of
+  /// them.
+  void star(std::int32_t node, std::int32_t slot, std::vector<std::int32_t>& out) const;
 
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.
@@ -83,7 +127,7 @@ class Delaunay {
       if (s.v[0] >= kFar && s.v[1] >= kFar && s.v[2] >= kFar && s.v[3] >= kFar)
         f(static_cast<std::int32_t>(k),
           Corners{s.v[0] - kFar, s.v[1] - kFar, s.v[2] - kFar, s.v[3] - kFar},
-          Corners{s.n[0] >> 2, s.n[1] >> 2, s.n[2] >> 2, s.n[3] >> 2});
+          Corners{s.n[0] >> 2, s.n[1] >> 2, s.n[2] >> 2, s.n[3] >> 2});  // below 0 at a rim
     }
   }
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }
@@ -107,7 +151,8 @@ class Delaunay {
       archive(v, n);
     }
     std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
-    std::array<std::int32_t, 4> n;  ///< 4 * neighbour + its facet, opposite v[i]; -1: none
+    /// 4 * neighbour + its facet, opposite v[i]; -1: none; in a part -2 - k: that of Cut::beyond[k]
+    std::array<std::int32_t, 4> n;
   };
   struct Rim {                      ///< a facet of the cavity, seen from inside
     std::int32_t outer;             ///< 4 * tet + facet beyond it, -1: none
@@ -149,6 +194,8 @@ class Delaunay {
   /// that resisted when they were looked at, 4 * tet + facet.
   void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
                 const Run& run);
+  /// Whether a facet at the rim is locally Delaunay; if not, the part has been left.
+  void look_beyond(std::int32_t facet);
   /// Returns whether the facet is locally Delaunay now or gone.
   bool flip(std::int32_t facet, std::vector<std::int32_t>& stack);
   [[nodiscard]] int facet_opposite(std::int32_t tet, std::int32_t vertex) const;
@@ -160,6 +207,7 @@ class Delaunay {
 
   bool insert_one(std::int32_t vertex);
   [[nodiscard]] std::int32_t locate(const Vec3& p) const;
+  [[nodiscard]] std::int32_t walk(std::int32_t from, const Vec3& p) const;
   [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;
   std::int32_t allocate();
   void link(std::int32_t facet, std::int32_t a, std::int32_t b);
@@ -168,6 +216,8 @@ class Delaunay {
   std::vector<Slot> slots_;
   std::vector<std::int32_t> free_;
   std::int32_t hint_ = 0;
+  std::vector<Vec3> beyond_;  ///< of a part: corners of the tets across its rim
+  bool left_part_ = false;
 
   // Scratch of one insertion, kept for its memory.
   std::vector<std::uint32_t> seen_;

@@ -170,7 +170,10 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
   std::vector<std::int32_t> stack;
   for (const std::int32_t t : touched)
     for (int i = 0; i < 4; ++i)
-      if (slots_[t].n[i] >= 0) stack.push_back(4 * t + i);
+      if (slots_[t].n[i] >= 0)
+        stack.push_back(4 * t + i);
+      else
+        look_beyond(4 * t + i);
   Polling poll(run);
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
@@ -181,11 +184,20 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
   }
 }
 
+void Delaunay::look_beyond(std::int32_t facet) {
+  const std::int32_t across = slots_[facet >> 2].n[facet & 3];
+  left_part_ |= across < -1 && conflicts(facet >> 2, beyond_[-2 - across]);
+}
+
 bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
   const std::int32_t t = facet >> 2;
   const int i = facet & 3;
   const Slot& s = slots_[t];
-  if (s.v[0] == kDead || s.n[i] < 0) return true;
+  if (s.v[0] == kDead) return true;
+  if (s.n[i] < 0) {
+    look_beyond(facet);
+    return true;
+  }
   const std::int32_t q = slots_[s.n[i] >> 2].v[s.n[i] & 3];
   if (!conflicts(t, points_[q])) return true;
   int flat = -1, reflex = -1, bad = 0;

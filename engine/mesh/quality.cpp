@@ -61,55 +61,76 @@ std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& 
   return {highest, lowest};
 }
 
+constexpr int kRanks = 1000;  // of measures, to find a percentile without sorting them all
+
+int rank_of(float measure) {
+  return static_cast<int>(std::clamp(measure * kRanks, 0.0F, kRanks - 1.0F));
+}
+
 }  // namespace
 
-Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
-  Quality quality;
-  if (tets.empty()) return quality;
-  std::vector<double> measures;
+TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const auto [highest, lowest] = extreme_cosines(a, b, c, d);
+  return {static_cast<float>(volume_length(a, b, c, d)), static_cast<float>(highest),
+          static_cast<float>(lowest)};
+}
+
+std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
+                                     const Run& run) {
+  std::vector<TetMeasure> measures;
   measures.reserve(tets.size());
-  double highest_cosine = -HUGE_VAL;
-  double lowest_cosine = HUGE_VAL;
-  Tet sharpest = tets[0];
-  Tet bluntest = tets[0];
-  double sum = 0;
   Polling poll(run);
-  for (const Tet& tet : tets) {
+  for (const Tet& t : tets) {
     poll();
-    const Vec3& a = nodes[tet[0]];
-    const Vec3& b = nodes[tet[1]];
-    const Vec3& c = nodes[tet[2]];
-    const Vec3& d = nodes[tet[3]];
-    const double measure = volume_length(a, b, c, d);
-    measures.push_back(measure);
-    sum += measure;
-    quality.volume += tet_volume(a, b, c, d);
-    const auto bin = static_cast<int>(std::clamp(measure * 20.0, 0.0, 19.0));
-    ++quality.histogram[bin];
-    const auto [highest, lowest] = extreme_cosines(a, b, c, d);
-    if (highest > highest_cosine) {
-      highest_cosine = highest;
-      sharpest = tet;
-    }
-    if (lowest < lowest_cosine) {
-      lowest_cosine = lowest;
-      bluntest = tet;
-    }
+    measures.push_back(measure_tet(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]));
+  }
+  return measures;
+}
+
+Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> nodes,
+                  std::span<const Tet> tets, double volume) {
+  Quality quality;
+  if (measures.empty()) return quality;
+  quality.volume = volume;
+  double sum = 0;
+  std::size_t sharpest = 0, bluntest = 0;
+  float least = measures[0].volume_length;
+  std::vector<std::uint32_t> ranks(kRanks, 0);
+  for (std::size_t t = 0; t < measures.size(); ++t) {
+    const TetMeasure& m = measures[t];
+    sum += static_cast<double>(m.volume_length);
+    ++quality.histogram[static_cast<int>(std::clamp(m.volume_length * 20.0F, 0.0F, 19.0F))];
+    ++ranks[rank_of(m.volume_length)];
+    least = std::min(least, m.volume_length);
+    if (m.highest_cosine > measures[sharpest].highest_cosine) sharpest = t;
+    if (m.lowest_cosine < measures[bluntest].lowest_cosine) bluntest = t;
   }
   quality.volume_length_mean = sum / static_cast<double>(measures.size());
+  quality.volume_length_min = static_cast<double>(least);
   // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
-  const std::size_t rank = (measures.size() + 99) / 100 - 1;
-  std::nth_element(measures.begin(), measures.begin() + static_cast<std::ptrdiff_t>(rank),
-                   measures.end());
-  quality.volume_length_p01 = measures[rank];
-  quality.volume_length_min = *std::min_element(measures.begin(), measures.end());
+  std::size_t below = (measures.size() + 99) / 100 - 1;
+  int rank = 0;
+  while (ranks[rank] <= below) below -= ranks[rank++];
+  std::vector<float> candidates;
+  for (const TetMeasure& m : measures)
+    if (rank_of(m.volume_length) == rank) candidates.push_back(m.volume_length);
+  const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(candidates.begin(), at, candidates.end());
+  quality.volume_length_p01 = static_cast<double>(*at);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  const auto angles = [&](const Tet& t) {
+  const auto angles = [&](std::size_t tet) {
+    const Tet& t = tets[tet];
     return dihedral_angles(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
   };
   quality.dihedral_min = std::ranges::min(angles(sharpest)) * kDegrees;
   quality.dihedral_max = std::ranges::max(angles(bluntest)) * kDegrees;
   return quality;
+}
+
+Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
+  double volume = 0;
+  for (const Tet& t : tets) volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  return summarise(measure_tets(nodes, tets, run), nodes, tets, volume);
 }
 
 }  // namespace remeshd

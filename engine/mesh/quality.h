@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
@@ -28,7 +29,24 @@ struct Quality {
       histogram{};  ///< tets by volume-length, bins of 0.05 from 0 to 1; below 0 in the first
 };
 
-/// Post: zeros for an empty mesh.
+/// What the quality of a mesh is made of, for one of its tets. Kept with a mesh, so that another
+/// one measures the tets only that it does not share with it.
+struct TetMeasure {
+  float volume_length = 0;
+  float highest_cosine = 0;  ///< of its dihedral angles: of the smallest
+  float lowest_cosine = 0;
+};
+
+TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
+                                     const Run& run);
+
+/// Quality of a mesh of this volume from its tets' measures. Post: zeros for an empty mesh.
+Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> nodes,
+                  std::span<const Tet> tets, double volume);
+
+/// The same, all measured. Post: zeros for an empty mesh.
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run);
 
 }  // namespace remeshd

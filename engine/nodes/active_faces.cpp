@@ -12,13 +12,6 @@ namespace {
 constexpr double kSpacing = 0.5;   // of the edge length
 constexpr double kGridCell = 0.8;  // of the edge length
 
-Box intersection(const Box& a, const Box& b) {
-  return {{std::fmax(a.lo.x, b.lo.x), std::fmax(a.lo.y, b.lo.y), std::fmax(a.lo.z, b.lo.z)},
-          {std::fmin(a.hi.x, b.hi.x), std::fmin(a.hi.y, b.hi.y), std::fmin(a.hi.z, b.hi.z)}};
-}
-
-bool void_box(const Box& b) { return b.lo.x > b.hi.x || b.lo.y > b.hi.y || b.lo.z > b.hi.z; }
-
 Box transformed(const Box& box, const Transform& t) {
   Box out;
   for (int k = 0; k < 8; ++k)
@@ -42,7 +35,7 @@ class FaceVisitor {
     const Box bounds = transformed(solid.bounds(), motion);
     for (std::size_t b = 0; b < where.size(); ++b) {
       const Box part = intersection(bounds, where[b]);
-      if (void_box(part)) continue;
+      if (part.empty()) continue;
       run_.poll();
       for (const SolidFace& face : solid.faces()) {
         Surface surface = face.surface;

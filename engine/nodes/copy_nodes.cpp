@@ -130,8 +130,9 @@ NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, dou
     nodes.original.push_back(n);
     nodes.transform.push_back(t);
   };
-  for (std::int32_t n = 0; n < static_cast<std::int32_t>(original.positions.size()); ++n) {
-    if (n % 1024 == 0) run.poll();
+  Polling poll(run);
+  for (const std::int32_t n : original.near) {
+    poll();
     bool copied = false;
     for (const std::int32_t t : order) {
       copied = copier.reached(n, t) && copier.carried(n, t);

@@ -14,7 +14,9 @@ namespace remeshd {
 struct OriginalNodes {
   std::span<const Vec3> positions;
   std::span<const Support> supports;  ///< entities of the original boundary; only the kind is used
-  std::span<const Tet> tets;          ///< peeled: inside the original model
+  /// Nodes that are looked at, ascending. All others are where nothing changed.
+  std::span<const std::int32_t> near;
+  std::span<const Tet> tets;  ///< peeled: all at these nodes
 };
 
 /// Copies the nodes of the original mesh to the copycells (Sect. 6.4), each at most once, with the
@@ -28,7 +30,7 @@ struct OriginalNodes {
 /// edits.
 ///
 /// `edge_length`: target edge length of the original mesh.
-/// Post: every node is a copy, fixed but for those set back; supports are interior or, for nodes
+/// Post: every node is the copy of one near the change, fixed but for those set back; supports are interior or, for nodes
 /// that were on the boundary, still those of the original.
 NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, double edge_length,
                    const Run& run);

@@ -15,8 +15,10 @@ struct NodeSet {
   std::vector<Vec3> positions;
   std::vector<Support> supports;
   std::vector<std::uint8_t> free;       ///< 1: moved by the optimisation (Sect. 7)
-  std::vector<std::int32_t> original;   ///< index of the original mesh's node it is a copy of
-  std::vector<std::int32_t> transform;  ///< index into CopyPlan::transforms
+  std::vector<std::int32_t> original;   ///< index in the OriginalPart's nodes of what it copies
+  std::vector<std::int32_t> transform;  ///< index into PointSource::transforms
+  /// Nodes below are at the rim of a part of the mesh: fixed, some of their tets are not in it.
+  std::int32_t rim = 0;
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
   void add_new(const Vec3& p, const Support& support = {}) {

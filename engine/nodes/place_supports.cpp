@@ -20,11 +20,11 @@ std::vector<Vec3> positions_of(const Samples& samples) {
 }  // namespace
 
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
-                    double edge_length, double tolerance, const Run& run) {
+                    double edge_length, double tolerance, std::int32_t first, const Run& run) {
   const std::vector<Vec3> positions = positions_of(samples);
   const NearestNode grid(positions, 0.8 * edge_length);
   Polling poll(run);
-  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+  for (std::int32_t n = first; n < nodes.size(); ++n) {
     poll();
     if (nodes.free[n]) {
       nodes.supports[n] = {};

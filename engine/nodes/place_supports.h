@@ -5,13 +5,13 @@
 
 namespace remeshd {
 
-/// Finds for every fixed node that stood on the boundary of the original model the vertex, edge or
+/// Finds for every fixed node from `first` on that stood on the boundary of the original model the vertex, edge or
 /// face of the modified one that it stands on now. A node that finds none is freed: its piece of
 /// boundary is gone.
 ///
 /// `tolerance`: distance within which a node counts as standing on an entity, length.
 /// `edge_length`: target edge length.
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
-                    double edge_length, double tolerance, const Run& run);
+                    double edge_length, double tolerance, std::int32_t first, const Run& run);
 
 }  // namespace remeshd

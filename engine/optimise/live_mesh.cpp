@@ -17,11 +17,18 @@ void LiveMesh::follow(const NodeSet& nodes) {
   in_base_.resize(nodes.positions.size(), 0);
   std::vector<std::int32_t> held, missing;
   for (std::int32_t n = 0; n < nodes.size(); ++n) (holds_[n] ? held : missing).push_back(n);
-  if (follow_held(nodes, held))
+  const bool followed = follow_held(nodes, held);
+  require_part();
+  if (followed)
     mesh_.insert(nodes.positions, missing, run_);
   else
     restart(nodes);
+  require_part();
   holds_.assign(holds_.size(), 1);
+}
+
+void LiveMesh::require_part() const {
+  if (mesh_.left_part()) throw LeftPart{"following the nodes"};
 }
 
 bool LiveMesh::follow_held(const NodeSet& nodes, const std::vector<std::int32_t>& held) {
@@ -41,6 +48,8 @@ void LiveMesh::restart(const NodeSet& nodes) {
     if (in_base_[n] && base_.position(n) != nodes.positions[n]) gone.push_back(n);
   if (base_.remove(gone, run_)) {
     for (const std::int32_t n : gone) in_base_[n] = 0;
+  } else if (nodes.rim > 0) {
+    throw LeftPart{"starting again from the fixed nodes"};
   } else {
     base_ = base_.emptied();
     in_base_.assign(in_base_.size(), 0);

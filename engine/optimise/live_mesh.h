@@ -9,6 +9,12 @@
 
 namespace remeshd {
 
+/// A change had to go on beyond the rim of the part that it was worked on in: the part was too
+/// small.
+struct LeftPart {
+  const char* where;  ///< what was under way
+};
+
 /// The Delaunay mesh of a NodeSet, kept up with its nodes while they move and increase.
 class LiveMesh {
  public:
@@ -16,7 +22,7 @@ class LiveMesh {
   LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, const Run& run);
 
   /// Brings the mesh up to the nodes, all of them, where they are now; new nodes come last in the
-  /// set.
+  /// set. Throws LeftPart.
   void follow(const NodeSet& nodes);
 
   [[nodiscard]] const kernel::Delaunay& mesh() const { return mesh_; }
@@ -27,6 +33,7 @@ class LiveMesh {
   /// Returns false if the mesh is not to be used any more.
   bool follow_held(const NodeSet& nodes, const std::vector<std::int32_t>& held);
   void restart(const NodeSet& nodes);
+  void require_part() const;
 
   kernel::Delaunay mesh_;
   kernel::Delaunay base_;              ///< of the fixed nodes: `mesh_` restarts from it

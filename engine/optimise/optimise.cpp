@@ -72,11 +72,23 @@ bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
       continue;
     for (const std::int32_t n : t) {
       if (was_free[n]) continue;
+      if (n < nodes.rim) throw LeftPart{"freeing nodes"};
       nodes.free[n] = 1;
       grown = true;
     }
   }
   return grown;
+}
+
+/// Model edges with samples that take part, ascending.
+std::vector<std::int32_t> active_edges(const Samples& samples, const ActiveSamples& active) {
+  std::vector<std::int32_t> edges;
+  for (const std::uint32_t s : active.participants())
+    if (const Support& on = samples.points[s].support; on.kind == Support::Kind::Edge)
+      edges.push_back(on.entity);
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
 }
 
 }  // namespace
@@ -117,7 +129,8 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   }
   frozen.thaw_boundary(nodes);
   pull_now();
-  recover_edges(nodes, boundary, live, {.edge_length = options.edge_length});
+  recover_edges(nodes, boundary, live,
+                {.edge_length = options.edge_length, .wanted = active_edges(samples, active)});
   result.mesh = live.mesh();
   frozen.thaw_all(nodes);
   result.samples_active = active.active_count();

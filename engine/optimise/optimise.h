@@ -39,7 +39,8 @@ struct OptimiseResult {
 /// iterations 1 and 4 the layer of fixed nodes next to the free ones is freed too. Nodes may be
 /// added by splitting.
 ///
-/// A first mesh is the case of all nodes free and an empty start.
+/// A first mesh is the case of all nodes free and an empty start. Throws LeftPart where what has to
+/// move gets to the rim of the part.
 OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& boundary,
                         const InsideTest& inside, const Samples& samples,
                         const OptimiseOptions& options, const Run& run);

@@ -126,13 +126,19 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
       };
       // A closed edge needs three nodes to be a chain at all.
       const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
-      if (edge.closed() && nodes_on < 3) {
+      // Between two nodes at the rim there may be others that are not in the part.
+      const auto at_rim = [&](const OnEdge& on) { return on.node < nodes.rim; };
+      const bool elsewhere =
+          nodes.rim > 0 && (chain[e].empty() ? !std::ranges::binary_search(options.wanted, e)
+                                             : std::ranges::any_of(chain[e], at_rim));
+      if (edge.closed() && nodes_on < 3 && !elsewhere) {
         const double from = chain[e].empty() ? 0 : chain[e].front().at;
         for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);
         continue;
       }
       for (std::size_t k = 1; k < chain[e].size(); ++k) {
         const OnEdge &a = chain[e][k - 1], &b = chain[e][k];
+        if (at_rim(a) && at_rim(b)) continue;
         if (!std::binary_search(links.begin(), links.end(),
                                 Link(std::min(a.node, b.node), std::max(a.node, b.node))))
           insert(split_at(nodes, a, b, options.edge_length));

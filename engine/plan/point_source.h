@@ -45,6 +45,8 @@ class PointSource {
   /// Distinct transformations from original to modified coordinates.
   [[nodiscard]] const std::vector<Transform>& transforms() const { return transforms_; }
   [[nodiscard]] const std::vector<Transform>& inverses() const { return inverses_; }
+  /// Of the transformations the one that moves nothing; -1 where every feature has moved.
+  [[nodiscard]] std::int32_t identity() const { return identity_; }
   /// In copying order: largest volume of copycells first; equal volumes in history order.
   [[nodiscard]] const std::vector<SourceFeature>& sources() const { return sources_; }
   /// Outside of these boxes the models are the same and everything is copied in place.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/nodes/node_set.h"
-#include "engine/remesh/master.h"
+#include "engine/remesh/part.h"
 
 namespace remeshd {
 
@@ -24,10 +24,10 @@ struct CarriedMesh {
 /// delivered position; where that would spoil a tet next to them, what was carried round them is
 /// given back.
 ///
-/// `tets`: the new peeled Delaunay mesh over `nodes`. `delivered`: positions and tets as
-/// the original's master gave them; `transforms`: as in PointSource.
-CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets, const Master& original,
-                       const TetMeshView& delivered, std::span<const Transform> transforms,
+/// `tets`: the new peeled Delaunay mesh over `nodes`. `transforms`: as in PointSource. Nodes at the
+/// rim keep their delivered position.
+CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets,
+                       const OriginalPart& original, std::span<const Transform> transforms,
                        const Run& run);
 
 }  // namespace remeshd

@@ -9,6 +9,7 @@
 #include "engine/cellular/skeleton.h"
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
+#include "engine/model/solid.h"
 #include "engine/nodes/nearest.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/node_map.h"

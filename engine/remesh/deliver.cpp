@@ -25,8 +25,76 @@ std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals
   return ids;
 }
 
+/// Tets that stayed in place and meet no changed box are in the cells that they were in.
+CellsBefore cells_before(const Delivery& d, const Revision* original, const PointSource& source) {
+  CellsBefore before;
+  if (!original) return before;
+  before.groups = &original->delivery.groups;
+  before.tet.assign(d.mesh.tets.size(), -1);
+  for (std::size_t k = 0; k < before.tet.size(); ++k) {
+    if (d.map.original_tet[k] < 0) continue;
+    const Tet& t = d.mesh.tets[k];
+    if (d.map.node_transform[t[0]] != source.identity()) continue;
+    Box box;
+    for (const std::int32_t n : t) box.add(d.mesh.nodes[n]);
+    if (std::ranges::none_of(source.changed(), [&](const Box& changed) {
+          return !intersection(box, changed).empty();
+        }))
+      before.tet[k] = d.map.original_tet[k];
+  }
+  return before;
+}
+
+/// Measures of the delivered tets; those of tets that were kept in place are the original's.
+std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original, const Run& run) {
+  if (!original) return measure_tets(d.mesh.nodes, d.mesh.tets, run);
+  std::vector<std::uint8_t> in_place;
+  for (const Transform& t : d.map.transforms) in_place.push_back(t.is_identity() ? 1 : 0);
+  std::vector<TetMeasure> measures(d.mesh.tets.size());
+  Polling poll(run);
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    poll();
+    const Tet& t = d.mesh.tets[k];
+    const std::int32_t o = d.map.original_tet[k];
+    if (o >= 0 && in_place[d.map.node_transform[t[0]]] != 0) {
+      measures[k] = original->measures[o];
+      continue;
+    }
+    const auto& p = d.mesh.nodes;
+    measures[k] = measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+  }
+  return measures;
+}
+
+/// Quality of the peeled Delaunay mesh. A tet that clean-up left alone, with its nodes, has the
+/// measure of its delivered one.
+Quality quality_before(const Master& master, const TetMesh& delivered,
+                       std::span<const TetMeasure> measures, const Run& run) {
+  const std::span<const Vec3> p = master.positions();
+  std::vector<std::uint8_t> moved(p.size());
+  for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = p[n] != delivered.nodes[n] ? 1 : 0;
+  std::vector<Tet> tets;
+  std::vector<TetMeasure> before;
+  tets.reserve(delivered.tets.size());
+  before.reserve(delivered.tets.size());
+  double volume = 0;
+  Polling poll(run);
+  for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s) {
+    poll();
+    if (!master.inside(s)) continue;
+    const Tet t = master.mesh.corners(s);
+    tets.push_back(t);
+    volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    const bool same = master.tet_of_slot[s] >= 0 && !(moved[t[0]] || moved[t[1]] || moved[t[2]] ||
+                                                      moved[t[3]]);
+    before.push_back(same ? measures[master.tet_of_slot[s]]
+                          : measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
+  }
+  return summarise(before, p, tets, volume);
+}
+
 /// Quality away from where the model is sharp.
-void measure_away(Revision& revision, const Run& run) {
+void measure_away(Revision& revision) {
   Report& report = revision.report;
   report.quality_away = report.quality;
   report.sharp_tets = 0;
@@ -38,16 +106,24 @@ void measure_away(Revision& revision, const Run& run) {
   std::vector<std::uint8_t> at(mesh.nodes.size());
   for (std::size_t n = 0; n < at.size(); ++n) at[n] = sharp.holds(supports[n]) ? 1 : 0;
   std::vector<Tet> away;
-  away.reserve(mesh.tets.size());
-  for (const Tet& t : mesh.tets)
-    if (!(at[t[0]] || at[t[1]] || at[t[2]] || at[t[3]])) away.push_back(t);
+  std::vector<TetMeasure> measures;
+  double volume = 0;
+  for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
+    const Tet& t = mesh.tets[k];
+    if (at[t[0]] || at[t[1]] || at[t[2]] || at[t[3]]) continue;
+    away.push_back(t);
+    measures.push_back(revision.measures[k]);
+    const auto& p = mesh.nodes;
+    volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+  }
   report.sharp_tets = static_cast<std::uint32_t>(mesh.tets.size() - away.size());
-  if (report.sharp_tets > 0) report.quality_away = measure_quality(mesh.nodes, away, run);
+  if (report.sharp_tets > 0)
+    report.quality_away = summarise(measures, mesh.nodes, away, volume);
 }
 
 }  // namespace
 
-void account(Revision& revision, const Run& run) {
+void account(const Revision* original, double volume, Revision& revision, const Run& run) {
   const Delivery& d = revision.delivery;
   Counts& counts = revision.report.counts;
   const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
@@ -62,9 +138,10 @@ void account(Revision& revision, const Run& run) {
   counts.nodes_moved = count(NodeOrigin::Moved);
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
-  revision.report.quality = measure_quality(d.mesh.nodes, d.mesh.tets, run);
-  measure_away(revision, run);
-  revision.report.volume = revision.report.quality.volume;
+  revision.measures = measures_of(d, original, run);
+  revision.report.quality = summarise(revision.measures, d.mesh.nodes, d.mesh.tets, volume);
+  measure_away(revision);
+  revision.report.volume = volume;
   revision.report.exact_volume = revision.cells.volume;
 }
 
@@ -84,21 +161,21 @@ void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& r
 }
 
 void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
-                   const Membership& membership, Revision& revision, const Run& run) {
+                   const Membership& membership, const CellsBefore& before, Revision& revision,
+                   const Run& run) {
   Delivery& d = revision.delivery;
   d.groups = name_groups(d.mesh, surface, supports, revision.model, membership,
-                         revision.cells.boundary, run);
+                         revision.cells.boundary, before, run);
   revision.report.groups =
       group_areas(d.mesh, d.groups, revision.model, membership, revision.cells);
 }
 
 void deliver(Candidate c, const Revision* original, const Revision* parent,
              const PointSource& source, Revision& revision, const Run& run) {
-  revision.report.quality_before = measure_quality(c.nodes.positions, c.delaunay, run);
   revision.report.verification = figures_of(c.verification);
   Delivery& d = revision.delivery;
-  d.map = std::move(c.map);
-  Master master;
+  d.map = std::move(c.whole.map);
+  Master& master = c.whole.master;
   if (parent) {
     master.next_node_id = parent->master->next_node_id;
     master.next_tet_id = parent->master->next_tet_id;
@@ -107,14 +184,13 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
                              master.next_node_id);
   d.tet_ids = permanent_ids(d.map.original_tet, original ? &original->delivery.tet_ids : nullptr,
                             master.next_tet_id);
-  d.mesh = std::move(c.mesh);
-  name_delivery(c.verification.surface, c.nodes.supports, source.modified(), revision, run);
-  master.positions = std::move(c.nodes.positions);
-  master.supports = std::move(c.nodes.supports);
-  master.mesh = std::move(c.loop.mesh);
-  master.tets = std::move(c.delaunay);
+  d.mesh = std::move(c.whole.mesh);
+  name_delivery(c.verification.surface, master.supports, source.modified(),
+                cells_before(d, original, source), revision, run);
   revision.master = std::make_shared<const Master>(std::move(master));
-  account(revision, run);
+  account(original, c.verification.volume, revision, run);
+  revision.report.quality_before =
+      quality_before(*revision.master, d.mesh, revision.measures, run);
 }
 
 }  // namespace remeshd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/remesh/groups.h"
 #include "engine/remesh/stages.h"
 
 namespace remeshd {
@@ -19,11 +20,14 @@ VerificationFigures figures_of(const Verification& verification);
 /// included; groups stay as they were.
 void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision);
 
-/// Groups of the delivered mesh and their areas. `surface`: its boundary facets.
+/// Groups of the delivered mesh and their areas. `surface`: its boundary facets; `before`: cells
+/// that it still has.
 void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
-                   const Membership& membership, Revision& revision, const Run& run);
+                   const Membership& membership, const CellsBefore& before, Revision& revision,
+                   const Run& run);
 
-/// Counts nodes and tets by origin and measures the delivered mesh, into `revision.report`.
-void account(Revision& revision, const Run& run);
+/// Counts nodes and tets by origin and measures the delivered mesh, of this volume, into
+/// `revision.report`. `original`: where it was copied from, null if from nowhere.
+void account(const Revision* original, double volume, Revision& revision, const Run& run);
 
 }  // namespace remeshd

@@ -54,12 +54,19 @@ void owners_of(const TetMesh& mesh, const Tet& t, const FeatureModel& model,
   look(c);
 }
 
+std::vector<int> indices_of(const std::vector<std::string>& ids, const FeatureModel& model) {
+  std::vector<int> indices;
+  for (const std::string& id : ids) indices.push_back(model.index_of(id));
+  std::ranges::sort(indices);
+  return indices;
+}
+
 }  // namespace
 
 MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surface,
                        std::span<const Support> supports, const FeatureModel& model,
                        const Membership& membership, const BoundaryModel& boundary,
-                       const Run& run) {
+                       const CellsBefore& before, const Run& run) {
   MeshGroups groups;
   Numbering<std::vector<int>> cells;
   groups.tet_cell.reserve(mesh.tets.size());
@@ -67,8 +74,16 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surfac
   std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
   std::int32_t last_cell = -1;
   Polling poll(run);
-  for (const Tet& tet : mesh.tets) {
+  std::vector<std::int32_t> still(before.groups ? before.groups->cell_owners.size() : 0, -1);
+  for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     poll();
+    const Tet& tet = mesh.tets[k];
+    if (before.groups && before.tet[k] >= 0) {
+      const std::int32_t cell = before.groups->tet_cell[before.tet[k]];
+      if (still[cell] < 0) still[cell] = cells(indices_of(before.groups->cell_owners[cell], model));
+      groups.tet_cell.push_back(still[cell]);
+      continue;
+    }
     owners_of(mesh, tet, model, membership, owners);
     if (last_cell < 0 || owners != last) {
       last_cell = cells(owners);

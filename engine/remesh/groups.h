@@ -9,14 +9,23 @@
 
 namespace remeshd {
 
+/// Cells of an earlier mesh of which some tets still have theirs.
+struct CellsBefore {
+  const MeshGroups* groups = nullptr;  ///< null: nothing is known
+  std::vector<std::int32_t> tet;       ///< by tet: the earlier one with the same cell, or -1
+};
+
 /// Names the boundary facets and the tets of a finished mesh: each facet with the feature faces
 /// that contain its centroid (the latest owner on the material side first, then the others, latest
 /// first), each tet with the owners of its cell.
 ///
 /// `surface`: the facets of the mesh that are in one tet, as verification found them.
 /// Post: facets in the order of `surface`; groups and cells sorted by name and by owners.
+///
+/// `before`: what is known from the mesh that this one was made from.
 MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surface,
                        std::span<const Support> supports, const FeatureModel& model,
-                       const Membership& membership, const BoundaryModel& boundary, const Run& run);
+                       const Membership& membership, const BoundaryModel& boundary,
+                       const CellsBefore& before, const Run& run);
 
 }  // namespace remeshd

@@ -16,7 +16,6 @@
 #include "engine/mesh/quality.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/failure_place.h"
-#include "engine/remesh/node_map.h"
 #include "engine/remesh/stopwatch.h"
 
 namespace remeshd {
@@ -149,11 +148,11 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
                           {.material = [&](const Vec3& p) { return input.membership.inside(p); }});
   again.lap(c.verify_seconds);
   if (!c.verification.valid) return c;
-  c.map = map_to_nothing(c.mesh);
   c.nodes.positions = c.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };
-  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, run);
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
+  c.whole = whole_mesh({c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.mesh}, run);
   return c;
 }
 

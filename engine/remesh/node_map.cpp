@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/remesh/tet_index.h"
 
 namespace remeshd {
 
@@ -12,39 +11,6 @@ NodeMap map_to_nothing(const TetMesh& mesh) {
   map.original_node.assign(mesh.nodes.size(), -1);
   map.node_transform.assign(mesh.nodes.size(), -1);
   map.original_tet.assign(mesh.tets.size(), -1);
-  return map;
-}
-
-NodeMap map_to(const Revision& original, const NodeSet& nodes, const TetMesh& mesh,
-               const PointSource& source, const Run& run) {
-  NodeMap map = map_to_nothing(mesh);
-  map.transforms = source.transforms();
-  map.transform_features.resize(map.transforms.size());
-  for (const SourceFeature& s : source.sources())
-    if (map.transform_features[s.transform].empty())
-      map.transform_features[s.transform] = original.model.features[s.original].id;
-  const TetMesh& then = original.delivery.mesh;
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const std::int32_t o = nodes.original[n];
-    if (o < 0 || static_cast<std::size_t>(o) >= then.nodes.size()) continue;
-    const Vec3 copied = source.transforms()[nodes.transform[n]].apply(then.nodes[o]);
-    map.node_origin[n] = mesh.nodes[n] == copied ? NodeOrigin::Kept : NodeOrigin::Moved;
-    map.original_node[n] = o;
-    map.node_transform[n] = nodes.transform[n];
-  }
-  Polling poll(run);
-  const TetIndex index(then.tets, then.nodes.size(), poll);
-  for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
-    poll();
-    const Tet& t = mesh.tets[k];
-    const bool kept = std::all_of(t.begin(), t.end(), [&](std::int32_t n) {
-      return map.node_origin[n] == NodeOrigin::Kept &&
-             map.node_transform[n] == map.node_transform[t[0]];
-    });
-    if (kept)
-      map.original_tet[k] = index.find({map.original_node[t[0]], map.original_node[t[1]],
-                                        map.original_node[t[2]], map.original_node[t[3]]});
-  }
   return map;
 }
 

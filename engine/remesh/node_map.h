@@ -2,19 +2,12 @@
 
 #include <span>
 
-#include "engine/nodes/node_set.h"
-#include "engine/plan/point_source.h"
 #include "engine/remesh/remesh.h"
 #include "engine/verify/inheritance.h"
 
 namespace remeshd {
 
-/// Where the nodes and tets of a mesh come from that was copied from `original`. Node i of the mesh
-/// is node i of `nodes`.
-NodeMap map_to(const Revision& original, const NodeSet& nodes, const TetMesh& mesh,
-               const PointSource& source, const Run& run);
-
-/// The same for a mesh that is all new.
+/// Where the nodes and tets of a mesh come from that is all new.
 NodeMap map_to_nothing(const TetMesh& mesh);
 
 /// The same for the original's own tets over nodes that may have moved.

@@ -25,7 +25,7 @@ void repeat(const Revision& original, Revision& revision, const Run& run) {
   revision.report.verification.tets_inherited +=
       std::exchange(revision.report.verification.tets_proved, 0);
   revision.report.way = Way::Unchanged;
-  account(revision, run);
+  account(&original, original.report.volume, revision, run);
 }
 
 /// Nearly the same geometry: the connectivity of the original's mesh, where that serves.
@@ -41,7 +41,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   revision.report.verification = figures_of(mesh.verification);
   deliver_kept(original, std::move(mesh.mesh.nodes), revision);
   const Membership membership(revision.model);
-  name_delivery(mesh.verification.surface, mesh.supports, membership, revision, run);
+  name_delivery(mesh.verification.surface, mesh.supports, membership, {}, revision, run);
   const FeatureModel& made_for = original.master_model();
   revision.anchor = std::make_shared<const Anchor>(
       Anchor{original.anchor ? original.anchor->source : original.meshed_source,
@@ -52,7 +52,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   revision.report.way = Way::Continued;
   revision.report.free_share =
       mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
-  account(revision, run);
+  account(&original, mesh.verification.volume, revision, run);
   return true;
 }
 

@@ -116,6 +116,7 @@ struct Revision {
   std::shared_ptr<const Master> master;  ///< made for `master_model()`
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
+  std::vector<TetMeasure> measures;  ///< of the delivered tets
   Report report;
   WearReference reference;
 

@@ -16,7 +16,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 5;
+constexpr std::uint32_t kFormat = 6;
 }  // namespace
 
 template <class A>
@@ -52,9 +52,13 @@ void serialize(A& a, Support& s) {
   a(s.kind, s.entity);
 }
 template <class A>
+void serialize(A& a, Cluster& c) {
+  a(c.delaunay, c.delivered);
+}
+template <class A>
 void serialize(A& a, Master& m) {
   m.mesh.visit_state(a);
-  a(m.positions, m.supports, m.tets, m.next_node_id, m.next_tet_id);
+  a(m.supports, m.tet_of_slot, m.clusters, m.next_node_id, m.next_tet_id);
 }
 template <class A>
 void serialize(A& a, TetMesh& m) {
@@ -148,6 +152,8 @@ Revision deserialise(const std::string& bytes, const Run& run) {
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
   revision.cells = build_cells(revision.model, run);
+  revision.measures =
+      measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   if (anchored) {
     anchor.model = evaluate(anchor.source);

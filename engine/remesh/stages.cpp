@@ -12,7 +12,9 @@
 #include "engine/nodes/density.h"
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
+#include "engine/optimise/live_mesh.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/carry_over.h"
 #include "engine/remesh/node_map.h"
 #include "engine/remesh/stopwatch.h"
 
@@ -21,11 +23,15 @@ namespace remeshd {
 namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
+constexpr double kNearChange = 2;  // x edge length: further from the changed boxes nodes stay
+constexpr double kSampledBeyond = 1.5;  // x edge length: as far as a node looks for its samples
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
-/// Leaves out the nodes that no tet uses and renumbers the tets and the Delaunay mesh.
+/// Leaves out the nodes that no tet uses, but for those at the rim, and renumbers the tets and the
+/// Delaunay mesh.
 void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh, const Run& run) {
   std::vector<std::int32_t> number(nodes.positions.size(), -1);
+  std::fill_n(number.begin(), nodes.rim, 0);
   for (const Tet& t : tets)
     for (const std::int32_t n : t) number[n] = 0;
   std::vector<std::int32_t> unused;
@@ -52,12 +58,77 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
     for (std::int32_t& n : t) n = number[n];
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
+  } else if (nodes.rim > 0) {
+    throw LeftPart{"leaving out nodes"};
   } else {
     mesh = mesh.emptied();
     std::vector<std::int32_t> all(next);
     std::iota(all.begin(), all.end(), 0);
     mesh.insert(nodes.positions, all, run);
   }
+  if (mesh.left_part()) throw LeftPart{"leaving out nodes"};
+}
+
+/// What is known of the part's tets and their neighbours beyond it, from before.
+PeelRim known_at_rim(const NodeSet& nodes, const kernel::Delaunay& mesh,
+                     const OriginalPart& part) {
+  PeelRim rim;
+  if (nodes.rim == 0) return rim;
+  rim.beyond = part.beyond;
+  rim.tets.assign(mesh.slots(), PeelRim::Known::No);
+  for (std::int32_t s = 0; s < static_cast<std::int32_t>(part.mesh.slots()); ++s) {
+    if (!part.mesh.at_rim(s) || !mesh.in_use(s)) continue;
+    const Tet then = part.mesh.corners(s), now = mesh.corners(s);
+    const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {
+      return b < 0 ? a == b : a == nodes.original[b];
+    });
+    if (same) rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;
+  }
+  return rim;
+}
+
+/// Nodes of the original that may not stay as they are: those in the changed boxes or within
+/// `margin` of them. `everything`: all nodes.
+std::vector<std::int32_t> nodes_to_look_at(const Revision& original, const PointSource& source,
+                                           double margin, bool everything) {
+  std::vector<std::int32_t> nodes;
+  const std::span<const Vec3> positions = original.master->positions();
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    if (everything || source.in_changed(positions[n], margin))
+      nodes.push_back(static_cast<std::int32_t>(n));
+  return nodes;
+}
+
+/// The tets of the model at some of the nodes.
+std::vector<Tet> tets_at(const Master& master, std::span<const std::int32_t> nodes) {
+  std::vector<std::uint8_t> wanted(master.positions().size(), 0);
+  for (const std::int32_t n : nodes) wanted[n] = 1;
+  std::vector<Tet> tets;
+  for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s) {
+    if (!master.inside(s)) continue;
+    const Tet t = master.mesh.corners(s);
+    if (wanted[t[0]] || wanted[t[1]] || wanted[t[2]] || wanted[t[3]]) tets.push_back(t);
+  }
+  return tets;
+}
+
+/// Supports of the nodes that are not in the part; of the others none.
+std::vector<Support> supports_left(const Revision& original, const Site& site) {
+  const std::span<const Support> then = original.supports();
+  const std::span<const Vec3> positions = original.master->positions();
+  std::vector<Support> supports(then.size());
+  if (!site.map) return supports;
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < then.size(); ++n) {
+    if (next < site.part.nodes.size() && site.part.nodes[next] == static_cast<std::int32_t>(n)) {
+      ++next;
+      continue;
+    }
+    const std::optional<Support> support = (*site.map)(then[n], positions[n]);
+    if (!support) throw LeftPart{"naming where nodes stand"};
+    supports[n] = *support;
+  }
+  return supports;
 }
 
 }  // namespace
@@ -92,13 +163,20 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
   return density;
 }
 
-NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
-                      MeshOptions::Start start, std::uint64_t seed, const Run& run) {
+std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSource& source,
+                                        const Density& density, MeshOptions::Start start,
+                                        std::uint64_t seed, const Reach& reach, const Run& run) {
   NodeSet nodes;
-  if (original)
+  std::vector<std::int32_t> looked_at;
+  if (original) {
+    const Master& master = *original->master;
+    looked_at = nodes_to_look_at(*original, source, kNearChange * density.edge_length,
+                                 std::isinf(reach.length));
     nodes = copy_nodes(
-        source, {original->master->positions, original->master->supports, original->master->tets},
+        source,
+        {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
         original->edge_length, run);
+  }
   const auto fill = start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
   const std::vector<Vec3> added = fill(
       source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
@@ -108,16 +186,32 @@ NodeSet initial_nodes(const Revision* original, const PointSource& source, const
        .seed = seed},
       run);
   for (const Vec3& p : added) nodes.add_new(p);
-  if (original) free_at_active_faces(nodes, source, density.edge_length, run);
-  dump_nodes(run, "05-nodes", nodes);
-  return nodes;
+  if (!original) {
+    LocalNodes local;
+    local.nodes = std::move(nodes);
+    dump_nodes(run, "05-nodes", local.nodes);
+    return local;
+  }
+  free_at_active_faces(nodes, source, density.edge_length, run);
+  std::optional<LocalNodes> local =
+      localise(nodes, looked_at, *original->master, original->supports(),
+               {original->master_nodes(), original->delivery.mesh.tets}, reach.map, source,
+               reach.length, kSampledBeyond * density.edge_length);
+  if (local) dump_nodes(run, "05-nodes", local->nodes);
+  return local;
 }
 
-StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const PointSource& source,
-                     const Box& bounds, const Run& run) {
+StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const Box& bounds,
+                     const Run& run) {
+  const NodeSet& nodes = local.nodes;
+  const OriginalPart& part = local.part;
   StartMesh start{kernel::Delaunay(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
-  if (!original || !original->master->mesh.encloses(bounds)) return start;
-  std::vector<std::int32_t> name(original->master->positions.size(), -1);
+  const auto without = [&] {
+    if (nodes.rim > 0) throw LeftPart{"taking out the free nodes"};
+    return start;
+  };
+  if (part.nodes.empty() || !part.mesh.encloses(bounds)) return without();
+  std::vector<std::int32_t> name(part.nodes.size(), -1);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.original[n] >= 0 && !nodes.free[n] &&
         source.transforms()[nodes.transform[n]].is_identity())
@@ -125,8 +219,8 @@ StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const Point
   std::vector<std::int32_t> others;
   for (std::size_t o = 0; o < name.size(); ++o)
     if (name[o] < 0) others.push_back(static_cast<std::int32_t>(o));
-  kernel::Delaunay mesh = original->master->mesh;
-  if (!mesh.remove(others, run)) return start;
+  kernel::Delaunay mesh = part.mesh;
+  if (!mesh.remove(others, run)) return without();
   mesh.rename(name, nodes.size());
   for (const std::int32_t n : name)
     if (n >= 0) start.holds[n] = 1;
@@ -142,51 +236,53 @@ InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
   return [mesh](const Vec3& p) { return mesh->inside(p); };
 }
 
-Candidate extract(NodeSet nodes, OptimiseResult loop, const CellularModel& cells,
-                  const InsideTest& inside, const Run& run) {
+Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
+                  const CellularModel& cells, const InsideTest& inside, const Run& run) {
   Candidate c;
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   run.report("extract", 0.8);
-  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, run);
-  drop_unused(c.nodes, c.delaunay, c.loop.mesh, run);
-  dump_nodes(run, "08-peel", c.nodes, c.delaunay);
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside,
+                    known_at_rim(c.nodes, c.loop.mesh, part), {}, run);
+  drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, run);
+  dump_nodes(run, "08-peel", c.nodes, c.delaunay.tets);
   return c;
 }
 
-void finish(Candidate& c, const Target& target, const Run& run) {
+void finish(Candidate& c, const Target& target, const Site& site, const Run& run) {
   const Revision* original = target.original;
   const MeshOptions& options = target.options;
   const CellularModel& cells = target.cells;
   CarriedMesh carried;
   if (original && options.clean_up) {
-    carried = carry_over(c.nodes, c.delaunay, *original->master,
-                         {original->master_nodes(), original->delivery.mesh.tets},
-                         target.source.transforms(), run);
+    carried =
+        carry_over(c.nodes, c.delaunay.tets, site.part, target.source.transforms(), run);
   } else {
-    carried.mesh = {c.nodes.positions, c.delaunay};
-    carried.dirty.assign(c.delaunay.size(), 1);
+    carried.mesh = {c.nodes.positions, c.delaunay.tets};
+    carried.dirty.assign(c.delaunay.tets.size(), 1);
   }
   run.report("improve", 0.85);
   if (options.clean_up)
     c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
-                     {.threshold = options.threshold}, run)
+                     {.threshold = options.threshold, .locked = c.nodes.rim}, run)
                  .mesh;
   else
     c.mesh = std::move(carried.mesh);
+  const PartMesh made{c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.mesh};
+  c.whole = original ? splice(*original, supports_left(*original, site), site.part, made,
+                              target.source, run)
+                     : whole_mesh(made, run);
   run.report("verify", 0.95);
   VerifyOptions proof{
       .material = [&](const Vec3& p) { return target.source.modified().inside(p); }};
   VerifiedParent parent;
   if (original) {
-    c.map = map_to(*original, c.nodes, c.mesh, target.source, run);
-    parent = verified_parent(*original, c.map.original_node, c.map.original_tet);
+    parent = verified_parent(*original, c.whole.map.original_node, c.whole.map.original_tet);
     proof.parent = &parent;
-  } else {
-    c.map = map_to_nothing(c.mesh);
   }
   const Stopwatch watch;
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run, proof);
+  c.verification = verify(c.whole.mesh, c.whole.master.supports, cells.boundary, cells.volume, run,
+                          proof);
   c.verify_seconds = watch.total();
 }
 

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/extract/peel.h"
 #include "engine/improve/improve.h"
 #include "engine/nodes/node_set.h"
 #include "engine/optimise/optimise.h"
 #include "engine/plan/point_source.h"
-#include "engine/remesh/carry_over.h"
+#include "engine/remesh/part.h"
 #include "engine/remesh/remesh.h"
+#include "engine/remesh/splice.h"
 #include "engine/verify/verify.h"
 
 namespace remeshd {
@@ -24,22 +27,31 @@ struct Density {
 Density resolve_density(const Revision* original, const MeshOptions& options, double volume,
                         double area);
 
-/// Copied and new nodes, free and fixed (Sects. 6 and 7).
-NodeSet initial_nodes(const Revision* original, const PointSource& source, const Density& density,
-                      MeshOptions::Start start, std::uint64_t seed, const Run& run);
+/// How far from what changes an edit cuts the original open, and how it places boundary nodes.
+struct Reach {
+  double length = 0;  ///< infinite: everywhere
+  const EntityMap* map = nullptr;
+};
+
+/// Copied and new nodes, free and fixed (Sects. 6 and 7), with the part of the original that they
+/// are put into. Returns nothing where the reach does not do.
+std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSource& source,
+                                        const Density& density, MeshOptions::Start start,
+                                        std::uint64_t seed, const Reach& reach, const Run& run);
 
 /// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the original's.
-StartMesh start_mesh(const Revision* original, const NodeSet& nodes, const PointSource& source,
-                     const Box& bounds, const Run& run);
+/// Throws LeftPart.
+StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const Box& bounds,
+                     const Run& run);
 
 /// A mesh on its way from the optimisation loop to delivery.
 struct Candidate {
-  NodeSet nodes;              ///< those of the mesh only
-  std::vector<Tet> delaunay;  ///< peeled
-  TetMesh mesh;               ///< cleaned up
+  NodeSet nodes;         ///< those of the part's mesh only
+  PeeledMesh delaunay;   ///< of the part
+  TetMesh mesh;          ///< cleaned up, of the part
   OptimiseResult loop;
-  NodeMap map;  ///< of `mesh`
-  Verification verification;
+  WholeMesh whole;
+  Verification verification;  ///< of the whole
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
   double verify_seconds = 0;
 };
@@ -52,12 +64,19 @@ struct Target {
   const MeshOptions& options;
 };
 
-/// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out.
-Candidate extract(NodeSet nodes, OptimiseResult loop, const CellularModel& cells,
-                  const InsideTest& inside, const Run& run);
+/// What an edit works on: the part of the original, and what is left of it.
+struct Site {
+  const OriginalPart& part;
+  const EntityMap* map;  ///< for nodes that are not in the part; null where all are
+};
 
-/// Carrying over, clean-up, map and verification of an extracted mesh.
-void finish(Candidate& candidate, const Target& target, const Run& run);
+/// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws LeftPart.
+Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
+                  const CellularModel& cells, const InsideTest& inside, const Run& run);
+
+/// Carrying over, clean-up, putting back into the original, map and verification of an extracted
+/// mesh. Throws LeftPart.
+void finish(Candidate& candidate, const Target& target, const Site& site, const Run& run);
 
 /// The inside test that the options ask for. It keeps a reference to `membership`.
 /// Throws what ControlMesh::build throws.

@@ -1,6 +1,7 @@
 #include "engine/remesh/ways.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "engine/boundary/samples.h"
 #include "engine/nodes/density.h"
 #include "engine/nodes/place_supports.h"
+#include "engine/optimise/live_mesh.h"
 #include "engine/remesh/last_resort.h"
 #include "engine/remesh/repair.h"
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
+constexpr std::array kReaches{5.0, 12.0};  // x edge length
 constexpr double kFewInserted = 200, kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
@@ -77,7 +80,8 @@ NewMesh Ways::first_valid() {
                      density_.edge_length, revision_.options.clean_up, revision_.options.threshold},
                     candidate.verification, run_);
     revision_.report.seconds.verify += candidate.verify_seconds;
-    revision_.report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.nodes.size())};
+    revision_.report.counts = {
+        .nodes_new = static_cast<std::uint32_t>(candidate.whole.mesh.nodes.size())};
   }
   return made;
 }
@@ -102,9 +106,32 @@ void Ways::next(Way way, const Candidate& failed, const char* what) {
   revision_.report.warnings.push_back(first_failure(failed.verification) + "; " + what);
 }
 
+/// Within the part of the original that what changes reaches; where that does not do, within a
+/// larger one, and at last within all of it.
+Candidate Ways::attempt(const Setting& s) {
+  const Target& target = s.target;
+  const bool local = target.original && !s.all_free &&
+                     target.options.clean_up == target.original->options.clean_up &&
+                     target.source.identity() >= 0;
+  std::optional<EntityMap> map;
+  if (local) {
+    const BoundaryModel& boundary = target.cells.boundary;
+    map.emplace(target.original->cells.boundary, boundary,
+                kOnEntity * boundary.bounds.diagonal());
+    for (const double reach : kReaches) {
+      try {
+        if (auto made = attempt_within(s, {reach * s.density.edge_length, &*map}))
+          return std::move(*made);
+      } catch (const LeftPart&) {
+      }
+    }
+  }
+  return *attempt_within(s, {HUGE_VAL, nullptr});
+}
+
 /// Nodes, optimisation, extraction, verification (Sects. 6-8), and repair where the boundary is not
 /// all there. What was done goes into the report, whether or not the mesh is valid.
-Candidate Ways::attempt(const Setting& s) {
+std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& reach) {
   const auto& [original, source, cells, options] = s.target;
   const BoundaryModel& boundary = cells.boundary;
   const Membership& membership = source.modified();
@@ -113,36 +140,45 @@ Candidate Ways::attempt(const Setting& s) {
   Counts& counts = report.counts;
 
   run_.report("nodes", 0.1);
-  NodeSet nodes = initial_nodes(original, source, s.density, options.start, s.seed, run_);
+  std::optional<LocalNodes> local =
+      initial_nodes(original, source, s.density, options.start, s.seed, reach, run_);
+  if (!local) return std::nullopt;
+  NodeSet& nodes = local->nodes;
   if (s.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
   counts.nodes_new =
       static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
-  counts.nodes_copied = static_cast<std::uint32_t>(nodes.size()) - counts.nodes_new;
+  counts.nodes_copied =
+      static_cast<std::uint32_t>(nodes.size() + local->others) - counts.nodes_new;
   watch_.lap(report.seconds.copy);
 
-  const Samples samples = sample_boundary(boundary, membership, l, s.seed, {}, run_);
+  SampleOptions sampling;
+  if (local->sampled) sampling.where = &*local->sampled;
+  const Samples samples = sample_boundary(boundary, membership, l, s.seed, sampling, run_);
   const InsideTest inside = inside_test(options.inside, membership, boundary, run_);
   counts.samples = static_cast<std::uint32_t>(samples.points.size());
   if (original)
-    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(), run_);
+    place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(),
+                   local->placed, run_);
   counts.free_at_start = count(nodes.free, 1);
-  const bool all_free = count(nodes.free, 0) == 0;
+  const bool all_free = local->others == 0 && count(nodes.free, 0) == 0;
   watch_.lap(report.seconds.setup);
 
-  OptimiseResult loop =
-      optimise(nodes, start_mesh(original, nodes, source, boundary.bounds, run_), boundary, inside,
-               samples, {.edge_length = l, .iterations = options.iterations}, run_);
+  StartMesh start = start_mesh(*local, source, boundary.bounds, run_);
+  OptimiseResult loop = optimise(nodes, std::move(start), boundary, inside, samples,
+                                 {.edge_length = l, .iterations = options.iterations}, run_);
   counts.free_at_end = count(nodes.free, 1);
   counts.free_per_iteration = loop.free_per_iteration;
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
   counts.active_samples = loop.samples_active;
   // Nodes added on the way are free from their first iteration on.
-  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size());
+  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size() + local->others);
   watch_.lap(report.seconds.optimise);
 
-  Candidate candidate = extract(std::move(nodes), std::move(loop), cells, inside, run_);
-  finish(candidate, s.target, run_);
-  counts.nodes_inserted = repair(candidate, s, samples, inside);
+  const Site site{local->part, reach.map};
+  Candidate candidate =
+      extract(std::move(nodes), std::move(loop), local->part, cells, inside, run_);
+  finish(candidate, s.target, site, run_);
+  counts.nodes_inserted = repair(candidate, s, site, samples, inside);
   if (counts.nodes_inserted > 0)
     report.warnings.push_back(std::to_string(counts.nodes_inserted) +
                               " nodes were inserted to make the boundary complete");
@@ -152,11 +188,12 @@ Candidate Ways::attempt(const Setting& s) {
 }
 
 /// Inserts nodes where the boundary is not all there. Returns their number.
-std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Samples& samples,
-                           const InsideTest& inside) {
+std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Site& site,
+                           const Samples& samples, const InsideTest& inside) {
   const CellularModel& cells = s.target.cells;
   const double l = s.density.edge_length;
-  const auto most = static_cast<std::uint32_t>(few_more(c.nodes.size()));
+  const auto most =
+      static_cast<std::uint32_t>(few_more(static_cast<double>(c.whole.mesh.nodes.size())));
   std::uint32_t repaired = 0;
   for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
     const std::int32_t first = c.nodes.size();
@@ -166,13 +203,8 @@ std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Samples& sample
     c.too_fine = repaired > most;
     if (c.too_fine) break;
     double verifying = c.verify_seconds;
-    c = extract(std::move(c.nodes), std::move(c.loop), cells, inside, run_);
-    // What the peeled mesh lacks no clean-up brings back.
-    Stopwatch watch;
-    c.verification = verify({c.nodes.positions, c.delaunay}, c.nodes.supports, cells.boundary,
-                            cells.volume, run_);
-    watch.lap(verifying);
-    if (boundary_is_complete(c.verification)) finish(c, s.target, run_);
+    c = extract(std::move(c.nodes), std::move(c.loop), site.part, cells, inside, run_);
+    finish(c, s.target, site, run_);
     c.verify_seconds += verifying;
   }
   return repaired;

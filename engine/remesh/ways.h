@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "engine/remesh/stages.h"
 #include "engine/remesh/stopwatch.h"
@@ -43,7 +44,8 @@ class Ways {
   };
 
   Candidate attempt(const Setting& s);
-  std::uint32_t repair(Candidate& c, const Setting& s, const Samples& samples,
+  std::optional<Candidate> attempt_within(const Setting& s, const Reach& reach);
+  std::uint32_t repair(Candidate& c, const Setting& s, const Site& site, const Samples& samples,
                        const InsideTest& inside);
   std::shared_ptr<const PointSource> points_of(const Revision* original);
   void next(Way way, const Candidate& failed, const char* what);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "engine/nodes/active_faces.h"
 #include "engine/remesh/master.h"
@@ -25,9 +26,18 @@ struct Copied {
             make_revision(nullptr, test::case_model(name), {.nodes = 2500, .iterations = 4}, kRun)),
         modified(evaluate(apply(original.source, edit))),
         source(&original.model, modified, original.edge_length, kRun),
-        nodes(copy_nodes(
-            source, {original.master->positions, original.master->supports, original.master->tets},
-            original.edge_length, kRun)) {}
+        nodes(copy_all()) {}
+
+  NodeSet copy_all() const {
+    const Master& master = *original.master;
+    std::vector<Tet> tets;
+    for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s)
+      if (master.inside(s)) tets.push_back(master.mesh.corners(s));
+    std::vector<std::int32_t> all(master.positions().size());
+    std::iota(all.begin(), all.end(), 0);
+    return copy_nodes(source, {master.positions(), master.supports, all, tets},
+                      original.edge_length, kRun);
+  }
 };
 
 TEST(CopyNodes, EachNodeIsCopiedAtMostOnce) {
@@ -42,7 +52,7 @@ TEST(CopyNodes, AFixedCopyIsTheTransformedOriginalToTheBit) {
   for (std::int32_t n = 0; n < c.nodes.size(); ++n)
     if (!c.nodes.free[n]) {
       EXPECT_EQ(c.nodes.positions[n], c.source.transforms()[c.nodes.transform[n]].apply(
-                                          c.original.master->positions[c.nodes.original[n]]));
+                                          c.original.master->positions()[c.nodes.original[n]]));
     }
 }
 
@@ -72,8 +82,8 @@ TEST(CopyNodes, NodesOnTheWallOfAHoleThatGrewALittleAreSetBackInProportion) {
   const double l = base.original.edge_length;
   const Copied c("fig11-a", ModelEdit{{SetParameter{"hole_radius", 8.0 + 0.2 * l}}});
   int on_wall = 0, set_back = 0;
-  for (std::size_t n = 0; n < c.original.master->positions.size(); ++n) {
-    const Vec3& p = c.original.master->positions[n];
+  for (std::size_t n = 0; n < c.original.master->positions().size(); ++n) {
+    const Vec3& p = c.original.master->positions()[n];
     on_wall += std::fabs(std::hypot(p.x + 20, p.y) - 8) < 1e-6;
   }
   for (std::int32_t n = 0; n < c.nodes.size(); ++n) {

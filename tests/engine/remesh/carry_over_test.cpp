@@ -9,20 +9,20 @@ const remeshd::Run kRun;
 
 /// A Delaunay mesh of one tet, for which the delivered mesh has two with a fifth node: as after the
 /// last resort, whose delivered mesh is more than clean-up makes of the peeled Delaunay mesh.
-struct Original {
-  Master master;
-  std::vector<Tet> delivered{{0, 1, 2, 3}, {1, 2, 3, 4}};
-
-  Original() : master{.mesh = kernel::Delaunay(Box{{-1, -1, -1}, {3, 3, 3}})} {
-    master.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
-    master.tets = {{0, 1, 2, 4}};
+struct Original : OriginalPart {
+  Original() {
+    positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    delivered_nodes = positions;
+    tets = {{0, 1, 2, 4}};
+    delivered = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+    pieces = find_pieces(tets, delivered, positions.size(), kRun);
   }
 };
 
 NodeSet copies_of(const Original& original, std::int32_t count) {
   NodeSet nodes;
   for (std::int32_t n = 0; n < count; ++n) {
-    nodes.add_new(original.master.positions[n]);
+    nodes.add_new(original.positions[n]);
     nodes.original[n] = n;
     nodes.transform[n] = 0;
   }
@@ -32,8 +32,7 @@ NodeSet copies_of(const Original& original, std::int32_t count) {
 CarriedMesh carry(const Original& original, const NodeSet& nodes) {
   const std::vector<Tet> tets{{0, 1, 2, 4}};
   const std::vector<Transform> transforms{Transform{}};
-  return carry_over(nodes, tets, original.master, {original.master.positions, original.delivered},
-                    transforms, kRun);
+  return carry_over(nodes, tets, original, transforms, kRun);
 }
 
 TEST(CarryOver, BringsWhatTheCleanUpMadeOfATet) {
@@ -61,8 +60,7 @@ TEST(CarryOver, LeavesTetsWhoseNodesWentDifferentWays) {
   away.m[3] = 0.5;
   nodes.positions[3] = away.apply(nodes.positions[3]);
   const CarriedMesh carried =
-      carry_over(nodes, tets, original.master, {original.master.positions, original.delivered},
-                 std::vector<Transform>{Transform{}, away}, kRun);
+      carry_over(nodes, tets, original, std::vector<Transform>{Transform{}, away}, kRun);
   EXPECT_EQ(carried.mesh.tets, tets);
 }
 

@@ -141,7 +141,7 @@ TEST(LastResort, HasTheDelaunayMeshOfItsNodesForTheNextEdit) {
   const Candidate c = mesh_by_tetgen(ready.input(), kRun);
   for (std::int32_t n = 0; n < c.nodes.size(); ++n)
     EXPECT_EQ(c.loop.mesh.position(n), c.nodes.positions[n]);
-  EXPECT_NEAR(c.delaunay.size(), c.mesh.tets.size(), 0.1 * c.mesh.tets.size());
+  EXPECT_NEAR(c.delaunay.tets.size(), c.mesh.tets.size(), 0.1 * c.mesh.tets.size());
 }
 
 TEST(LastResort, GivesTheSameMeshEveryTime) {

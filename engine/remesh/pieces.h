@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+/// Delaunay tets and the delivered tets that clean-up put in their place, with the same hull.
+struct Cluster {
+  std::vector<std::int32_t> delaunay;
+  std::vector<std::int32_t> delivered;
+};
+
+/// What clean-up made of a peeled Delaunay mesh, as exchangeable pieces: a tet that it left alone
+/// stands for itself, all others are in clusters.
+struct Pieces {
+  std::vector<std::int32_t> same;     ///< by Delaunay tet: the same delivered tet, or -1
+  std::vector<std::int32_t> cluster;  ///< by Delaunay tet: its cluster, -1 where `same` is not
+  std::vector<Cluster> clusters;
+};
+
+/// Tets that share a facet, on either side of the exchange, belong to one cluster. `node_count`:
+/// above every node of the tets.
+Pieces find_pieces(std::span<const Tet> delaunay, std::span<const Tet> delivered,
+                   std::size_t node_count, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,284 @@
+#include "engine/remesh/splice.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/remesh/node_map.h"
+#include "engine/remesh/tet_index.h"
+
+namespace remeshd {
+
+namespace {
+
+/// Numbers for what comes, out of those that what goes leaves behind.
+class Places {
+ public:
+  /// `count`: how many there were; `gone`: which of them go, ascending.
+  Places(std::int32_t count, std::vector<std::int32_t> gone)
+      : end_(count), gone_(std::move(gone)) {}
+
+  std::int32_t take() { return used_ < gone_.size() ? gone_[used_++] : end_++; }
+
+  /// How many there are in the end.
+  [[nodiscard]] std::int32_t count() const {
+    return end_ - static_cast<std::int32_t>(gone_.size() - used_);
+  }
+  /// Whether there are gaps that the last ones have to fill.
+  [[nodiscard]] bool has_gaps() const { return used_ < gone_.size(); }
+  /// Where those from `count()` on go, by how far beyond it they are; -1 for the gaps among them.
+  [[nodiscard]] std::vector<std::int32_t> moves() const {
+    std::vector<std::int32_t> to(static_cast<std::size_t>(end_ - count()), 0);
+    std::size_t gap = used_;
+    for (std::size_t k = used_; k < gone_.size(); ++k)
+      if (gone_[k] >= count()) to[gone_[k] - count()] = -1;
+    for (std::int32_t& t : to)
+      if (t == 0) t = gone_[gap++];
+    return to;
+  }
+
+ private:
+  std::int32_t end_;
+  std::vector<std::int32_t> gone_;
+  std::size_t used_ = 0;
+};
+
+/// Moves the last elements into the gaps.
+template <class T>
+void close_gaps(std::vector<T>& values, const std::vector<std::int32_t>& moves) {
+  const std::size_t count = values.size() - moves.size();
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (moves[k] >= 0) values[moves[k]] = std::move(values[count + k]);
+  values.resize(count);
+}
+
+Tet renamed(Tet tet, std::span<const std::int32_t> names) {
+  for (std::int32_t& n : tet) n = names[n];
+  return tet;
+}
+
+class Splicer {
+ public:
+  Splicer(const Revision& original, const OriginalPart& cut, const PartMesh& part,
+          const PointSource& source, const Run& run)
+      : original_(original), cut_(cut), part_(part), source_(source), run_(run), poll_(run) {}
+
+  WholeMesh splice(std::vector<Support> supports) {
+    whole_.mesh.nodes.assign(original_.master_nodes().begin(), original_.master_nodes().end());
+    whole_.mesh.tets = original_.delivery.mesh.tets;
+    whole_.master = *original_.master;
+    whole_.master.supports = std::move(supports);
+    map_all();
+    place_nodes();
+    place_tets();
+    put_back();
+    close_node_gaps();
+    close_tet_gaps();
+    return std::move(whole_);
+  }
+
+ private:
+  /// As if everything stayed.
+  void map_all() {
+    NodeMap& map = whole_.map;
+    const TetMesh& then = original_.delivery.mesh;
+    map.transforms = source_.transforms();
+    map.transform_features.resize(map.transforms.size());
+    for (const SourceFeature& s : source_.sources())
+      if (map.transform_features[s.transform].empty())
+        map.transform_features[s.transform] = original_.model.features[s.original].id;
+    map.node_origin.assign(then.nodes.size(), NodeOrigin::Kept);
+    map.original_node.resize(then.nodes.size());
+    std::iota(map.original_node.begin(), map.original_node.end(), 0);
+    map.node_transform.assign(then.nodes.size(), source_.identity());
+    map.original_tet.resize(then.tets.size());
+    std::iota(map.original_tet.begin(), map.original_tet.end(), 0);
+    if (!original_.anchor) return;
+    for (std::size_t n = 0; n < then.nodes.size(); ++n)
+      if (whole_.mesh.nodes[n] != then.nodes[n]) map.node_origin[n] = NodeOrigin::Moved;
+    for (std::size_t t = 0; t < then.tets.size(); ++t)
+      if (std::ranges::any_of(then.tets[t], [&](std::int32_t n) {
+            return map.node_origin[n] != NodeOrigin::Kept;
+          }))
+        map.original_tet[t] = -1;
+  }
+
+  void place_nodes() {
+    const NodeSet& nodes = part_.nodes;
+    std::vector<std::uint8_t> stays(cut_.nodes.size(), 0);
+    for (const std::int32_t o : nodes.original)
+      if (o >= 0) stays[o] = 1;
+    std::vector<std::int32_t> gone;
+    for (std::size_t p = 0; p < stays.size(); ++p)
+      if (stays[p] == 0) gone.push_back(cut_.nodes[p]);
+    node_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.nodes.size()), std::move(gone));
+    Places& places = node_places_.front();
+    names_.resize(nodes.positions.size());
+    for (std::size_t n = 0; n < names_.size(); ++n)
+      names_[n] = nodes.original[n] >= 0 ? cut_.nodes[nodes.original[n]] : places.take();
+
+    NodeMap& map = whole_.map;
+    const std::size_t most = std::max<std::size_t>(
+        whole_.mesh.nodes.size(), names_.empty() ? 0 : 1 + std::ranges::max(names_));
+    whole_.mesh.nodes.resize(most);
+    whole_.master.supports.resize(most);
+    map.node_origin.resize(most);
+    map.original_node.resize(most);
+    map.node_transform.resize(most);
+    const std::span<const Vec3> then = original_.delivery.mesh.nodes;
+    for (std::size_t n = 0; n < names_.size(); ++n) {
+      const std::int32_t at = names_[n];
+      whole_.mesh.nodes[at] = part_.mesh.nodes[n];
+      whole_.master.supports[at] = nodes.supports[n];
+      const bool copied = nodes.original[n] >= 0;
+      map.original_node[at] = copied ? at : -1;
+      map.node_transform[at] = nodes.transform[n];
+      map.node_origin[at] =
+          !copied ? NodeOrigin::New
+          : part_.mesh.nodes[n] == source_.transforms()[nodes.transform[n]].apply(then[at])
+              ? NodeOrigin::Kept
+              : NodeOrigin::Moved;
+    }
+  }
+
+  void place_tets() {
+    const NodeSet& nodes = part_.nodes;
+    const std::vector<Tet>& tets = part_.mesh.tets;
+    const TetIndex index(cut_.delivered, cut_.nodes.size(), poll_);
+    std::vector<std::int32_t> was(tets.size(), -1);
+    std::vector<std::uint8_t> stays(cut_.delivered.size(), 0);
+    for (std::size_t k = 0; k < tets.size(); ++k) {
+      poll_();
+      const Tet originals = renamed(tets[k], nodes.original);
+      if (std::ranges::any_of(originals, [](std::int32_t o) { return o < 0; })) continue;
+      was[k] = index.find(originals);
+      if (was[k] >= 0) stays[was[k]] = 1;
+    }
+    std::vector<std::int32_t> gone;
+    for (std::size_t d = 0; d < stays.size(); ++d)
+      if (stays[d] == 0) gone.push_back(cut_.delivered_tet[d]);
+    tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
+    Places& places = tet_places_.front();
+    NodeMap& map = whole_.map;
+    for (std::size_t k = 0; k < tets.size(); ++k) {
+      const std::int32_t at = was[k] >= 0 ? cut_.delivered_tet[was[k]] : places.take();
+      whole_.new_tets.push_back(at);
+      if (static_cast<std::size_t>(at) >= whole_.mesh.tets.size()) {
+        whole_.mesh.tets.resize(at + 1);
+        map.original_tet.resize(at + 1);
+      }
+      const Tet tet = renamed(tets[k], names_);
+      const bool kept = was[k] >= 0 && std::ranges::all_of(tet, [&](std::int32_t n) {
+        return map.node_origin[n] == NodeOrigin::Kept &&
+               map.node_transform[n] == map.node_transform[tet[0]];
+      });
+      whole_.mesh.tets[at] = tet;
+      map.original_tet[at] = kept ? at : -1;
+    }
+  }
+
+  /// The part's Delaunay mesh, and which of its tets are delivered.
+  void put_back() {
+    Master& master = whole_.master;
+    const std::vector<std::int32_t> slot = master.mesh.put_back(
+        part_.delaunay, cut_.cut, names_, static_cast<std::int32_t>(whole_.mesh.nodes.size()));
+    master.tet_of_slot.resize(master.mesh.slots(), Master::kOutside);
+    for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
+    for (const std::int32_t s : slot)
+      if (s >= 0) master.tet_of_slot[s] = Master::kOutside;
+    const Pieces pieces = find_pieces(part_.peeled, part_.mesh.tets, names_.size(), run_);
+    std::vector<std::int32_t> free = cut_.clusters;
+    std::vector<std::int32_t> number;
+    for (const std::int32_t c : free) master.clusters[c] = {};
+    std::ranges::sort(free, std::greater());
+    for (const Cluster& cluster : pieces.clusters) {
+      if (free.empty()) {
+        free.push_back(static_cast<std::int32_t>(master.clusters.size()));
+        master.clusters.emplace_back();
+      }
+      number.push_back(free.back());
+      free.pop_back();
+      Cluster& out = master.clusters[number.back()];
+      for (const std::int32_t k : cluster.delaunay)
+        out.delaunay.push_back(slot[part_.peeled_slots[k]]);
+      for (const std::int32_t k : cluster.delivered) out.delivered.push_back(whole_.new_tets[k]);
+    }
+    for (std::size_t k = 0; k < part_.peeled.size(); ++k)
+      master.tet_of_slot[slot[part_.peeled_slots[k]]] =
+          pieces.same[k] >= 0 ? whole_.new_tets[pieces.same[k]] : -2 - number[pieces.cluster[k]];
+  }
+
+  void close_node_gaps() {
+    const Places& places = node_places_.front();
+    if (!places.has_gaps()) return;
+    const std::vector<std::int32_t> moves = places.moves();
+    const std::int32_t count = places.count();
+    std::vector<std::int32_t> names(count + moves.size());
+    std::iota(names.begin(), names.end(), 0);
+    std::ranges::copy(moves, names.begin() + count);
+    whole_.master.mesh.rename(names, count);
+    for (Tet& t : whole_.mesh.tets) {
+      if (std::ranges::all_of(t, [&](std::int32_t n) { return n < count; })) continue;
+      t = renamed(t, names);
+    }
+    close_gaps(whole_.mesh.nodes, moves);
+    close_gaps(whole_.master.supports, moves);
+    close_gaps(whole_.map.node_origin, moves);
+    close_gaps(whole_.map.original_node, moves);
+    close_gaps(whole_.map.node_transform, moves);
+  }
+
+  void close_tet_gaps() {
+    const Places& places = tet_places_.front();
+    if (!places.has_gaps()) return;
+    const std::vector<std::int32_t> moves = places.moves();
+    const std::int32_t count = places.count();
+    const auto move = [&](std::int32_t& t) {
+      if (t >= count) t = moves[t - count];
+    };
+    for (std::int32_t& t : whole_.master.tet_of_slot) move(t);
+    for (Cluster& cluster : whole_.master.clusters)
+      for (std::int32_t& t : cluster.delivered) move(t);
+    for (std::int32_t& t : whole_.new_tets) move(t);
+    close_gaps(whole_.mesh.tets, moves);
+    close_gaps(whole_.map.original_tet, moves);
+  }
+
+  const Revision& original_;
+  const OriginalPart& cut_;
+  const PartMesh& part_;
+  const PointSource& source_;
+  const Run& run_;
+  Polling poll_;
+  WholeMesh whole_;
+  std::vector<std::int32_t> names_;  ///< by node of the part
+  std::vector<Places> node_places_, tet_places_;
+};
+
+}  // namespace
+
+WholeMesh whole_mesh(const PartMesh& part, const Run& run) {
+  WholeMesh whole;
+  whole.mesh = part.mesh;
+  whole.map = map_to_nothing(whole.mesh);
+  whole.new_tets.resize(part.mesh.tets.size());
+  std::iota(whole.new_tets.begin(), whole.new_tets.end(), 0);
+  Master& master = whole.master;
+  master.mesh = part.delaunay;
+  master.supports = part.nodes.supports;
+  master.tet_of_slot.assign(master.mesh.slots(), Master::kOutside);
+  Pieces pieces = find_pieces(part.peeled, part.mesh.tets, part.mesh.nodes.size(), run);
+  for (std::size_t k = 0; k < part.peeled.size(); ++k)
+    master.tet_of_slot[part.peeled_slots[k]] =
+        pieces.same[k] >= 0 ? pieces.same[k] : -2 - pieces.cluster[k];
+  master.clusters = std::move(pieces.clusters);
+  for (Cluster& cluster : master.clusters)
+    for (std::int32_t& k : cluster.delaunay) k = part.peeled_slots[k];
+  return whole;
+}
+
+WholeMesh splice(const Revision& original, std::vector<Support> supports, const OriginalPart& cut,
+                 const PartMesh& part, const PointSource& source, const Run& run) {
+  return Splicer(original, cut, part, source, run).splice(std::move(supports));
+}
+
+}  // namespace remeshd

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/remesh/part.h"
+#include "engine/remesh/remesh.h"
+
+namespace remeshd {
+
+/// What came of the nodes of a part.
+struct PartMesh {
+  const NodeSet& nodes;
+  const kernel::Delaunay& delaunay;            ///< of all nodes
+  std::span<const Tet> peeled;                 ///< its tets in the model
+  std::span<const std::int32_t> peeled_slots;  ///< by peeled tet
+  const TetMesh& mesh;                         ///< cleaned up
+};
+
+/// A whole mesh with where it came from.
+struct WholeMesh {
+  TetMesh mesh;
+  Master master;  ///< but for permanent ids
+  NodeMap map;
+  std::vector<std::int32_t> new_tets;  ///< by tet of the part's mesh: its number
+};
+
+/// A mesh whose nodes and tets are all new, or all in the part: nodes and tets as they stand there.
+WholeMesh whole_mesh(const PartMesh& part, const Run& run);
+
+/// Puts a part's mesh back in the place of what was cut out. Copies keep the number of their
+/// original, tets that stayed theirs; others take the numbers of those that went, lowest first,
+/// then go to the end; where more went than came, the last ones fill the gaps.
+///
+/// `supports`: of the original's nodes, in the modified boundary; those in the part are not read.
+WholeMesh splice(const Revision& original, std::vector<Support> supports, const OriginalPart& cut,
+                 const PartMesh& part, const PointSource& source, const Run& run);
+
+}  // namespace remeshd
