@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace remeshd {
@@ -93,30 +94,34 @@ Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> no
   if (measures.empty()) return quality;
   quality.volume = volume;
   double sum = 0;
-  std::size_t sharpest = 0, bluntest = 0;
-  float least = measures[0].volume_length;
+  std::size_t sharpest = 0, bluntest = 0, worst = 0;
   std::vector<std::uint32_t> ranks(kRanks, 0);
   for (std::size_t t = 0; t < measures.size(); ++t) {
     const TetMeasure& m = measures[t];
     sum += static_cast<double>(m.volume_length);
     ++quality.histogram[static_cast<int>(std::clamp(m.volume_length * 20.0F, 0.0F, 19.0F))];
     ++ranks[rank_of(m.volume_length)];
-    least = std::min(least, m.volume_length);
+    if (m.volume_length < measures[worst].volume_length) worst = t;
     if (m.highest_cosine > measures[sharpest].highest_cosine) sharpest = t;
     if (m.lowest_cosine < measures[bluntest].lowest_cosine) bluntest = t;
   }
   quality.volume_length_mean = sum / static_cast<double>(measures.size());
-  quality.volume_length_min = static_cast<double>(least);
+  const auto exact = [&](std::size_t tet) {
+    const Tet& t = tets[tet];
+    return volume_length(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  };
+  quality.volume_length_min = exact(worst);
   // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
   std::size_t below = (measures.size() + 99) / 100 - 1;
   int rank = 0;
   while (ranks[rank] <= below) below -= ranks[rank++];
-  std::vector<float> candidates;
-  for (const TetMeasure& m : measures)
-    if (rank_of(m.volume_length) == rank) candidates.push_back(m.volume_length);
+  std::vector<std::pair<float, std::size_t>> candidates;
+  for (std::size_t t = 0; t < measures.size(); ++t)
+    if (rank_of(measures[t].volume_length) == rank)
+      candidates.emplace_back(measures[t].volume_length, t);
   const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(below);
   std::nth_element(candidates.begin(), at, candidates.end());
-  quality.volume_length_p01 = static_cast<double>(*at);
+  quality.volume_length_p01 = exact(at->second);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   const auto angles = [&](std::size_t tet) {
     const Tet& t = tets[tet];

@@ -42,7 +42,8 @@ TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
                                      const Run& run);
 
-/// Quality of a mesh of this volume from its tets' measures. Post: zeros for an empty mesh.
+/// Quality of a mesh of this volume from its tets' measures: the mean to seven digits, all else
+/// exact. Post: zeros for an empty mesh.
 Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> nodes,
                   std::span<const Tet> tets, double volume);
 

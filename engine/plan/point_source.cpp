@@ -126,6 +126,14 @@ bool PointSource::in_changed(const Vec3& p, double margin) const {
                      [&](const Box& box) { return box.contains(p, margin); });
 }
 
+bool PointSource::meets_changed(const Tet& tet, std::span<const Vec3> nodes) const {
+  Box box;
+  for (const std::int32_t n : tet)
+    if (n >= 0) box.add(nodes[n]);
+  return std::ranges::any_of(
+      changed_, [&](const Box& changed) { return !intersection(box, changed).empty(); });
+}
+
 std::int32_t PointSource::operator()(const Vec3& p) const {
   if (!modified_.inside(p)) return kOutside;
   if (!original_) return kNew;

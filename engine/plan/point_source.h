@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
 #include "engine/model/solid.h"
 
 namespace remeshd {
@@ -52,6 +54,9 @@ class PointSource {
   /// Outside of these boxes the models are the same and everything is copied in place.
   [[nodiscard]] const std::vector<Box>& changed() const { return changed_; }
   [[nodiscard]] bool in_changed(const Vec3& p, double margin = 0) const;
+
+  /// Whether the box round a tet meets one of them. Far corners, negative, are nowhere.
+  [[nodiscard]] bool meets_changed(const Tet& tet, std::span<const Vec3> nodes) const;
 
   [[nodiscard]] const Membership& modified() const { return modified_; }
   /// Null where there is no original model.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/mesh/quality.h"
+#include "engine/optimise/live_mesh.h"
 #include "engine/remesh/tet_index.h"
 
 namespace remeshd {
@@ -138,8 +139,12 @@ class Carrier {
       if (now >= kSpoilt) continue;
       const auto& m = nodes_.positions;
       if (volume_length(m[t[0]], m[t[1]], m[t[2]], m[t[3]]) <= now) continue;
+      const auto spoils = [&](std::int32_t n) { return held_[n] && p[n] != m[n]; };
+      bool released = false;
       for (const std::int32_t n : t)
-        if (n >= nodes_.rim && held_[n] && p[n] != m[n]) release[n] = 1, any = true;
+        if (n >= nodes_.rim && spoils(n)) release[n] = 1, released = true;
+      if (!released && std::ranges::any_of(t, spoils)) throw LeftPart{"carrying tets over"};
+      any |= released;
     }
     if (!any) return false;
     const auto touched = [&](const Tet& t) {

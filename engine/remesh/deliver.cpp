@@ -35,12 +35,7 @@ CellsBefore cells_before(const Delivery& d, const Revision* original, const Poin
     if (d.map.original_tet[k] < 0) continue;
     const Tet& t = d.mesh.tets[k];
     if (d.map.node_transform[t[0]] != source.identity()) continue;
-    Box box;
-    for (const std::int32_t n : t) box.add(d.mesh.nodes[n]);
-    if (std::ranges::none_of(source.changed(), [&](const Box& changed) {
-          return !intersection(box, changed).empty();
-        }))
-      before.tet[k] = d.map.original_tet[k];
+    if (!source.meets_changed(t, d.mesh.nodes)) before.tet[k] = d.map.original_tet[k];
   }
   return before;
 }

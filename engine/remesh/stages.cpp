@@ -69,20 +69,21 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
   if (mesh.left_part()) throw LeftPart{"leaving out nodes"};
 }
 
-/// What is known of the part's tets and their neighbours beyond it, from before.
-PeelRim known_at_rim(const NodeSet& nodes, const kernel::Delaunay& mesh,
-                     const OriginalPart& part) {
+/// What is known of the part's tets and their neighbours beyond it, from before: of those that are
+/// as they were and meet no changed box.
+PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const OriginalPart& part,
+                     const PointSource& source) {
   PeelRim rim;
   if (nodes.rim == 0) return rim;
   rim.beyond = part.beyond;
   rim.tets.assign(mesh.slots(), PeelRim::Known::No);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(part.mesh.slots()); ++s) {
-    if (!part.mesh.at_rim(s) || !mesh.in_use(s)) continue;
+    if (!mesh.in_use(s)) continue;
     const Tet then = part.mesh.corners(s), now = mesh.corners(s);
     const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {
-      return b < 0 ? a == b : a == nodes.original[b];
+      return b < 0 ? a == b : a == nodes.original[b] && nodes.positions[b] == part.positions[a];
     });
-    if (same) rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;
+    if (same && !source.meets_changed(now, nodes.positions)) rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;
   }
   return rim;
 }
@@ -237,19 +238,20 @@ InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
 }
 
 Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
-                  const CellularModel& cells, const InsideTest& inside, const Run& run) {
+                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
+                  const Run& run) {
   Candidate c;
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   run.report("extract", 0.8);
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside,
-                    known_at_rim(c.nodes, c.loop.mesh, part), {}, run);
+                    known_before(c.nodes, c.loop.mesh, part, source), {}, run);
   drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, run);
   dump_nodes(run, "08-peel", c.nodes, c.delaunay.tets);
   return c;
 }
 
-void finish(Candidate& c, const Target& target, const Site& site, const Run& run) {
+void finish(Candidate& c, const Target& target, const Site& site, bool clean_up, const Run& run) {
   const Revision* original = target.original;
   const MeshOptions& options = target.options;
   const CellularModel& cells = target.cells;
@@ -262,7 +264,7 @@ void finish(Candidate& c, const Target& target, const Site& site, const Run& run
     carried.dirty.assign(c.delaunay.tets.size(), 1);
   }
   run.report("improve", 0.85);
-  if (options.clean_up)
+  if (clean_up)
     c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
                      {.threshold = options.threshold, .locked = c.nodes.rim}, run)
                  .mesh;

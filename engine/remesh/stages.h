@@ -72,11 +72,13 @@ struct Site {
 
 /// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws LeftPart.
 Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
-                  const CellularModel& cells, const InsideTest& inside, const Run& run);
+                  const PointSource& source, const CellularModel& cells, const InsideTest& inside,
+                  const Run& run);
 
 /// Carrying over, clean-up, putting back into the original, map and verification of an extracted
-/// mesh. Throws LeftPart.
-void finish(Candidate& candidate, const Target& target, const Site& site, const Run& run);
+/// mesh. `clean_up`: false for a draft, to see whether the boundary is all there. Throws LeftPart.
+void finish(Candidate& candidate, const Target& target, const Site& site, bool clean_up,
+            const Run& run);
 
 /// The inside test that the options ask for. It keeps a reference to `membership`.
 /// Throws what ControlMesh::build throws.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
-constexpr std::array kReaches{5.0, 12.0};  // x edge length
+constexpr std::array kReaches{3.5, 8.0};  // x edge length
 constexpr double kFewInserted = 200, kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
@@ -176,8 +176,8 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
 
   const Site site{local->part, reach.map};
   Candidate candidate =
-      extract(std::move(nodes), std::move(loop), local->part, cells, inside, run_);
-  finish(candidate, s.target, site, run_);
+      extract(std::move(nodes), std::move(loop), local->part, source, cells, inside, run_);
+  finish(candidate, s.target, site, options.clean_up, run_);
   counts.nodes_inserted = repair(candidate, s, site, samples, inside);
   if (counts.nodes_inserted > 0)
     report.warnings.push_back(std::to_string(counts.nodes_inserted) +
@@ -202,10 +202,16 @@ std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Site& site,
     repaired += c.nodes.size() - first;
     c.too_fine = repaired > most;
     if (c.too_fine) break;
-    double verifying = c.verify_seconds;
-    c = extract(std::move(c.nodes), std::move(c.loop), site.part, cells, inside, run_);
-    finish(c, s.target, site, run_);
-    c.verify_seconds += verifying;
+    const double verified = c.verify_seconds;
+    c = extract(std::move(c.nodes), std::move(c.loop), site.part, s.target.source, cells, inside,
+                run_);
+    // What the peeled mesh lacks no clean-up brings back.
+    finish(c, s.target, site, false, run_);
+    c.verify_seconds += verified;
+    if (!s.target.options.clean_up || !boundary_is_complete(c.verification)) continue;
+    const double drafted = c.verify_seconds;
+    finish(c, s.target, site, true, run_);
+    c.verify_seconds += drafted;
   }
   return repaired;
 }
