@@ -8,21 +8,24 @@
 namespace remeshd {
 namespace {
 
-struct SurfacePoint {
-  Vec3 p, n;
-};
-
-/// The point on the nearest surface of the model: facets cut round faces short.
-SurfacePoint onto_surface(const Membership& model, const std::vector<int>& owners, const Vec3& p) {
-  const Surface* nearest = nullptr;
+/// The surface of the model that a face lies on: the one that all corners of its facets are on.
+/// Between the corners, facets cut round faces short and may come nearer to another surface.
+const Surface& surface_of(const Membership& model, const std::vector<int>& owners,
+                          const kernel::Brep& brep, const kernel::BrepFace& face) {
+  const Surface* best = nullptr;
   double least = HUGE_VAL;
   for (const int owner : owners)
-    for (const SolidFace& face : model.solids()[owner].faces())
-      if (const double d = std::fabs(signed_distance(face.surface, p)); d < least) {
-        least = d;
-        nearest = &face.surface;
+    for (const SolidFace& candidate : model.solids()[owner].faces()) {
+      double off = 0;
+      for (const auto& t : face.triangles)
+        for (const int p : t)
+          off = std::max(off, std::fabs(signed_distance(candidate.surface, brep.points[p])));
+      if (off < least) {
+        least = off;
+        best = &candidate.surface;
       }
-  return {project(*nearest, p), normal(*nearest, p)};
+    }
+  return *best;
 }
 
 /// `count` points spread evenly over the facets of a face.
@@ -65,15 +68,16 @@ std::vector<ClassTotals> estimate_areas(const PointClasses& classes, const Model
       const CellFace& face = cells.faces[i];
       const int count = std::max(16, static_cast<int>(samples * face.area / whole));
       const std::vector<Vec3> points = spread(*cells.brep, cells.brep->faces[i], count);
+      const Surface& surface = surface_of(model, face.owners, *cells.brep, cells.brep->faces[i]);
       for (const Vec3& raw : points) {
-        const SurfacePoint at = onto_surface(model, face.owners, raw);
+        const Vec3 p = project(surface, raw), n = normal(surface, raw);
         for (std::size_t f = 0; f < totals.size(); ++f) {
           const FeaturePair& pair = classes.features()[f];
           if (!std::ranges::binary_search(face.owners, is_original ? pair.original : pair.modified))
             continue;
           const Transform to_modified = is_original ? rigid_inverse(pair.to_original) : Transform{};
-          const DifferenceClass value = classes.face(static_cast<int>(f), to_modified.apply(at.p),
-                                                     to_modified.rotate(at.n), probe);
+          const DifferenceClass value =
+              classes.face(static_cast<int>(f), to_modified.apply(p), to_modified.rotate(n), probe);
           // Faces of both models are counted where the modified model has them.
           const bool old = value == DifferenceClass::OldYes || value == DifferenceClass::OldNo;
           if (old == is_original && value != DifferenceClass::Artefact)

@@ -16,8 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "engine/base/error.h"
 #include "engine/kernel/brep_shapes.h"
@@ -41,7 +39,93 @@ void mesh(const TopoDS_Shape& shape, double angle, const Message_ProgressRange& 
   BRepMesh_IncrementalMesh(shape, parameters, range);
 }
 
-/// Numbers the nodes of all faces' triangulations so that those on a shared edge are one.
+TopoDS_Face face_shape(const Brep& brep, int f) {
+  return TopoDS::Face(shape_of(brep, Element::Face, f).Oriented(TopAbs_FORWARD));
+}
+
+std::array<int, 2> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// Whether the triangles of a face cover it once: no half-edge twice, and those without a partner
+/// are the segments of its edges, all of them. Where two edges nearly touch their polylines may
+/// cross, and the CAD kernel then leaves out or doubles triangles without a word.
+bool sound(const BrepFace& face, const EdgeChains& chains) {
+  std::vector<std::array<int, 2>> half_edges, rim, border;
+  for (const auto& t : face.triangles)
+    for (int i = 0; i < 3; ++i) half_edges.push_back({t[i], t[(i + 1) % 3]});
+  std::ranges::sort(half_edges);
+  if (std::ranges::adjacent_find(half_edges) != half_edges.end()) return false;
+  for (const auto& [a, b] : half_edges)
+    if (!std::ranges::binary_search(half_edges, std::array{b, a})) rim.push_back(ordered(a, b));
+  for (const int e : face.edges) {
+    if (std::ranges::count(face.edges, e) != 1) continue;  // a seam has the face on both sides
+    for (std::size_t i = 0; i + 1 < chains[e].size(); ++i)
+      border.push_back(ordered(chains[e][i].node, chains[e][i + 1].node));
+  }
+  std::ranges::sort(rim);
+  std::ranges::sort(border);
+  return rim == border;
+}
+
+/// Faces without a sound triangulation.
+std::vector<int> bad_faces(const Brep& brep, const EdgeChains& chains) {
+  std::vector<int> bad;
+  for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
+    if (brep.faces[f].triangles.empty() || !sound(brep.faces[f], chains)) bad.push_back(f);
+  return bad;
+}
+
+int add_point(Brep& brep, const gp_Pnt& p) {
+  brep.points.push_back(Vec3{p.X(), p.Y(), p.Z()});
+  return static_cast<int>(brep.points.size()) - 1;
+}
+
+/// Splits a triangle at a point of its face above the centroid.
+void split(Brep& brep, int f, const std::array<int, 3>& corners) {
+  std::vector<std::array<int, 3>>& triangles = brep.faces[f].triangles;
+  const auto at = std::ranges::find_if(triangles, [&](std::array<int, 3> t) {
+    std::ranges::sort(t);
+    return t == corners;
+  });
+  const auto [a, b, c] = *at;
+  const Vec3 p = (brep.points[a] + brep.points[b] + brep.points[c]) / 3;
+  const GeomAPI_ProjectPointOnSurf above({p.x, p.y, p.z}, BRep_Tool::Surface(face_shape(brep, f)));
+  if (above.NbPoints() == 0) return;
+  const int middle = add_point(brep, above.NearestPoint());
+  *at = {a, b, middle};
+  triangles.push_back({b, c, middle});
+  triangles.push_back({c, a, middle});
+}
+
+/// Faces with a triangle that another one has too, as a shallow cap and the disc below it may, are
+/// parted in its middle. Returns those where that was not possible.
+std::vector<int> part_touching(Brep& brep) {
+  std::vector<std::pair<std::array<int, 3>, int>> all;  // nodes and face
+  for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
+    for (std::array<int, 3> t : brep.faces[f].triangles) {
+      std::ranges::sort(t);
+      all.emplace_back(t, f);
+    }
+  std::ranges::sort(all);
+  std::vector<int> bad;
+  const auto round = [&](int face) {
+    return BRepAdaptor_Surface(face_shape(brep, face), false).GetType() != GeomAbs_Plane;
+  };
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const auto& [nodes, face] = all[i];
+    const auto& [nodes_before, face_before] = all[i - 1];
+    if (nodes != nodes_before) continue;
+    if (round(face))
+      split(brep, face, nodes);
+    else if (round(face_before))
+      split(brep, face_before, nodes);
+    else
+      bad.push_back(face);
+  }
+  return bad;
+}
+
+/// Takes over the CAD kernel's triangulation, its nodes numbered so that those on a shared edge are
+/// one.
 class NodeNumbers {
  public:
   explicit NodeNumbers(Brep& brep) : brep_(brep), chains_(brep.edges.size()) {
@@ -52,40 +136,7 @@ class NodeNumbers {
 
   void add_all() {
     for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
-      if (!add_face(f, face_shape(f))) brep_.faces[f].triangles.clear();
-  }
-
-  /// Faces without a sound triangulation.
-  [[nodiscard]] std::vector<int> bad_faces() const {
-    std::vector<int> bad;
-    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
-      if (brep_.faces[f].triangles.empty() || !sound(brep_.faces[f])) bad.push_back(f);
-    return bad;
-  }
-
-  /// Faces with a triangle that another one has too, as a shallow cap and the disc below it may,
-  /// are parted in its middle. Returns those where that was not possible.
-  std::vector<int> part_touching() {
-    std::map<std::array<int, 3>, int> face_of;
-    std::vector<std::pair<int, std::array<int, 3>>> splits;
-    std::vector<int> bad;
-    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f)
-      for (std::array<int, 3> t : brep_.faces[f].triangles) {
-        std::ranges::sort(t);
-        const auto [it, fresh] = face_of.try_emplace(t, f);
-        if (fresh) continue;
-        const auto round = [&](int face) {
-          return BRepAdaptor_Surface(face_shape(face), false).GetType() != GeomAbs_Plane;
-        };
-        if (round(f))
-          splits.emplace_back(f, t);
-        else if (round(it->second))
-          splits.emplace_back(it->second, t);
-        else
-          bad.push_back(f);
-      }
-    for (const auto& [f, t] : splits) split(f, t);
-    return bad;
+      if (!add_face(f, face_shape(brep_, f))) brep_.faces[f].triangles.clear();
   }
 
   EdgeChains& chains() { return chains_; }
@@ -136,54 +187,7 @@ class NodeNumbers {
     return true;
   }
 
-  /// Whether the triangles of each face cover it once: no half-edge twice, and those without a
-  /// partner are the segments of its edges, all of them. Where two edges nearly touch their
-  /// polylines may cross, and the CAD kernel then leaves out or doubles triangles without a word.
-  [[nodiscard]] bool sound(const BrepFace& face) const {
-    std::set<std::array<int, 2>> half_edges;
-    for (const auto& t : face.triangles)
-      for (int i = 0; i < 3; ++i)
-        if (!half_edges.insert({t[i], t[(i + 1) % 3]}).second) return false;
-    std::set<std::array<int, 2>> rim;
-    for (const auto& [a, b] : half_edges)
-      if (!half_edges.contains({b, a})) rim.insert({std::min(a, b), std::max(a, b)});
-    std::size_t segments = 0;
-    for (const int e : face.edges) {
-      if (std::ranges::count(face.edges, e) != 1) continue;  // a seam has the face on both sides
-      for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
-        const int a = chains_[e][i].node, b = chains_[e][i + 1].node;
-        if (!rim.contains({std::min(a, b), std::max(a, b)})) return false;
-        ++segments;
-      }
-    }
-    return segments == rim.size();
-  }
-
-  [[nodiscard]] TopoDS_Face face_shape(int f) const {
-    return TopoDS::Face(shape_of(brep_, Element::Face, f).Oriented(TopAbs_FORWARD));
-  }
-
-  /// Splits a triangle at a point of its face above the centroid.
-  void split(int f, const std::array<int, 3>& corners) {
-    std::vector<std::array<int, 3>>& triangles = brep_.faces[f].triangles;
-    const auto at = std::ranges::find_if(triangles, [&](std::array<int, 3> t) {
-      std::ranges::sort(t);
-      return t == corners;
-    });
-    const auto [a, b, c] = *at;
-    const Vec3 p = (brep_.points[a] + brep_.points[b] + brep_.points[c]) / 3;
-    const GeomAPI_ProjectPointOnSurf above({p.x, p.y, p.z}, BRep_Tool::Surface(face_shape(f)));
-    if (above.NbPoints() == 0) return;
-    const int middle = add(above.NearestPoint());
-    *at = {a, b, middle};
-    triangles.push_back({b, c, middle});
-    triangles.push_back({c, a, middle});
-  }
-
-  int add(const gp_Pnt& p) {
-    brep_.points.push_back(Vec3{p.X(), p.Y(), p.Z()});
-    return static_cast<int>(brep_.points.size()) - 1;
-  }
+  int add(const gp_Pnt& p) { return add_point(brep_, p); }
 
   Brep& brep_;
   EdgeChains chains_;
@@ -206,16 +210,24 @@ Vec3 place_on(const Brep& brep, int face) {
 }  // namespace
 
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
-  std::vector<int> bad;
+  // The polylines and nodes that are good nearly everywhere take a tenth of the CAD kernel's time.
+  EdgeChains own(brep.edges.size());
+  std::vector<int> bad = mesh_faces(brep, own, run);
+  if (bad.empty()) bad = bad_faces(brep, own);
+  if (bad.empty() || (mend_faces(brep, own, bad) && bad_faces(brep, own).empty())) {
+    bad = part_touching(brep);
+    if (bad.empty()) return;
+  }
   for (const double angle : kMeshAngles) {
     if (angle != kMeshAngles.front()) BRepTools::Clean(shape);
     with_progress(run, [&](const Message_ProgressRange& range) { mesh(shape, angle, range); });
     NodeNumbers numbers(brep);
     numbers.add_all();
-    bad = numbers.bad_faces();
-    if (!bad.empty() && (!mend_faces(brep, numbers.chains(), bad) || !numbers.bad_faces().empty()))
+    bad = bad_faces(brep, numbers.chains());
+    if (!bad.empty() &&
+        (!mend_faces(brep, numbers.chains(), bad) || !bad_faces(brep, numbers.chains()).empty()))
       continue;
-    bad = numbers.part_touching();
+    bad = part_touching(brep);
     if (bad.empty()) return;
   }
   throw error::kernel_failure("a face could not be triangulated",

@@ -47,6 +47,10 @@ struct EdgeNode {
 };
 using EdgeChains = std::vector<std::vector<EdgeNode>>;  ///< by edge, from start to end
 
+/// Triangulates all faces from polylines of their edges, which it fills in, and nodes of its own
+/// inside, kernel units. Returns the faces where that did not work, as where polylines cross.
+std::vector<int> mesh_faces(Brep& brep, EdgeChains& chains, const Run& run);
+
 /// Triangulates faces anew, from the polylines of their edges and nodes of its own inside. Where
 /// polylines cross, at edges that nearly touch, their segments are split, and all faces at them
 /// triangulated anew. Kernel units.

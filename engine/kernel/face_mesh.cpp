@@ -1,9 +1,8 @@
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
 #include <Geom2d_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -14,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
+#include "engine/kernel/border_mesh.h"
 #include "engine/kernel/brep_shapes.h"
 
 namespace remeshd::kernel {
@@ -24,31 +23,16 @@ namespace {
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = K::Point_2;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    K, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<int, K>,
-                                            CGAL::Constrained_triangulation_face_base_2<K>>>;
 
-constexpr double kStep = 0.24;        // rad between nodes on round faces
+constexpr double kStep = 0.2;         // rad between nodes, about that of the polylines
+constexpr double kTorusStep = 0.15;   // rad; on faces that are round both ways, without poles
 constexpr double kSameCorner = 1e-3;  // kernel units: images of one node this near are one corner
 constexpr double kShortest = 1e-6;    // kernel units: segments are not split below
 constexpr int kRounds = 40;
 constexpr std::size_t kMaxInterior = 20'000;
 constexpr double kAreaError = 0.05;  // of the face; more means that it was not covered
 
-/// A face's border in its parameters, stretched so that lengths are about those in space.
-struct Border {
-  struct Corner {
-    Point2 p;
-    int node;
-  };
-  struct Segment {
-    int a, b;         ///< corners
-    int edge, index;  ///< of the edge's polyline; -1: at a pole
-    int uses;         ///< 2: the face on both sides
-  };
-  std::vector<Corner> corners;
-  std::vector<Segment> segments;
-};
+Point2 point2(const std::array<double, 2>& p) { return {p[0], p[1]}; }
 
 /// A segment of an edge's polyline.
 struct Cut {
@@ -56,11 +40,23 @@ struct Cut {
   friend auto operator<=>(const Cut&, const Cut&) = default;
 };
 
-class Mender {
+class FaceMesher {
  public:
-  Mender(Brep& brep, EdgeChains& chains) : brep_(brep), chains_(chains), faces_at_(chains.size()) {
+  FaceMesher(Brep& brep, EdgeChains& chains)
+      : brep_(brep), chains_(chains), faces_at_(chains.size()) {
     for (std::size_t f = 0; f < brep.faces.size(); ++f)
       for (const int e : brep.faces[f].edges) faces_at_[e].push_back(static_cast<int>(f));
+  }
+
+  /// Returns the faces where that did not work.
+  std::vector<int> mesh_all(const Run& run) {
+    std::vector<int> bad;
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) require_chain(e);
+    for (int f = 0; f < static_cast<int>(brep_.faces.size()); ++f) {
+      run.poll();
+      if (!triangulate(f)) bad.push_back(f);
+    }
+    return bad;
   }
 
   bool mend(const std::vector<int>& bad) {
@@ -95,9 +91,10 @@ class Mender {
     if (!chain.empty()) return;
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, e)));
     const double first = curve.FirstParameter(), last = curve.LastParameter();
+    // Every other of the edge's own points, at even steps.
     const int n = brep_.edges[e].kind == BrepEdge::Kind::Line
                       ? 1
-                      : std::max(2, static_cast<int>(brep_.edges[e].points.size() + 1) / 2);
+                      : std::max(2, static_cast<int>(brep_.edges[e].points.size()) / 2);
     chain.push_back({brep_.edges[e].vertices[0], first});
     for (int i = 1; i < n; ++i) {
       const double t = first + (last - first) * i / n;
@@ -113,22 +110,66 @@ class Mender {
     chain.insert(chain.begin() + cut.index + 1, {add_point(curve.Value(t)), t});
   }
 
+  /// Maps lengths along a face's parameters to about those in space, but for straight lines on a
+  /// cylinder or cone, which count little: so triangles stand along them and cut nothing short.
+  void find_stretch(const BRepAdaptor_Surface& surface) {
+    const double low = surface.FirstVParameter(), high = surface.LastVParameter();
+    gp_Pnt at;
+    gp_Vec along_u, along_v;
+    surface.D1(0.5 * (surface.FirstUParameter() + surface.LastUParameter()), 0.5 * (low + high), at,
+               along_u, along_v);
+    stretch_ = {along_u.Magnitude(), along_v.Magnitude()};
+    if (is_ruled(surface))
+      stretch_[1] = std::min(stretch_[1], kStep * stretch_[0] / std::max(high - low, kShortest));
+  }
+
+  static bool is_ruled(const BRepAdaptor_Surface& surface) {
+    return surface.GetType() == GeomAbs_Cylinder || surface.GetType() == GeomAbs_Cone;
+  }
+
+  /// A plane's border needs no curves in parameters: its nodes lie on it.
+  Border plane_border(int f, const gp_Pln& plane) {
+    Border border;
+    std::map<int, int> of_node;
+    const auto corner = [&](int node) {
+      const auto [it, fresh] = of_node.try_emplace(node, static_cast<int>(border.corners.size()));
+      if (fresh) {
+        const Vec3& p = brep_.points[node];
+        double u = 0, v = 0;
+        ElSLib::Parameters(plane, {p.x, p.y, p.z}, u, v);
+        border.corners.push_back({{u, v}, node});
+      }
+      return it->second;
+    };
+    const std::vector<int>& edges = brep_.faces[f].edges;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const bool twice = k + 1 < edges.size() && edges[k + 1] == edges[k];
+      const std::vector<EdgeNode>& chain = chains_[edges[k]];
+      for (int i = 0; i + 1 < static_cast<int>(chain.size()); ++i)
+        border.segments.push_back(
+            {corner(chain[i].node), corner(chain[i + 1].node), edges[k], i, twice ? 2 : 1});
+      k += twice ? 1 : 0;
+    }
+    return border;
+  }
+
   Border border_of(int f) {
     const TopoDS_Face face = face_shape(f);
     const BRepAdaptor_Surface surface(face);
-    gp_Pnt at;
-    gp_Vec along_u, along_v;
-    surface.D1(0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
-               0.5 * (surface.FirstVParameter() + surface.LastVParameter()), at, along_u, along_v);
-    stretch_ = {along_u.Magnitude(), along_v.Magnitude()};
+    if (surface.GetType() == GeomAbs_Plane) {
+      stretch_ = {1, 1};
+      return plane_border(f, surface.Plane());
+    }
+    find_stretch(surface);
 
     Border border;
     std::multimap<int, int> of_node;
     const auto corner = [&](int node, const gp_Pnt2d& uv) {
-      const Point2 p(uv.X() * stretch_[0], uv.Y() * stretch_[1]);
+      const std::array<double, 2> p{uv.X() * stretch_[0], uv.Y() * stretch_[1]};
       const auto [begin, end] = of_node.equal_range(node);
       for (auto it = begin; it != end; ++it)
-        if (CGAL::squared_distance(border.corners[it->second].p, p) < kSameCorner * kSameCorner)
+        if (std::hypot(border.corners[it->second].p[0] - p[0],
+                       border.corners[it->second].p[1] - p[1]) < kSameCorner)
           return it->second;
       border.corners.push_back({p, node});
       of_node.emplace(node, static_cast<int>(border.corners.size()) - 1);
@@ -182,7 +223,7 @@ class Mender {
   }
 
   static bool clash(const Border& border, const Border::Segment& s, const Border::Segment& t) {
-    const auto at = [&](int corner) -> const Point2& { return border.corners[corner].p; };
+    const auto at = [&](int corner) { return point2(border.corners[corner].p); };
     for (const auto& [a, b] : {std::pair(s.a, s.b), std::pair(s.b, s.a)})
       for (const auto& [c, d] : {std::pair(t.a, t.b), std::pair(t.b, t.a)})
         if (a == c)
@@ -198,7 +239,7 @@ class Mender {
     const auto& segments = border.segments;
     std::vector<CGAL::Bbox_2> boxes;
     for (const Border::Segment& s : segments)
-      boxes.push_back(border.corners[s.a].p.bbox() + border.corners[s.b].p.bbox());
+      boxes.push_back(point2(border.corners[s.a].p).bbox() + point2(border.corners[s.b].p).bbox());
     for (std::size_t i = 0; i < segments.size(); ++i)
       for (std::size_t j = i + 1; j < segments.size(); ++j) {
         if (!CGAL::do_overlap(boxes[i], boxes[j])) continue;
@@ -214,52 +255,24 @@ class Mender {
 
   bool triangulate(int f) {
     const Border border = border_of(f);
-    Triangulation mesh;
-    std::vector<Triangulation::Vertex_handle> handles;
-    for (const Border::Corner& corner : border.corners) {
-      handles.push_back(mesh.insert(corner.p));
-      handles.back()->info() = corner.node;
-    }
-    if (mesh.number_of_vertices() != border.corners.size()) return false;
-    std::map<std::pair<int, int>, int> uses;
-    for (const Border::Segment& s : border.segments) {
-      mesh.insert_constraint(handles[s.a], handles[s.b]);
-      uses[std::minmax(s.a, s.b)] += s.uses;
-    }
-    if (mesh.number_of_vertices() != border.corners.size()) return false;
-    std::map<Triangulation::Vertex_handle, int> corner_of;
-    for (std::size_t i = 0; i < handles.size(); ++i) corner_of[handles[i]] = static_cast<int>(i);
-    const auto border_uses = [&](Triangulation::Face_handle t, int i) {
-      if (!t->is_constrained(i)) return 0;
-      const int a = corner_of.at(t->vertex(Triangulation::cw(i)));
-      const int b = corner_of.at(t->vertex(Triangulation::ccw(i)));
-      return uses.at(std::minmax(a, b));
+    const BRepAdaptor_Surface surface(face_shape(f), /*Restriction=*/false);
+    const std::vector<std::array<double, 2>> inner = interior(surface, border);
+    const auto triangles = mesh_border(border, inner);
+    if (!triangles) return false;
+    const int n = static_cast<int>(border.corners.size());
+    std::vector<int> node_of(inner.size(), -1);
+    const auto node = [&](int corner) {
+      if (corner < n) return border.corners[corner].node;
+      int& number = node_of[corner - n];
+      const auto& p = inner[corner - n];
+      if (number < 0) number = add_point(surface.Value(p[0] / stretch_[0], p[1] / stretch_[1]));
+      return number;
     };
-    insert_interior(f, border, mesh);
-
-    // Inside is what an odd number of border segments parts from the outside.
-    std::map<Triangulation::Face_handle, bool> inside{{mesh.infinite_face(), false}};
-    std::vector<Triangulation::Face_handle> todo{mesh.infinite_face()};
-    while (!todo.empty()) {
-      const Triangulation::Face_handle t = todo.back();
-      todo.pop_back();
-      for (int i = 0; i < 3; ++i) {
-        const bool beyond = inside.at(t) != (border_uses(t, i) % 2 == 1);
-        if (inside.try_emplace(t->neighbor(i), beyond).second) todo.push_back(t->neighbor(i));
-      }
-    }
     BrepFace& out = brep_.faces[f];
     out.triangles.clear();
     double area = 0;
-    const BRepAdaptor_Surface surface(face_shape(f));
-    for (auto t = mesh.finite_faces_begin(); t != mesh.finite_faces_end(); ++t) {
-      if (!inside.at(t)) continue;
-      for (int i = 0; i < 3; ++i)
-        if (int& node = t->vertex(i)->info(); node < 0) {
-          const Point2& p = t->vertex(i)->point();
-          node = add_point(surface.Value(p.x() / stretch_[0], p.y() / stretch_[1]));
-        }
-      const int a = t->vertex(0)->info(), b = t->vertex(1)->info(), c = t->vertex(2)->info();
+    for (const BorderTriangle& t : *triangles) {
+      const int a = node(t.corners[0]), b = node(t.corners[1]), c = node(t.corners[2]);
       if (a == b || b == c || c == a) continue;  // at a pole
       out.triangles.push_back({a, b, c});
       area +=
@@ -269,34 +282,32 @@ class Mender {
     return std::fabs(area - out.area) <= kAreaError * out.area || out.area < 1e-2;
   }
 
-  /// Puts nodes on a round face, about as far from its border as from each other; their numbers
-  /// are -1 until a triangle needs them.
-  void insert_interior(int f, const Border& border, Triangulation& mesh) {
-    const BRepAdaptor_Surface surface(face_shape(f));
-    if (surface.GetType() == GeomAbs_Plane) return;
-    CGAL::Bbox_2 box = border.corners.front().p.bbox();
-    for (const Border::Corner& corner : border.corners) box += corner.p.bbox();
-    const bool straight =
-        surface.GetType() == GeomAbs_Cylinder || surface.GetType() == GeomAbs_Cone;
-    const double step_u = kStep * stretch_[0];
-    double step_v = kStep * stretch_[1];
-    if (straight) step_v = std::max(step_u, (box.ymax() - box.ymin()) / 12);
+  /// Nodes on a face that is round both ways, about as far from its border as from each other.
+  std::vector<std::array<double, 2>> interior(const BRepAdaptor_Surface& surface,
+                                              const Border& border) const {
+    if (surface.GetType() == GeomAbs_Plane || is_ruled(surface)) return {};
+    CGAL::Bbox_2 box;
+    for (const Border::Corner& corner : border.corners) box += point2(corner.p).bbox();
+    // Next to a pole small steps make slivers with the polylines' long ones.
+    const double step = surface.GetType() == GeomAbs_Sphere ? kStep : kTorusStep;
+    const double step_u = step * stretch_[0], step_v = step * stretch_[1];
+    const double reach = 0.4 * std::min(step_u, step_v);
     const double nu = (box.xmax() - box.xmin()) / step_u, nv = (box.ymax() - box.ymin()) / step_v;
-    if (!(nu * nv < kMaxInterior)) return;
-    std::vector<Point2> points;
+    if (!(nu * nv < kMaxInterior)) return {};
+    std::vector<std::array<double, 2>> points;
     for (int i = 0; i < nu; ++i)
       for (int j = 0; j < nv; ++j) {
         // Rows shifted by half a step make better triangles.
         const Point2 p(box.xmin() + step_u * (i + (j % 2 == 0 ? 0.3 : 0.8)),
                        box.ymin() + step_v * (j + 0.45));
         const bool far = std::ranges::all_of(border.segments, [&](const Border::Segment& s) {
-          const double reach = 0.4 * std::min(step_u, step_v);
-          return CGAL::squared_distance(K::Segment_2(border.corners[s.a].p, border.corners[s.b].p),
-                                        p) > reach * reach;
+          return CGAL::squared_distance(
+                     K::Segment_2(point2(border.corners[s.a].p), point2(border.corners[s.b].p)),
+                     p) > reach * reach;
         });
-        if (far && p.x() < box.xmax() && p.y() < box.ymax()) points.push_back(p);
+        if (far && p.x() < box.xmax() && p.y() < box.ymax()) points.push_back({p.x(), p.y()});
       }
-    for (const Point2& p : points) mesh.insert(p)->info() = -1;
+    return points;
   }
 
   Brep& brep_;
@@ -307,8 +318,14 @@ class Mender {
 
 }  // namespace
 
+std::vector<int> mesh_faces(Brep& brep, EdgeChains& chains, const Run& run) {
+  brep.points.clear();
+  for (const BrepVertex& vertex : brep.vertices) brep.points.push_back(vertex.position);
+  return FaceMesher(brep, chains).mesh_all(run);
+}
+
 bool mend_faces(Brep& brep, EdgeChains& chains, const std::vector<int>& bad) {
-  return Mender(brep, chains).mend(bad);
+  return FaceMesher(brep, chains).mend(bad);
 }
 
 }  // namespace remeshd::kernel

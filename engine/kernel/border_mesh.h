@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace remeshd::kernel {
+
+/// The polylines round a face, flattened.
+struct Border {
+  struct Corner {
+    std::array<double, 2> p{};
+    int node = -1;  ///< the caller's
+  };
+  struct Segment {
+    int a = -1, b = -1;  ///< corners
+    int edge = -1;       ///< the caller's; -1: at a pole
+    int index = -1;      ///< in the polyline of the edge
+    int uses = 1;        ///< 2: the face on both sides
+  };
+  std::vector<Corner> corners;
+  std::vector<Segment> segments;
+};
+
+struct BorderTriangle {
+  std::array<int, 3> corners{};  ///< counter-clockwise; from the border's last on: of `inner`
+  int region = 0;                ///< equal where no segment parts two triangles
+};
+
+/// Triangulates what an odd number of segments parts from the outside, with these points inside, by
+/// constrained Delaunay triangulation.
+///
+/// Returns nothing where segments cross or touch each other away from their corners.
+std::optional<std::vector<BorderTriangle>> mesh_border(
+    const Border& border, std::span<const std::array<double, 2>> inner);
+
+}  // namespace remeshd::kernel
