@@ -8,7 +8,7 @@ ModelSummary summarise(const FeatureModel& model, const Run& run) {
   const CellularModel cells = build_cells(model, run);
   return {.volume = cells.volume,
           .area = cells.area,
-          .cells = static_cast<std::uint32_t>(cells.cells.size()),
+          .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
           .faces = static_cast<std::uint32_t>(cells.boundary.faces.size()),
           .edges = static_cast<std::uint32_t>(cells.boundary.edges.size()),
           .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size())};

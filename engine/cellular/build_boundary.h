@@ -3,19 +3,11 @@
 #include <vector>
 
 #include "engine/cellular/boundary_model.h"
+#include "engine/cellular/boundary_parts.h"
 #include "engine/cellular/skeleton.h"
 #include "engine/kernel/brep.h"
 
 namespace remeshd {
-
-/// A face of the B-rep that bounds material.
-struct BoundaryPiece {
-  bool boundary = false;
-  bool outward = true;  ///< whether its triangles look out of the material as they stand
-  Surface surface;      ///< of the first name
-  std::vector<FaceName> material_names;  ///< feature faces that cover it, of owners of the material
-  std::vector<FaceName> other_names;     ///< of other features
-};
 
 /// Joins the boundary's pieces into model faces, edges and vertices.
 ///

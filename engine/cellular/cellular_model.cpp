@@ -3,173 +3,44 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
+#include <mutex>
 #include <numeric>
-#include <optional>
 #include <string>
 
 #include "engine/base/error.h"
 #include "engine/cellular/build_boundary.h"
-#include "engine/cellular/check_cells.h"
-#include "engine/cellular/feature_brep.h"
 #include "engine/cellular/features_at.h"
+#include "engine/cellular/fuse_features.h"
+#include "engine/cellular/owners.h"
 #include "engine/cellular/point_contact.h"
 #include "engine/cellular/skeleton.h"
+#include "engine/cellular/stitch.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 
 namespace remeshd {
+
+/// The cells of a model, or how to make them when asked for.
+class ComplexOnDemand {
+ public:
+  explicit ComplexOnDemand(CellComplex made) : made_(std::move(made)) {}
+  explicit ComplexOnDemand(FeatureModel model) : model_(std::move(model)) {}
+
+  const CellComplex& get(const Run& run) const {
+    const std::scoped_lock lock(mutex_);
+    if (!made_) made_ = build_cells(model_, run).complex(run);
+    return *made_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::optional<CellComplex> made_;
+  FeatureModel model_;
+};
+
 namespace {
 
 using kernel::Brep;
-
-/// After a fuse of the features in reverse order.
-void restore_order(kernel::Fusion& fusion, int parts) {
-  for (auto* kind : {&fusion.cells, &fusion.faces, &fusion.edges, &fusion.vertices})
-    for (std::vector<kernel::Source>& sources : *kind) {
-      for (kernel::Source& source : sources) source.part = parts - 1 - source.part;
-      std::ranges::sort(sources);
-    }
-}
-
-/// The same as a general fuse, by one fuse for each part with the result of those before it.
-kernel::Fusion fuse_in_turn(const std::vector<kernel::Part>& parts, const Run& run) {
-  kernel::Fusion all = kernel::general_fuse(std::span(parts).first(1), run);
-  for (int p = 1; p < static_cast<int>(parts.size()); ++p) {
-    std::vector<int> cells(all.brep.cells.size());
-    std::iota(cells.begin(), cells.end(), 0);
-    kernel::Fusion next = kernel::general_fuse(
-        std::array{kernel::Part{&all.brep, cells, Transform()}, parts[p]}, run);
-    const auto trace = [&](auto kernel::Fusion::*kind) {
-      for (std::vector<kernel::Source>& sources : next.*kind) {
-        std::vector<kernel::Source> traced;
-        for (const kernel::Source& source : sources)
-          if (source.part == 1)
-            traced.push_back({p, source.element});
-          else
-            std::ranges::copy((all.*kind)[source.element], std::back_inserter(traced));
-        std::ranges::sort(traced);
-        traced.erase(std::unique(traced.begin(), traced.end()), traced.end());
-        sources = std::move(traced);
-      }
-    };
-    trace(&kernel::Fusion::cells);
-    trace(&kernel::Fusion::faces);
-    trace(&kernel::Fusion::edges);
-    trace(&kernel::Fusion::vertices);
-    all = std::move(next);
-  }
-  return all;
-}
-
-/// The general fuse of all features, with what is known about each feature's own faces.
-struct Fused {
-  std::vector<Brep> features;  ///< in history order; part i of the fusion is feature i
-  kernel::Fusion fusion;
-};
-
-/// Whether the CAD kernel begins and ends the feature's faces at a seam in its xz plane.
-bool has_seam(const Shape& shape) {
-  if (const auto* revolution = std::get_if<Revolution>(&shape))
-    return revolution->angle > 2 * std::numbers::pi - 1e-12;
-  return !std::holds_alternative<Block>(shape) && !std::holds_alternative<Prism>(shape) &&
-         !std::holds_alternative<Slot>(shape);
-}
-
-/// What the model does not depend on, but whether the CAD kernel gets it right.
-struct Attempt {
-  double seam;           ///< rad about their axis: where round features are cut open
-  bool last_first;       ///< order of the features as the kernel's arguments
-  int doublings = 0;     ///< of the kernel's unit
-  bool in_turn = false;  ///< one feature after the other
-};
-
-constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
-
-/// In this order until one succeeds. A finer unit tells apart what nearly coincides; a coarser one
-/// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
-/// and moves nothing by more than that; samples and volumes are those of the exact model either
-/// way. Where all fail, that takes as long as ten fuses.
-constexpr std::array kAttempts{Attempt{0.0, false, 0}, Attempt{0.7, false, 0},
-                               Attempt{2.5, false, 0}, Attempt{0.7, false, -4},
-                               Attempt{2.5, true, 4},  Attempt{0.0, false, 0, true}};
-
-Fused fuse_features(const FeatureModel& model, const Membership& membership, const Attempt& attempt,
-                    const Run& run) {
-  Box box;
-  for (const Solid& solid : membership.solids()) box.add(solid.bounds());
-  const double scale = std::ldexp(kernel::unit_scale(box.diagonal()), -attempt.doublings);
-  Fused fused;
-  for (const Feature& feature : model.features) {
-    fused.features.push_back(feature_brep(feature, scale));
-    run.poll();
-  }
-  const double c = std::cos(attempt.seam), t = std::sin(attempt.seam);
-  const Transform turn = Transform::frame({c, t, 0}, {-t, c, 0}, {0, 0, 1}, {});
-  std::vector<kernel::Part> parts;
-  for (std::size_t i = 0; i < model.features.size(); ++i) {
-    const Feature& feature = model.features[i];
-    const bool turned = attempt.seam != 0 && has_seam(feature.shape);
-    parts.push_back(
-        {&fused.features[i], {0}, turned ? feature.placement * turn : feature.placement});
-  }
-  if (attempt.last_first) std::ranges::reverse(parts);
-  fused.fusion = attempt.in_turn ? fuse_in_turn(parts, run) : kernel::general_fuse(parts, run);
-  if (attempt.last_first) restore_order(fused.fusion, static_cast<int>(parts.size()));
-  return fused;
-}
-
-/// The feature's surface of this name that the face of the B-rep lies on.
-const Surface& surface_of(const Solid& solid, const std::string& name, const Brep& brep, int face) {
-  const SolidFace* best = nullptr;
-  double nearest = HUGE_VAL;
-  for (const SolidFace& candidate : solid.faces()) {
-    if (candidate.name != name) continue;
-    double gap = 0;
-    for (const auto& triangle : brep.faces[face].triangles)
-      for (const int p : triangle)
-        gap = std::max(gap, std::fabs(signed_distance(candidate.surface, brep.points[p])));
-    if (gap < nearest) {
-      nearest = gap;
-      best = &candidate;
-    }
-  }
-  if (best == nullptr || nearest > 100 * kernel_tolerance(brep))
-    throw error::kernel_failure("a face lies on no surface called " + name,
-                                brep.edges[brep.faces[face].edges.front()].points.front());
-  return best->surface;
-}
-
-void merge_owners(std::vector<int>& owners, const std::vector<int>& more) {
-  std::vector<int> merged;
-  std::set_union(owners.begin(), owners.end(), more.begin(), more.end(),
-                 std::back_inserter(merged));
-  owners = std::move(merged);
-}
-
-void fill_cells_and_faces(CellularModel& out, const kernel::Fusion& fusion,
-                          const Membership& membership) {
-  const Brep& brep = fusion.brep;
-  for (std::size_t c = 0; c < brep.cells.size(); ++c) {
-    Cell cell;
-    for (const kernel::Source& source : fusion.cells[c]) cell.owners.push_back(source.part);
-    cell.positive = membership.nature(cell.owners.back()) == Nature::Additive;
-    cell.volume = brep.cells[c].volume;
-    if (cell.positive) out.volume += cell.volume;
-    out.cells.push_back(std::move(cell));
-  }
-  const auto positive = [&](int cell) { return cell >= 0 && out.cells[cell].positive; };
-  for (const kernel::BrepFace& face : brep.faces) {
-    CellFace cell_face;
-    cell_face.cells = face.cells;
-    cell_face.area = face.area;
-    cell_face.boundary = positive(face.cells[0]) != positive(face.cells[1]);
-    for (const int c : face.cells)
-      if (c >= 0) merge_owners(cell_face.owners, out.cells[c].owners);
-    if (cell_face.boundary) out.area += face.area;
-    out.faces.push_back(std::move(cell_face));
-  }
-}
 
 /// A part of the model's material that shares no face with the rest.
 struct Piece {
@@ -179,7 +50,7 @@ struct Piece {
 };
 
 /// Throws Error(EmptyModel, DisconnectedModel); the latter names the smallest piece.
-void require_one_piece(const CellularModel& model, const FeatureModel& features) {
+void require_one_piece(const CellComplex& model, const FeatureModel& features) {
   std::vector<int> piece(model.cells.size());
   std::iota(piece.begin(), piece.end(), 0);
   const auto find = [&](int c) {
@@ -210,32 +81,6 @@ void require_one_piece(const CellularModel& model, const FeatureModel& features)
                                   model.cells[smallest.largest].inside, names);
 }
 
-/// Names and surface of every face of the B-rep, boundary or not.
-std::vector<BoundaryPiece> describe_faces(const CellularModel& model, const Fused& fused,
-                                          const Membership& membership) {
-  const Brep& brep = fused.fusion.brep;
-  std::vector<BoundaryPiece> pieces(brep.faces.size());
-  for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f) {
-    const CellFace& face = model.faces[f];
-    BoundaryPiece& piece = pieces[f];
-    piece.boundary = face.boundary;
-    piece.outward = face.cells[0] >= 0 && model.cells[face.cells[0]].positive;
-    const int material = face.boundary ? face.cells[piece.outward ? 0 : 1] : -1;
-    // Latest owner first: its surface, in the feature's own numbers, stands for all.
-    for (auto it = fused.fusion.faces[f].rbegin(); it != fused.fusion.faces[f].rend(); ++it) {
-      const FaceName name{it->part, fused.features[it->part].faces[it->element].label};
-      const bool owns =
-          material >= 0 && std::ranges::binary_search(model.cells[material].owners, it->part);
-      auto& names = owns ? piece.material_names : piece.other_names;
-      names.push_back(name);
-    }
-    const FaceName& first =
-        piece.material_names.empty() ? piece.other_names.front() : piece.material_names.front();
-    piece.surface = surface_of(membership.solids()[first.feature], first.face, brep, f);
-  }
-  return pieces;
-}
-
 /// Of the boundary's faces, or of all.
 Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces, bool boundary) {
   std::vector<SkeletonFace> faces;
@@ -253,7 +98,7 @@ Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
   return find_skeleton(brep, faces);
 }
 
-void fill_edges_and_vertices(CellularModel& out, const Brep& brep, const Skeleton& all,
+void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const Skeleton& all,
                              const Skeleton& boundary) {
   std::vector<std::vector<int>> vertex_owners(brep.vertices.size());
   for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
@@ -268,48 +113,60 @@ void fill_edges_and_vertices(CellularModel& out, const Brep& brep, const Skeleto
           {vertex_owners[v], boundary.vertex[v] != 0, brep.vertices[v].position, v});
 }
 
-CellularModel build(const FeatureModel& model, const Membership& membership, const Attempt& attempt,
-                    const Run& run) {
-  const Fused fused = fuse_features(model, membership, attempt, run);
-  const Brep& brep = fused.fusion.brep;
-
+/// Joins the boundary of a model from its parts.
+///
+/// Throws Error(NonManifoldModel).
+CellularModel join_boundary(BoundaryParts parts, const Membership& membership) {
   CellularModel out;
-  fill_cells_and_faces(out, fused.fusion, membership);
-  check_cells(out, brep, model, membership);
-  run.poll();
-  require_one_piece(out, model);
-
-  const std::vector<BoundaryPiece> pieces = describe_faces(out, fused, membership);
-  const Skeleton boundary = skeleton_of(brep, pieces, true);
-  require_manifold(brep, boundary);
+  const Brep& brep = parts.brep;
+  const Skeleton skeleton = skeleton_of(brep, parts.pieces, true);
+  require_manifold(brep, skeleton);
   if (const auto contact = find_point_contact(membership, 0.1 * kernel_tolerance(brep)))
     throw error::non_manifold_model("at a point", *contact, {});
-  fill_edges_and_vertices(out, brep, skeleton_of(brep, pieces, false), boundary);
-  out.boundary = build_boundary(brep, pieces, boundary);
-  out.brep = std::make_shared<const Brep>(brep);
+  out.boundary = build_boundary(brep, parts.pieces, skeleton);
+  for (const kernel::BrepFace& face : brep.faces) {
+    out.area += face.area;
+    out.volume += face.swept_volume;
+  }
+  out.scale = brep.scale;
+  out.parts = std::make_shared<const BoundaryParts>(std::move(parts));
   return out;
 }
 
 }  // namespace
 
+const CellComplex& CellularModel::complex(const Run& run) const { return on_demand->get(run); }
+
 CellularModel build_cells(const FeatureModel& model, const Run& run) {
   run.poll();
   const Membership membership(model);
-  // Again where the kernel fails; the first failure is the one to tell.
-  std::optional<Error> first;
-  for (const Attempt& attempt : kAttempts) {
-    if (attempt.in_turn && model.features.size() > kMaxInTurn) continue;
-    try {
-      return build(model, membership, attempt, run);
-    } catch (Error& failure) {
-      const ErrorInfo& info = failure.info();
-      if (info.place && info.feature.empty())
-        failure.info().feature = features_at(model, membership, *info.place);
-      if (info.reason != "KernelFailure") throw;
-      if (!first) first = failure;
+  CellularModel out;
+  fuse_features(model, membership, fuse_frame(membership), run, [&](FusedFeatures fused) {
+    const Brep& brep = *fused.cells.brep;
+    require_one_piece(fused.cells, model);
+    out = join_boundary(boundary_parts(brep, fused.pieces), membership);
+    fill_edges_and_vertices(fused.cells, brep, skeleton_of(brep, fused.pieces, false),
+                            skeleton_of(brep, fused.pieces, true));
+    out.on_demand = std::make_shared<const ComplexOnDemand>(std::move(fused.cells));
+  });
+  return out;
+}
+
+CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,
+                          const CellularModel& base, const Run& run) {
+  run.poll();
+  const Membership membership(model);
+  try {
+    if (auto parts = stitch({model, membership}, {base_model, *base.parts}, run)) {
+      CellularModel out = join_boundary(*std::move(parts), membership);
+      out.on_demand = std::make_shared<const ComplexOnDemand>(model);
+      return out;
     }
+  } catch (const Error& failure) {
+    // What is wrong with a model is told from all of it.
+    if (failure.info().kind == ErrorKind::Cancelled) throw;
   }
-  throw std::move(*first);
+  return build_cells(model, run);
 }
 
 }  // namespace remeshd

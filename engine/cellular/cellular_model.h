@@ -1,56 +1,31 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "engine/base/run.h"
 #include "engine/cellular/boundary_model.h"
+#include "engine/cellular/cell_complex.h"
 #include "engine/model/feature_model.h"
 
 namespace remeshd {
 
-namespace kernel {
-class Brep;  ///< opaque CAD shape; kernel/brep.h
-}
+class ComplexOnDemand;
+struct BoundaryParts;
 
-/// A cell of the non-manifold decomposition (Sect. 4.1).
-struct Cell {
-  std::vector<int> owners;  ///< features that contain it, in history order; never empty
-  bool positive = false;    ///< nature of the last owner
-  double volume = 0;        ///< exact
-  Vec3 inside;              ///< some point well inside
-};
-
-/// Faces, edges and vertices of the cellular model; `boundary` where part of the merged boundary's
-/// geometry (for edges and vertices: of its unified edges and vertices).
-struct CellFace {
-  std::vector<int> owners;
-  std::array<int, 2> cells{-1, -1};  ///< on its two sides; -1 outside of all features
-  bool boundary = false;
-  double area = 0;
-};
-struct CellEdge {
-  std::vector<int> owners;
-  bool boundary = false;
-  double length = 0;
-  int element = -1;  ///< its index in `brep`; cells and faces have the same index here and there
-};
-struct CellVertex {
-  std::vector<int> owners;
-  bool boundary = false;
-  Vec3 position;
-  int element = -1;  ///< its index in `brep`
-};
-
+/// What a mesh is made for. The cells behind it, which only comparisons of models look at, are made
+/// when asked for.
 struct CellularModel {
-  std::vector<Cell> cells;
-  std::vector<CellFace> faces;
-  std::vector<CellEdge> edges;
-  std::vector<CellVertex> vertices;
   BoundaryModel boundary;
-  double volume = 0;                         ///< of all positive cells, exact
-  double area = 0;                           ///< of the merged boundary
-  std::shared_ptr<const kernel::Brep> brep;  ///< the general fuse itself, for the difference model
+  double volume = 0;                           ///< of all positive cells, exact
+  double area = 0;                             ///< of the merged boundary
+  double scale = 1;                            ///< of the CAD kernel; kernel/brep.h
+  std::shared_ptr<const BoundaryParts> parts;  ///< of the boundary; boundary_parts.h
+  std::shared_ptr<const ComplexOnDemand> on_demand;
+
+  /// The cells (Sect. 4.1). Any number of threads may ask.
+  ///
+  /// Throws Error(KernelFailure), Error(Cancelled) where they have to be made.
+  [[nodiscard]] const CellComplex& complex(const Run& run = {}) const;
 };
 
 /// General fuse of all features (Sect. 4.1).
@@ -61,5 +36,11 @@ struct CellularModel {
 /// where the CAD kernel raised an alert or a membership sample disagrees with its result; the last
 /// two name the features and the place.
 CellularModel build_cells(const FeatureModel& model, const Run& run);
+
+/// The same from the cells of another model, of which all is kept that no changed feature touches:
+/// as much work as there is change. Entities, their order, and supports are those of a build
+/// from the model alone; coordinates, areas and volumes up to rounding.
+CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,
+                          const CellularModel& base, const Run& run);
 
 }  // namespace remeshd

@@ -74,7 +74,7 @@ bool search(const kernel::Brep& brep, int c, const Membership& membership, Cell&
 
 }  // namespace
 
-void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureModel& model,
+void check_cells(CellComplex& cells, const kernel::Brep& brep, const FeatureModel& model,
                  const Membership& membership) {
   std::vector<int> owners;
   const auto owners_at = [&](const Vec3& p) -> const std::vector<int>& {

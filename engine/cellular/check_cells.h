@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cellular/cellular_model.h"
+#include "engine/cellular/cell_complex.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 
@@ -10,7 +10,7 @@ namespace remeshd {
 /// a word: owners at points inside each cell, and the volume of each feature. Sets Cell::inside.
 ///
 /// Throws Error(KernelFailure) with the features and a place.
-void check_cells(CellularModel& cells, const kernel::Brep& brep, const FeatureModel& model,
+void check_cells(CellComplex& cells, const kernel::Brep& brep, const FeatureModel& model,
                  const Membership& membership);
 
 }  // namespace remeshd

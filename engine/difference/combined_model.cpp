@@ -26,14 +26,17 @@ struct Viewed {
 /// `placing` gives the positions.
 class Combiner {
  public:
-  Combiner(const ModelView& placing, const ModelView& other, bool placing_is_modified)
-      : placing_(placing), other_(other), placing_is_modified_(placing_is_modified) {
+  Combiner(const ModelView& placing, const ModelView& other, bool placing_is_modified,
+           const Run& run)
+      : placing_(placing.cells->complex(run)),
+        other_(other.cells->complex(run)),
+        placing_is_modified_(placing_is_modified) {
     for (int i = 0; i < static_cast<int>(placing.features->features.size()); ++i) {
       const Feature& feature = placing.features->features[i];
       Viewed viewed{feature.id, i, other.features->index_of(feature.id), -1, {}, {}};
-      viewed.placed_marks = owned_marks(*placing.cells, {i});
+      viewed.placed_marks = owned_marks(placing_, {i});
       if (viewed.other >= 0) {
-        viewed.other_marks = owned_marks(*other.cells, {viewed.other});
+        viewed.other_marks = owned_marks(other_, {viewed.other});
         viewed.part = 1 + group_of(viewed.other,
                                    to_original(feature, other.features->features[viewed.other]));
       }
@@ -43,12 +46,12 @@ class Combiner {
 
   [[nodiscard]] CombinedModel combine(const Run& run) const {
     std::vector<kernel::Part> parts;
-    std::vector<int> all(placing_.cells->cells.size());
+    std::vector<int> all(placing_.cells.size());
     for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<int>(c);
-    parts.push_back({placing_.cells->brep.get(), all, {}});
+    parts.push_back({placing_.brep.get(), all, {}});
     for (const Group& group : groups_)
-      parts.push_back({other_.cells->brep.get(),
-                       owned_marks(*other_.cells, group.features).owned_cells(), group.where});
+      parts.push_back(
+          {other_.brep.get(), owned_marks(other_, group.features).owned_cells(), group.where});
     const kernel::Fusion fusion = kernel::general_fuse(parts, run);
 
     CombinedModel out;
@@ -96,8 +99,8 @@ class Combiner {
     out.views = views(sources, &OwnedMarks::cells);
     for (const kernel::Source& source : sources)
       if (source.part == 0) {
-        out.owners = placing_.cells->cells[source.element].owners;
-        out.positive = placing_.cells->cells[source.element].positive;
+        out.owners = placing_.cells[source.element].owners;
+        out.positive = placing_.cells[source.element].positive;
       }
     if (placing_is_modified_ && out.positive) {
       out.copycell = std::ranges::any_of(out.views, [](const PointOfView& view) {
@@ -108,7 +111,7 @@ class Combiner {
     return out;
   }
 
-  ModelView placing_, other_;
+  const CellComplex &placing_, &other_;
   bool placing_is_modified_;
   std::vector<Viewed> viewed_;
   std::vector<Group> groups_;
@@ -118,12 +121,12 @@ class Combiner {
 
 CombinedModel combined_modified_model(const ModelView& original, const ModelView& modified,
                                       const Run& run) {
-  return Combiner(modified, original, true).combine(run);
+  return Combiner(modified, original, true, run).combine(run);
 }
 
 CombinedModel combined_original_model(const ModelView& original, const ModelView& modified,
                                       const Run& run) {
-  return Combiner(original, modified, false).combine(run);
+  return Combiner(original, modified, false, run).combine(run);
 }
 
 }  // namespace remeshd

@@ -84,7 +84,7 @@ std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelV
 }
 
 /// Volume of a feature's cells of one nature in one model, exact.
-double owned_volume(const CellularModel& cells, int feature, bool positive) {
+double owned_volume(const CellComplex& cells, int feature, bool positive) {
   double volume = 0;
   for (const Cell& cell : cells.cells)
     if (cell.positive == positive && std::ranges::binary_search(cell.owners, feature))
@@ -96,21 +96,21 @@ double owned_volume(const CellularModel& cells, int feature, bool positive) {
 /// has, and what stayed the same as the whole less what changed. So the error is as small as the
 /// change.
 void balance(ClassTotals& totals, ClassTotals& errors, const FeaturePair& pair,
-             const ModelView& original, const ModelView& modified) {
+             const CellComplex& original, const CellComplex& modified) {
   using enum DifferenceClass;
   if (pair.original < 0) {
-    totals[NewYes] = owned_volume(*modified.cells, pair.modified, true);
-    totals[NewNo] = owned_volume(*modified.cells, pair.modified, false);
+    totals[NewYes] = owned_volume(modified, pair.modified, true);
+    totals[NewNo] = owned_volume(modified, pair.modified, false);
     errors = {};
   } else if (pair.modified < 0) {
-    totals[OldYes] = owned_volume(*original.cells, pair.original, true);
-    totals[OldNo] = owned_volume(*original.cells, pair.original, false);
+    totals[OldYes] = owned_volume(original, pair.original, true);
+    totals[OldNo] = owned_volume(original, pair.original, false);
     errors = {};
   } else {
     totals[IdenticalYes] =
-        owned_volume(*original.cells, pair.original, true) - totals[ToNo] - totals[OldYes];
+        owned_volume(original, pair.original, true) - totals[ToNo] - totals[OldYes];
     totals[IdenticalNo] =
-        owned_volume(*original.cells, pair.original, false) - totals[ToYes] - totals[OldNo];
+        owned_volume(original, pair.original, false) - totals[ToYes] - totals[OldNo];
   }
 }
 
@@ -132,7 +132,7 @@ ModelComparison by_membership(const PointClasses& classes, const ModelView& orig
     const FeaturePair& pair = classes.features()[f];
     ClassTotals& totals = estimate.features[f];
     ClassTotals& errors = estimate.feature_errors[f];
-    balance(totals, errors, pair, original, modified);
+    balance(totals, errors, pair, original.cells->complex(run), modified.cells->complex(run));
     double changed = 0;
     for (const DifferenceClass c : {ToNo, ToYes, NewYes, NewNo, OldYes, OldNo})
       changed += errors[c];
@@ -161,7 +161,7 @@ ModelComparison compare(const FeatureModel& original, const FeatureModel& modifi
   const PointClasses classes(original, modified);
 
   std::string remark;
-  const double motion = smallest_motion(original, modified) * modified_cells->brep->scale;
+  const double motion = smallest_motion(original, modified) * modified_cells->scale;
   if (motion < kBrepMotion) {
     remark = "features moved by less than the overlay resolves";
   } else if (auto answer = by_brep(classes, original_view, modified_view, run, remark)) {

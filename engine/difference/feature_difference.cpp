@@ -97,10 +97,11 @@ FeatureDifference feature_difference(const std::string& id, const ModelView& ori
   const auto add_part = [&](const ModelView& view, int feature, OwnedMarks& marks, bool is_original,
                             const Transform& where) {
     if (feature < 0) return;
-    marks = owned_marks(*view.cells, {feature});
+    const CellComplex& cells = view.cells->complex(run);
+    marks = owned_marks(cells, {feature});
     sides.part[parts.size()] = &marks;
     sides.is_original[parts.size()] = is_original;
-    parts.push_back({view.cells->brep.get(), marks.owned_cells(), where});
+    parts.push_back({cells.brep.get(), marks.owned_cells(), where});
   };
   add_part(original, in_original, original_marks, true, {});
   Transform where;

@@ -13,7 +13,7 @@ std::vector<int> OwnedMarks::owned_cells() const {
   return owned;
 }
 
-OwnedMarks owned_marks(const CellularModel& model, const std::vector<int>& features) {
+OwnedMarks owned_marks(const CellComplex& model, const std::vector<int>& features) {
   const auto owns = [&](const std::vector<int>& owners) {
     return std::ranges::any_of(features,
                                [&](int f) { return std::ranges::binary_search(owners, f); });

@@ -59,7 +59,7 @@ std::vector<ClassTotals> estimate_areas(const PointClasses& classes, const Model
   std::vector<ClassTotals> totals(classes.features().size());
   const double probe = 1e-9 * classes.modified().bounds().diagonal();
   for (const bool is_original : {false, true}) {
-    const CellularModel& cells = is_original ? *original.cells : *modified.cells;
+    const CellComplex& cells = (is_original ? original : modified).cells->complex(run);
     const Membership& model = is_original ? classes.original() : classes.modified();
     double whole = 0;
     for (const CellFace& face : cells.faces) whole += face.area;

@@ -24,38 +24,53 @@ using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     K, CGAL::Triangulation_data_structure_2<Vertices, Faces>>;
 using FaceHandle = Triangulation::Face_handle;
 
-/// How often each pair of corners is a segment, in order of the pairs.
-class Uses {
+/// Finds segments by their corners.
+class Segments {
  public:
-  explicit Uses(const Border& border) {
-    for (const Border::Segment& s : border.segments)
-      uses_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), s.uses});
-    std::ranges::sort(uses_);
+  explicit Segments(const Border& border) : border_(border) {
+    for (int i = 0; i < static_cast<int>(border.segments.size()); ++i) {
+      const Border::Segment& s = border.segments[i];
+      sorted_.push_back({std::min(s.a, s.b), std::max(s.a, s.b), i});
+    }
+    std::ranges::sort(sorted_);
   }
-  /// Whether no pair is a segment of two edges.
+  /// Whether no pair of corners is a segment of two edges.
   [[nodiscard]] bool distinct() const {
-    return std::ranges::adjacent_find(uses_, [](const auto& a, const auto& b) {
+    return std::ranges::adjacent_find(sorted_, [](const auto& a, const auto& b) {
              return a[0] == b[0] && a[1] == b[1];
-           }) == uses_.end();
+           }) == sorted_.end();
   }
-  [[nodiscard]] bool odd(int a, int b) const {
-    const auto it = std::ranges::lower_bound(
-        uses_, std::array{std::min(a, b), std::max(a, b), std::numeric_limits<int>::min()});
-    return it != uses_.end() && (*it)[0] == std::min(a, b) && (*it)[1] == std::max(a, b) &&
-           (*it)[2] % 2 == 1;
+  /// -1 where these corners are of none.
+  [[nodiscard]] int between(int a, int b) const {
+    const auto it =
+        std::ranges::lower_bound(sorted_, std::array{std::min(a, b), std::max(a, b), 0});
+    return it != sorted_.end() && (*it)[0] == std::min(a, b) && (*it)[1] == std::max(a, b)
+               ? (*it)[2]
+               : -1;
+  }
+  [[nodiscard]] const Border::Segment& operator[](int segment) const {
+    return border_.segments[segment];
   }
 
  private:
-  std::vector<std::array<int, 3>> uses_;
+  const Border& border_;
+  std::vector<std::array<int, 3>> sorted_;
 };
 
-bool parts(FaceHandle t, int i, const Uses& uses) {
-  return t->is_constrained(i) && uses.odd(t->vertex(Triangulation::cw(i))->info(),
-                                          t->vertex(Triangulation::ccw(i))->info());
+/// The segment opposite of corner i, -1 if that is none.
+int segment_at(FaceHandle t, int i, const Segments& segments) {
+  return t->is_constrained(i) ? segments.between(t->vertex(Triangulation::cw(i))->info(),
+                                                 t->vertex(Triangulation::ccw(i))->info())
+                              : -1;
+}
+
+bool parts(FaceHandle t, int i, const Segments& segments) {
+  const int s = segment_at(t, i, segments);
+  return s >= 0 && segments[s].uses % 2 == 1;
 }
 
 /// Inside is what an odd number of segments parts from the outside.
-void tell_inside(const Triangulation& mesh, const Uses& uses) {
+void tell_inside(const Triangulation& mesh, const Segments& segments) {
   mesh.infinite_face()->info().inside = 0;
   std::vector<FaceHandle> todo{mesh.infinite_face()};
   while (!todo.empty()) {
@@ -64,17 +79,18 @@ void tell_inside(const Triangulation& mesh, const Uses& uses) {
     for (int i = 0; i < 3; ++i) {
       const FaceHandle next = t->neighbor(i);
       if (next->info().inside >= 0) continue;
-      next->info().inside = (t->info().inside == 1) != parts(t, i, uses) ? 1 : 0;
+      next->info().inside = (t->info().inside == 1) != parts(t, i, segments) ? 1 : 0;
       todo.push_back(next);
     }
   }
 }
 
 /// Whether inside and outside are told apart by the segments and nothing else.
-bool consistent(const Triangulation& mesh, const Uses& uses) {
+bool consistent(const Triangulation& mesh, const Segments& segments) {
   for (auto t = mesh.all_faces_begin(); t != mesh.all_faces_end(); ++t)
     for (int i = 0; i < 3; ++i)
-      if ((t->info().inside != t->neighbor(i)->info().inside) != parts(t, i, uses)) return false;
+      if ((t->info().inside != t->neighbor(i)->info().inside) != parts(t, i, segments))
+        return false;
   return true;
 }
 
@@ -117,20 +133,25 @@ bool build(const Border& border, std::span<const std::array<double, 2>> inner,
 
 }  // namespace
 
-std::optional<std::vector<BorderTriangle>> mesh_border(
-    const Border& border, std::span<const std::array<double, 2>> inner) {
-  const Uses uses(border);
+std::optional<BorderMesh> mesh_border(const Border& border,
+                                      std::span<const std::array<double, 2>> inner) {
+  const Segments segments(border);
   Triangulation mesh;
-  if (!uses.distinct() || !build(border, inner, mesh)) return std::nullopt;
-  tell_inside(mesh, uses);
-  if (!consistent(mesh, uses)) return std::nullopt;
-  std::vector<BorderTriangle> out;
-  int regions = 0;
+  if (!segments.distinct() || !build(border, inner, mesh)) return std::nullopt;
+  tell_inside(mesh, segments);
+  if (!consistent(mesh, segments)) return std::nullopt;
+  BorderMesh out;
+  out.sides.assign(border.segments.size(), {-1, -1});
   for (auto t = mesh.finite_faces_begin(); t != mesh.finite_faces_end(); ++t) {
     if (t->info().inside != 1) continue;
-    if (t->info().region < 0) number_region(t, regions++);
-    out.push_back(
+    if (t->info().region < 0) number_region(t, out.regions++);
+    out.triangles.push_back(
         {{t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()}, t->info().region});
+    for (int i = 0; i < 3; ++i)
+      if (const int s = segment_at(t, i, segments); s >= 0) {
+        const bool forward = t->vertex(Triangulation::ccw(i))->info() == border.segments[s].a;
+        out.sides[s][forward ? 0 : 1] = t->info().region;
+      }
   }
   return out;
 }

@@ -77,6 +77,7 @@ void unscale(Brep& brep, double scale) {
   for (BrepCell& cell : brep.cells) cell.volume *= l * l * l;
   for (BrepFace& face : brep.faces) {
     face.area *= l * l;
+    face.swept_volume *= l * l * l;
     face.centroid = l * face.centroid;
   }
   for (BrepEdge& edge : brep.edges) {
@@ -84,9 +85,12 @@ void unscale(Brep& brep, double scale) {
     edge.centre = l * edge.centre;
     edge.radius *= l;
     for (Vec3& p : edge.points) p = l * p;
+    for (auto& sample : edge.samples)
+      for (Vec3& v : sample) v = l * v;
   }
   for (BrepVertex& vertex : brep.vertices) vertex.position = l * vertex.position;
   for (Vec3& p : brep.points) p = l * p;
+  brep.reference = l * brep.reference;
   brep.scale = scale;
 }
 
@@ -110,13 +114,17 @@ TopoDS_Face forward_face(const TopoDS_Shape& face) {
   return TopoDS::Face(face.Oriented(TopAbs_FORWARD));
 }
 
-/// Puts all elements into the order of their geometry; returns the faces' moments in theirs.
-std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Run& run) {
+void sort_vertices(BrepShapes& shapes) {
   sort_shapes(shapes.vertices, [](const TopoDS_Shape& v) {
     Key key;
     append(key, position(v));
     return key;
   });
+}
+
+/// Puts all other elements into the order of their geometry; returns the faces' moments in theirs.
+std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Vec3& reference,
+                                          const Run& run) {
   sort_shapes(shapes.edges, [](const TopoDS_Shape& e) {
     const BRepAdaptor_Curve curve(TopoDS::Edge(e));
     const double first = curve.FirstParameter(), last = curve.LastParameter();
@@ -124,8 +132,6 @@ std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Run& run) {
     for (const double t : {0.5 * (first + last), first, last}) append(key, vec(curve.Value(t)));
     return key;
   });
-  // Sums over a face depend on where they start, so take the same point for all.
-  const Vec3 reference = position(shapes.vertices(1));
   TopTools_DataMapOfShapeInteger at;
   std::vector<FaceMoments> measured;
   for (int i = 1; i <= shapes.faces.Extent(); ++i) {
@@ -213,6 +219,7 @@ void fill_measures(Brep& brep, const std::vector<FaceMoments>& moments) {
     BrepFace& face = brep.faces[f];
     face.area = moments[f].area;
     face.centroid = moments[f].centroid;
+    face.swept_volume = moments[f].swept_volume;
     if (face.cells[0] >= 0) brep.cells[face.cells[0]].volume += moments[f].swept_volume;
     if (face.cells[1] >= 0) brep.cells[face.cells[1]].volume -= moments[f].swept_volume;
   }
@@ -222,11 +229,15 @@ void fill_measures(Brep& brep, const std::vector<FaceMoments>& moments) {
 
 double unit_scale(double diagonal) { return std::exp2(7 - std::floor(std::log2(diagonal))); }
 
-Brep describe(const TopoDS_Shape& shape, double scale, const Run& run) {
+Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
+              const std::optional<Vec3>& reference) {
   try {
     Brep brep;
     const auto shapes = collect(shape);
-    const std::vector<FaceMoments> moments = sort_by_geometry(*shapes, run);
+    sort_vertices(*shapes);
+    // Sums over a face depend on where they start, so take the same point for all.
+    brep.reference = reference ? scale * *reference : position(shapes->vertices(1));
+    const std::vector<FaceMoments> moments = sort_by_geometry(*shapes, brep.reference, run);
     brep.shapes = shapes;
     connect(brep, scale);
     fill_measures(brep, moments);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct BrepFace {
   std::array<int, 2> cells{-1, -1};  ///< [0] lies behind the triangles, [1] before them
   std::vector<int> edges;            ///< ascending; with this face on both sides: twice
   double area = 0;                   ///< exact
+  double swept_volume = 0;           ///< of the pyramid from Brep::reference, for cells[0]; exact
   Vec3 centroid;
   std::string label;  ///< `wall`, `side3`; of a primitive's faces only
   /// Into Brep::points; seen from cells[1] they turn counter-clockwise. Watertight along edges.
@@ -40,6 +42,9 @@ struct BrepEdge {
   double radius = 0;             ///< circles
   std::array<Vec3, 2> tangents;  ///< unit, at start and end, from start to end
   std::vector<Vec3> points;      ///< from start to end, at most 6 degrees of turning between two
+  std::vector<int> chain;  ///< into Brep::points: the triangles' side of it, from start to end
+  /// Of Kind::Other: points on the curve with the vectors along it, that integrals are sums over.
+  std::vector<std::array<Vec3, 2>> samples;
 };
 
 struct BrepVertex {
@@ -60,7 +65,8 @@ class Brep {
   std::vector<BrepFace> faces;
   std::vector<BrepEdge> edges;
   std::vector<BrepVertex> vertices;
-  std::vector<Vec3> points;  ///< of the triangulation
+  std::vector<Vec3> points;  ///< of the triangulation; the first are the vertices
+  Vec3 reference;            ///< see BrepFace::swept_volume
   double scale = 1;
   std::shared_ptr<const BrepShapes> shapes;
 };
@@ -92,9 +98,12 @@ struct Fusion {
 /// Splits all parts by each other and merges what coincides; nothing is taken away (a non-regular
 /// union). Cells of one part must not overlap.
 ///
+/// `reference` becomes the result's own; without one that is a vertex.
+///
 /// Throws Error(KernelFailure) where the CAD kernel raises an alert, with the place unless it is
 /// unknown, Error(Cancelled).
 /// Source: BOPAlgo_PaveFiller and BOPAlgo_Builder of OpenCASCADE, with no glue, no fuzzy value.
-Fusion general_fuse(std::span<const Part> parts, const Run& run);
+Fusion general_fuse(std::span<const Part> parts, const Run& run,
+                    const std::optional<Vec3>& reference = {});
 
 }  // namespace remeshd::kernel

@@ -60,6 +60,23 @@ std::vector<Vec3> sample(const BRepAdaptor_Curve& curve, double first, double la
   return points;
 }
 
+/// Gauss's rule of three points on each of so many parts of a curve.
+std::vector<std::array<Vec3, 2>> integration_samples(const BRepAdaptor_Curve& curve, double first,
+                                                     double last, std::size_t parts) {
+  constexpr std::array<std::array<double, 2>, 3> kRule{
+      {{-0.7745966692414834, 5.0 / 18}, {0, 8.0 / 18}, {0.7745966692414834, 5.0 / 18}}};
+  const double step = (last - first) / static_cast<double>(parts);
+  std::vector<std::array<Vec3, 2>> samples;
+  for (std::size_t k = 0; k < parts; ++k)
+    for (const auto& [x, weight] : kRule) {
+      gp_Pnt p;
+      gp_Vec d;
+      curve.D1(first + step * (static_cast<double>(k) + 0.5 + 0.5 * x), p, d);
+      samples.push_back({vec(p), step * weight * vec(d.XYZ())});
+    }
+  return samples;
+}
+
 /// Whether Gauss's rule is exact to rounding on the face: its border is straight in parameters, or
 /// of lines and circles in a plane. On other borders it errs by 1e-5 and refinement is worth its
 /// tenfold time.
@@ -127,6 +144,7 @@ void measure_edge(const TopoDS_Edge& edge, BrepEdge& out) {
     default:
       out.length = GCPnts_AbscissaPoint::Length(curve, 1e-9);
       out.points = sample(curve, first, last);
+      out.samples = integration_samples(curve, first, last, out.points.size() - 1);
       break;
   }
 }

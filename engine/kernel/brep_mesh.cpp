@@ -207,6 +207,11 @@ Vec3 place_on(const Brep& brep, int face) {
   return best;
 }
 
+void keep(const EdgeChains& chains, Brep& brep) {
+  for (std::size_t e = 0; e < chains.size(); ++e)
+    for (const EdgeNode& node : chains[e]) brep.edges[e].chain.push_back(node.node);
+}
+
 }  // namespace
 
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
@@ -216,7 +221,7 @@ void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run&
   if (bad.empty()) bad = bad_faces(brep, own);
   if (bad.empty() || (mend_faces(brep, own, bad) && bad_faces(brep, own).empty())) {
     bad = part_touching(brep);
-    if (bad.empty()) return;
+    if (bad.empty()) return keep(own, brep);
   }
   for (const double angle : kMeshAngles) {
     if (angle != kMeshAngles.front()) BRepTools::Clean(shape);
@@ -228,7 +233,7 @@ void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run&
         (!mend_faces(brep, numbers.chains(), bad) || !bad_faces(brep, numbers.chains()).empty()))
       continue;
     bad = part_touching(brep);
-    if (bad.empty()) return;
+    if (bad.empty()) return keep(numbers.chains(), brep);
   }
   throw error::kernel_failure("a face could not be triangulated",
                               place_on(brep, bad.front()) / scale);

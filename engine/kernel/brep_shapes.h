@@ -21,7 +21,8 @@ namespace remeshd::kernel {
 ///
 /// Throws Error(KernelFailure) with the place where the shape holds no solid or anything dangling,
 /// or a face cannot be triangulated, Error(Cancelled).
-Brep describe(const TopoDS_Shape& shape, double scale, const Run& run);
+Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
+              const std::optional<Vec3>& reference);
 
 /// Reads a feature's solid: who bounds whom, and the names of its faces. No measures, no triangles,
 /// no order, because a primitive is only there to be fused.

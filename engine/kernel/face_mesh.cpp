@@ -24,8 +24,7 @@ namespace {
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = K::Point_2;
 
-constexpr double kStep = 0.2;         // rad between nodes, about that of the polylines
-constexpr double kTorusStep = 0.15;   // rad; on faces that are round both ways, without poles
+constexpr double kStep = 0.14;        // rad between nodes, about that of the polylines
 constexpr double kSameCorner = 1e-3;  // kernel units: images of one node this near are one corner
 constexpr double kShortest = 1e-6;    // kernel units: segments are not split below
 constexpr int kRounds = 40;
@@ -91,10 +90,10 @@ class FaceMesher {
     if (!chain.empty()) return;
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, e)));
     const double first = curve.FirstParameter(), last = curve.LastParameter();
-    // Every other of the edge's own points, at even steps.
+    // Even steps, of about four fifths of the edge's own points.
     const int n = brep_.edges[e].kind == BrepEdge::Kind::Line
                       ? 1
-                      : std::max(2, static_cast<int>(brep_.edges[e].points.size()) / 2);
+                      : std::max(2, static_cast<int>(brep_.edges[e].points.size()) * 4 / 5);
     chain.push_back({brep_.edges[e].vertices[0], first});
     for (int i = 1; i < n; ++i) {
       const double t = first + (last - first) * i / n;
@@ -257,8 +256,8 @@ class FaceMesher {
     const Border border = border_of(f);
     const BRepAdaptor_Surface surface(face_shape(f), /*Restriction=*/false);
     const std::vector<std::array<double, 2>> inner = interior(surface, border);
-    const auto triangles = mesh_border(border, inner);
-    if (!triangles) return false;
+    const auto mesh = mesh_border(border, inner);
+    if (!mesh) return false;
     const int n = static_cast<int>(border.corners.size());
     std::vector<int> node_of(inner.size(), -1);
     const auto node = [&](int corner) {
@@ -271,7 +270,7 @@ class FaceMesher {
     BrepFace& out = brep_.faces[f];
     out.triangles.clear();
     double area = 0;
-    for (const BorderTriangle& t : *triangles) {
+    for (const BorderTriangle& t : mesh->triangles) {
       const int a = node(t.corners[0]), b = node(t.corners[1]), c = node(t.corners[2]);
       if (a == b || b == c || c == a) continue;  // at a pole
       out.triangles.push_back({a, b, c});
@@ -288,9 +287,7 @@ class FaceMesher {
     if (surface.GetType() == GeomAbs_Plane || is_ruled(surface)) return {};
     CGAL::Bbox_2 box;
     for (const Border::Corner& corner : border.corners) box += point2(corner.p).bbox();
-    // Next to a pole small steps make slivers with the polylines' long ones.
-    const double step = surface.GetType() == GeomAbs_Sphere ? kStep : kTorusStep;
-    const double step_u = step * stretch_[0], step_v = step * stretch_[1];
+    const double step_u = kStep * stretch_[0], step_v = kStep * stretch_[1];
     const double reach = 0.4 * std::min(step_u, step_v);
     const double nu = (box.xmax() - box.xmin()) / step_u, nv = (box.ymax() - box.ymin()) / step_v;
     if (!(nu * nv < kMaxInterior)) return {};

@@ -95,7 +95,8 @@ void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double sc
   throw error::kernel_failure(what, in_model_units(place, scale));
 }
 
-Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run) {
+Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run,
+                  const std::optional<Vec3>& reference) {
   BOPAlgo_PaveFiller filler;
   BOPAlgo_Builder builder;
   TopoDS_Shape result;
@@ -115,7 +116,7 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
   }
 
   Fusion fusion;
-  fusion.brep = describe(result, scale, run);
+  fusion.brep = describe(result, scale, run, reference);
   fusion.cells.resize(fusion.brep.cells.size());
   fusion.faces.resize(fusion.brep.faces.size());
   fusion.edges.resize(fusion.brep.edges.size());
@@ -163,13 +164,14 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
 
 }  // namespace
 
-Fusion general_fuse(std::span<const Part> parts, const Run& run) {
+Fusion general_fuse(std::span<const Part> parts, const Run& run,
+                    const std::optional<Vec3>& reference) {
   try {
     const double scale = parts.front().brep->scale;
     std::vector<PlacedPart> placed;
     placed.reserve(parts.size());
     for (const Part& part : parts) placed.emplace_back(part, scale);
-    return fuse_parts(placed, scale, run);
+    return fuse_parts(placed, scale, run, reference);
   } catch (const Standard_Failure& failure) {
     throw error::kernel_failure(failure.GetMessageString());
   }

@@ -19,33 +19,42 @@ struct ProfileSide {
   std::array<double, 2> centre{};  ///< arcs only
   double radius = 0;               ///< arcs only
   bool counter_clockwise = true;   ///< arcs only: the way from `from` to `to`
+  friend bool operator==(const ProfileSide&, const ProfileSide&) = default;
 };
 
 struct Block {
   double dx, dy, dz;
+  friend bool operator==(const Block&, const Block&) = default;
 };
 struct Cylinder {
   double radius, height;
+  friend bool operator==(const Cylinder&, const Cylinder&) = default;
 };
 struct Cone {
   double radius_bottom, radius_top, height;
+  friend bool operator==(const Cone&, const Cone&) = default;
 };
 struct Sphere {
   double radius;
+  friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 struct Torus {
   double major_radius, minor_radius;
+  friend bool operator==(const Torus&, const Torus&) = default;
 };
 struct Prism {
   std::vector<ProfileSide> profile;
   double height;
+  friend bool operator==(const Prism&, const Prism&) = default;
 };
 struct Revolution {
   std::vector<ProfileSide> profile;
   double angle;  ///< rad, (0, 2 pi]
+  friend bool operator==(const Revolution&, const Revolution&) = default;
 };
 struct Slot {
   double length, width, height;
+  friend bool operator==(const Slot&, const Slot&) = default;
 };
 
 /// Local geometry of DESIGN's table of types; all lengths positive and finite, but one radius

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/cellular/boundary_parts.h"
 #include "engine/cellular/match_boundary.h"
 #include "engine/cellular/skeleton.h"
 #include "engine/extract/common_face.h"
@@ -152,7 +153,7 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   const std::span<const Vec3> anchor = original.master_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotContinued{};
-  const double coincident = kCoincident * kernel_tolerance(*modified.cells.brep);
+  const double coincident = kCoincident * kernel_tolerance(modified.cells.parts->brep);
   if (!motion.in_proportion(std::min(bound, coincident)))
     return NotContinued("a node would have moved more than five times as far as any surface");
   Polling poll(run);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/kernel/brep.h"
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/facet_names.h"
 
 namespace remeshd {
@@ -14,7 +14,7 @@ constexpr double kOnSurface = 1e-6;  // of the model's diagonal: chords of the t
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * norm(cross(b - a, c - a)); }
 
-/// A point well inside a face of the cellular model, on its triangulation.
+/// A point well inside a piece of the boundary, on its triangulation.
 Vec3 point_on(const kernel::Brep& brep, const kernel::BrepFace& face) {
   const auto& p = brep.points;
   const auto size = [&](const auto& t) { return area(p[t[0]], p[t[1]], p[t[2]]); };
@@ -51,12 +51,11 @@ std::vector<GroupArea> group_areas(const TetMesh& mesh, const MeshGroups& groups
                                    const CellularModel& cells) {
   const FacetNames names(model, membership, cells.boundary);
   std::map<std::vector<std::string>, double> exact;
-  for (std::size_t f = 0; f < cells.faces.size(); ++f) {
-    const kernel::BrepFace& face = cells.brep->faces[f];
-    if (!cells.faces[f].boundary || face.triangles.empty()) continue;
-    const Vec3 p = point_on(*cells.brep, face);
+  for (const kernel::BrepFace& face : cells.parts->brep.faces) {
+    if (face.triangles.empty()) continue;
+    const Vec3 p = point_on(cells.parts->brep, face);
     const int plane = shared_plane(cells.boundary, membership, p);
-    if (plane >= 0) exact[names(plane, p)] += cells.faces[f].area;
+    if (plane >= 0) exact[names(plane, p)] += face.area;
   }
   if (exact.empty()) return {};
   std::vector<double> meshed(groups.facet_groups.size(), 0.0);

@@ -111,7 +111,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.meshed_model = revision.model;
   revision.options = options;
   run.report("cells", 0);
-  revision.cells = build_cells(revision.model, run);
+  revision.cells = original ? build_cells(revision.model, original->model, original->cells, run)
+                            : build_cells(revision.model, run);
   const CellularModel& cells = revision.cells;
   const Density density = resolve_density(original, options, cells.volume, cells.area);
   revision.edge_length = report.edge_length = density.edge_length;

@@ -17,12 +17,14 @@ std::uint64_t memory_of(const Revision& revision) {
                         bytes_of(d.groups.facets) + bytes_of(d.groups.tet_cell) +
                         bytes_of(d.map.node_origin) + bytes_of(d.map.original_node) +
                         bytes_of(d.map.node_transform) + bytes_of(d.map.original_tet);
-  for (const BoundaryFace& face : revision.cells.boundary.faces)
-    bytes += bytes_of(face.points) + bytes_of(face.triangles);
+  // Twice: what the boundary is joined from is kept too, with shapes of the CAD kernel.
+  const BoundaryModel& boundary = revision.cells.boundary;
+  for (const BoundaryFace& face : boundary.faces)
+    bytes += 2 * (bytes_of(face.points) + bytes_of(face.triangles));
   // The master is a mesh of its own with adjacency, supports and sources: about three times this.
   if (revision.master != nullptr) bytes += 3 * mesh;
-  // Models, names, shapes of the CAD kernel: some 20 KB a cell.
-  return bytes + 4096 + 20000 * revision.cells.cells.size();
+  // Models, names, shapes of the CAD kernel: some 20 KB a feature or face.
+  return bytes + 4096 + 20000 * (revision.model.features.size() + boundary.faces.size());
 }
 
 HeldRevisionPtr HeldRevisions::find(const std::string& id) {

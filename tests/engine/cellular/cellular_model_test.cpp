@@ -54,7 +54,7 @@ CellularModel cells_of(std::vector<FeatureSource> features) {
 std::multimap<std::string, double> cells_by_owners(const FeatureModel& model,
                                                    const CellularModel& cells) {
   std::multimap<std::string, double> out;
-  for (const Cell& cell : cells.cells) {
+  for (const Cell& cell : cells.complex().cells) {
     std::string key = cell.positive ? "+" : "-";
     for (const int owner : cell.owners) key += " " + model.features[owner].id;
     out.emplace(key, std::round(cell.volume * 1e6) / 1e6);
@@ -102,7 +102,8 @@ TEST(CellularModelTest, APointInsideEveryCellBelongsToItsOwners) {
   for (const char* name : {"tool1-a", "tool2-d", "tool3-b", "fig5", "fig11-a"}) {
     const FeatureModel model = case_features(name);
     const Membership membership(model);
-    for (const Cell& cell : build_cells(model, kRun).cells) {
+    const CellularModel cells = build_cells(model, kRun);
+    for (const Cell& cell : cells.complex().cells) {
       std::vector<int> owners;
       membership.owners(cell.inside, owners);
       EXPECT_EQ(owners, cell.owners) << name;
@@ -113,8 +114,8 @@ TEST(CellularModelTest, APointInsideEveryCellBelongsToItsOwners) {
 TEST(CellularModelTest, AFaceIsBoundaryWhereTheNaturesOnItsSidesDiffer) {
   const CellularModel cells = build_cells(case_features("fig6-a"), kRun);
   double foot = 0, boundary = 0;
-  for (const CellFace& face : cells.faces) {
-    const auto positive = [&](int c) { return c >= 0 && cells.cells[c].positive; };
+  for (const CellFace& face : cells.complex().faces) {
+    const auto positive = [&](int c) { return c >= 0 && cells.complex().cells[c].positive; };
     EXPECT_EQ(face.boundary, positive(face.cells[0]) != positive(face.cells[1]));
     (face.boundary ? boundary : foot) += face.area;
   }
@@ -127,8 +128,8 @@ TEST(CellularModelTest, FeaturesOwnWhatBoundsTheirCellsWhereverItCameFrom) {
   const FeatureModel model = case_features("fig6-a");
   const CellularModel cells = build_cells(model, kRun);
   int edges = 0, vertices = 0;
-  for (const CellEdge& edge : cells.edges) edges += edge.owners == std::vector{0, 1};
-  for (const CellVertex& vertex : cells.vertices) vertices += vertex.owners == std::vector{0, 1};
+  for (const CellEdge& edge : cells.complex().edges) edges += edge.owners == std::vector{0, 1};
+  for (const CellVertex& vertex : cells.complex().vertices) vertices += vertex.owners == std::vector{0, 1};
   EXPECT_EQ(edges, 4);
   EXPECT_EQ(vertices, 4);
 }
@@ -136,7 +137,7 @@ TEST(CellularModelTest, FeaturesOwnWhatBoundsTheirCellsWhereverItCameFrom) {
 TEST(CellularModelTest, WhereARibIsFlushWithItsBaseTheSplitIsAnEdgeOfTheCellsButNotOfTheModel) {
   const CellularModel cells = build_cells(case_features("fig11-a"), kRun);
   double inner = 0;
-  for (const CellEdge& edge : cells.edges)
+  for (const CellEdge& edge : cells.complex().edges)
     if (!edge.boundary) inner += edge.length;
   EXPECT_NEAR(inner, 2 * 10, 1e-9) << "the ends of the rib's foot";
 }
@@ -147,7 +148,7 @@ TEST(CellularModelTest, TheSameModelInAnotherUnitHasTheSameCells) {
     const CellularModel cells =
         cells_of({block("base", {0.0, 0.0, 0.0}, {scaled(80), scaled(50), scaled(15)}),
                   minus(cylinder("hole", {scaled(-20), 0.0, 0.0}, scaled(8), scaled(15)))});
-    EXPECT_EQ(cells.cells.size(), 2u);
+    EXPECT_EQ(cells.complex().cells.size(), 2u);
     EXPECT_NEAR(cells.volume / (unit * unit * unit), 60000 - 960 * pi, 1e-6) << unit;
     EXPECT_EQ(cells.boundary.edges.size(), 14u);
   }
@@ -373,7 +374,7 @@ TEST(CellularModelTest, WhatAGeneralFuseFailsAtIsFusedInTurn) {
   const CellularModel cells = build_cells(model, kRun);
   for (int f = 0; f < 3; ++f) {
     double volume = 0;
-    for (const Cell& cell : cells.cells)
+    for (const Cell& cell : cells.complex().cells)
       if (std::ranges::binary_search(cell.owners, f)) volume += cell.volume;
     EXPECT_NEAR(volume, Solid(model.features[f]).volume(), 1e-8);
   }

@@ -45,9 +45,9 @@ TEST_P(FeatureTypes, BoundaryIsExactAndHasNoSeams) {
   for (const BoundaryFace& face : b.faces)
     for (const FaceName& name : face.names) names.insert(name.face);
   EXPECT_EQ(names, expected.names);
-  ASSERT_EQ(model.cells.size(), 1u);
-  EXPECT_EQ(model.edges.size(), expected.edges) << "elements of the cellular model are no seams";
-  EXPECT_EQ(model.vertices.size(), expected.vertices);
+  ASSERT_EQ(model.complex().cells.size(), 1u);
+  EXPECT_EQ(model.complex().edges.size(), expected.edges) << "elements of the cellular model are no seams";
+  EXPECT_EQ(model.complex().vertices.size(), expected.vertices);
 }
 
 TEST_P(FeatureTypes, FacetsAreWatertightAndLookOutwards) {

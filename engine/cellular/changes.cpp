@@ -1,0 +1,80 @@
+#include "engine/cellular/changes.h"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
+namespace remeshd {
+namespace {
+
+// Of the diagonal: far more than the CAD kernel's tolerance, and no round number, so that borders
+// of what changed pass by the borders of what did not.
+constexpr double kMargin = 3.7e-6;
+
+bool same(const Feature& a, const Feature& b) {
+  return a.nature == b.nature && a.placement == b.placement && a.shape == b.shape;
+}
+
+/// Leaves the longest ascending run of the numbers that are not -1; the others become -1.
+void keep_ascending(std::vector<int>& numbers) {
+  std::vector<int> ends;  // by length: where the run with the lowest end ends
+  std::vector<int> before(numbers.size(), -1);
+  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+    if (numbers[i] < 0) continue;
+    const auto at =
+        std::ranges::lower_bound(ends, numbers[i], {}, [&](int end) { return numbers[end]; });
+    before[i] = at == ends.begin() ? -1 : *(at - 1);
+    if (at == ends.end())
+      ends.push_back(i);
+    else
+      *at = i;
+  }
+  std::vector<int> kept(numbers.size(), -1);
+  for (int i = ends.empty() ? -1 : ends.back(); i >= 0; i = before[i]) kept[i] = numbers[i];
+  numbers = std::move(kept);
+}
+
+}  // namespace
+
+bool touch(const Box& a, const Box& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+}
+
+bool touch(const std::vector<Box>& boxes, const Box& b) {
+  return std::ranges::any_of(boxes, [&](const Box& a) { return touch(a, b); });
+}
+
+Box grown(const Box& box, double by) {
+  const Vec3 margin{by, by, by};
+  return {box.lo - margin, box.hi + margin};
+}
+
+Changes find_changes(const FeatureModel& base, const FeatureModel& model,
+                     const Membership& membership) {
+  Changes out;
+  std::unordered_map<std::string_view, int> index;
+  for (int f = 0; f < static_cast<int>(model.features.size()); ++f)
+    index.emplace(model.features[f].id, f);
+  Box all;
+  for (const Solid& solid : membership.solids()) all.add(solid.bounds());
+  for (const Feature& feature : base.features) {
+    const auto it = index.find(feature.id);
+    const bool kept = it != index.end() && same(feature, model.features[it->second]);
+    out.kept.push_back(kept ? it->second : -1);
+  }
+  keep_ascending(out.kept);
+  const double margin = kMargin * all.diagonal();
+  std::vector<char> kept(model.features.size(), 0);
+  for (std::size_t f = 0; f < base.features.size(); ++f) {
+    if (out.kept[f] >= 0)
+      kept[out.kept[f]] = 1;
+    else
+      out.boxes.push_back(grown(world_bounds(base.features[f]), margin));
+  }
+  for (std::size_t f = 0; f < model.features.size(); ++f)
+    if (!kept[f]) out.boxes.push_back(grown(membership.solids()[f].bounds(), margin));
+  return out;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/base/surface.h"
+#include "engine/kernel/brep.h"
+
+namespace remeshd {
+
+/// An edge of a B-rep round a region of a plane; `uses` 2 where the region lies on both sides.
+struct PlaneEdge {
+  int edge = -1;
+  int uses = 1;
+};
+
+/// The faces that edges bound on a plane: what an odd number of them parts from the outside, in
+/// pieces that hang together. Edges, area, centroid, swept volume and triangles of each are filled
+/// in as for a face that looks along the plane's normal; areas are exact.
+///
+/// Returns nothing where the edges do not close or their polylines cross.
+std::optional<std::vector<kernel::BrepFace>> plane_faces(const kernel::Brep& brep,
+                                                         const std::vector<PlaneEdge>& edges,
+                                                         const Surface& plane);
+
+}  // namespace remeshd
