@@ -1,11 +1,11 @@
 #include "engine/cellular/build_boundary.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <map>
+#include <cmath>
 #include <numbers>
 
 #include "engine/cellular/edge_curve.h"
+#include "engine/cellular/ranks.h"
 
 namespace remeshd {
 namespace {
@@ -13,23 +13,16 @@ namespace {
 using kernel::Brep;
 using kernel::BrepEdge;
 
-using Key = std::vector<std::int64_t>;
-
-/// Orders by position, with noise rounded away; the offset keeps round values off the borders.
-Key position_key(const Vec3& p, double tolerance) {
-  Key key;
-  for (const double c : {p.x, p.y, p.z})
-    key.push_back(static_cast<std::int64_t>(std::floor(c / (10 * tolerance) + 0.37)));
-  return key;
-}
+constexpr double kOrderGap = 10;  // x the kernel's tolerance: positions nearer are equal
 
 /// Sorts `values` by `keys` and returns for each old index the new one.
-template <typename T>
+template <typename T, typename Key>
 std::vector<int> sort_by(std::vector<T>& values, const std::vector<Key>& keys) {
   std::vector<int> order(values.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return keys[a] < keys[b]; });
   std::vector<T> sorted;
+  sorted.reserve(values.size());
   std::vector<int> renumber(values.size());
   for (const int i : order) {
     renumber[i] = static_cast<int>(sorted.size());
@@ -122,16 +115,14 @@ void add_edges(BoundaryModel& model, const Brep& brep, const Skeleton& skeleton,
     groups_of_edge.push_back({skeleton.face_group[at.front()], skeleton.face_group[at.back()]});
     model.edges.push_back(std::move(edge));
   }
-  std::vector<Key> keys;
-  const double tolerance = kernel_tolerance(brep);
+  const double gap = kOrderGap * kernel_tolerance(brep);
+  std::vector<std::array<double, 6>> keys;
   for (const BoundaryEdge& edge : model.edges) {
-    Key key = position_key(edge.points[edge.points.size() / 2], tolerance);
-    key.push_back(edge.start);
-    key.push_back(edge.end);
-    key.push_back(position_key({edge.length, 0, 0}, tolerance)[0]);
-    keys.push_back(std::move(key));
+    const Vec3& m = edge.points[edge.points.size() / 2];
+    // Vertices are numbers already: far enough apart to be ranks of their own.
+    keys.push_back({m.x, m.y, m.z, 2 * gap * edge.start, 2 * gap * edge.end, edge.length});
   }
-  const std::vector<int> renumber = sort_by(model.edges, keys);
+  const std::vector<int> renumber = sort_by(model.edges, ranks_of(keys, gap));
   std::vector<std::array<int, 2>> sorted_groups(groups_of_edge.size());
   for (std::size_t i = 0; i < renumber.size(); ++i) sorted_groups[renumber[i]] = groups_of_edge[i];
   groups_of_edge = std::move(sorted_groups);
@@ -142,55 +133,77 @@ void add_edges(BoundaryModel& model, const Brep& brep, const Skeleton& skeleton,
   }
 }
 
-/// Names of all pieces of a face, the latest owner on the material side first.
-std::vector<FaceName> ordered_names(const std::vector<FaceName>& material,
-                                    const std::vector<FaceName>& other) {
+/// Names of all pieces of a face, each once, the latest owner on the material side first.
+std::vector<FaceName> ordered_names(const std::vector<const BoundaryPiece*>& pieces) {
   std::vector<FaceName> names;
-  const auto add = [&](std::vector<FaceName> list) {
-    std::sort(list.begin(), list.end(), [](const FaceName& a, const FaceName& b) {
-      return a.feature != b.feature ? a.feature > b.feature : a.face < b.face;
+  const auto add = [&](const std::vector<FaceName> BoundaryPiece::*side) {
+    std::vector<const FaceName*> list;
+    for (const BoundaryPiece* piece : pieces)
+      for (const FaceName& name : piece->*side) list.push_back(&name);
+    std::ranges::sort(list, [](const FaceName* a, const FaceName* b) {
+      return a->feature != b->feature ? a->feature > b->feature : a->face < b->face;
     });
-    for (FaceName& name : list)
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(std::move(name));
+    const auto first = static_cast<std::ptrdiff_t>(names.size());
+    for (const FaceName* name : list)
+      if ((names.size() == static_cast<std::size_t>(first) || names.back() != *name) &&
+          std::find(names.begin(), names.begin() + first, *name) == names.begin() + first)
+        names.push_back(*name);
   };
-  add(material);
-  add(other);
+  add(&BoundaryPiece::material_names);
+  add(&BoundaryPiece::other_names);
   return names;
 }
 
-struct FaceParts {
-  BoundaryFace face;
-  std::vector<FaceName> material, other;
-  Vec3 moment;
-  std::map<int, int> local;  ///< point of the B-rep to point of the face
-};
+/// Joins pieces into faces. Points are numbered anew for each.
+class FaceJoiner {
+ public:
+  FaceJoiner(const Brep& brep, const std::vector<BoundaryPiece>& pieces)
+      : brep_(brep),
+        pieces_(pieces),
+        local_(brep.points.size()),
+        used_for_(brep.points.size(), -1) {}
 
-void add_piece(FaceParts& parts, const Brep& brep, int f, const BoundaryPiece& piece) {
-  BoundaryFace& face = parts.face;
-  const auto first_name = [](const BoundaryPiece& p) {
-    return ordered_names(p.material_names, p.other_names).front();
-  };
-  const std::vector<FaceName> so_far = ordered_names(parts.material, parts.other);
-  parts.material.insert(parts.material.end(), piece.material_names.begin(),
-                        piece.material_names.end());
-  parts.other.insert(parts.other.end(), piece.other_names.begin(), piece.other_names.end());
-  // The surface of the piece that gives the whole face its first name.
-  if (so_far.empty() || (ordered_names(parts.material, parts.other).front() != so_far.front() &&
-                         ordered_names(parts.material, parts.other).front() == first_name(piece)))
-    face.surface = piece.surface;
-  face.area += brep.faces[f].area;
-  parts.moment += brep.faces[f].area * brep.faces[f].centroid;
-  for (std::array<int, 3> triangle : brep.faces[f].triangles) {
-    for (int& p : triangle) {
-      const auto [it, fresh] = parts.local.emplace(p, static_cast<int>(face.points.size()));
-      if (fresh) face.points.push_back(brep.points[p]);
-      p = it->second;
+  /// `moment` becomes the area times the centroid.
+  BoundaryFace join(const std::vector<int>& members, Vec3& moment) {
+    ++face_;
+    BoundaryFace face;
+    std::vector<const BoundaryPiece*> joined;
+    for (const int f : members) {
+      joined.push_back(&pieces_[f]);
+      face.area += brep_.faces[f].area;
+      moment += brep_.faces[f].area * brep_.faces[f].centroid;
+      add_triangles(f, face);
     }
-    if (!piece.outward) std::swap(triangle[1], triangle[2]);
-    face.triangles.push_back(triangle);
+    face.names = ordered_names(joined);
+    // The surface of the first piece that gives the whole face its first name.
+    face.surface = (*std::ranges::find_if(joined, [&](const BoundaryPiece* piece) {
+                     return ordered_names({piece}).front() == face.names.front();
+                   }))->surface;
+    return face;
   }
-}
+
+ private:
+  void add_triangles(int f, BoundaryFace& face) {
+    for (std::array<int, 3> triangle : brep_.faces[f].triangles) {
+      for (int& p : triangle) {
+        if (used_for_[p] != face_) {
+          used_for_[p] = face_;
+          local_[p] = static_cast<int>(face.points.size());
+          face.points.push_back(brep_.points[p]);
+        }
+        p = local_[p];
+      }
+      if (!pieces_[f].outward) std::swap(triangle[1], triangle[2]);
+      face.triangles.push_back(triangle);
+    }
+  }
+
+  const Brep& brep_;
+  const std::vector<BoundaryPiece>& pieces_;
+  std::vector<int> local_;     ///< point of the B-rep to point of the face
+  std::vector<int> used_for_;  ///< by point of the B-rep: the last face that has it
+  int face_ = -1;
+};
 
 bool is_reversed(const BoundaryFace& face) {
   double most = 0;
@@ -226,22 +239,24 @@ BoundaryModel build_boundary(const Brep& brep, const std::vector<BoundaryPiece>&
     vertex.edges.erase(std::unique(vertex.edges.begin(), vertex.edges.end()), vertex.edges.end());
   }
 
-  std::vector<FaceParts> parts(skeleton.groups);
+  std::vector<std::vector<int>> members(skeleton.groups);
   for (int f = 0; f < static_cast<int>(pieces.size()); ++f)
-    if (skeleton.face_group[f] >= 0) add_piece(parts[skeleton.face_group[f]], brep, f, pieces[f]);
-  std::vector<Key> keys;
+    if (skeleton.face_group[f] >= 0) members[skeleton.face_group[f]].push_back(f);
+  FaceJoiner joiner(brep, pieces);
+  std::vector<std::array<double, 4>> measures;
   for (int g = 0; g < skeleton.groups; ++g) {
-    BoundaryFace& face = parts[g].face;
+    Vec3 moment;
+    BoundaryFace face = joiner.join(members[g], moment);
     face.edges = edges_of_group[g];
     face.edges.erase(std::unique(face.edges.begin(), face.edges.end()), face.edges.end());
-    face.names = ordered_names(parts[g].material, parts[g].other);
     face.reversed = is_reversed(face);
-    Key key = position_key(parts[g].moment / face.area, tolerance);
-    key.push_back(position_key({face.area, 0, 0}, tolerance)[0]);
-    key.insert(key.end(), face.edges.begin(), face.edges.end());
-    keys.push_back(std::move(key));
+    const Vec3 centroid = moment / face.area;
+    measures.push_back({centroid.x, centroid.y, centroid.z, std::sqrt(face.area)});
     model.faces.push_back(std::move(face));
   }
+  const auto ranks = ranks_of(measures, kOrderGap * tolerance);
+  std::vector<std::pair<std::array<int, 4>, std::vector<int>>> keys;
+  for (int g = 0; g < skeleton.groups; ++g) keys.emplace_back(ranks[g], model.faces[g].edges);
   const std::vector<int> renumber = sort_by(model.faces, keys);
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     auto& faces = model.edges[e].faces;

@@ -15,13 +15,19 @@ struct PlaneEdge {
   int uses = 1;
 };
 
+using Triangles = std::vector<std::array<int, 3>>;
+
 /// The faces that edges bound on a plane: what an odd number of them parts from the outside, in
 /// pieces that hang together. Edges, area, centroid, swept volume and triangles of each are filled
 /// in as for a face that looks along the plane's normal; areas are exact.
 ///
+/// `known`: triangles that are right already, counter-clockwise about the normal; the rest of the
+/// region is triangulated.
+///
 /// Returns nothing where the edges do not close or their polylines cross.
 std::optional<std::vector<kernel::BrepFace>> plane_faces(const kernel::Brep& brep,
                                                          const std::vector<PlaneEdge>& edges,
-                                                         const Surface& plane);
+                                                         const Surface& plane,
+                                                         const Triangles& known);
 
 }  // namespace remeshd

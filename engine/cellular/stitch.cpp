@@ -81,7 +81,7 @@ class Stitcher {
     keep_edges();
     const Meeting fused_meeting(fused_, changes_.boxes);
     if (!keep_faces() || !take_edges(fused_meeting) || !take_faces(fused_meeting) ||
-        !rebuild_planes(fused_meeting, membership) || !closed() || !one_piece())
+        !rebuild_planes(membership) || !closed() || !one_piece())
       return std::nullopt;
     put_in_order(out_);
     return std::move(out_);
@@ -248,6 +248,7 @@ class Stitcher {
     const BoundaryPiece* piece;
     bool along;
     std::map<int, int> uses;  ///< by edge
+    Triangles known;          ///< outward, where nothing changed
   };
 
   Family& family_of(const BoundaryPiece& piece, bool along) {
@@ -257,10 +258,10 @@ class Stitcher {
              family.piece->surface.frame == piece.surface.frame;
     });
     if (it != families_.end()) return *it;
-    return families_.emplace_back(Family{&piece, along, {}});
+    return families_.emplace_back(Family{&piece, along, {}, {}});
   }
 
-  bool rebuild_planes(const Meeting& meeting, const Membership& membership) {
+  bool rebuild_planes(const Membership& membership) {
     std::vector<BoundaryPiece> renamed;  // families point into it
     renamed.reserve(base_.pieces.size());
     const auto gather = [&](const BoundaryParts& parts, std::size_t f, const BoundaryPiece& piece,
@@ -271,27 +272,47 @@ class Stitcher {
         if (family == nullptr) family = &family_of(piece, looks_along(parts, static_cast<int>(f)));
         ++family->uses[number[e]];
       }
-      return family != nullptr;
+      return family;
     };
     for (std::size_t f = 0; f < base_.pieces.size(); ++f) {
       if (!meeting_.faces[f] || !is_plane(base_.pieces[f])) continue;
       BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
       const bool whole = rename(piece);
       // What a changed feature covered lies in its box, with all its edges.
-      if (gather(base_, f, piece, kept_.edges, 0) && !whole) return false;
+      Family* family = gather(base_, f, piece, kept_.edges, 0);
+      if (family == nullptr) continue;
+      if (!whole) return false;
+      add_known(base_.brep.faces[f], family->known);
     }
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
       if (is_plane(fused_.pieces[f]))
         gather(fused_, f, fused_.pieces[f], taken_.edges, kept_edges_);
-    for (const Family& family : families_)
+    for (Family& family : families_)
       if (!rebuild(family, membership)) return false;
     return true;
   }
 
-  bool rebuild(const Family& family, const Membership& membership) {
+  /// The triangles of a face of the base that stay: between nodes that do, away from what changed.
+  void add_known(const BrepFace& face, Triangles& known) const {
+    for (std::array<int, 3> triangle : face.triangles) {
+      Box box;
+      bool kept = true;
+      for (int& p : triangle) {
+        box.add(base_.brep.points[p]);
+        p = kept_.points[p];
+        kept = kept && p >= 0;
+      }
+      if (kept && !touch(changes_.boxes, box)) known.push_back(triangle);
+    }
+  }
+
+  bool rebuild(Family& family, const Membership& membership) {
     std::vector<PlaneEdge> edges;
     for (const auto& [e, uses] : family.uses) edges.push_back({e, uses});
-    auto faces = plane_faces(out_.brep, edges, family.piece->surface);
+    if (!family.along)
+      for (auto& triangle : family.known) std::swap(triangle[1], triangle[2]);
+    auto faces = plane_faces(out_.brep, edges, family.piece->surface, family.known);
+    if (!faces) faces = plane_faces(out_.brep, edges, family.piece->surface, {});
     if (!faces) return false;
     for (BrepFace& face : *faces) {
       if (!family.along) {

@@ -11,15 +11,12 @@
 namespace remeshd::kernel {
 namespace {
 
-struct FaceInfo {
-  std::int8_t inside = -1;  ///< -1: not known yet
-  int region = -1;
-};
+enum class Inside : std::uint8_t { Unknown, No, Yes };
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertices = CGAL::Triangulation_vertex_base_with_info_2<int, K>;
 using Faces = CGAL::Constrained_triangulation_face_base_2<
-    K, CGAL::Triangulation_face_base_with_info_2<FaceInfo, K>>;
+    K, CGAL::Triangulation_face_base_with_info_2<Inside, K>>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
     K, CGAL::Triangulation_data_structure_2<Vertices, Faces>>;
 using FaceHandle = Triangulation::Face_handle;
@@ -40,16 +37,11 @@ class Segments {
              return a[0] == b[0] && a[1] == b[1];
            }) == sorted_.end();
   }
-  /// -1 where these corners are of none.
-  [[nodiscard]] int between(int a, int b) const {
+  [[nodiscard]] bool odd(int a, int b) const {
     const auto it =
         std::ranges::lower_bound(sorted_, std::array{std::min(a, b), std::max(a, b), 0});
-    return it != sorted_.end() && (*it)[0] == std::min(a, b) && (*it)[1] == std::max(a, b)
-               ? (*it)[2]
-               : -1;
-  }
-  [[nodiscard]] const Border::Segment& operator[](int segment) const {
-    return border_.segments[segment];
+    return it != sorted_.end() && (*it)[0] == std::min(a, b) && (*it)[1] == std::max(a, b) &&
+           border_.segments[(*it)[2]].uses % 2 == 1;
   }
 
  private:
@@ -57,29 +49,24 @@ class Segments {
   std::vector<std::array<int, 3>> sorted_;
 };
 
-/// The segment opposite of corner i, -1 if that is none.
-int segment_at(FaceHandle t, int i, const Segments& segments) {
-  return t->is_constrained(i) ? segments.between(t->vertex(Triangulation::cw(i))->info(),
-                                                 t->vertex(Triangulation::ccw(i))->info())
-                              : -1;
-}
-
+/// Whether the side opposite of corner i is a segment that an odd number of uses has.
 bool parts(FaceHandle t, int i, const Segments& segments) {
-  const int s = segment_at(t, i, segments);
-  return s >= 0 && segments[s].uses % 2 == 1;
+  return t->is_constrained(i) && segments.odd(t->vertex(Triangulation::cw(i))->info(),
+                                              t->vertex(Triangulation::ccw(i))->info());
 }
 
 /// Inside is what an odd number of segments parts from the outside.
 void tell_inside(const Triangulation& mesh, const Segments& segments) {
-  mesh.infinite_face()->info().inside = 0;
+  for (auto t = mesh.all_faces_begin(); t != mesh.all_faces_end(); ++t) t->info() = Inside::Unknown;
+  mesh.infinite_face()->info() = Inside::No;
   std::vector<FaceHandle> todo{mesh.infinite_face()};
   while (!todo.empty()) {
     const FaceHandle t = todo.back();
     todo.pop_back();
     for (int i = 0; i < 3; ++i) {
       const FaceHandle next = t->neighbor(i);
-      if (next->info().inside >= 0) continue;
-      next->info().inside = (t->info().inside == 1) != parts(t, i, segments) ? 1 : 0;
+      if (next->info() != Inside::Unknown) continue;
+      next->info() = (t->info() == Inside::Yes) != parts(t, i, segments) ? Inside::Yes : Inside::No;
       todo.push_back(next);
     }
   }
@@ -89,24 +76,8 @@ void tell_inside(const Triangulation& mesh, const Segments& segments) {
 bool consistent(const Triangulation& mesh, const Segments& segments) {
   for (auto t = mesh.all_faces_begin(); t != mesh.all_faces_end(); ++t)
     for (int i = 0; i < 3; ++i)
-      if ((t->info().inside != t->neighbor(i)->info().inside) != parts(t, i, segments))
-        return false;
+      if ((t->info() != t->neighbor(i)->info()) != parts(t, i, segments)) return false;
   return true;
-}
-
-void number_region(FaceHandle first, int region) {
-  first->info().region = region;
-  std::vector<FaceHandle> todo{first};
-  while (!todo.empty()) {
-    const FaceHandle t = todo.back();
-    todo.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      const FaceHandle next = t->neighbor(i);
-      if (t->is_constrained(i) || next->info().region >= 0) continue;
-      next->info().region = region;
-      todo.push_back(next);
-    }
-  }
 }
 
 bool build(const Border& border, std::span<const std::array<double, 2>> inner,
@@ -133,26 +104,17 @@ bool build(const Border& border, std::span<const std::array<double, 2>> inner,
 
 }  // namespace
 
-std::optional<BorderMesh> mesh_border(const Border& border,
-                                      std::span<const std::array<double, 2>> inner) {
+std::optional<std::vector<std::array<int, 3>>> mesh_border(
+    const Border& border, std::span<const std::array<double, 2>> inner) {
   const Segments segments(border);
   Triangulation mesh;
   if (!segments.distinct() || !build(border, inner, mesh)) return std::nullopt;
   tell_inside(mesh, segments);
   if (!consistent(mesh, segments)) return std::nullopt;
-  BorderMesh out;
-  out.sides.assign(border.segments.size(), {-1, -1});
-  for (auto t = mesh.finite_faces_begin(); t != mesh.finite_faces_end(); ++t) {
-    if (t->info().inside != 1) continue;
-    if (t->info().region < 0) number_region(t, out.regions++);
-    out.triangles.push_back(
-        {{t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()}, t->info().region});
-    for (int i = 0; i < 3; ++i)
-      if (const int s = segment_at(t, i, segments); s >= 0) {
-        const bool forward = t->vertex(Triangulation::ccw(i))->info() == border.segments[s].a;
-        out.sides[s][forward ? 0 : 1] = t->info().region;
-      }
-  }
+  std::vector<std::array<int, 3>> out;
+  for (auto t = mesh.finite_faces_begin(); t != mesh.finite_faces_end(); ++t)
+    if (t->info() == Inside::Yes)
+      out.push_back({t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()});
   return out;
 }
 

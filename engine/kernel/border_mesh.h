@@ -23,23 +23,12 @@ struct Border {
   std::vector<Segment> segments;
 };
 
-struct BorderTriangle {
-  std::array<int, 3> corners{};  ///< counter-clockwise; from the border's last on: of `inner`
-  int region = 0;                ///< equal where no segment parts two triangles
-};
-
-struct BorderMesh {
-  std::vector<BorderTriangle> triangles;
-  int regions = 0;
-  /// For each segment the regions to the left of it, from a to b and from b to a; -1 outside.
-  std::vector<std::array<int, 2>> sides;
-};
-
 /// Triangulates what an odd number of segments parts from the outside, with these points inside, by
-/// constrained Delaunay triangulation.
+/// constrained Delaunay triangulation. The triangles' corners turn counter-clockwise; numbers from
+/// the border's last on are of `inner`.
 ///
 /// Returns nothing where segments cross or touch each other away from their corners.
-std::optional<BorderMesh> mesh_border(const Border& border,
-                                      std::span<const std::array<double, 2>> inner);
+std::optional<std::vector<std::array<int, 3>>> mesh_border(
+    const Border& border, std::span<const std::array<double, 2>> inner);
 
 }  // namespace remeshd::kernel

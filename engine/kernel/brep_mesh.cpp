@@ -28,6 +28,7 @@ namespace {
 // third and finer one would take seconds on a torus.
 constexpr std::array<double, 2> kMeshAngles{0.24, 0.1};
 constexpr double kMeshDeflection = 0.5;  // far above what the angle asks for
+constexpr double kNear = 0.1;            // of a chord, which stands off its curve by .015
 constexpr double kMeshMinimum = 1e-3;    // else small holes are meshed as triangles
 
 void mesh(const TopoDS_Shape& shape, double angle, const Message_ProgressRange& range) {
@@ -124,6 +125,44 @@ std::vector<int> part_touching(Brep& brep) {
   return bad;
 }
 
+/// Whether a polyline comes so near to another that chords and gaps are of one size. There own
+/// triangles are right but coarse, and meshes of the surface begin to cut themselves.
+bool nearly_touch(const Brep& brep, const EdgeChains& chains) {
+  struct Chord {
+    std::array<int, 2> nodes;
+    int edge;
+  };
+  std::vector<Chord> chords;  // of round edges
+  std::vector<std::vector<int>> edges_at(brep.points.size());
+  for (int e = 0; e < static_cast<int>(chains.size()); ++e)
+    for (std::size_t i = 0; i < chains[e].size(); ++i) {
+      edges_at[chains[e][i].node].push_back(e);
+      if (i > 0 && brep.edges[e].kind != BrepEdge::Kind::Line)
+        chords.push_back({ordered(chains[e][i - 1].node, chains[e][i].node), e});
+    }
+  std::ranges::sort(chords, {}, &Chord::nodes);
+  const auto apart = [&](int e, int other) {
+    const auto& [a, b] = brep.edges[e].vertices;
+    return e != other && std::ranges::count(brep.edges[other].vertices, a) == 0 &&
+           std::ranges::count(brep.edges[other].vertices, b) == 0;
+  };
+  for (const BrepFace& face : brep.faces)
+    for (const auto& t : face.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const std::array<int, 2> side = ordered(t[i], t[(i + 1) % 3]);
+        const auto chord = std::ranges::lower_bound(chords, side, {}, &Chord::nodes);
+        if (chord == chords.end() || chord->nodes != side) continue;
+        const std::vector<int>& others = edges_at[t[(i + 2) % 3]];
+        if (others.empty() ||
+            !std::ranges::all_of(others, [&](int other) { return apart(chord->edge, other); }))
+          continue;
+        const Vec3& p = brep.points[side[0]];
+        const Vec3 along = brep.points[side[1]] - p;
+        if (norm(cross(along, brep.points[t[(i + 2) % 3]] - p)) < kNear * norm2(along)) return true;
+      }
+  return false;
+}
+
 /// Takes over the CAD kernel's triangulation, its nodes numbered so that those on a shared edge are
 /// one.
 class NodeNumbers {
@@ -216,13 +255,12 @@ void keep(const EdgeChains& chains, Brep& brep) {
 
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
   // The polylines and nodes that are good nearly everywhere take a tenth of the CAD kernel's time.
+  // Where they are not, edges nearly touch: there its own are finer.
   EdgeChains own(brep.edges.size());
   std::vector<int> bad = mesh_faces(brep, own, run);
   if (bad.empty()) bad = bad_faces(brep, own);
-  if (bad.empty() || (mend_faces(brep, own, bad) && bad_faces(brep, own).empty())) {
-    bad = part_touching(brep);
-    if (bad.empty()) return keep(own, brep);
-  }
+  if (bad.empty() && !nearly_touch(brep, own) && part_touching(brep).empty())
+    return keep(own, brep);
   for (const double angle : kMeshAngles) {
     if (angle != kMeshAngles.front()) BRepTools::Clean(shape);
     with_progress(run, [&](const Message_ProgressRange& range) { mesh(shape, angle, range); });

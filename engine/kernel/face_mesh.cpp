@@ -25,6 +25,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = K::Point_2;
 
 constexpr double kStep = 0.14;        // rad between nodes, about that of the polylines
+constexpr double kTurning = 0.12;     // rad between chords of a circle
 constexpr double kSameCorner = 1e-3;  // kernel units: images of one node this near are one corner
 constexpr double kShortest = 1e-6;    // kernel units: segments are not split below
 constexpr int kRounds = 40;
@@ -90,16 +91,26 @@ class FaceMesher {
     if (!chain.empty()) return;
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, e)));
     const double first = curve.FirstParameter(), last = curve.LastParameter();
-    // Even steps, of about four fifths of the edge's own points.
-    const int n = brep_.edges[e].kind == BrepEdge::Kind::Line
-                      ? 1
-                      : std::max(2, static_cast<int>(brep_.edges[e].points.size()) * 4 / 5);
+    const int n = parts_of(brep_.edges[e]);
     chain.push_back({brep_.edges[e].vertices[0], first});
     for (int i = 1; i < n; ++i) {
       const double t = first + (last - first) * i / n;
       chain.push_back({add_point(curve.Value(t)), t});
     }
     chain.push_back({brep_.edges[e].vertices[1], last});
+  }
+
+  /// In how many even steps a polyline follows an edge.
+  static int parts_of(const BrepEdge& edge) {
+    switch (edge.kind) {
+      case BrepEdge::Kind::Line:
+        return 1;
+      case BrepEdge::Kind::Circle:
+        return std::max(2, static_cast<int>(std::ceil(edge.length / (kTurning * edge.radius))));
+      case BrepEdge::Kind::Other:
+        break;
+    }
+    return std::max(2, static_cast<int>(edge.points.size()) - 1);
   }
 
   void split(const Cut& cut) {
@@ -109,17 +120,31 @@ class FaceMesher {
     chain.insert(chain.begin() + cut.index + 1, {add_point(curve.Value(t)), t});
   }
 
-  /// Maps lengths along a face's parameters to about those in space, but for straight lines on a
-  /// cylinder or cone, which count little: so triangles stand along them and cut nothing short.
-  void find_stretch(const BRepAdaptor_Surface& surface) {
-    const double low = surface.FirstVParameter(), high = surface.LastVParameter();
+  /// Maps lengths along a face's parameters to about those in space.
+  void find_stretch(const TopoDS_Face& face) {
+    const BRepAdaptor_Surface whole(face, /*Restriction=*/false);
+    if (whole.GetType() == GeomAbs_Cylinder) {
+      stretch_ = {whole.Cylinder().Radius(), 1};
+      return;
+    }
+    const BRepAdaptor_Surface surface(face);  // its bounds take time
     gp_Pnt at;
     gp_Vec along_u, along_v;
-    surface.D1(0.5 * (surface.FirstUParameter() + surface.LastUParameter()), 0.5 * (low + high), at,
-               along_u, along_v);
+    surface.D1(0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
+               0.5 * (surface.FirstVParameter() + surface.LastVParameter()), at, along_u, along_v);
     stretch_ = {along_u.Magnitude(), along_v.Magnitude()};
-    if (is_ruled(surface))
-      stretch_[1] = std::min(stretch_[1], kStep * stretch_[0] / std::max(high - low, kShortest));
+  }
+
+  /// Straight lines on a cylinder or cone count little: so triangles stand along them and cut
+  /// nothing short.
+  void flatten(Border& border) const {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Border::Corner& corner : border.corners) {
+      low = std::min(low, corner.p[1]);
+      high = std::max(high, corner.p[1]);
+    }
+    const double factor = std::min(1.0, kStep * stretch_[0] / std::max(high - low, kShortest));
+    for (Border::Corner& corner : border.corners) corner.p[1] *= factor;
   }
 
   static bool is_ruled(const BRepAdaptor_Surface& surface) {
@@ -154,12 +179,12 @@ class FaceMesher {
 
   Border border_of(int f) {
     const TopoDS_Face face = face_shape(f);
-    const BRepAdaptor_Surface surface(face);
+    const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
     if (surface.GetType() == GeomAbs_Plane) {
       stretch_ = {1, 1};
       return plane_border(f, surface.Plane());
     }
-    find_stretch(surface);
+    find_stretch(face);
 
     Border border;
     std::multimap<int, int> of_node;
@@ -209,6 +234,7 @@ class FaceMesher {
         before = next;
       }
     }
+    if (is_ruled(surface)) flatten(border);
     return border;
   }
 
@@ -256,8 +282,8 @@ class FaceMesher {
     const Border border = border_of(f);
     const BRepAdaptor_Surface surface(face_shape(f), /*Restriction=*/false);
     const std::vector<std::array<double, 2>> inner = interior(surface, border);
-    const auto mesh = mesh_border(border, inner);
-    if (!mesh) return false;
+    const auto triangles = mesh_border(border, inner);
+    if (!triangles) return false;
     const int n = static_cast<int>(border.corners.size());
     std::vector<int> node_of(inner.size(), -1);
     const auto node = [&](int corner) {
@@ -270,8 +296,8 @@ class FaceMesher {
     BrepFace& out = brep_.faces[f];
     out.triangles.clear();
     double area = 0;
-    for (const BorderTriangle& t : mesh->triangles) {
-      const int a = node(t.corners[0]), b = node(t.corners[1]), c = node(t.corners[2]);
+    for (const auto& t : *triangles) {
+      const int a = node(t[0]), b = node(t[1]), c = node(t[2]);
       if (a == b || b == c || c == a) continue;  // at a pole
       out.triangles.push_back({a, b, c});
       area +=

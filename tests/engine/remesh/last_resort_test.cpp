@@ -155,9 +155,9 @@ TEST(LastResort, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
   const Ready ready(test::case_model("tool1-a"), 1000);
   LastResort input = ready.input();
   input.limits.helper = "/bin/false";
-  const Vec3 rim{41, 0, 12};
+  const Vec3 below_rim{41, 0, 11.9};
   Verification failed;
-  failed.failures = {{MeshFailure::StrayFacet, 0, rim,
+  failed.failures = {{MeshFailure::StrayFacet, 0, below_rim,
                       "a boundary facet on no model face at "
                       "(41, 0, 12)"}};
   const ErrorInfo info = test::error_of([&] { last_resort(input, failed, kRun); });
