@@ -17,7 +17,7 @@ ModelSummary summarise(const FeatureModel& model, const Run& run) {
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 5,
+  return {.algorithm_version = 6,
           .evaluate = evaluate,
           .apply = apply,
           .summarise = summarise,
