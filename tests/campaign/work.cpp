@@ -5,10 +5,11 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/campaign/random_case.h"
-#include "tests/campaign/worker.h"
+#include "tests/support/child_process.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -76,7 +77,7 @@ void run_and_print(const CampaignCase& c) {
   run_case(
       c,
       [](std::size_t step) {
-        limit_processor_time(kProcessorSeconds);
+        test::limit_processor_time(kProcessorSeconds);
         print({{"begin", step}});
       },
       [](const Outcome& outcome) {
@@ -85,10 +86,11 @@ void run_and_print(const CampaignCase& c) {
 }
 
 WorkedCase collect(const std::vector<std::string>& arguments, double seconds) {
-  const WorkerResult worker = run_worker(arguments, seconds);
+  const test::ChildEnd worker = test::run_child(test::kThisProgram, arguments, seconds);
   WorkedCase worked;
   std::size_t begun = 0, ended = 0;
-  for (const std::string& line : worker.lines) {
+  std::istringstream lines(worker.output);
+  for (std::string line; std::getline(lines, line);) {
     const json event = json::parse(line, nullptr, false);
     if (event.is_discarded()) continue;
     if (event.contains("looking")) worked.campaign_case = read_case(event.at("looking"));
@@ -146,7 +148,7 @@ WorkedCase read_worked(const json& j) {
 
 void work_on_number(std::uint64_t seed, std::uint64_t number) {
   const RandomCase made = make_case(seed, number, [](const CampaignCase& c) {
-    limit_processor_time(kProcessorSeconds);
+    test::limit_processor_time(kProcessorSeconds);
     print({{"looking", write_case(c)}});
   });
   json facts = json::array();

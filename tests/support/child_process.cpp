@@ -1,4 +1,4 @@
-#include "tests/campaign/worker.h"
+#include "tests/support/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,12 +12,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <sstream>
 #include <stdexcept>
 
 extern char** environ;
 
-namespace remeshd::campaign {
+namespace remeshd::test {
 namespace {
 
 constexpr std::size_t kKeptErrors = 2000;
@@ -51,28 +50,39 @@ bool drain(int fd, std::string& text) {
   return n > 0 || (n < 0 && errno == EINTR);
 }
 
+double seconds_of(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+}
+
 }  // namespace
 
-WorkerResult run_worker(const std::vector<std::string>& arguments, double seconds) {
+std::string ChildEnd::how() const {
+  if (too_long) return "killed after its time";
+  if (signal != 0) return "signal " + std::to_string(signal);
+  return "exit code " + std::to_string(exit_code);
+}
+
+ChildEnd run_child(const std::string& program, const std::vector<std::string>& arguments,
+                   double seconds) {
   Pipe out, err;
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, out.write, STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, err.write, STDERR_FILENO);
   std::vector<char*> argv;
-  const std::string self = "/proc/self/exe";
   std::vector<std::string> copies = arguments;
   for (std::string& a : copies) argv.push_back(a.data());
   argv.push_back(nullptr);
   pid_t child = 0;
-  const int failed = ::posix_spawn(&child, self.c_str(), &actions, nullptr, argv.data(), environ);
+  const int failed =
+      ::posix_spawnp(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) throw std::runtime_error(std::string("posix_spawn: ") + std::strerror(failed));
+  if (failed != 0)
+    throw std::runtime_error("cannot start " + program + ": " + std::strerror(failed));
   out.close_write();
   err.close_write();
 
-  WorkerResult result;
-  std::string text;
+  ChildEnd result;
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   std::array<pollfd, 2> ends{{{out.read, POLLIN, 0}, {err.read, POLLIN, 0}}};
   while (ends[0].fd >= 0 || ends[1].fd >= 0) {
@@ -84,18 +94,19 @@ WorkerResult run_worker(const std::vector<std::string>& arguments, double second
       break;
     }
     if (::poll(ends.data(), ends.size(), static_cast<int>(left.count()) + 1) <= 0) continue;
-    if (ends[0].revents != 0 && !drain(out.read, text)) ends[0].fd = -1;
+    if (ends[0].revents != 0 && !drain(out.read, result.output)) ends[0].fd = -1;
     if (ends[1].revents != 0 && !drain(err.read, result.errors)) ends[1].fd = -1;
     if (result.errors.size() > 2 * kKeptErrors)
       result.errors.erase(0, result.errors.size() - kKeptErrors);
   }
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  rusage used{};
+  while (::wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) result.lines.push_back(line);
+  result.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
+  result.peak_bytes = 1024.0 * static_cast<double>(used.ru_maxrss);
   return result;
 }
 
@@ -109,4 +120,4 @@ void limit_processor_time(double seconds) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-}  // namespace remeshd::campaign
+}  // namespace remeshd::test
