@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing, as root or through sudo. Does
-# nothing, and needs neither network nor rights, when all are there.
+# Installs the Debian packages of packages.txt that are missing, as root or through sudo, and those
+# of other lists beside it: install-deps.sh [LIST...]. Does nothing, and needs neither network nor
+# rights, when all are there.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-mapfile -t packages < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt)
+mapfile -t packages < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt "$@")
 mapfile -t missing < <(comm -23 <(printf '%s\n' "${packages[@]}" | sort) \
   <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort))
 [ "${#missing[@]}" -eq 0 ] && exit 0

@@ -1,16 +1,11 @@
-// Runs one case through the engine alone and prints what the Report says, a line a mesh:
-//   case_bench EDIT NODES ITERATIONS SEED [REPEATS]      e.g. case_bench tool1-ac 15000 10 1
-// The original, the remesh and a regular run of the modified model with the remesh's node count.
-#include <cstdio>
-#include <cstdlib>
-#include <string>
+#include "tests/bench/one_case.h"
 
-#include "engine/base/error.h"
+#include <cstdio>
+
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 
-using namespace remeshd;
-
+namespace remeshd::bench {
 namespace {
 
 void print(const char* what, const Report& r) {
@@ -34,16 +29,13 @@ void print(const char* what, const Report& r) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  if (argc < 5) return 2;
-  const std::string edit = argv[1];
-  MeshOptions options{.nodes = static_cast<std::uint32_t>(std::atoi(argv[2])),
-                      .iterations = static_cast<std::uint32_t>(std::atoi(argv[3])),
-                      .seed = static_cast<std::uint64_t>(std::atoi(argv[4]))};
+void run_one_case(const std::string& edit, std::uint32_t nodes, std::uint32_t iterations,
+                  std::uint64_t seed, int repeats) {
+  const MeshOptions options{.nodes = nodes, .iterations = iterations, .seed = seed};
   // `tool1-ac` is the edit of the model `tool1-a`.
   const ModelSource source = test::case_model(edit.substr(0, edit.size() - 1));
   const Run run;
-  for (int k = 0; k < (argc > 5 ? std::atoi(argv[5]) : 1); ++k) {
+  for (int k = 0; k < repeats; ++k) {
     const Revision original = make_revision(nullptr, source, options, run);
     print("original", original.report);
     MeshOptions inherit = options;
@@ -58,9 +50,6 @@ int main(int argc, char** argv) try {
     std::printf("         remesh / regular %.1f %%\n",
                 100 * remesh.report.seconds.total / regular.report.seconds.total);
   }
-  return 0;
-} catch (const Error& e) {
-  std::printf("error %s: %s (%s %s)\n", e.info().reason.c_str(), e.what(), e.info().feature.c_str(),
-              e.info().parameter.c_str());
-  return 1;
 }
+
+}  // namespace remeshd::bench

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "tests/bench/goals.h"
+#include "tests/bench/results.h"
+
+namespace remeshd::bench {
+
+/// Remesh against regular run, phase by phase: a row for each case, size and number of iterations.
+std::string timing_table(const Results& results);
+
+/// Ours and the peers: a row for each case, size and mesher.
+std::string peer_table(const Results& results);
+
+/// Chains of edits; empty where none was measured.
+std::string chain_table(const Results& results);
+
+/// What was asked and what came out, missed ones in bold.
+std::string goal_table(const std::vector<Goal>& goals);
+
+/// All of it with machine, date and command, in Markdown.
+std::string report(const Results& results);
+
+}  // namespace remeshd::bench
