@@ -1,0 +1,50 @@
+#include "tests/bench/micro/worked_case.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "engine/optimise/optimise.h"
+#include "engine/plan/point_source.h"
+#include "engine/remesh/stages.h"
+#include "tests/support/cases.h"
+
+namespace remeshd::bench {
+namespace {
+
+WorkedCase work() {
+  constexpr std::uint32_t kIterations = 5;
+  constexpr std::uint64_t kSeed = 1;
+  const MeshOptions options{.nodes = 15'000};
+  const Run run;
+  WorkedCase w;
+  w.model = test::case_features("tool1-a");
+  w.cells = build_cells(w.model, run);
+  w.membership = std::make_unique<const Membership>(w.model);
+  const Density density = resolve_density(nullptr, options, w.cells.volume, w.cells.area);
+  w.edge_length = density.edge_length;
+  const PointSource source(nullptr, w.model, w.edge_length, run);
+  w.nodes = initial_nodes(nullptr, source, density, options.start, kSeed, run);
+  w.samples = sample_boundary(w.cells.boundary, *w.membership, w.edge_length, kSeed, {}, run);
+  w.all_samples.resize(w.samples.points.size());
+  std::iota(w.all_samples.begin(), w.all_samples.end(), 0);
+  const InsideTest inside = [&](const Vec3& p) { return w.membership->inside(p); };
+  OptimiseResult loop = optimise(
+      w.nodes, start_mesh(nullptr, w.nodes, source, w.cells.boundary.bounds, run), w.cells.boundary,
+      inside, w.samples, {.edge_length = w.edge_length, .iterations = kIterations}, run);
+  std::ranges::fill(w.nodes.free, 1);
+  loop.mesh.for_each_tet([&](const Tet& tet) { w.delaunay.push_back(tet); });
+  Candidate candidate = extract(w.nodes, std::move(loop), w.cells, inside, run);
+  w.mesh_nodes = std::move(candidate.nodes);
+  w.peeled = std::move(candidate.delaunay);
+  return w;
+}
+
+}  // namespace
+
+const WorkedCase& worked_case() {
+  static const WorkedCase made = work();
+  return made;
+}
+
+}  // namespace remeshd::bench
