@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -126,10 +127,13 @@ bool all_well(const Results& results) {
 void print_report(const Results& results, const Options& options) {
   std::string text = report(results);
   if (options.goals) text += "\n### Goals\n\n" + goal_table(judge(results));
-  if (options.markdown.empty())
+  if (options.markdown.empty()) {
     std::cout << text;
-  else
-    write_file(options.markdown, text);
+    return;
+  }
+  std::ifstream in(options.markdown);
+  const std::string document{std::istreambuf_iterator<char>(in), {}};
+  write_file(options.markdown, between_marks(document, text).value_or(text));
 }
 
 /// What was asked for in words, as settings.
@@ -181,7 +185,8 @@ int main(int argc, char** argv) try {
   app.add_flag("--goals", options.goals, "print the goals, met or missed");
   CLI::Option* json = app.add_option("--json", options.json, "file for all samples");
   app.add_flag("--keep", options.keep, "go on with what that file has")->needs(json);
-  app.add_option("--markdown", options.markdown, "file for the tables, instead of stdout");
+  app.add_option("--markdown", options.markdown,
+                 "file for the tables, instead of stdout: between its marks, if it has them");
   app.add_option("--growth", options.growth,
                  "folder for the plots of growth, and measure for them");
   app.add_option("--growth-nodes", options.points.nodes, "15000 30000 100000 300000 1000000");

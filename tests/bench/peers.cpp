@@ -109,6 +109,7 @@ PeerSession::PeerSession(fs::path folder, const std::string& name, const std::st
       limit_seconds_(limit_seconds) {
   const json made = ask(beside_this_program("remesh-peer-gmsh"),
                         {"geometry", model_file, geometry_}, limit_seconds_);
+  made.at("faces").get_to(faces_);
   const double volume = made.at("volume").get<double>();
   if (!(std::fabs(volume - exact_volume) <= 1e-6 * exact_volume))
     throw std::runtime_error("the peers' geometry of " + name + " has a volume of " +

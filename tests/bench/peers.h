@@ -37,6 +37,9 @@ class PeerSession {
   PeerSession(std::filesystem::path folder, const std::string& name, const std::string& model_file,
               double exact_volume, double limit_seconds);
 
+  /// Faces of their geometry.
+  [[nodiscard]] std::size_t faces() const { return faces_; }
+
   /// A mesh of so many nodes, within `kSameNodes`, or the nearest there is: Netgen fills the inside
   /// by levels of an octree, each of eight times the nodes. Which edge length leads there is found
   /// out the first time, apart from the run that is measured. `start`: an edge length to begin
@@ -59,6 +62,7 @@ class PeerSession {
   std::filesystem::path folder_;
   std::string name_;
   std::string geometry_;  ///< file
+  std::size_t faces_ = 0;
   double limit_seconds_;
   std::map<std::string, Size> sizes_;  ///< by peer, geometry and nodes asked for
 };

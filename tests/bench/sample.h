@@ -24,6 +24,7 @@ struct Sample {
   std::string failure;  ///< why there is nothing else; empty where it went well
   double cpu = 0;       ///< s of processor time, helper processes included, of the meshing alone
   double wall = 0;      ///< s
+  double surface = 0;   ///< of `cpu`, what a peer took for edges and faces
   double import = 0;    ///< s of processor time that a peer took to read the geometry
   Phases phases;        ///< ours
   std::uint32_t nodes = 0, tets = 0;

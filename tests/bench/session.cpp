@@ -54,6 +54,9 @@ Group measure_group(const Subject& subject, std::uint32_t nodes, const Settings&
     cells = build_cells(evaluate(subject.modified), Run{});
     peers.emplace(settings.folder, subject.name, run.modified, exact_volume(subject, *cells),
                   settings.limit_seconds);
+    if (peers->faces() != cells->boundary.faces.size())
+      std::cerr << subject.name << ": the peers' geometry has " << peers->faces()
+                << " faces, the model " << cells->boundary.faces.size() << "\n";
   }
 
   Group group{.name = subject.name, .nodes = nodes, .series = {}};

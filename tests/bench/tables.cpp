@@ -170,9 +170,9 @@ std::string timing_table(const Results& results) {
 }
 
 std::string peer_table(const Results& results) {
-  std::string text = head({"case", "mesher", "nodes", "tets", "s", "import s", "regular auto / it",
-                           "remesh auto / it", "peak MB", "mean v-l", "least v-l", "least angle",
-                           "largest angle"});
+  std::string text = head({"case", "mesher", "nodes", "tets", "s", "surface s", "import s",
+                           "regular auto / it", "remesh auto / it", "peak MB", "mean v-l",
+                           "least v-l", "least angle", "largest angle"});
   for (const Group& group : results.groups) {
     const bool any = std::ranges::any_of(
         all_peers(), [&](const Peer& peer) { return group.series.contains(peer.name); });
@@ -187,6 +187,7 @@ std::string peer_table(const Results& results) {
           {group.name, title, count(group.middle(series, kNodes)),
            count(group.middle(series, [](const Sample& s) { return s.tets; })),
            number(group.seconds(series), 3),
+           ours ? "" : number(group.middle(series, [](const Sample& s) { return s.surface; }), 3),
            ours ? "" : number(group.middle(series, [](const Sample& s) { return s.import; }), 3),
            ours ? "" : against(group, "regular auto", series, 2),
            ours ? "" : against(group, "remesh auto", series, 3),
@@ -232,6 +233,12 @@ std::string goal_table(const std::vector<Goal>& goals) {
         row({goal.group, goal.where, goal_number(goal, goal.measured),
              goal_number(goal, goal.limit), goal_number(goal, goal.stretch), word(goal.outcome())});
   return text;
+}
+
+std::optional<std::string> between_marks(const std::string& document, const std::string& tables) {
+  const std::size_t begin = document.find(kBeginMark), end = document.find(kEndMark);
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return {};
+  return document.substr(0, begin) + kBeginMark + "\n" + tables + document.substr(end);
 }
 
 std::string report(const Results& results) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/bench/goals.h"
 #include "tests/bench/results.h"
@@ -18,6 +20,12 @@ std::string chain_table(const Results& results);
 
 /// What was asked and what came out, missed ones in bold.
 std::string goal_table(const std::vector<Goal>& goals);
+
+/// A document with the tables in place of what lies between the marks below, or nothing where it
+/// has no such marks.
+std::optional<std::string> between_marks(const std::string& document, const std::string& tables);
+inline constexpr const char* kBeginMark = "<!-- remesh-bench begin -->";
+inline constexpr const char* kEndMark = "<!-- remesh-bench end -->";
 
 /// All of it with machine, date and command, in Markdown.
 std::string report(const Results& results);

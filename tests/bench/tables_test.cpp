@@ -40,7 +40,7 @@ const Results& example() {
                              {"remesh 10", {ours(.125, 10)}},
                              {"regular auto", {ours(.4, 5)}},
                              {"remesh auto", {ours(.1, 7)}},
-                             {"hxt", {{.cpu = .8, .import = .002, .nodes = 15262}}},
+                             {"hxt", {{.cpu = .8, .surface = .5, .import = .002, .nodes = 15262}}},
                              {"netgen", {{.cpu = 12, .nodes = 30310}}},
                              {"delaunay", {{.failure = "killed after its time: "}}}}}}};
   return results;
@@ -66,8 +66,9 @@ TEST(TimingTable, RowsHaveAsManyCellsAsTheHead) {
 
 TEST(PeerTable, ComparesAtTheSameNodesOrByTheNode) {
   const std::string table = peer_table(example());
-  EXPECT_THAT(table, HasSubstr("| tool1-ac | Gmsh HXT, optimised | 15,262 | 0 | 0.800 | 0.002 | "
-                               "0.50 | 0.125 |"));
+  EXPECT_THAT(table,
+              HasSubstr("| tool1-ac | Gmsh HXT, optimised | 15,262 | 0 | 0.800 | 0.500 | 0.002 | "
+                        "0.50 | 0.125 |"));
   EXPECT_THAT(table, HasSubstr("| 0.07 a node | 0.017 a node |"));
 }
 
@@ -77,6 +78,14 @@ TEST(Report, TellsMachineDateCommandAndWhatFailed) {
   EXPECT_THAT(text, HasSubstr("    remesh-bench --cases tool1-ac\n"));
   EXPECT_THAT(text, HasSubstr("- tool1-ac 15000 delaunay, 1 of 1: killed after its time: \n"));
   EXPECT_THAT(text, Not(HasSubstr("### Chains")));
+}
+
+TEST(BetweenMarks, KeepsTheRestOfTheDocument) {
+  const std::string before = "# Title\n<!-- remesh-bench begin -->\n",
+                    after = "<!-- remesh-bench end -->\nMore.\n";
+  EXPECT_EQ(between_marks(before + "stale\n" + after, "| fresh |\n"),
+            before + "| fresh |\n" + after);
+  EXPECT_EQ(between_marks("# Title\n", "| fresh |\n"), std::nullopt);
 }
 
 TEST(ChainTable, ShowsTheWaysAndWhatARevisionKeeps) {

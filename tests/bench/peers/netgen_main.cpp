@@ -44,9 +44,11 @@ Sample mesh(const std::string& file, double size) {
   parameters.maxh = size;
   Ng_Mesh* made = Ng_NewMesh();
   meter.start();
+  const double start = processor_seconds();
   Ng_OCC_SetLocalMeshSize(geometry, made, &parameters);
   require(Ng_OCC_GenerateEdgeMesh(geometry, made, &parameters) == NG_OK, "no edges");
   require(Ng_OCC_GenerateSurfaceMesh(geometry, made, &parameters) == NG_OK, "no surface");
+  sample.surface = processor_seconds() - start;
   require(Ng_GenerateVolumeMesh(made, &parameters) == NG_OK, "no volume");
   meter.stop(sample);
 
