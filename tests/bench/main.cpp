@@ -22,6 +22,9 @@ using namespace remeshd;
 using namespace remeshd::bench;
 namespace fs = std::filesystem;
 
+constexpr const char* kNodesPlot = "growth-nodes.svg";
+constexpr const char* kFeaturesPlot = "growth-features.svg";
+
 struct Options {
   std::vector<std::string> cases, sizes, iterations{"5", "10", "auto"}, peers;
   bool no_peers = false, goals = false, keep = false, every_size = false;
@@ -109,9 +112,9 @@ void measure_growth(const Options& options, Ledger& ledger) {
   for (const int features : options.points.features)
     ledger.measure(hole_plate(features), options.points.nodes_of_features, settings);
   fs::create_directories(options.growth);
-  write_file(fs::path(options.growth) / "growth-nodes.svg",
+  write_file(fs::path(options.growth) / kNodesPlot,
              svg(plot_nodes(ledger.results(), options.points)));
-  write_file(fs::path(options.growth) / "growth-features.svg",
+  write_file(fs::path(options.growth) / kFeaturesPlot,
              svg(plot_features(ledger.results(), options.points)));
 }
 
@@ -126,6 +129,13 @@ bool all_well(const Results& results) {
 
 void print_report(const Results& results, const Options& options) {
   std::string text = report(results);
+  if (!options.growth.empty()) {
+    const fs::path plots =
+        fs::relative(options.growth, fs::absolute(options.markdown).parent_path());
+    text += "\n### Growth\n\n";
+    for (const char* plot : {kNodesPlot, kFeaturesPlot})
+      text += "![" + std::string(plot) + "](" + (plots / plot).generic_string() + ")\n";
+  }
   if (options.goals) text += "\n### Goals\n\n" + goal_table(judge(results));
   if (options.markdown.empty()) {
     std::cout << text;
@@ -144,6 +154,7 @@ void settle(Options& options) {
                                                       : static_cast<std::uint32_t>(std::stoul(k)));
   if (options.cases.empty())
     for (const test::EditCase& c : test::seven_cases()) options.cases.push_back(c.edit);
+  if (options.cases == std::vector<std::string>{"none"}) options.cases.clear();
   if (options.no_peers) return;
   for (const Peer& peer : all_peers()) {
     const bool wanted = options.peers.empty() || std::ranges::count(options.peers, peer.name) > 0;
@@ -165,7 +176,7 @@ int main(int argc, char** argv) try {
   Options options;
   std::vector<std::string> known;
   for (const Peer& peer : all_peers()) known.push_back(peer.name);
-  app.add_option("--cases", options.cases, "edits of tests/cases; all seven");
+  app.add_option("--cases", options.cases, "edits of tests/cases, or none; all seven");
   app.add_option("--sizes", options.sizes,
                  "nodes; 15k 30k 100k, for simple-ab and tool1-ac 300k 1M too");
   app.add_option("--iterations", options.iterations, "numbers or auto; 5 10 auto");
