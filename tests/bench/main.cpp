@@ -64,7 +64,8 @@ class Ledger {
     }
     results_.machine = this_machine();
     results_.date = today();
-    results_.command = std::move(command);
+    if (std::ranges::count(results_.commands, command) == 0)
+      results_.commands.push_back(std::move(command));
   }
 
   [[nodiscard]] const Results& results() const { return results_; }

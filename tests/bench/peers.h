@@ -17,7 +17,7 @@ inline constexpr double kSameNodes = 0.02;
 struct Peer {
   std::string name;   ///< of its series: `hxt`
   std::string title;  ///< in tables
-  /// Beyond so many nodes it is left out by default: it would take the better part of a day.
+  /// Asked for more nodes, it is left out by default: it would take the better part of a day.
   std::uint32_t most_nodes;
 };
 

@@ -60,7 +60,7 @@ json write_results(const Results& results) {
   }
   return {{"machine", results.machine},
           {"date", results.date},
-          {"command", results.command},
+          {"commands", results.commands},
           {"groups", std::move(groups)}};
 }
 
@@ -68,7 +68,7 @@ Results read_results(const json& j) {
   Results results;
   j.at("machine").get_to(results.machine);
   j.at("date").get_to(results.date);
-  j.at("command").get_to(results.command);
+  j.at("commands").get_to(results.commands);
   for (const json& g : j.at("groups")) {
     Group& group = results.groups.emplace_back();
     g.at("name").get_to(group.name);

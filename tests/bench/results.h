@@ -49,7 +49,8 @@ struct Group {
 };
 
 struct Results {
-  std::string machine, date, command;
+  std::string machine, date;
+  std::vector<std::string> commands;  ///< that it was measured with, one after the other
   std::vector<Group> groups;
 
   /// Null where it was not measured.

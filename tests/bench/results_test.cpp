@@ -29,7 +29,7 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   const Results results{
       .machine = "a machine",
       .date = "2009-08-13",
-      .command = "remesh-bench",
+      .commands = {"remesh-bench", "remesh-bench --keep"},
       .groups = {{.name = "tool1-ac",
                   .nodes = 15000,
                   .series = {{"remesh auto", {ours, Sample{.failure = "signal 11: "}}},

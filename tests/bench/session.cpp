@@ -83,7 +83,8 @@ Group measure_group(const Subject& subject, std::uint32_t nodes, const Settings&
       const std::uint32_t made = measure_as(RunKind::Remesh, nodes, "remesh");
       const std::uint32_t same = made > 0 ? made : nodes;
       measure_as(RunKind::Regular, same, "regular");
-      if (settings.paper_regular) measure_as(RunKind::Regular, same, "paper", {.paper = true});
+      if (settings.paper_regular && iterations > 0)
+        measure_as(RunKind::Regular, same, "paper", {.paper = true});
       if (peer_nodes == 0) peer_nodes = same;
     }
     if (settings.chain > 0) {
@@ -96,7 +97,7 @@ Group measure_group(const Subject& subject, std::uint32_t nodes, const Settings&
     }
     for (const Peer& peer : settings.peers) {
       if (peer_nodes == 0) peer_nodes = nodes;
-      if (peer_nodes > 1.1 * peer.most_nodes) continue;
+      if (nodes > peer.most_nodes) continue;
       keep(peer.name,
            peers->run(peer, peer_nodes, edge_length_for(cells->volume, cells->area, peer_nodes)));
     }

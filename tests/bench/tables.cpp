@@ -116,7 +116,7 @@ std::string word(Outcome outcome) {
     case Outcome::NotMeasured:
       break;
   }
-  return "not measured";
+  return "";
 }
 
 }  // namespace
@@ -228,10 +228,19 @@ std::string goal_table(const std::vector<Goal>& goals) {
       goals.size(), counts[Outcome::Met] + counts[Outcome::StretchMet], counts[Outcome::StretchMet],
       counts[Outcome::Missed], counts[Outcome::NotMeasured]);
   text += head({"goal", "case", "measured", "at most", "stretch", "outcome"});
-  for (const Goal& goal : goals)
+  std::string missing, last;
+  for (const Goal& goal : goals) {
+    if (goal.outcome() == Outcome::NotMeasured) {
+      missing += goal.group == last ? ", " : (last.empty() ? "" : "; ") + goal.group + " of ";
+      missing += goal.where;
+      last = goal.group;
+      continue;
+    }
     text +=
         row({goal.group, goal.where, goal_number(goal, goal.measured),
              goal_number(goal, goal.limit), goal_number(goal, goal.stretch), word(goal.outcome())});
+  }
+  if (!missing.empty()) text += "\nNot measured: " + missing + ".\n";
   return text;
 }
 
@@ -242,8 +251,8 @@ std::optional<std::string> between_marks(const std::string& document, const std:
 }
 
 std::string report(const Results& results) {
-  std::string text =
-      fmt::format("{}, {}:\n\n    {}\n\n", results.machine, results.date, results.command);
+  std::string text = fmt::format("{}, {}:\n\n    {}\n\n", results.machine, results.date,
+                                 fmt::join(results.commands, "\n    "));
   text += "### Remesh and regular run\n\n" + timing_table(results);
   const std::string peers = peer_table(results);
   if (std::ranges::count(peers, '\n') > 2) text += "\n### Peers\n\n" + peers;
