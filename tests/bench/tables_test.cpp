@@ -9,7 +9,6 @@
 namespace remeshd::bench {
 namespace {
 
-using testing::Each;
 using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;

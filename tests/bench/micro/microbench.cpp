@@ -35,7 +35,7 @@ kernel::Delaunay delaunay_of(const NodeSet& nodes) {
 /// Items are nodes.
 void delaunay_insertion(benchmark::State& state) {
   const NodeSet& nodes = worked_case().nodes;
-  for (auto _ : state) benchmark::DoNotOptimize(delaunay_of(nodes).size());
+  while (state.KeepRunning()) benchmark::DoNotOptimize(delaunay_of(nodes).size());
   state.SetItemsProcessed(state.iterations() * nodes.size());
 }
 BENCHMARK(delaunay_insertion)->Unit(benchmark::kMillisecond);
@@ -56,7 +56,7 @@ void delaunay_move(benchmark::State& state) {
   }
   kernel::Delaunay mesh = delaunay_of(w.nodes);
   bool out = true;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     if (mesh.move(out ? there : w.nodes.positions, moving, Run{}) !=
         kernel::Delaunay::Moved::Done) {
       state.SkipWithError("too far for flips");
@@ -70,7 +70,7 @@ BENCHMARK(delaunay_move)->Arg(10)->Arg(30)->Unit(benchmark::kMillisecond);
 
 void nearest_node_grid(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
-  for (auto _ : state)
+  while (state.KeepRunning())
     benchmark::DoNotOptimize(NearestNode(w.nodes.positions, w.edge_length).nearest({}));
   state.SetItemsProcessed(state.iterations() * w.nodes.size());
 }
@@ -80,7 +80,7 @@ BENCHMARK(nearest_node_grid)->Unit(benchmark::kMillisecond);
 void nearest_node_query(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
   const NearestNode grid(w.nodes.positions, w.edge_length);
-  for (auto _ : state)
+  while (state.KeepRunning())
     for (const Sample& sample : w.samples.points)
       benchmark::DoNotOptimize(grid.nearest(sample.position));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(w.samples.points.size()));
@@ -92,7 +92,7 @@ void interior_pass(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
   const InsideTest inside = [&](const Vec3& p) { return w.membership->inside(p); };
   NodeSet nodes = w.nodes;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     nodes.positions = w.nodes.positions;
     benchmark::DoNotOptimize(relocate(nodes, w.delaunay, inside, Run{}));
   }
@@ -106,7 +106,7 @@ void boundary_pass(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
   const Adjacency adjacency(w.cells.boundary);
   const PullOptions options{.edge_length = w.edge_length, .split = false};
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     NodeSet nodes = w.nodes;
     benchmark::DoNotOptimize(pull_boundary(nodes, w.cells.boundary, adjacency, w.samples,
                                            w.all_samples, options, Run{}));
@@ -120,7 +120,7 @@ void clean_up(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
   const TetMesh mesh{w.mesh_nodes.positions, w.peeled};
   const std::vector<std::uint8_t> dirty(mesh.tets.size(), 1);
-  for (auto _ : state)
+  while (state.KeepRunning())
     benchmark::DoNotOptimize(
         improve(mesh, w.mesh_nodes.supports, w.cells.boundary, dirty, {}, Run{}).below_threshold);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(mesh.tets.size()));
@@ -134,7 +134,7 @@ void membership(benchmark::State& state) {
   for (const Tet& t : w.delaunay)
     points.push_back(0.25 * (w.nodes.positions[t[0]] + w.nodes.positions[t[1]] +
                              w.nodes.positions[t[2]] + w.nodes.positions[t[3]]));
-  for (auto _ : state)
+  while (state.KeepRunning())
     benchmark::DoNotOptimize(
         std::ranges::count_if(points, [&](const Vec3& p) { return w.membership->inside(p); }));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
