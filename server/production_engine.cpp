@@ -4,7 +4,7 @@
 namespace remeshd {
 namespace {
 
-ModelSummary summarise(const FeatureModel& model, const Run& run) {
+ModelSummary summary_of(const FeatureModel& model, const Run& run) {
   const CellularModel cells = build_cells(model, run);
   return {.volume = cells.volume,
           .area = cells.area,
@@ -20,7 +20,7 @@ Engine production_engine() {
   return {.algorithm_version = 6,
           .evaluate = evaluate,
           .apply = apply,
-          .summarise = summarise,
+          .summarise = summary_of,
           .make_revision = make_revision,
           .compare = compare,
           .serialise = serialise,

@@ -24,19 +24,21 @@ WorkedCase work() {
   const Density density = resolve_density(nullptr, options, w.cells.volume, w.cells.area);
   w.edge_length = density.edge_length;
   const PointSource source(nullptr, w.model, w.edge_length, run);
-  w.nodes = initial_nodes(nullptr, source, density, options.start, kSeed, run);
+  LocalNodes local = *initial_nodes(nullptr, source, density, options.start, kSeed, {}, run);
   w.samples = sample_boundary(w.cells.boundary, *w.membership, w.edge_length, kSeed, {}, run);
   w.all_samples.resize(w.samples.points.size());
   std::iota(w.all_samples.begin(), w.all_samples.end(), 0);
   const InsideTest inside = [&](const Vec3& p) { return w.membership->inside(p); };
-  OptimiseResult loop = optimise(
-      w.nodes, start_mesh(nullptr, w.nodes, source, w.cells.boundary.bounds, run), w.cells.boundary,
-      inside, w.samples, {.edge_length = w.edge_length, .iterations = kIterations}, run);
+  StartMesh start = start_mesh(local, source, w.cells.boundary.bounds, run);
+  w.nodes = std::move(local.nodes);
+  OptimiseResult loop =
+      optimise(w.nodes, std::move(start), w.cells.boundary, inside, w.samples,
+               {.edge_length = w.edge_length, .iterations = kIterations}, run);
   std::ranges::fill(w.nodes.free, 1);
   loop.mesh.for_each_tet([&](const Tet& tet) { w.delaunay.push_back(tet); });
-  Candidate candidate = extract(w.nodes, std::move(loop), w.cells, inside, run);
+  Candidate candidate = extract(w.nodes, std::move(loop), local.part, source, w.cells, inside, run);
   w.mesh_nodes = std::move(candidate.nodes);
-  w.peeled = std::move(candidate.delaunay);
+  w.peeled = std::move(candidate.delaunay.tets);
   return w;
 }
 
