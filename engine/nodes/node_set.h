@@ -19,6 +19,7 @@ struct NodeSet {
   std::vector<std::int32_t> transform;  ///< index into PointSource::transforms
   /// Nodes below are at the rim of a part of the mesh: fixed, some of their tets are not in it.
   std::int32_t rim = 0;
+  std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set: it is of a part only
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
   void add_new(const Vec3& p, const Support& support = {}) {

@@ -170,7 +170,7 @@ std::optional<LocalNodes> localise(const NodeSet& near,
     if (stays(n) && (p < 0 || !part.inner[p])) continue;
     add(p, near.positions[n], near.supports[n], near.free[n], near.transform[n]);
   }
-  local.others = static_cast<std::int32_t>(delivered.nodes.size()) - count;
+  nodes.elsewhere = static_cast<std::int32_t>(delivered.nodes.size()) - count;
   return local;
 }
 

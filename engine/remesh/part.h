@@ -51,7 +51,6 @@ struct LocalNodes {
   /// Where boundary samples are wanted; nothing: everywhere.
   std::optional<Region> sampled;
   std::int32_t placed = 0;       ///< nodes below have their supports in the modified boundary
-  std::int32_t others = 0;       ///< nodes of the original that stay as they are, not in `nodes`
 };
 
 /// Cuts the part out of the original that lies within `reach` (length) of what changes: `near` are

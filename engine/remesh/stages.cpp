@@ -58,7 +58,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
     for (std::int32_t& n : t) n = number[n];
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
-  } else if (nodes.rim > 0) {
+  } else if (nodes.elsewhere > 0) {
     throw LeftPart{"leaving out nodes"};
   } else {
     mesh = mesh.emptied();
@@ -74,7 +74,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
 PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const OriginalPart& part,
                      const PointSource& source) {
   PeelRim rim;
-  if (nodes.rim == 0) return rim;
+  if (nodes.elsewhere == 0) return rim;
   rim.beyond = part.beyond;
   rim.tets.assign(mesh.slots(), PeelRim::Known::No);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(part.mesh.slots()); ++s) {
@@ -208,7 +208,7 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
   const OriginalPart& part = local.part;
   StartMesh start{kernel::Delaunay(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
   const auto without = [&] {
-    if (nodes.rim > 0) throw LeftPart{"taking out the free nodes"};
+    if (nodes.elsewhere > 0) throw LeftPart{"taking out the free nodes"};
     return start;
   };
   if (part.nodes.empty() || !part.mesh.encloses(bounds)) return without();

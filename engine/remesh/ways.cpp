@@ -106,8 +106,8 @@ void Ways::next(Way way, const Candidate& failed, const char* what) {
   revision_.report.warnings.push_back(first_failure(failed.verification) + "; " + what);
 }
 
-/// Within the part of the original that what changes reaches; where that does not do, within a
-/// larger one, and at last within all of it.
+/// Within the part of the original that what changes reaches; where that does not do or gives no
+/// valid mesh, within a larger one, and at last within all of it.
 Candidate Ways::attempt(const Setting& s) {
   const Target& target = s.target;
   const bool local = target.original && !s.all_free &&
@@ -118,12 +118,15 @@ Candidate Ways::attempt(const Setting& s) {
     const BoundaryModel& boundary = target.cells.boundary;
     map.emplace(target.original->cells.boundary, boundary,
                 kOnEntity * boundary.bounds.diagonal());
+    std::vector<std::string>& warnings = revision_.report.warnings;
+    const std::size_t before = warnings.size();
     for (const double reach : kReaches) {
       try {
-        if (auto made = attempt_within(s, {reach * s.density.edge_length, &*map}))
-          return std::move(*made);
+        auto made = attempt_within(s, {reach * s.density.edge_length, &*map});
+        if (made && (made->verification.valid || made->too_fine)) return std::move(*made);
       } catch (const LeftPart&) {
       }
+      warnings.resize(before);
     }
   }
   return *attempt_within(s, {HUGE_VAL, nullptr});
@@ -148,7 +151,7 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   counts.nodes_new =
       static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
   counts.nodes_copied =
-      static_cast<std::uint32_t>(nodes.size() + local->others) - counts.nodes_new;
+      static_cast<std::uint32_t>(nodes.size() + nodes.elsewhere) - counts.nodes_new;
   watch_.lap(report.seconds.copy);
 
   SampleOptions sampling;
@@ -160,7 +163,7 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
     place_supports(nodes, boundary, samples, l, kOnEntity * boundary.bounds.diagonal(),
                    local->placed, run_);
   counts.free_at_start = count(nodes.free, 1);
-  const bool all_free = local->others == 0 && count(nodes.free, 0) == 0;
+  const bool all_free = nodes.elsewhere == 0 && count(nodes.free, 0) == 0;
   watch_.lap(report.seconds.setup);
 
   StartMesh start = start_mesh(*local, source, boundary.bounds, run_);
@@ -171,7 +174,7 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
   counts.active_samples = loop.samples_active;
   // Nodes added on the way are free from their first iteration on.
-  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size() + local->others);
+  report.free_share = all_free ? 1 : mean_free_share(loop, nodes.size() + nodes.elsewhere);
   watch_.lap(report.seconds.optimise);
 
   const Site site{local->part, reach.map};

@@ -1,0 +1,68 @@
+#include "engine/base/region.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/base/random.h"
+
+namespace remeshd {
+namespace {
+
+std::vector<Vec3> cloud(int n, const Vec3& centre, Random& random) {
+  std::vector<Vec3> points(n);
+  for (Vec3& p : points)
+    p = centre + Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  return points;
+}
+
+double distance_to(const std::vector<Vec3>& points, const Vec3& p) {
+  double d = HUGE_VAL;
+  for (const Vec3& q : points) d = std::fmin(d, distance(p, q));
+  return d;
+}
+
+TEST(Region, HoldsWhatIsInReachAndNothingMuchFurther) {
+  Random random(1);
+  const std::vector<Vec3> points = cloud(20, {}, random);
+  for (const int steps : {1, 2, 4}) {
+    const Region region(points, 0.5, steps);
+    for (const Vec3& p : cloud(2000, {}, random)) {
+      const double d = distance_to(points, 3 * p);
+      if (d <= 0.5) EXPECT_TRUE(region.holds(3 * p));
+      if (d > 0.5 * std::sqrt(3.0) * (1 + 1.0 / steps)) EXPECT_FALSE(region.holds(3 * p));
+    }
+  }
+}
+
+TEST(Region, GrownHoldsWhatIsNearIt) {
+  Random random(2);
+  const std::vector<Vec3> points = cloud(5, {}, random);
+  const Region region(points, 0.5, 4), grown = region.grown(0.3);
+  for (const Vec3& p : cloud(2000, {}, random)) {
+    if (!region.holds(3 * p)) continue;
+    for (const Vec3& off : {Vec3{0.3, 0, 0}, Vec3{0, -0.3, 0}, Vec3{0.17, 0.17, -0.17}})
+      EXPECT_TRUE(grown.holds(3 * p + off));
+  }
+}
+
+TEST(Region, HasABoxRoundEachPart) {
+  Random random(3);
+  std::vector<Vec3> points = cloud(10, {}, random);
+  const std::vector<Vec3> other = cloud(10, {10, 0, 0}, random);
+  points.insert(points.end(), other.begin(), other.end());
+  const Region region(points, 1, 2);
+  EXPECT_EQ(region.boxes().size(), 2U);
+  for (const Vec3& p : points)
+    EXPECT_TRUE(std::ranges::any_of(region.boxes(), [&](const Box& b) { return b.contains(p); }));
+}
+
+TEST(Region, OfNothingIsEmpty) {
+  const Region region({}, 1, 2);
+  EXPECT_TRUE(region.empty());
+  EXPECT_FALSE(region.holds({}));
+  EXPECT_TRUE(region.grown(1).boxes().empty());
+}
+
+}  // namespace
+}  // namespace remeshd
