@@ -98,9 +98,9 @@ std::vector<Box> Region::boxes() const {
         while (!queue.empty()) {
           const std::array<int, 3> c = queue.back();
           queue.pop_back();
-          const Vec3 corner = box_.lo + width_ * Vec3{static_cast<double>(c[0]),
-                                                      static_cast<double>(c[1]),
-                                                      static_cast<double>(c[2])};
+          const Vec3 corner =
+              box_.lo + width_ * Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]),
+                                      static_cast<double>(c[2])};
           box.add(corner);
           box.add(corner + Vec3{width_, width_, width_});
           for (int axis = 0; axis < 3; ++axis)

@@ -84,8 +84,7 @@ double EntityMap::distance2(Support::Kind kind, int entity, const Vec3& p) const
 
 std::optional<Support> EntityMap::operator()(const Support& support, const Vec3& p) const {
   if (support.kind == Support::Kind::Interior) return support;
-  const std::vector<int>& candidates =
-      candidates_[static_cast<int>(support.kind)][support.entity];
+  const std::vector<int>& candidates = candidates_[static_cast<int>(support.kind)][support.entity];
   if (candidates.empty()) return std::nullopt;
   if (candidates.size() == 1) return Support{support.kind, candidates.front()};
   int nearest = candidates.front();

@@ -96,8 +96,8 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
     }
   }
   for (std::size_t k = begin; k < out.size(); ++k)
-    out[k].weight =
-        wanted.everywhere() ? face.area / static_cast<double>(out.size() - begin) : spacing * spacing;
+    out[k].weight = wanted.everywhere() ? face.area / static_cast<double>(out.size() - begin)
+                                        : spacing * spacing;
 }
 
 void sample_edge(const BoundaryModel& boundary, int index, double spacing, double jitter,
@@ -136,12 +136,13 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
   for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
     run.poll();
     sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
-                options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), samples.points);
+                options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f),
+                samples.points);
   }
   samples.edges_begin = samples.points.size();
   for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)
-    sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter,
-                wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
+    sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter, wanted,
+                Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
   samples.vertices_begin = samples.points.size();
   for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v)
     if (const Vec3& p = boundary.vertices[v].position; wanted.holds(p))

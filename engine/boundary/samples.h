@@ -38,9 +38,8 @@ struct Samples {
 /// points along every edge, every vertex. The lattice of a face is trimmed by point membership, so
 /// it is as exact as the features are.
 ///
-/// Post: the weights of a face's samples add up to its area, those of an edge's to its length, where
-/// the whole boundary is covered.
-/// Source: Sect. 3.1 and 3.3.
+/// Post: the weights of a face's samples add up to its area, those of an edge's to its length,
+/// where the whole boundary is covered. Source: Sect. 3.1 and 3.3.
 Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
                         double edge_length, std::uint64_t seed, const SampleOptions& options,
                         const Run& run);

@@ -32,8 +32,8 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
 }  // namespace
 
 PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                const BoundaryModel& boundary, const InsideTest& inside,
-                const PeelRim& rim, const PeelOptions& options, const Run& run) {
+                const BoundaryModel& boundary, const InsideTest& inside, const PeelRim& rim,
+                const PeelOptions& options, const Run& run) {
   using Known = PeelRim::Known;
   const auto known_of = [&](std::int32_t slot) {
     return rim.tets.empty() ? Known::No : rim.tets[slot];

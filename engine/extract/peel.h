@@ -35,7 +35,7 @@ struct PeeledMesh {
 ///
 /// `rim`: what is known of a part of a mesh.
 PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                const BoundaryModel& boundary, const InsideTest& inside,
-                const PeelRim& rim, const PeelOptions& options, const Run& run);
+                const BoundaryModel& boundary, const InsideTest& inside, const PeelRim& rim,
+                const PeelOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -12,8 +12,8 @@ namespace remeshd::kernel {
 namespace {
 
 constexpr int kPollEvery = 512;
-constexpr double kFarDistance = 12;  // diagonals; hull facets are Delaunay long before that
-constexpr double kNear = 0.25;       // of the distance of the far corners: well within them
+constexpr double kFarDistance = 12;   // diagonals; hull facets are Delaunay long before that
+constexpr double kNear = 0.25;        // of the distance of the far corners: well within them
 constexpr std::size_t kStarts = 256;  // of a walk in a part, from the nearest of which it starts
 
 std::array<Vec3, 4> far_corners(const Box& bounds) {
@@ -120,8 +120,8 @@ std::int32_t Delaunay::locate(const Vec3& p) const {
     if (const std::int32_t t = walk(nearest, p); t >= 0) return t;
   const auto holds = [&](const Slot& s) {
     return s.v[0] != kDead && std::ranges::none_of(kTetFacets, [&](const auto& f) {
-      return orientation(points_[s.v[f[0]]], points_[s.v[f[1]]], points_[s.v[f[2]]], p) > 0;
-    });
+             return orientation(points_[s.v[f[0]]], points_[s.v[f[1]]], points_[s.v[f[2]]], p) > 0;
+           });
   };
   const auto found = std::ranges::find_if(slots_, holds);
   return found == slots_.end() ? -1 : static_cast<std::int32_t>(found - slots_.begin());

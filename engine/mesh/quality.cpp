@@ -134,7 +134,8 @@ Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> no
 
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
   double volume = 0;
-  for (const Tet& t : tets) volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  for (const Tet& t : tets)
+    volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
   return summarise(measure_tets(nodes, tets, run), nodes, tets, volume);
 }
 

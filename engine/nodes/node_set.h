@@ -19,9 +19,11 @@ struct NodeSet {
   std::vector<std::int32_t> transform;  ///< index into PointSource::transforms
   /// Nodes below are at the rim of a part of the mesh: fixed, some of their tets are not in it.
   std::int32_t rim = 0;
-  std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set: it is of a part only
+  std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
+  /// Whether the set is that of a part of the mesh only.
+  [[nodiscard]] bool of_part() const { return rim > 0 || elsewhere > 0; }
   void add_new(const Vec3& p, const Support& support = {}) {
     positions.push_back(p);
     supports.push_back(support);

@@ -5,9 +5,9 @@
 
 namespace remeshd {
 
-/// Finds for every fixed node from `first` on that stood on the boundary of the original model the vertex, edge or
-/// face of the modified one that it stands on now. A node that finds none is freed: its piece of
-/// boundary is gone.
+/// Finds for every fixed node from `first` on that stood on the boundary of the original model the
+/// vertex, edge or face of the modified one that it stands on now. A node that finds none is freed:
+/// its piece of boundary is gone.
 ///
 /// `tolerance`: distance within which a node counts as standing on an entity, length.
 /// `edge_length`: target edge length.

@@ -94,8 +94,8 @@ class Carrier {
     }
     carried_.assign(tets_.size(), 0);
     for (std::size_t k = 0; k < tets_.size(); ++k)
-      carried_[k] = image_[k] >= 0 && (pieces_.cluster[image_[k]] < 0 ||
-                                       carried_piece_[pieces_.cluster[image_[k]]]);
+      carried_[k] = image_[k] >= 0 &&
+                    (pieces_.cluster[image_[k]] < 0 || carried_piece_[pieces_.cluster[image_[k]]]);
   }
 
   [[nodiscard]] bool stands_for_itself(std::size_t k) const {
@@ -107,7 +107,8 @@ class Carrier {
     std::vector<Vec3> p = nodes_.positions;
     for (std::int32_t n = 0; n < nodes_.size(); ++n)
       if (held_[n])
-        p[n] = transforms_[nodes_.transform[n]].apply(original_.delivered_nodes[nodes_.original[n]]);
+        p[n] =
+            transforms_[nodes_.transform[n]].apply(original_.delivered_nodes[nodes_.original[n]]);
     return p;
   }
 

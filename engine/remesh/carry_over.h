@@ -25,7 +25,8 @@ struct CarriedMesh {
 /// given back.
 ///
 /// `tets`: the new peeled Delaunay mesh over `nodes`. `transforms`: as in PointSource. Nodes at the
-/// rim keep their delivered position; throws LeftPart where one of them would have to be given back.
+/// rim keep their delivered position; throws LeftPart where one of them would have to be given
+/// back.
 CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets,
                        const OriginalPart& original, std::span<const Transform> transforms,
                        const Run& run);

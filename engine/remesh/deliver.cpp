@@ -80,8 +80,8 @@ Quality quality_before(const Master& master, const TetMesh& delivered,
     const Tet t = master.mesh.corners(s);
     tets.push_back(t);
     volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-    const bool same = master.tet_of_slot[s] >= 0 && !(moved[t[0]] || moved[t[1]] || moved[t[2]] ||
-                                                      moved[t[3]]);
+    const bool same =
+        master.tet_of_slot[s] >= 0 && !(moved[t[0]] || moved[t[1]] || moved[t[2]] || moved[t[3]]);
     before.push_back(same ? measures[master.tet_of_slot[s]]
                           : measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
   }
@@ -112,8 +112,7 @@ void measure_away(Revision& revision) {
     volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
   }
   report.sharp_tets = static_cast<std::uint32_t>(mesh.tets.size() - away.size());
-  if (report.sharp_tets > 0)
-    report.quality_away = summarise(measures, mesh.nodes, away, volume);
+  if (report.sharp_tets > 0) report.quality_away = summarise(measures, mesh.nodes, away, volume);
 }
 
 }  // namespace
@@ -184,8 +183,7 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
                 cells_before(d, original, source), revision, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   account(original, c.verification.volume, revision, run);
-  revision.report.quality_before =
-      quality_before(*revision.master, d.mesh, revision.measures, run);
+  revision.report.quality_before = quality_before(*revision.master, d.mesh, revision.measures, run);
 }
 
 }  // namespace remeshd

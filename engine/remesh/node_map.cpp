@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace remeshd {
 
 NodeMap map_to_nothing(const TetMesh& mesh) {

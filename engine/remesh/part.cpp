@@ -83,7 +83,8 @@ OriginalPart cut_out(const Master& master, const DeliveredMesh& delivered,
     for (std::int32_t& n : t) n = name[n];
     return t;
   };
-  for (const std::int32_t t : part.delivered_tet) part.delivered.push_back(renamed(delivered.tets[t]));
+  for (const std::int32_t t : part.delivered_tet)
+    part.delivered.push_back(renamed(delivered.tets[t]));
   part.mesh = master.mesh.cut(slots, name, static_cast<std::int32_t>(part.nodes.size()), part.cut);
   for (const std::int32_t facet : part.cut.beyond)
     part.beyond.push_back(master.inside(facet >> 2) ? 1 : 0);
@@ -108,8 +109,7 @@ OriginalPart cut_out(const Master& master, const DeliveredMesh& delivered,
   return part;
 }
 
-std::optional<LocalNodes> localise(const NodeSet& near,
-                                   std::span<const std::int32_t> looked_at,
+std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
                                    const Master& master, std::span<const Support> supports,
                                    const DeliveredMesh& delivered, const EntityMap* map,
                                    const PointSource& source, double reach, double sampled_beyond) {

@@ -152,8 +152,7 @@ Revision deserialise(const std::string& bytes, const Run& run) {
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
   revision.cells = build_cells(revision.model, run);
-  revision.measures =
-      measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
+  revision.measures = measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   if (anchored) {
     anchor.model = evaluate(anchor.source);

@@ -96,9 +96,8 @@ class Splicer {
     for (std::size_t n = 0; n < then.nodes.size(); ++n)
       if (whole_.mesh.nodes[n] != then.nodes[n]) map.node_origin[n] = NodeOrigin::Moved;
     for (std::size_t t = 0; t < then.tets.size(); ++t)
-      if (std::ranges::any_of(then.tets[t], [&](std::int32_t n) {
-            return map.node_origin[n] != NodeOrigin::Kept;
-          }))
+      if (std::ranges::any_of(
+              then.tets[t], [&](std::int32_t n) { return map.node_origin[n] != NodeOrigin::Kept; }))
         map.original_tet[t] = -1;
   }
 
@@ -168,9 +167,9 @@ class Splicer {
       }
       const Tet tet = renamed(tets[k], names_);
       const bool kept = was[k] >= 0 && std::ranges::all_of(tet, [&](std::int32_t n) {
-        return map.node_origin[n] == NodeOrigin::Kept &&
-               map.node_transform[n] == map.node_transform[tet[0]];
-      });
+                          return map.node_origin[n] == NodeOrigin::Kept &&
+                                 map.node_transform[n] == map.node_transform[tet[0]];
+                        });
       whole_.mesh.tets[at] = tet;
       map.original_tet[at] = kept ? at : -1;
     }

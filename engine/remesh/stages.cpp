@@ -13,8 +13,8 @@
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
 #include "engine/optimise/live_mesh.h"
-#include "engine/remesh/master.h"
 #include "engine/remesh/carry_over.h"
+#include "engine/remesh/master.h"
 #include "engine/remesh/node_map.h"
 #include "engine/remesh/stopwatch.h"
 
@@ -23,7 +23,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
-constexpr double kNearChange = 2;  // x edge length: further from the changed boxes nodes stay
+constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 1.5;  // x edge length: as far as a node looks for its samples
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
@@ -58,7 +58,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
     for (std::int32_t& n : t) n = number[n];
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
-  } else if (nodes.elsewhere > 0) {
+  } else if (nodes.of_part()) {
     throw LeftPart{"leaving out nodes"};
   } else {
     mesh = mesh.emptied();
@@ -74,7 +74,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
 PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const OriginalPart& part,
                      const PointSource& source) {
   PeelRim rim;
-  if (nodes.elsewhere == 0) return rim;
+  if (!nodes.of_part()) return rim;
   rim.beyond = part.beyond;
   rim.tets.assign(mesh.slots(), PeelRim::Known::No);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(part.mesh.slots()); ++s) {
@@ -83,7 +83,8 @@ PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const O
     const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {
       return b < 0 ? a == b : a == nodes.original[b] && nodes.positions[b] == part.positions[a];
     });
-    if (same && !source.meets_changed(now, nodes.positions)) rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;
+    if (same && !source.meets_changed(now, nodes.positions))
+      rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;
   }
   return rim;
 }
@@ -174,8 +175,7 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
     looked_at = nodes_to_look_at(*original, source, kNearChange * density.edge_length,
                                  std::isinf(reach.length));
     nodes = copy_nodes(
-        source,
-        {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
+        source, {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
         original->edge_length, run);
   }
   const auto fill = start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
@@ -208,7 +208,7 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
   const OriginalPart& part = local.part;
   StartMesh start{kernel::Delaunay(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
   const auto without = [&] {
-    if (nodes.elsewhere > 0) throw LeftPart{"taking out the free nodes"};
+    if (nodes.of_part()) throw LeftPart{"taking out the free nodes"};
     return start;
   };
   if (part.nodes.empty() || !part.mesh.encloses(bounds)) return without();
@@ -257,8 +257,7 @@ void finish(Candidate& c, const Target& target, const Site& site, bool clean_up,
   const CellularModel& cells = target.cells;
   CarriedMesh carried;
   if (original && options.clean_up) {
-    carried =
-        carry_over(c.nodes, c.delaunay.tets, site.part, target.source.transforms(), run);
+    carried = carry_over(c.nodes, c.delaunay.tets, site.part, target.source.transforms(), run);
   } else {
     carried.mesh = {c.nodes.positions, c.delaunay.tets};
     carried.dirty.assign(c.delaunay.tets.size(), 1);
@@ -283,8 +282,8 @@ void finish(Candidate& c, const Target& target, const Site& site, bool clean_up,
     proof.parent = &parent;
   }
   const Stopwatch watch;
-  c.verification = verify(c.whole.mesh, c.whole.master.supports, cells.boundary, cells.volume, run,
-                          proof);
+  c.verification =
+      verify(c.whole.mesh, c.whole.master.supports, cells.boundary, cells.volume, run, proof);
   c.verify_seconds = watch.total();
 }
 

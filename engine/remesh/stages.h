@@ -46,13 +46,13 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
 
 /// A mesh on its way from the optimisation loop to delivery.
 struct Candidate {
-  NodeSet nodes;         ///< those of the part's mesh only
-  PeeledMesh delaunay;   ///< of the part
-  TetMesh mesh;          ///< cleaned up, of the part
+  NodeSet nodes;        ///< those of the part's mesh only
+  PeeledMesh delaunay;  ///< of the part
+  TetMesh mesh;         ///< cleaned up, of the part
   OptimiseResult loop;
   WholeMesh whole;
   Verification verification;  ///< of the whole
-  bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
+  bool too_fine = false;      ///< the boundary would need many more nodes than the edge length says
   double verify_seconds = 0;
 };
 

@@ -80,8 +80,8 @@ NewMesh Ways::first_valid() {
                      density_.edge_length, revision_.options.clean_up, revision_.options.threshold},
                     candidate.verification, run_);
     revision_.report.seconds.verify += candidate.verify_seconds;
-    revision_.report.counts = {
-        .nodes_new = static_cast<std::uint32_t>(candidate.whole.mesh.nodes.size())};
+    revision_.report.counts = {.nodes_new =
+                                   static_cast<std::uint32_t>(candidate.whole.mesh.nodes.size())};
   }
   return made;
 }
@@ -116,8 +116,7 @@ Candidate Ways::attempt(const Setting& s) {
   std::optional<EntityMap> map;
   if (local) {
     const BoundaryModel& boundary = target.cells.boundary;
-    map.emplace(target.original->cells.boundary, boundary,
-                kOnEntity * boundary.bounds.diagonal());
+    map.emplace(target.original->cells.boundary, boundary, kOnEntity * boundary.bounds.diagonal());
     std::vector<std::string>& warnings = revision_.report.warnings;
     const std::size_t before = warnings.size();
     for (const double reach : kReaches) {
@@ -191,8 +190,8 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
 }
 
 /// Inserts nodes where the boundary is not all there. Returns their number.
-std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Site& site,
-                           const Samples& samples, const InsideTest& inside) {
+std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Site& site, const Samples& samples,
+                           const InsideTest& inside) {
   const CellularModel& cells = s.target.cells;
   const double l = s.density.edge_length;
   const auto most =

@@ -36,7 +36,8 @@ void bench(const std::string& name, const ModelSource& base, const ModelSource& 
   const Run run;
   const FeatureModel original = evaluate(base);
   const CellularModel cells = build_cells(original, run);
-  const double fresh = getenv("EDITONLY") ? 0 : median_ms(repeats, [&] { build_cells(evaluate(edited), run); });
+  const double fresh =
+      getenv("EDITONLY") ? 0 : median_ms(repeats, [&] { build_cells(evaluate(edited), run); });
   const double membership = median_ms(repeats, [&] { Membership{evaluate(edited)}; });
   const double edit =
       median_ms(repeats, [&] { build_cells(evaluate(edited), original, cells, run); });

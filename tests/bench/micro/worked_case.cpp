@@ -31,9 +31,8 @@ WorkedCase work() {
   const InsideTest inside = [&](const Vec3& p) { return w.membership->inside(p); };
   StartMesh start = start_mesh(local, source, w.cells.boundary.bounds, run);
   w.nodes = std::move(local.nodes);
-  OptimiseResult loop =
-      optimise(w.nodes, std::move(start), w.cells.boundary, inside, w.samples,
-               {.edge_length = w.edge_length, .iterations = kIterations}, run);
+  OptimiseResult loop = optimise(w.nodes, std::move(start), w.cells.boundary, inside, w.samples,
+                                 {.edge_length = w.edge_length, .iterations = kIterations}, run);
   std::ranges::fill(w.nodes.free, 1);
   loop.mesh.for_each_tet([&](const Tet& tet) { w.delaunay.push_back(tet); });
   Candidate candidate = extract(w.nodes, std::move(loop), local.part, source, w.cells, inside, run);

@@ -67,9 +67,8 @@ TEST(EntityMap, ToItselfChangesNothing) {
   const BoundaryModel& b = c.after.boundary;
   expect_same(Support::Kind::Vertex, b.vertices.size(),
               [&](int v) { return b.vertices[v].position; });
-  expect_same(Support::Kind::Edge, b.edges.size(), [&](int e) {
-    return 0.5 * (b.edges[e].points.front() + b.edges[e].points.back());
-  });
+  expect_same(Support::Kind::Edge, b.edges.size(),
+              [&](int e) { return 0.5 * (b.edges[e].points.front() + b.edges[e].points.back()); });
   expect_same(Support::Kind::Face, b.faces.size(), [&](int f) {
     const auto& [i, j, k] = b.faces[f].triangles.front();
     return (b.faces[f].points[i] + b.faces[f].points[j] + b.faces[f].points[k]) / 3.0;

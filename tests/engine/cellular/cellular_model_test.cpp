@@ -129,7 +129,8 @@ TEST(CellularModelTest, FeaturesOwnWhatBoundsTheirCellsWhereverItCameFrom) {
   const CellularModel cells = build_cells(model, kRun);
   int edges = 0, vertices = 0;
   for (const CellEdge& edge : cells.complex().edges) edges += edge.owners == std::vector{0, 1};
-  for (const CellVertex& vertex : cells.complex().vertices) vertices += vertex.owners == std::vector{0, 1};
+  for (const CellVertex& vertex : cells.complex().vertices)
+    vertices += vertex.owners == std::vector{0, 1};
   EXPECT_EQ(edges, 4);
   EXPECT_EQ(vertices, 4);
 }

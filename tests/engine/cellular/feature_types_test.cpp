@@ -46,7 +46,8 @@ TEST_P(FeatureTypes, BoundaryIsExactAndHasNoSeams) {
     for (const FaceName& name : face.names) names.insert(name.face);
   EXPECT_EQ(names, expected.names);
   ASSERT_EQ(model.complex().cells.size(), 1u);
-  EXPECT_EQ(model.complex().edges.size(), expected.edges) << "elements of the cellular model are no seams";
+  EXPECT_EQ(model.complex().edges.size(), expected.edges)
+      << "elements of the cellular model are no seams";
   EXPECT_EQ(model.complex().vertices.size(), expected.vertices);
 }
 

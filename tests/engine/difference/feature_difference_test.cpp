@@ -116,10 +116,14 @@ TEST(FeatureDifferenceTest, EachModelCanBeRecoveredFromTheDifference) {
       };
       const auto volume = [](const Cell& x) { return x.volume; };
       const auto area = [](const CellFace& x) { return x.area; };
-      EXPECT_NEAR(original, owned(c.original, c.original_cells.complex().cells, volume), 1e-6) << d.id;
-      EXPECT_NEAR(modified, owned(c.modified, c.modified_cells.complex().cells, volume), 1e-6) << d.id;
-      EXPECT_NEAR(original_area, owned(c.original, c.original_cells.complex().faces, area), 1e-6) << d.id;
-      EXPECT_NEAR(modified_area, owned(c.modified, c.modified_cells.complex().faces, area), 1e-6) << d.id;
+      EXPECT_NEAR(original, owned(c.original, c.original_cells.complex().cells, volume), 1e-6)
+          << d.id;
+      EXPECT_NEAR(modified, owned(c.modified, c.modified_cells.complex().cells, volume), 1e-6)
+          << d.id;
+      EXPECT_NEAR(original_area, owned(c.original, c.original_cells.complex().faces, area), 1e-6)
+          << d.id;
+      EXPECT_NEAR(modified_area, owned(c.modified, c.modified_cells.complex().faces, area), 1e-6)
+          << d.id;
     }
   }
 }

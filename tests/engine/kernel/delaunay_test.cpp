@@ -285,8 +285,8 @@ TEST(DelaunayPart, TakesNewNodesAndGivesSomeUp) {
   std::vector<Vec3> places = p.places();
   std::int32_t middle = -1;  // the node nearest to the middle goes
   for (const std::int32_t n : p.inner)
-    if (middle < 0 || distance(p.points[n], {0.5, 0.5, 0.5}) <
-                          distance(p.points[middle], {0.5, 0.5, 0.5}))
+    if (middle < 0 ||
+        distance(p.points[n], {0.5, 0.5, 0.5}) < distance(p.points[middle], {0.5, 0.5, 0.5}))
       middle = n;
   ASSERT_TRUE(p.part.remove(std::vector{p.names[middle]}, kRun));
   places.push_back({0.52, 0.5, 0.51});

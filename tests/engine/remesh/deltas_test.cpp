@@ -171,8 +171,7 @@ void expect_continued(const Revision& anchor, const Revision& r,
   EXPECT_EQ(r.delivery.mesh.tets, anchor.delivery.mesh.tets);
   EXPECT_EQ(r.delivery.node_ids, anchor.delivery.node_ids);
   // Hidden surfaces move too: where one lies on a face, the kernel may draw its edges on either.
-  const double drawn =
-      std::min(motion_bound(anchor.model, r.model), kCoincident / r.cells.scale);
+  const double drawn = std::min(motion_bound(anchor.model, r.model), kCoincident / r.cells.scale);
   std::vector<bool> moved;
   for (const double m : motions) moved.push_back(m > none);
   std::vector<Vec3> sources = nodes_on(anchor, moved);

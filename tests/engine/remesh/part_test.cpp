@@ -67,8 +67,7 @@ void expect_consistent(const Revision& r) {
   }
   for (std::size_t c = 0; c < members.size(); ++c) {
     const Cluster& cluster = master.clusters[c];
-    EXPECT_EQ(members[c],
-              std::set<std::int32_t>(cluster.delaunay.begin(), cluster.delaunay.end()));
+    EXPECT_EQ(members[c], std::set<std::int32_t>(cluster.delaunay.begin(), cluster.delaunay.end()));
     for (const std::int32_t t : cluster.delivered) ++stands[t];
   }
   EXPECT_EQ(std::ranges::count(stands, 1), static_cast<std::ptrdiff_t>(stands.size()))
@@ -102,9 +101,8 @@ TEST(Part, WhatIsFarFromAnEditStaysAsItIs) {
   const Vec3 pin = remesh.model.features[remesh.model.index_of("pin1")].placement.apply({});
   std::size_t far = 0;
   for (std::size_t t = 0; t < d.mesh.tets.size(); ++t) {
-    if (std::ranges::any_of(d.mesh.tets[t], [&](std::int32_t n) {
-          return distance(d.mesh.nodes[n], pin) < 40;
-        }))
+    if (std::ranges::any_of(d.mesh.tets[t],
+                            [&](std::int32_t n) { return distance(d.mesh.nodes[n], pin) < 40; }))
       continue;
     ++far;
     ASSERT_GE(d.map.original_tet[t], 0);
@@ -144,6 +142,24 @@ TEST(Part, OfAChainIsCutLikeThatOfAFirstMesh) {
     expect_consistent(r);
   }
   expect_delaunay(*r.master);
+}
+
+TEST(Part, IsEmptyWhereNothingOfTheMeshChanges) {
+  const Revision original = first("tool1-a", 2000);
+  AddFeature hidden{test::placed(test::block("hidden", 2, 2, 2), 26, 0, 5), {}};
+  const Revision remesh = edit(original, ModelEdit{{hidden}});
+  EXPECT_EQ(remesh.report.counts.nodes_kept, original.report.counts.nodes);
+  EXPECT_EQ(remesh.report.counts.tets_kept, original.report.counts.tets);
+  EXPECT_TRUE(remesh.report.warnings.empty());
+}
+
+TEST(Part, MayHaveAllNodesButNotAllTets) {
+  for (std::uint32_t nodes = 300; nodes < 3000; nodes += 300) {
+    const Revision original = first("tool1-a", nodes);
+    const Revision remesh = edit(original, ModelEdit{{SetFeatureParameter{"pin1", "radius", 5.0}}});
+    EXPECT_EQ(remesh.report.way, Way::Local) << nodes;
+    expect_consistent(remesh);
+  }
 }
 
 TEST(CutOut, HasAllTetsOfItsInnerNodesAndWholeClusters) {

@@ -154,6 +154,17 @@ TEST(Remesh, AStoredRevisionIsEditedLikeTheOneInMemory) {
             bytes_without_seconds(edit(restored, "tool2-bc")));
 }
 
+TEST(Remesh, AStoredRevisionOfAChainIsEditedLikeTheOneInMemory) {
+  for (const auto& [model, one, other] : {std::array{"tool2-a", "tool2-ab", "tool2-bc"},
+                                          std::array{"tool2-b", "tool2-bc", "tool2-cd"}}) {
+    const Revision middle = edit(first(model), one);
+    const Revision restored = deserialise(serialise(middle), kRun);
+    EXPECT_TRUE(bytes_without_seconds(edit(middle, other)) ==
+                bytes_without_seconds(edit(restored, other)))
+        << model;
+  }
+}
+
 TEST(Remesh, MalformedBytesAreAnError) {
   const std::string bytes = serialise(first("simple-a", {.nodes = 300, .iterations = 3}));
   EXPECT_THROW(deserialise(bytes.substr(0, bytes.size() / 2), kRun), Error);
