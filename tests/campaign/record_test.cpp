@@ -27,7 +27,10 @@ WorkedCase some_case() {
 }
 
 struct RecordTest : testing::Test {
-  const fs::path file = fs::path(testing::TempDir()) / "record_test.jsonl";
+  // Of its own for each test: tests run beside each other.
+  const fs::path file = fs::path(testing::TempDir()) /
+                        (std::string("record_test-") +
+                         testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl");
   void SetUp() override { fs::remove(file); }
   void TearDown() override { fs::remove(file); }
 };
