@@ -429,18 +429,4 @@ bool Delaunay::ball_meets(std::int32_t slot, const Box& box) const {
   return norm2(nearest - c) <= radius2 * (1 + 1e-9);
 }
 
-void Delaunay::star(std::int32_t node, std::int32_t slot, std::vector<std::int32_t>& out) const {
-  const std::size_t begin = out.size();
-  out.push_back(slot);
-  for (std::size_t k = begin; k < out.size(); ++k) {
-    const Slot& s = slots_[out[k]];
-    for (int i = 0; i < 4; ++i) {
-      if (s.v[i] == node + kFar || s.n[i] < 0) continue;
-      const std::int32_t t = s.n[i] >> 2;
-      if (std::find(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(), t) == out.end())
-        out.push_back(t);
-    }
-  }
-}
-
 }  // namespace remeshd::kernel

@@ -92,20 +92,12 @@ class Delaunay {
     const auto& v = slots_[slot].v;
     return {v[0] - kFar, v[1] - kFar, v[2] - kFar, v[3] - kFar};
   }
-  /// Whether the tet has a neighbour that was not cut out with it.
-  [[nodiscard]] bool at_rim(std::int32_t slot) const {
-    const auto& n = slots_[slot].n;
-    return n[0] < -1 || n[1] < -1 || n[2] < -1 || n[3] < -1;
-  }
   /// Across the facet opposite a corner, which of Cut::beyond there is; -1 where none of them.
   [[nodiscard]] std::int32_t beyond(std::int32_t slot, int corner) const {
     return slots_[slot].n[corner] < -1 ? -2 - slots_[slot].n[corner] : -1;
   }
   /// Whether the ball round a tet meets a box, to within rounding; also where the tet is flat.
   [[nodiscard]] bool ball_meets(std::int32_t slot, const Box& box) const;
-  /// Appends the slots of all tets at a node, those at the far corners included. `slot`: one of
-  /// them.
-  void star(std::int32_t node, std::int32_t slot, std::vector<std::int32_t>& out) const;
 
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.

@@ -39,7 +39,7 @@ std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::
 
 }  // namespace
 
-OriginalPart cut_out(const Master& master, const DeliveredMesh& delivered,
+OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
                      const std::vector<std::uint8_t>& inner, std::span<const Box> boxes) {
   OriginalPart part;
   const std::vector<std::int32_t> slots = slots_at(master, inner, boxes);
@@ -111,7 +111,7 @@ OriginalPart cut_out(const Master& master, const DeliveredMesh& delivered,
 
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
                                    const Master& master, std::span<const Support> supports,
-                                   const DeliveredMesh& delivered, const EntityMap* map,
+                                   const TetMeshView& delivered, const EntityMap* map,
                                    const PointSource& source, double reach, double sampled_beyond) {
   const std::int32_t identity = source.identity();
   const auto stays = [&](std::int32_t n) {

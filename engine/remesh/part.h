@@ -34,14 +34,8 @@ struct OriginalPart {
   std::vector<std::uint8_t> beyond;         ///< by element of `cut.beyond`: 1 if in the model
 };
 
-/// The mesh as it was delivered.
-struct DeliveredMesh {
-  std::span<const Vec3> nodes;
-  std::span<const Tet> tets;
-};
-
 /// `inner`: by node of the original. `boxes`: where nodes may move or come.
-OriginalPart cut_out(const Master& master, const DeliveredMesh& delivered,
+OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
                      const std::vector<std::uint8_t>& inner, std::span<const Box> boxes);
 
 /// The nodes that an edit works on, and the part of the original that they came from.
@@ -62,7 +56,7 @@ struct LocalNodes {
 /// before them and get theirs by `map`. Returns nothing where it has none for one.
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
                                    const Master& master, std::span<const Support> supports,
-                                   const DeliveredMesh& delivered, const EntityMap* map,
+                                   const TetMeshView& delivered, const EntityMap* map,
                                    const PointSource& source, double reach, double sampled_beyond);
 
 }  // namespace remeshd

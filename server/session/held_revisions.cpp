@@ -16,7 +16,8 @@ std::uint64_t memory_of(const Revision& revision) {
   std::uint64_t bytes = mesh + bytes_of(d.node_ids) + bytes_of(d.tet_ids) +
                         bytes_of(d.groups.facets) + bytes_of(d.groups.tet_cell) +
                         bytes_of(d.map.node_origin) + bytes_of(d.map.original_node) +
-                        bytes_of(d.map.node_transform) + bytes_of(d.map.original_tet);
+                        bytes_of(d.map.node_transform) + bytes_of(d.map.original_tet) +
+                        bytes_of(revision.measures);
   // Twice: what the boundary is joined from is kept too, with shapes of the CAD kernel.
   const BoundaryModel& boundary = revision.cells.boundary;
   for (const BoundaryFace& face : boundary.faces)
