@@ -169,4 +169,10 @@ CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_mo
   return build_cells(model, run);
 }
 
+CellularModel restore_cells(const FeatureModel& model, BoundaryParts parts) {
+  CellularModel out = join_boundary(std::move(parts), Membership(model));
+  out.on_demand = std::make_shared<const ComplexOnDemand>(model);
+  return out;
+}
+
 }  // namespace remeshd

@@ -43,4 +43,7 @@ CellularModel build_cells(const FeatureModel& model, const Run& run);
 CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,
                           const CellularModel& base, const Run& run);
 
+/// The same from `CellularModel::parts` that were made for this model, to the bit.
+CellularModel restore_cells(const FeatureModel& model, BoundaryParts parts);
+
 }  // namespace remeshd

@@ -8,10 +8,38 @@
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/remesh.h"
 
 // One `serialize` a struct, in the order of its members; cereal finds them by their arguments.
+namespace remeshd::kernel {
+
+template <class A>
+void serialize(A& a, BrepCell& c) {
+  a(c.faces, c.volume);
+}
+template <class A>
+void serialize(A& a, BrepFace& f) {
+  a(f.cells, f.edges, f.area, f.swept_volume, f.centroid, f.label, f.triangles);
+}
+template <class A>
+void serialize(A& a, BrepEdge& e) {
+  a(e.kind, e.vertices, e.length, e.centre, e.axis, e.radius, e.tangents, e.points, e.chain,
+    e.samples);
+}
+template <class A>
+void serialize(A& a, BrepVertex& v) {
+  a(v.position);
+}
+/// But for the CAD kernel's shapes, which parts of a boundary have none of.
+template <class A>
+void serialize(A& a, Brep& b) {
+  a(b.cells, b.faces, b.edges, b.vertices, b.points, b.reference, b.scale);
+}
+
+}  // namespace remeshd::kernel
+
 namespace remeshd {
 
 namespace {
@@ -50,6 +78,26 @@ void serialize(A& a, MeshOptions& o) {
 template <class A>
 void serialize(A& a, Support& s) {
   a(s.kind, s.entity);
+}
+template <class A>
+void serialize(A& a, Box& b) {
+  a(b.lo, b.hi);
+}
+template <class A>
+void serialize(A& a, Surface& s) {
+  a(s.kind, s.frame, s.r1, s.r2);
+}
+template <class A>
+void serialize(A& a, FaceName& n) {
+  a(n.feature, n.face);
+}
+template <class A>
+void serialize(A& a, BoundaryPiece& p) {
+  a(p.boundary, p.outward, p.surface, p.material_names, p.other_names, p.box);
+}
+template <class A>
+void serialize(A& a, BoundaryParts& p) {
+  a(p.brep, p.pieces);
 }
 template <class A>
 void serialize(A& a, Cluster& c) {
@@ -120,8 +168,8 @@ std::string serialise(const Revision& revision) {
   {
     cereal::PortableBinaryOutputArchive archive(out);
     archive(kFormat, revision.source, revision.meshed_source, revision.options,
-            revision.edge_length, *revision.master, revision.delivery, revision.report,
-            revision.reference, revision.anchor != nullptr);
+            revision.edge_length, *revision.cells.parts, *revision.master, revision.delivery,
+            revision.report, revision.reference, revision.anchor != nullptr);
     if (revision.anchor)
       archive(revision.anchor->source, revision.anchor->nodes, revision.anchor->supports);
   }
@@ -130,6 +178,7 @@ std::string serialise(const Revision& revision) {
 
 Revision deserialise(const std::string& bytes, const Run& run) {
   Revision revision;
+  BoundaryParts parts;
   Master master;
   Anchor anchor;
   bool anchored = false;
@@ -140,8 +189,8 @@ Revision deserialise(const std::string& bytes, const Run& run) {
     archive(format);
     if (format != kFormat) throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
-    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, master,
-            revision.delivery, revision.report, revision.reference, anchored);
+    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, parts,
+            master, revision.delivery, revision.report, revision.reference, anchored);
     if (anchored) archive(anchor.source, anchor.nodes, anchor.supports);
 #endif
   } catch (const Error&) {
@@ -151,7 +200,7 @@ Revision deserialise(const std::string& bytes, const Run& run) {
   }
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
-  revision.cells = build_cells(revision.model, run);
+  revision.cells = restore_cells(revision.model, std::move(parts));
   revision.measures = measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   if (anchored) {

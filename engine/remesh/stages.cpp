@@ -211,6 +211,10 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
     if (nodes.of_part()) throw LeftPart{"taking out the free nodes"};
     return start;
   };
+  if (part.nodes.empty() && nodes.of_part()) {  // nothing changes
+    start.mesh = part.mesh;
+    return start;
+  }
   if (part.nodes.empty() || !part.mesh.encloses(bounds)) return without();
   std::vector<std::int32_t> name(part.nodes.size(), -1);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
