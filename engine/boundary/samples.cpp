@@ -127,6 +127,13 @@ void sample_edge(const BoundaryModel& boundary, int index, double spacing, doubl
 
 }  // namespace
 
+std::vector<Vec3> Samples::positions() const {
+  std::vector<Vec3> positions;
+  positions.reserve(points.size());
+  for (const Sample& s : points) positions.push_back(s.position);
+  return positions;
+}
+
 Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
                         double edge_length, std::uint64_t seed, const SampleOptions& options,
                         const Run& run) {

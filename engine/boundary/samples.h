@@ -32,6 +32,8 @@ struct Samples {
   std::vector<Sample> points;
   std::size_t edges_begin = 0;
   std::size_t vertices_begin = 0;
+
+  [[nodiscard]] std::vector<Vec3> positions() const;
 };
 
 /// Covers the boundary with samples: a jittered lattice on every face, evenly spaced jittered

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -88,47 +89,69 @@ std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<cons
   return measures;
 }
 
-Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> nodes,
-                  std::span<const Tet> tets, double volume) {
+Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   Quality quality;
-  if (measures.empty()) return quality;
-  quality.volume = volume;
-  double sum = 0;
-  std::size_t sharpest = 0, bluntest = 0, worst = 0;
-  std::vector<std::uint32_t> ranks(kRanks, 0);
-  for (std::size_t t = 0; t < measures.size(); ++t) {
-    const TetMeasure& m = measures[t];
-    sum += static_cast<double>(m.volume_length);
-    ++quality.histogram[static_cast<int>(std::clamp(m.volume_length * 20.0F, 0.0F, 19.0F))];
-    ++ranks[rank_of(m.volume_length)];
-    if (m.volume_length < measures[worst].volume_length) worst = t;
-    if (m.highest_cosine > measures[sharpest].highest_cosine) sharpest = t;
-    if (m.lowest_cosine < measures[bluntest].lowest_cosine) bluntest = t;
-  }
-  quality.volume_length_mean = sum / static_cast<double>(measures.size());
-  const auto exact = [&](std::size_t tet) {
-    const Tet& t = tets[tet];
-    return volume_length(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  // A tet of the mesh.
+  struct Place {
+    const MeasuredTets* part = nullptr;
+    std::size_t tet = 0;
   };
-  quality.volume_length_min = exact(worst);
+  const auto each = [&](auto&& f) {
+    for (const MeasuredTets& part : mesh)
+      for (std::size_t t = 0; t < part.measures.size(); ++t)
+        if (part.left_out.empty() || part.left_out[t] == 0) f(part, t);
+  };
+  double sum = 0;
+  std::size_t count = 0;
+  TetMeasure extreme{HUGE_VALF, -HUGE_VALF, HUGE_VALF};
+  Place worst, sharpest, bluntest;
+  std::array<std::uint32_t, kRanks> ranks{};
+  each([&](const MeasuredTets& part, std::size_t t) {
+    const TetMeasure& m = part.measures[t];
+    sum += static_cast<double>(m.volume_length);
+    ++count;
+    ++ranks[rank_of(m.volume_length)];
+    if (m.volume_length < extreme.volume_length) {
+      extreme.volume_length = m.volume_length;
+      worst = {&part, t};
+    }
+    if (m.highest_cosine > extreme.highest_cosine) {
+      extreme.highest_cosine = m.highest_cosine;
+      sharpest = {&part, t};
+    }
+    if (m.lowest_cosine < extreme.lowest_cosine) {
+      extreme.lowest_cosine = m.lowest_cosine;
+      bluntest = {&part, t};
+    }
+  });
+  if (count == 0) return quality;
+  quality.volume = volume;
+  quality.volume_length_mean = sum / static_cast<double>(count);
+  constexpr int kRanksPerBin = kRanks / 20;
+  for (int rank = 0; rank < kRanks; ++rank) quality.histogram[rank / kRanksPerBin] += ranks[rank];
+  const auto of_corners = [](const Place& at, auto&& f) {
+    const std::span<const Vec3> p = at.part->mesh.nodes;
+    const Tet& t = at.part->mesh.tets[at.tet];
+    return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+  };
+  quality.volume_length_min = of_corners(worst, volume_length);
   // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
-  std::size_t below = (measures.size() + 99) / 100 - 1;
+  std::size_t below = (count + 99) / 100 - 1;
   int rank = 0;
   while (ranks[rank] <= below) below -= ranks[rank++];
-  std::vector<std::pair<float, std::size_t>> candidates;
-  for (std::size_t t = 0; t < measures.size(); ++t)
-    if (rank_of(measures[t].volume_length) == rank)
-      candidates.emplace_back(measures[t].volume_length, t);
+  std::vector<std::pair<float, Place>> candidates;
+  each([&](const MeasuredTets& part, std::size_t t) {
+    const float measure = part.measures[t].volume_length;
+    if (rank_of(measure) == rank) candidates.emplace_back(measure, Place{&part, t});
+  });
   const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(below);
-  std::nth_element(candidates.begin(), at, candidates.end());
-  quality.volume_length_p01 = exact(at->second);
+  std::ranges::nth_element(candidates, at, {}, [](const auto& c) {
+    return std::tuple(c.first, c.second.part, c.second.tet);
+  });
+  quality.volume_length_p01 = of_corners(at->second, volume_length);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  const auto angles = [&](std::size_t tet) {
-    const Tet& t = tets[tet];
-    return dihedral_angles(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
-  };
-  quality.dihedral_min = std::ranges::min(angles(sharpest)) * kDegrees;
-  quality.dihedral_max = std::ranges::max(angles(bluntest)) * kDegrees;
+  quality.dihedral_min = std::ranges::min(of_corners(sharpest, dihedral_angles)) * kDegrees;
+  quality.dihedral_max = std::ranges::max(of_corners(bluntest, dihedral_angles)) * kDegrees;
   return quality;
 }
 
@@ -136,7 +159,7 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, 
   double volume = 0;
   for (const Tet& t : tets)
     volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
-  return summarise(measure_tets(nodes, tets, run), nodes, tets, volume);
+  return summarise({{{nodes, tets}, measure_tets(nodes, tets, run)}}, volume);
 }
 
 }  // namespace remeshd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -42,10 +43,16 @@ TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
                                      const Run& run);
 
+/// Tets and their measures.
+struct MeasuredTets {
+  TetMeshView mesh;
+  std::span<const TetMeasure> measures;      ///< by tet
+  std::span<const std::uint8_t> left_out{};  ///< by tet: 1 for those that do not count; or empty
+};
+
 /// Quality of a mesh of this volume from its tets' measures: the mean to seven digits, all else
 /// exact. Post: zeros for an empty mesh.
-Quality summarise(std::span<const TetMeasure> measures, std::span<const Vec3> nodes,
-                  std::span<const Tet> tets, double volume);
+Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume);
 
 /// The same, all measured. Post: zeros for an empty mesh.
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run);

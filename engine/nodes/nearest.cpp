@@ -7,9 +7,20 @@ namespace remeshd {
 
 namespace {
 constexpr double kCellsPerNode = 64;  // bound on memory where nodes are few and far between
+constexpr double kDrift = 0.15;  // of a cell's width: further outside of its cell a node strays
+constexpr std::size_t kMostStrays = 12;  // each query looks at all of them
+constexpr Vec3 kAway{1e150, 1e150, 1e150};
+}  // namespace
+
+NearestNode::NearestNode(std::span<const Vec3> positions, double cell) : asked_(cell), cell_(cell) {
+  build(positions);
 }
 
-NearestNode::NearestNode(std::span<const Vec3> positions, double cell) : cell_(cell) {
+void NearestNode::build(std::span<const Vec3> positions) {
+  box_ = {};
+  cell_ = asked_;
+  drift_ = 0;
+  strays_.clear();
   for (const Vec3& p : positions) box_.add(p);
   if (positions.empty()) return;
   const Vec3 extent = box_.hi - box_.lo;
@@ -19,21 +30,60 @@ NearestNode::NearestNode(std::span<const Vec3> positions, double cell) : cell_(c
   while (cells() > kCellsPerNode * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
   size_ = {static_cast<int>(extent.x / cell_) + 1, static_cast<int>(extent.y / cell_) + 1,
            static_cast<int>(extent.z / cell_) + 1};
-  std::vector<std::uint32_t> where(positions.size());
+  where_.resize(positions.size());
   begin_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto c = cell_of(positions[i]);
-    where[i] = static_cast<std::uint32_t>(index(c[0], c[1], c[2]));
-    ++begin_[where[i] + 1];
+    where_[i] = static_cast<std::uint32_t>(index(c[0], c[1], c[2]));
+    ++begin_[where_[i] + 1];
   }
   for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
   nodes_.resize(positions.size());
   points_.resize(positions.size());
+  entry_.resize(positions.size());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const std::uint32_t k = next[where[i]]++;
+    const std::uint32_t k = next[where_[i]]++;
     nodes_[k] = static_cast<std::int32_t>(i);
     points_[k] = positions[i];
+    entry_[i] = k;
+  }
+}
+
+double NearestNode::beyond(std::uint32_t cell, const Vec3& p) const {
+  const auto axis = [&](double v, double lo, int c) {
+    return std::max({lo + c * cell_ - v, v - (lo + (c + 1) * cell_), 0.0});
+  };
+  const int x = static_cast<int>(cell % size_[0]), yz = static_cast<int>(cell / size_[0]);
+  return std::max({axis(p.x, box_.lo.x, x), axis(p.y, box_.lo.y, yz % size_[1]),
+                   axis(p.z, box_.lo.z, yz / size_[1])});
+}
+
+void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::int32_t> moved) {
+  if (nodes_.empty()) {
+    build(positions);
+    return;
+  }
+  for (const std::int32_t n : moved) {
+    const Vec3& p = positions[n];
+    const bool known = static_cast<std::size_t>(n) < entry_.size();
+    const double off = known ? beyond(where_[n], p) : HUGE_VAL;
+    if (known && off <= kDrift * cell_ && points_[entry_[n]] != kAway) {
+      points_[entry_[n]] = p;
+      drift_ = std::max(drift_, off);
+      continue;
+    }
+    const auto at = std::ranges::find(strays_, n, &Stray::node);
+    if (at != strays_.end()) {
+      at->at = p;
+      continue;
+    }
+    if (strays_.size() == kMostStrays) {
+      build(positions);
+      return;
+    }
+    if (known) points_[entry_[n]] = kAway;
+    strays_.push_back({n, p});
   }
 }
 
@@ -56,10 +106,17 @@ std::int32_t NearestNode::nearest(const Vec3& p) const {
       if (home[a] - ring > 0) m = std::min(m, v[a] - (home[a] - ring) * cell_);
       if (home[a] + ring < size_[a] - 1) m = std::min(m, (home[a] + ring + 1) * cell_ - v[a]);
     }
-    return m;
+    return m - drift_;
   };
   std::int32_t best = -1;
   double best_d = HUGE_VAL;
+  const auto look = [&](std::int32_t node, const Vec3& at) {
+    const double d = norm2(at - p);
+    if (d > best_d || (d == best_d && node > best)) return;
+    best_d = d;
+    best = node;
+  };
+  for (const auto& [node, at] : strays_) look(node, at);
   for (int ring = 0;; ++ring) {
     const int x0 = std::max(home[0] - ring, 0), x1 = std::min(home[0] + ring, size_[0] - 1);
     const int y0 = std::max(home[1] - ring, 0), y1 = std::min(home[1] + ring, size_[1] - 1);
@@ -73,17 +130,11 @@ std::int32_t NearestNode::nearest(const Vec3& p) const {
         for (int x = shell ? x0 : home[0] - ring; x <= x1; x += step) {
           if (x < x0) continue;
           const std::size_t c = index(x, y, z);
-          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) {
-            const double d = norm2(points_[k] - p);
-            if (d < best_d || (d == best_d && nodes_[k] < best)) {
-              best_d = d;
-              best = nodes_[k];
-            }
-          }
+          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) look(nodes_[k], points_[k]);
         }
       }
     const double m = margin(ring);
-    if (best >= 0 && (m == HUGE_VAL || (m > 0 && m * m >= best_d))) return best;
+    if (best >= 0 && (m == HUGE_VAL || (m > 0 && m * m > best_d))) return best;
   }
 }
 

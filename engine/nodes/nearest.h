@@ -9,12 +9,15 @@
 
 namespace remeshd {
 
-/// Nearest-node queries over a uniform grid whose cells are about one edge length wide. Cheap
-/// enough to rebuild whenever nodes have moved.
+/// Nearest-node queries over a uniform grid whose cells are about one edge length wide.
 class NearestNode {
  public:
   /// `cell`: width of a grid cell, > 0. `positions` is copied into cell order.
   NearestNode(std::span<const Vec3> positions, double cell);
+
+  /// Those of `moved` are at `positions[node]` now; new nodes come last, and are among them. Where
+  /// few go far this costs little, else the grid is built anew.
+  void follow(std::span<const Vec3> positions, std::span<const std::int32_t> moved);
 
   /// The node nearest to p, the lowest index where several are equally near; -1 if there are none.
   [[nodiscard]] std::int32_t nearest(const Vec3& p) const;
@@ -22,8 +25,9 @@ class NearestNode {
   /// Calls f(node, squared distance) for every node within `radius` of p, by cells.
   template <class F>
   void for_each_within(const Vec3& p, double radius, F&& f) const {
-    const auto lo = cell_of(p - Vec3{radius, radius, radius});
-    const auto hi = cell_of(p + Vec3{radius, radius, radius});
+    const double reach = radius + drift_;
+    const auto lo = cell_of(p - Vec3{reach, reach, reach});
+    const auto hi = cell_of(p + Vec3{reach, reach, reach});
     for (int z = lo[2]; z <= hi[2]; ++z)
       for (int y = lo[1]; y <= hi[1]; ++y)
         for (int x = lo[0]; x <= hi[0]; ++x) {
@@ -33,20 +37,37 @@ class NearestNode {
             if (d <= radius * radius) f(nodes_[k], d);
           }
         }
+    for (const auto& [node, at] : strays_) {
+      const double d = norm2(at - p);
+      if (d <= radius * radius) f(node, d);
+    }
   }
 
  private:
+  struct Stray {
+    std::int32_t node;
+    Vec3 at;
+  };
+
+  void build(std::span<const Vec3> positions);
+  /// How far a point is outside of a cell.
+  [[nodiscard]] double beyond(std::uint32_t cell, const Vec3& p) const;
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x;
   }
 
   Box box_;
+  double asked_;  ///< width of a cell asked for
   double cell_;
   std::array<int, 3> size_{0, 0, 0};
   std::vector<std::uint32_t> begin_;  ///< first entry of each cell, one more at the end
   std::vector<std::int32_t> nodes_;   ///< by cell, ascending within one
-  std::vector<Vec3> points_;          ///< of nodes_
+  std::vector<Vec3> points_;          ///< of nodes_; far away for strays
+  std::vector<std::uint32_t> entry_;  ///< by node: its place in nodes_
+  std::vector<std::uint32_t> where_;  ///< by node: its cell
+  double drift_ = 0;                  ///< no node but the strays is further from its cell
+  std::vector<Stray> strays_;         ///< nodes that have gone far from their cells
 };
 
 }  // namespace remeshd

@@ -8,9 +8,8 @@
 namespace remeshd {
 
 namespace {
-constexpr double kBorder = 0.6;    // of the edge length: the next one or two samples of a face
-constexpr double kGridCell = 0.8;  // of the edge length
-constexpr double kReach = 1.5;     // of the edge length: no node is further from a sample
+constexpr double kBorder = 0.6;  // of the edge length: the next one or two samples of a face
+constexpr double kReach = 1.5;   // of the edge length: no node is further from a sample
 
 }  // namespace
 
@@ -21,32 +20,31 @@ ActiveSamples::ActiveSamples(const Samples& samples)
   std::iota(participants_.begin(), participants_.end(), 0U);
 }
 
-ActiveSamples::ActiveSamples(const Samples& samples, const NodeSet& nodes, double edge_length)
-    : edge_length_(edge_length), states_(samples.points.size(), State::Resting) {
-  positions_.reserve(samples.points.size());
-  for (const Sample& s : samples.points) positions_.push_back(s.position);
-  grid_.emplace_back(positions_, kGridCell * edge_length);
+ActiveSamples::ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest)
+    : edge_length_(edge_length),
+      states_(nearest.points().size(), State::Resting),
+      nearest_(&nearest) {
   refresh(nodes);
 }
 
 void ActiveSamples::refresh(const NodeSet& nodes) {
-  if (grid_.empty()) return;
+  if (!nearest_) return;
   // Samples far from every free node cannot have one nearest.
   std::vector<Vec3> free;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.free[n]) free.push_back(nodes.positions[n]);
   const Region near_free(free, kReach * edge_length_, 1);
-  const NearestNode grid(nodes.positions, kGridCell * edge_length_);
+  nearest_->follow(nodes.positions);
   for (std::uint32_t s = 0; s < states_.size(); ++s) {
-    if (states_[s] == State::Active || !near_free.holds(positions_[s])) continue;
-    const std::int32_t node = grid.nearest(positions_[s]);
+    if (states_[s] == State::Active || !near_free.holds(nearest_->points()[s])) continue;
+    const std::int32_t node = nearest_->nearest(s);
     if (node >= 0 && nodes.free[node]) activate(s);
   }
   collect();
 }
 
 void ActiveSamples::promote(std::span<const std::uint32_t> pulling) {
-  if (grid_.empty()) return;
+  if (!nearest_) return;
   bool changed = false;
   for (const std::uint32_t s : pulling) {
     if (states_[s] == State::Active) continue;
@@ -58,11 +56,11 @@ void ActiveSamples::promote(std::span<const std::uint32_t> pulling) {
 
 void ActiveSamples::activate(std::uint32_t sample) {
   states_[sample] = State::Active;
-  grid_.front().for_each_within(positions_[sample], kBorder * edge_length_,
-                                [&](std::int32_t other, double) {
-                                  if (states_[other] == State::Resting)
-                                    states_[other] = State::Border;
-                                });
+  nearest_->grid_of_points().for_each_within(nearest_->points()[sample], kBorder * edge_length_,
+                                             [&](std::int32_t other, double) {
+                                               if (states_[other] == State::Resting)
+                                                 states_[other] = State::Border;
+                                             });
 }
 
 void ActiveSamples::collect() {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/boundary/samples.h"
-#include "engine/nodes/nearest.h"
+#include "engine/nodes/nearest_to_points.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -18,8 +18,8 @@ class ActiveSamples {
   /// All samples are active (a first mesh).
   explicit ActiveSamples(const Samples& samples);
   /// Those whose nearest node is free are active. `edge_length`: samples within `kBorder` of it are
-  /// neighbours.
-  ActiveSamples(const Samples& samples, const NodeSet& nodes, double edge_length);
+  /// neighbours. `nearest`: of the samples; used as long as this lives.
+  ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest);
 
   /// Active and border-active samples, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& participants() const { return participants_; }
@@ -39,8 +39,7 @@ class ActiveSamples {
 
   double edge_length_ = 0;
   std::vector<State> states_;
-  std::vector<Vec3> positions_;
-  std::vector<NearestNode> grid_;  ///< of the samples; empty where all are active
+  NearestToPoints* nearest_ = nullptr;  ///< null where all are active
   std::vector<std::uint32_t> participants_;
   std::uint32_t active_count_ = 0;
 };

@@ -9,15 +9,21 @@ namespace {
 constexpr std::size_t kTakingOut = 3;
 }
 
-LiveMesh::LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, const Run& run)
-    : mesh_(start), base_(std::move(start)), holds_(holds), in_base_(std::move(holds)), run_(run) {}
+LiveMesh::LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, bool rebuild,
+                   const Run& run)
+    : mesh_(start),
+      base_(std::move(start)),
+      holds_(holds),
+      in_base_(std::move(holds)),
+      rebuild_(rebuild),
+      run_(run) {}
 
 void LiveMesh::follow(const NodeSet& nodes) {
   holds_.resize(nodes.positions.size(), 0);
   in_base_.resize(nodes.positions.size(), 0);
   std::vector<std::int32_t> held, missing;
   for (std::int32_t n = 0; n < nodes.size(); ++n) (holds_[n] ? held : missing).push_back(n);
-  const bool followed = follow_held(nodes, held);
+  const bool followed = !rebuild_ && follow_held(nodes, held);
   require_part();
   if (followed)
     mesh_.insert(nodes.positions, missing, run_);
@@ -65,6 +71,14 @@ std::vector<Tet> LiveMesh::tets() const {
   std::vector<Tet> tets;
   tets.reserve(mesh_.size());
   mesh_.for_each_tet([&](const Tet& t) { tets.push_back(t); });
+  return tets;
+}
+
+std::vector<Tet> LiveMesh::tets_at(const std::vector<std::uint8_t>& at) const {
+  std::vector<Tet> tets;
+  mesh_.for_each_tet([&](const Tet& t) {
+    if (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) tets.push_back(t);
+  });
   return tets;
 }
 

@@ -18,8 +18,9 @@ struct LeftPart {
 /// The Delaunay mesh of a NodeSet, kept up with its nodes while they move and increase.
 class LiveMesh {
  public:
-  /// `holds`: by node, 1 where `start` has it already. The others follow.
-  LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, const Run& run);
+  /// `holds`: by node, 1 where `start` has it already. The others follow. `rebuild`: the mesh is
+  /// built from `start` each time, whatever has moved.
+  LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, bool rebuild, const Run& run);
 
   /// Brings the mesh up to the nodes, all of them, where they are now; new nodes come last in the
   /// set. Throws LeftPart.
@@ -28,6 +29,8 @@ class LiveMesh {
   [[nodiscard]] const kernel::Delaunay& mesh() const { return mesh_; }
   /// All tets but those at the far corners.
   [[nodiscard]] std::vector<Tet> tets() const;
+  /// Those of them with a node that has a 1 in `at`, by node.
+  [[nodiscard]] std::vector<Tet> tets_at(const std::vector<std::uint8_t>& at) const;
 
  private:
   /// Returns false if the mesh is not to be used any more.
@@ -39,6 +42,7 @@ class LiveMesh {
   kernel::Delaunay base_;              ///< of the fixed nodes: `mesh_` restarts from it
   std::vector<std::uint8_t> holds_;    ///< by node: whether `mesh_` has it
   std::vector<std::uint8_t> in_base_;  ///< by node: whether `base_` has it
+  bool rebuild_;
   const Run& run_;
 };
 

@@ -14,6 +14,8 @@ namespace remeshd {
 
 namespace {
 
+constexpr double kGridCell = 0.8;  // of the edge length: fastest for one-nearest queries
+
 /// `07-optimise-04`.
 std::string dump_name(std::uint32_t iteration) {
   return (iteration < 10 ? "07-optimise-0" : "07-optimise-") + std::to_string(iteration);
@@ -100,13 +102,14 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   const Adjacency adjacency(boundary);
   const PullOptions pull{.edge_length = options.edge_length};
   const bool all_free = count_free(nodes) == static_cast<std::uint32_t>(nodes.size());
+  NearestToPoints nearest(samples.positions(), kGridCell * options.edge_length);
   ActiveSamples active =
-      all_free ? ActiveSamples(samples) : ActiveSamples(samples, nodes, options.edge_length);
-  LiveMesh live(std::move(start.mesh), std::move(start.holds), run);
+      all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.edge_length, nearest);
+  LiveMesh live(std::move(start.mesh), std::move(start.holds), options.rebuild, run);
   Frozen frozen;
   const auto pull_now = [&] {
-    active.promote(
-        pull_boundary(nodes, boundary, adjacency, samples, active.participants(), pull, run));
+    active.promote(pull_boundary(nodes, boundary, adjacency, samples, active.participants(),
+                                 nearest, pull, run));
   };
 
   const std::uint32_t last = options.iterations ? options.iterations : options.auto_max;
@@ -117,11 +120,12 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     pull_now();
     live.follow(nodes);
     result.free_per_iteration.push_back(count_free(nodes) + frozen.count());
-    const std::vector<Tet> tets = live.tets();
-    dump_nodes(run, dump_name(k), nodes, tets);
-    const double now = relocate(nodes, tets, inside, run);
+    if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, live.tets());
+    const std::vector<Tet> tets = live.tets_at(relocated(nodes));
+    const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
+    relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
-    if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, tets, inside))
+    if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, live.tets(), inside))
       active.refresh(nodes);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;

@@ -20,6 +20,7 @@ struct OptimiseOptions {
   /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
   /// is, on the boundary until the last repositioning, and counts as free.
   double freeze = 0.01;
+  bool rebuild = false;  ///< see LiveMesh
 };
 
 /// The Delaunay mesh to start from: that of some of the fixed nodes.

@@ -9,8 +9,6 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kGridCell = 0.8;  // of the edge length: fastest for one-nearest queries
-
 /// Cosine of 120 degrees: normals turned further apart leave a wedge of less than 60 degrees.
 constexpr double kSharp = -0.5;
 
@@ -52,14 +50,14 @@ struct Pull {
 
 /// Sums up the pulls of the active samples in [begin, end) by node and entity, in that order.
 std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
-                         std::span<const std::uint32_t> active, const NearestNode& grid,
+                         std::span<const std::uint32_t> active, NearestToPoints& nearest,
                          std::vector<std::uint32_t>& pulling, const Run& run) {
   std::vector<Pull> pulls;
   Polling poll(run);
   for (const std::uint32_t index : active) {
     poll();
     const Sample& s = samples.points[index];
-    const std::int32_t node = grid.nearest(s.position);
+    const std::int32_t node = nearest.nearest(index);
     if (node < 0 || !nodes.free[node]) continue;
     pulling.push_back(index);
     pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});
@@ -114,8 +112,7 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
 
 /// Puts a node at every active vertex: the nearest free one within reach, else a new one.
 void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std::uint32_t> active,
-                    const PullOptions& options) {
-  const NearestNode grid(nodes.positions, kGridCell * options.edge_length);
+                    const NearestNode& grid, const PullOptions& options) {
   const double reach = options.vertex_reach * options.edge_length;
   std::vector<std::uint8_t> taken(nodes.size(), 0);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
@@ -182,24 +179,25 @@ Meeting Adjacency::meeting(Support::Kind kind, int a, int b) const {
 std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& boundary,
                                          const Adjacency& adjacency, const Samples& samples,
                                          std::span<const std::uint32_t> active,
-                                         const PullOptions& options, const Run& run) {
+                                         NearestToPoints& nearest, const PullOptions& options,
+                                         const Run& run) {
   const auto edges = std::lower_bound(active.begin(), active.end(), samples.edges_begin);
   const auto vertices = std::lower_bound(edges, active.end(), samples.vertices_begin);
   std::vector<std::uint32_t> pulling;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.free[n]) nodes.supports[n] = {};
-  const double cell = kGridCell * options.edge_length;
   {
-    const NearestNode grid(nodes.positions, cell);
-    const auto pulls = gather(nodes, samples, {active.begin(), edges}, grid, pulling, run);
+    nearest.follow(nodes.positions);
+    const auto pulls = gather(nodes, samples, {active.begin(), edges}, nearest, pulling, run);
     reposition(nodes, boundary, adjacency, Support::Kind::Face, pulls, options);
   }
   {
-    const NearestNode grid(nodes.positions, cell);
-    const auto pulls = gather(nodes, samples, {edges, vertices}, grid, pulling, run);
+    nearest.follow(nodes.positions);
+    const auto pulls = gather(nodes, samples, {edges, vertices}, nearest, pulling, run);
     reposition(nodes, boundary, adjacency, Support::Kind::Edge, pulls, options);
   }
-  claim_vertices(nodes, samples, {vertices, active.end()}, options);
+  nearest.follow(nodes.positions);
+  claim_vertices(nodes, samples, {vertices, active.end()}, nearest.grid_of_nodes(), options);
   pulling.insert(pulling.end(), vertices, active.end());
   return pulling;
 }

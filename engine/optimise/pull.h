@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/boundary/samples.h"
+#include "engine/nodes/nearest_to_points.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {
@@ -42,11 +43,13 @@ struct PullOptions {
 /// wedge. Fixed nodes stay, and so do the samples nearest to them
 /// without effect; only a vertex without a node frees the one nearest to it.
 ///
+/// `nearest`: of the samples' positions; it follows the nodes.
 /// `active`: indices of the samples that take part, ascending.
 /// Returns the indices of the samples whose nearest node was free, ascending.
 std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& boundary,
                                          const Adjacency& adjacency, const Samples& samples,
                                          std::span<const std::uint32_t> active,
-                                         const PullOptions& options, const Run& run);
+                                         NearestToPoints& nearest, const PullOptions& options,
+                                         const Run& run);
 
 }  // namespace remeshd

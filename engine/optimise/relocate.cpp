@@ -1,24 +1,27 @@
 #include "engine/optimise/relocate.h"
 
-#include <vector>
-
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
 
-double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
-                const Run& run) {
-  std::vector<Vec3> moment(nodes.positions.size());
-  std::vector<double> volume(nodes.positions.size(), 0.0);
-  double quality = 0;
-  std::size_t counted = 0;
-  const auto moves = [&](std::int32_t n) {
-    return nodes.free[n] && nodes.supports[n].kind == Support::Kind::Interior;
+std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
+  std::vector<std::uint8_t> moves(nodes.positions.size());
+  for (std::size_t n = 0; n < moves.size(); ++n)
+    moves[n] = nodes.free[n] && nodes.supports[n].kind == Support::Kind::Interior ? 1 : 0;
+  return moves;
+}
+
+void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside, const Run& run) {
+  struct Pull {
+    Vec3 moment;
+    double volume = 0;
   };
+  const std::vector<std::uint8_t> moves = relocated(nodes);
+  std::vector<Pull> pulls(moves.size());
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (!moves(t[0]) && !moves(t[1]) && !moves(t[2]) && !moves(t[3])) continue;
+    if (!(moves[t[0]] | moves[t[1]] | moves[t[2]] | moves[t[3]])) continue;
     const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
                &d = nodes.positions[t[3]];
     const Vec3 ab = b - a, ac = c - a, ad = d - a;
@@ -27,17 +30,29 @@ double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& ins
     // Volume times circumcentre, relative to a; needs no division, so that slivers do no harm.
     const Vec3 m = (norm2(ad) * nc + norm2(ac) * nb + norm2(ab) * nd) / 12.0;
     for (const std::int32_t n : t) {
-      if (!moves(n)) continue;
-      moment[n] += m + (six_volume / 6) * (a - nodes.positions[n]);
-      volume[n] += six_volume / 6;
+      if (!moves[n]) continue;
+      pulls[n].moment += m + (six_volume / 6) * (a - nodes.positions[n]);
+      pulls[n].volume += six_volume / 6;
     }
-    quality += volume_length(a, b, c, d);
-    ++counted;
   }
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    if (!moves(n) || volume[n] <= 0) continue;
-    const Vec3 p = nodes.positions[n] + moment[n] / volume[n];
+    if (!moves[n] || pulls[n].volume <= 0) continue;
+    const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
     if (inside(p)) nodes.positions[n] = p;
+  }
+}
+
+double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& run) {
+  const std::vector<std::uint8_t> moves = relocated(nodes);
+  double quality = 0;
+  std::size_t counted = 0;
+  Polling poll(run);
+  for (const Tet& t : tets) {
+    poll();
+    if (!(moves[t[0]] | moves[t[1]] | moves[t[2]] | moves[t[3]])) continue;
+    const auto& p = nodes.positions;
+    quality += volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    ++counted;
   }
   return counted ? quality / static_cast<double>(counted) : 0;
 }

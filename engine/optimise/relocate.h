@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/base/inside_test.h"
 #include "engine/base/run.h"
@@ -9,11 +11,16 @@
 
 namespace remeshd {
 
+/// By node, 1 for those that `relocate` moves: free interior ones.
+std::vector<std::uint8_t> relocated(const NodeSet& nodes);
+
 /// Moves every free interior node to the volume-weighted mean of the circumcentres of its tets
 /// (formula 1 of Sect. 3.3; Chen 2003), with step 1. A move out of the model is not made.
 ///
-/// Returns the mean volume-length measure of the tets at free nodes before the move.
-double relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
-                const Run& run);
+/// `tets`: all those at such nodes; others may be among them.
+void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside, const Run& run);
+
+/// Mean volume-length measure of the tets at nodes that `relocate` moves; 0 without any.
+double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& run);
 
 }  // namespace remeshd

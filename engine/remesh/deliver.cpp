@@ -25,17 +25,39 @@ std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals
   return ids;
 }
 
+/// One bit for each side of the box that a node is beyond, by node: where all nodes of a tet have
+/// one in common, the tet misses the box.
+std::vector<std::uint8_t> sides_of(const Box& box, std::span<const Vec3> nodes) {
+  std::vector<std::uint8_t> sides(nodes.size());
+  for (std::size_t n = 0; n < sides.size(); ++n) {
+    const Vec3& p = nodes[n];
+    const int beyond = (p.x < box.lo.x ? 1 : 0) | (p.x > box.hi.x ? 2 : 0) |
+                       (p.y < box.lo.y ? 4 : 0) | (p.y > box.hi.y ? 8 : 0) |
+                       (p.z < box.lo.z ? 16 : 0) | (p.z > box.hi.z ? 32 : 0);
+    sides[n] = static_cast<std::uint8_t>(beyond);
+  }
+  return sides;
+}
+
 /// Tets that stayed in place and meet no changed box are in the cells that they were in.
 CellsBefore cells_before(const Delivery& d, const Revision* original, const PointSource& source) {
   CellsBefore before;
   if (!original) return before;
   before.groups = &original->delivery.groups;
-  before.tet.assign(d.mesh.tets.size(), -1);
+  before.tet = d.map.original_tet;
+  Box changed;
+  for (const Box& box : source.changed()) {
+    changed.add(box.lo);
+    changed.add(box.hi);
+  }
+  const std::vector<std::uint8_t> sides = sides_of(changed, d.mesh.nodes);
   for (std::size_t k = 0; k < before.tet.size(); ++k) {
-    if (d.map.original_tet[k] < 0) continue;
+    if (before.tet[k] < 0) continue;
     const Tet& t = d.mesh.tets[k];
-    if (d.map.node_transform[t[0]] != source.identity()) continue;
-    if (!source.meets_changed(t, d.mesh.nodes)) before.tet[k] = d.map.original_tet[k];
+    if (d.map.node_transform[t[0]] != source.identity() ||
+        ((sides[t[0]] & sides[t[1]] & sides[t[2]] & sides[t[3]]) == 0 &&
+         source.meets_changed(t, d.mesh.nodes)))
+      before.tet[k] = -1;
   }
   return before;
 }
@@ -61,31 +83,36 @@ std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original,
   return measures;
 }
 
-/// Quality of the peeled Delaunay mesh. A tet that clean-up left alone, with its nodes, has the
-/// measure of its delivered one.
+double volume_of(std::span<const Vec3> p, const Tet& t) {
+  return tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+}
+
+/// Quality of the peeled Delaunay mesh: that of the delivered one but for what clean-up changed.
 Quality quality_before(const Master& master, const TetMesh& delivered,
-                       std::span<const TetMeasure> measures, const Run& run) {
+                       std::span<const TetMeasure> measures, double volume, const Run& run) {
   const std::span<const Vec3> p = master.positions();
   std::vector<std::uint8_t> moved(p.size());
   for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = p[n] != delivered.nodes[n] ? 1 : 0;
-  std::vector<Tet> tets;
-  std::vector<TetMeasure> before;
-  tets.reserve(delivered.tets.size());
-  before.reserve(delivered.tets.size());
-  double volume = 0;
-  Polling poll(run);
-  for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s) {
-    poll();
-    if (!master.inside(s)) continue;
-    const Tet t = master.mesh.corners(s);
-    tets.push_back(t);
-    volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-    const bool same =
-        master.tet_of_slot[s] >= 0 && !(moved[t[0]] || moved[t[1]] || moved[t[2]] || moved[t[3]]);
-    before.push_back(same ? measures[master.tet_of_slot[s]]
-                          : measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
+  std::vector<std::uint8_t> changed(delivered.tets.size(), 0);
+  for (const Cluster& cluster : master.clusters)
+    for (const std::int32_t t : cluster.delivered) {
+      changed[t] = 1;
+      volume -= volume_of(delivered.nodes, delivered.tets[t]);
+    }
+  std::vector<Tet> then;
+  for (std::size_t t = 0; t < changed.size(); ++t) {
+    const Tet& tet = delivered.tets[t];
+    if (changed[t] || !(moved[tet[0]] | moved[tet[1]] | moved[tet[2]] | moved[tet[3]])) continue;
+    changed[t] = 1;
+    volume -= volume_of(delivered.nodes, tet);
+    then.push_back(tet);
   }
-  return summarise(before, p, tets, volume);
+  for (const Cluster& cluster : master.clusters)
+    for (const std::int32_t s : cluster.delaunay) then.push_back(master.mesh.corners(s));
+  for (const Tet& tet : then) volume += volume_of(p, tet);
+  return summarise({{{delivered.nodes, delivered.tets}, measures, changed},
+                    {{p, then}, measure_tets(p, then, run)}},
+                   volume);
 }
 
 /// Quality away from where the model is sharp.
@@ -100,19 +127,18 @@ void measure_away(Revision& revision) {
   const std::span<const Support> supports = revision.supports();
   std::vector<std::uint8_t> at(mesh.nodes.size());
   for (std::size_t n = 0; n < at.size(); ++n) at[n] = sharp.holds(supports[n]) ? 1 : 0;
-  std::vector<Tet> away;
-  std::vector<TetMeasure> measures;
-  double volume = 0;
+  std::vector<std::uint8_t> left_out(mesh.tets.size(), 0);
+  double volume = report.quality.volume;
   for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     const Tet& t = mesh.tets[k];
-    if (at[t[0]] || at[t[1]] || at[t[2]] || at[t[3]]) continue;
-    away.push_back(t);
-    measures.push_back(revision.measures[k]);
-    const auto& p = mesh.nodes;
-    volume += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    if (!(at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]])) continue;
+    left_out[k] = 1;
+    ++report.sharp_tets;
+    volume -= volume_of(mesh.nodes, t);
   }
-  report.sharp_tets = static_cast<std::uint32_t>(mesh.tets.size() - away.size());
-  if (report.sharp_tets > 0) report.quality_away = summarise(measures, mesh.nodes, away, volume);
+  if (report.sharp_tets > 0)
+    report.quality_away =
+        summarise({{{mesh.nodes, mesh.tets}, revision.measures, left_out}}, volume);
 }
 
 }  // namespace
@@ -133,7 +159,7 @@ void account(const Revision* original, double volume, Revision& revision, const 
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
   revision.measures = measures_of(d, original, run);
-  revision.report.quality = summarise(revision.measures, d.mesh.nodes, d.mesh.tets, volume);
+  revision.report.quality = summarise({{{d.mesh.nodes, d.mesh.tets}, revision.measures}}, volume);
   measure_away(revision);
   revision.report.volume = volume;
   revision.report.exact_volume = revision.cells.volume;
@@ -182,8 +208,10 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   name_delivery(c.verification.surface, master.supports, source.modified(),
                 cells_before(d, original, source), revision, run);
   revision.master = std::make_shared<const Master>(std::move(master));
-  account(original, c.verification.volume, revision, run);
-  revision.report.quality_before = quality_before(*revision.master, d.mesh, revision.measures, run);
+  const double volume = c.verification.volume;
+  account(original, volume, revision, run);
+  revision.report.quality_before =
+      quality_before(*revision.master, d.mesh, revision.measures, volume, run);
 }
 
 }  // namespace remeshd

@@ -45,25 +45,26 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
   const std::vector<std::int32_t> slots = slots_at(master, inner, boxes);
 
   // The delivered tets of all pieces, and which slots have them.
+  std::vector<std::int32_t> delivered_number(slots.size(), -1);
   std::vector<std::int32_t> cluster_number(master.clusters.size(), -1);
-  for (const std::int32_t s : slots) {
+  const auto deliver = [&](std::int32_t tet) {
+    part.delivered_tet.push_back(tet);
+    return static_cast<std::int32_t>(part.delivered_tet.size()) - 1;
+  };
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::int32_t s = slots[k];
     if (!master.inside(s)) continue;
     const std::int32_t c = master.cluster_of(s);
     if (c < 0) {
-      part.delivered_tet.push_back(master.tet_of_slot[s]);
+      delivered_number[k] = deliver(master.tet_of_slot[s]);
     } else if (cluster_number[c] < 0) {
       cluster_number[c] = static_cast<std::int32_t>(part.pieces.clusters.size());
-      part.pieces.clusters.emplace_back();
+      Cluster& cluster = part.pieces.clusters.emplace_back();
       part.clusters.push_back(c);
-      const auto& tets = master.clusters[c].delivered;
-      part.delivered_tet.insert(part.delivered_tet.end(), tets.begin(), tets.end());
+      for (const std::int32_t t : master.clusters[c].delivered)
+        cluster.delivered.push_back(deliver(t));
     }
   }
-  std::ranges::sort(part.delivered_tet);
-  const auto delivered_number = [&](std::int32_t tet) {
-    return static_cast<std::int32_t>(std::ranges::lower_bound(part.delivered_tet, tet) -
-                                     part.delivered_tet.begin());
-  };
 
   std::vector<std::int32_t> name(delivered.nodes.size(), -1);
   for (const std::int32_t s : slots)
@@ -95,17 +96,13 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
     if (!master.inside(s)) continue;
     part.inside[k] = 1;
     const std::int32_t c = master.cluster_of(s);
-    part.pieces.same.push_back(c < 0 ? delivered_number(master.tet_of_slot[s]) : -1);
+    part.pieces.same.push_back(delivered_number[k]);
     part.pieces.cluster.push_back(c < 0 ? -1 : cluster_number[c]);
     if (c >= 0)
       part.pieces.clusters[cluster_number[c]].delaunay.push_back(
           static_cast<std::int32_t>(part.tets.size()));
     part.tets.push_back(renamed(master.mesh.corners(s)));
   }
-  for (std::size_t c = 0; c < cluster_number.size(); ++c)
-    if (cluster_number[c] >= 0)
-      for (const std::int32_t t : master.clusters[c].delivered)
-        part.pieces.clusters[cluster_number[c]].delivered.push_back(delivered_number(t));
   return part;
 }
 

@@ -37,6 +37,9 @@ struct MeshOptions {
     Random,   ///< at random, evenly spread, as in the paper (Sect. 3.2)
   };
   Start start = Start::Lattice;
+  /// Every iteration builds its Delaunay mesh anew from that of the fixed nodes, as in the paper
+  /// (Sect. 8), where otherwise it follows the nodes. For comparison.
+  bool rebuild = false;
   bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time: at
   /// 15,000 nodes .45 leaves dihedral angles from 20 degrees in 10 ms, .52 from 25 in 20, .6 from

@@ -62,7 +62,7 @@ kernel::Delaunay with_nodes_inserted(const kernel::Delaunay& mesh, std::int32_t 
                                      double edge_length, const Run& run) {
   std::vector<std::uint8_t> holds(nodes.positions.size(), 0);
   std::fill_n(holds.begin(), first_inserted, 1);
-  LiveMesh live(mesh, std::move(holds), run);
+  LiveMesh live(mesh, std::move(holds), false, run);
   recover_edges(nodes, boundary, live, {.edge_length = edge_length});
   return live.mesh();
 }

@@ -73,7 +73,7 @@ void serialize(A& a, ModelSource& m) {
 }
 template <class A>
 void serialize(A& a, MeshOptions& o) {
-  a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.clean_up, o.threshold);
+  a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.rebuild, o.clean_up, o.threshold);
 }
 template <class A>
 void serialize(A& a, Support& s) {

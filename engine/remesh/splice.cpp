@@ -155,6 +155,7 @@ class Splicer {
     std::vector<std::int32_t> gone;
     for (std::size_t d = 0; d < stays.size(); ++d)
       if (stays[d] == 0) gone.push_back(cut_.delivered_tet[d]);
+    std::ranges::sort(gone);
     tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
     Places& places = tet_places_.front();
     NodeMap& map = whole_.map;

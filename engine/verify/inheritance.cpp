@@ -30,35 +30,55 @@ Inheritance inherit(const TetMesh& mesh, const VerifiedParent& parent, Polling& 
   Inheritance result;
   const std::span<const Vec3> then = parent.mesh.nodes;
   std::vector<std::int32_t> image(mesh.nodes.size(), -1);
+  std::vector<std::uint8_t> unmoved(mesh.nodes.size(), 0);  // where the parent has it, to the bit
+  std::vector<std::uint8_t> still(mesh.nodes.size(), 0);    // and under the same number
   result.name.assign(then.size(), -1);
-  result.unmoved.assign(mesh.nodes.size(), 0);
   for (std::size_t n = 0; n < image.size(); ++n) {
     const std::int32_t o = parent.node[n];
     if (!has(then, o) || result.name[o] >= 0) continue;
     image[n] = o;
     result.name[o] = static_cast<std::int32_t>(n);
-    result.unmoved[n] = mesh.nodes[n] == then[o] ? 1 : 0;
+    unmoved[n] = mesh.nodes[n] == then[o] ? 1 : 0;
+    still[n] = unmoved[n] != 0 && o == static_cast<std::int32_t>(n) ? 1 : 0;
   }
-  result.same.assign(mesh.tets.size(), -1);
+  const auto all = [](const std::vector<std::uint8_t>& flags, const Tet& t) {
+    return (flags[t[0]] & flags[t[1]] & flags[t[2]] & flags[t[3]]) != 0;
+  };
   result.heir.assign(parent.mesh.tets.size(), -1);
   result.touched.assign(mesh.nodes.size(), 0);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     poll();
     const Tet& tet = mesh.tets[t];
     const std::int32_t o = parent.tet[t];
-    if (has(parent.mesh.tets, o) && result.heir[o] < 0 &&
-        same_turn(parent.mesh.tets[o],
-                  {image[tet[0]], image[tet[1]], image[tet[2]], image[tet[3]]})) {
-      result.same[t] = o;
-      result.heir[o] = static_cast<std::int32_t>(t);
-    } else {
-      for (const std::int32_t n : tet) result.touched[n] = 1;
+    const bool known = has(parent.mesh.tets, o) && result.heir[o] < 0;
+    const auto index = static_cast<std::int32_t>(t);
+    if (known && tet == parent.mesh.tets[o] && all(still, tet)) {
+      result.heir[o] = index;
+      continue;
     }
+    const bool same = known && same_turn(parent.mesh.tets[o], {image[tet[0]], image[tet[1]],
+                                                               image[tet[2]], image[tet[3]]});
+    if (same)
+      result.heir[o] = index;
+    else
+      for (const std::int32_t n : tet) result.touched[n] = 1;
+    if (same && all(unmoved, tet)) continue;
+    result.changed.push_back(index);
+    if (same) result.gone.push_back(o);
   }
   for (std::size_t o = 0; o < parent.mesh.tets.size(); ++o) {
     if (result.heir[o] >= 0) continue;
+    result.gone.push_back(static_cast<std::int32_t>(o));
     for (const std::int32_t n : parent.mesh.tets[o])
       if (result.name[n] >= 0) result.touched[result.name[n]] = 1;
+  }
+  const auto any = [&](const Tet& t) {
+    const auto& at = result.touched;
+    return (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) != 0;
+  };
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    poll();
+    if (any(mesh.tets[t])) result.near.push_back(static_cast<std::int32_t>(t));
   }
   return result;
 }

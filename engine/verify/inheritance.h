@@ -31,19 +31,15 @@ struct VerifiedParent {
 /// the same turn. Such tets meet across facets as they did in the parent. Where no node has moved
 /// they are positive as well.
 struct Inheritance {
-  std::vector<std::int32_t> same;     ///< by tet: the parent's tet that it is, or -1
-  std::vector<std::int32_t> heir;     ///< by tet of the parent: the tet that is the same, or -1
-  std::vector<std::int32_t> name;     ///< by node of the parent: the node that took it, or -1
-  std::vector<std::uint8_t> unmoved;  ///< by node: where the parent has it, to the bit
+  std::vector<std::int32_t> heir;  ///< by tet of the parent: the tet that is the same, or -1
+  std::vector<std::int32_t> name;  ///< by node of the parent: the node that took it, or -1
   /// By node: 1 in tets that are not the parent's, or in the parent in tets that are gone. The
   /// facets, boundary edges and fans of all others are as they were.
   std::vector<std::uint8_t> touched;
-
-  /// Whether the tet is the parent's in every respect.
-  [[nodiscard]] bool unchanged(const Tet& nodes, std::size_t tet) const {
-    return same[tet] >= 0 && unmoved[nodes[0]] && unmoved[nodes[1]] && unmoved[nodes[2]] &&
-           unmoved[nodes[3]];
-  }
+  /// Tets that are not the parent's in every respect, ascending, and the parent's that have no heir
+  /// that is.
+  std::vector<std::int32_t> changed, gone;
+  std::vector<std::int32_t> near;  ///< tets with a touched node, ascending
 };
 
 Inheritance inherit(const TetMesh& mesh, const VerifiedParent& parent, Polling& poll);

@@ -22,16 +22,15 @@ constexpr FacetMask kAll = 15;
 /// By a mask of corners: the facets that have no other.
 constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 4, 0, 2, 1, 15};
 
-/// Counts the tets at each facet that `mask(tet)` has, adds the tets that clash to `clashes` and
-/// marks in `alone`, by tet, the facets in one tet only.
-template <class Mask>
-void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
+/// Counts the tets at each facet, adds the tets that clash to `clashes` and marks in `alone`, by
+/// tet, the facets in one tet only. `each`: calls its argument with the tets that take part and
+/// their facets that do, the same each time.
+template <class Each>
+void match(std::span<const Tet> tets, std::size_t node_count, const Each& each,
            std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
   std::vector<std::uint32_t> end(node_count + 1, 0);
-  for (std::size_t t = 0; t < tets.size(); ++t) {
+  each([&](std::size_t t, FacetMask wanted) {
     poll();
-    const FacetMask wanted = mask(t);
-    if (wanted == 0) continue;
     // Three of the four facets have the tet's smallest node as theirs, the fourth the second.
     const Tet& tet = tets[t];
     const std::int32_t lower = std::min(tet[0], tet[1]), low = std::min(tet[2], tet[3]);
@@ -40,12 +39,11 @@ void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
         std::max(lower, low), std::min(std::max(tet[0], tet[1]), std::max(tet[2], tet[3])));
     for (int i = 0; i < 4; ++i)
       if ((wanted >> i & 1) != 0) ++end[(tet[i] == first ? second : first) + 1];
-  }
+  });
   for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
   std::vector<Entry> entries(end[node_count]);
-  for (std::size_t t = 0; t < tets.size(); ++t) {
+  each([&](std::size_t t, FacetMask wanted) {
     poll();
-    const FacetMask wanted = mask(t);
     for (int i = 0; i < 4; ++i) {
       if ((wanted >> i & 1) == 0) continue;
       // Without branches, for which node is the smallest cannot be foreseen; and in place, for a
@@ -63,7 +61,7 @@ void match(std::span<const Tet> tets, std::size_t node_count, const Mask& mask,
       entry.turn = static_cast<std::int8_t>(1 - 2 * odd);
       entry.tets = 1;
     }
-  }
+  });
 
   std::vector<std::int32_t> head(node_count, -1);  // first entry of this bucket by its `mid`
   std::uint32_t begin = 0;
@@ -107,8 +105,10 @@ std::vector<SurfaceFacet> collect(std::span<const Tet> tets, std::span<const Fac
 FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count, Polling& poll) {
   FacetMatch result;
   std::vector<FacetMask> alone(tets.size(), 0);
-  match(
-      tets, node_count, [](std::size_t) { return kAll; }, result.clashes, alone, poll);
+  const auto each = [&](auto&& f) {
+    for (std::size_t t = 0; t < tets.size(); ++t) f(t, kAll);
+  };
+  match(tets, node_count, each, result.clashes, alone, poll);
   result.surface = collect(tets, alone);
   return result;
 }
@@ -118,14 +118,17 @@ FacetMatch match_facets(std::span<const Tet> tets, std::size_t node_count,
   // A tet that came or went has touched all its nodes. So at a facet with an untouched node there
   // are the tets that there were, and those with touched nodes only are matched with each other.
   const std::vector<std::uint8_t>& touched = inherited.touched;
-  const auto mask = [&](std::size_t t) -> FacetMask {
-    const Tet& tet = tets[t];
-    return kFacetsBetween[touched[tet[0]] | touched[tet[1]] << 1 | touched[tet[2]] << 2 |
-                          touched[tet[3]] << 3];
+  const auto each = [&](auto&& f) {
+    for (const std::int32_t t : inherited.near) {
+      const Tet& tet = tets[t];
+      const FacetMask mask = kFacetsBetween[touched[tet[0]] | touched[tet[1]] << 1 |
+                                            touched[tet[2]] << 2 | touched[tet[3]] << 3];
+      if (mask != 0) f(static_cast<std::size_t>(t), mask);
+    }
   };
   FacetMatch result;
   std::vector<FacetMask> alone(tets.size(), 0);
-  match(tets, node_count, mask, result.clashes, alone, poll);
+  match(tets, node_count, each, result.clashes, alone, poll);
   for (const SurfaceFacet& facet : parent.surface) {
     poll();
     const std::int32_t t = inherited.heir[facet.tet];

@@ -73,35 +73,41 @@ class Checker {
 
   void check_tets() {
     used_.assign(mesh_.nodes.size(), 0);
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      poll_();
-      const Tet& tet = mesh_.tets[t];
-      for (const std::int32_t n : tet) used_[n] = 1;
-      if (inherited_ && inherited_->unchanged(tet, t)) continue;
-      ++result_.tets_proved;
-      result_.volume += volume_of(tet, mesh_.nodes);
-      const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
-                                           mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
-      const auto index = static_cast<std::int32_t>(t);
-      if (!(quality > kFlat))
-        fail(MeshFailure::BadTet, index, centroid(index),
-             quality < -kFlat ? "an inverted tet" : "a flat tet");
-      if (options_.material && !in_material(tet))
-        fail(MeshFailure::OutsideTet, index, centroid(index), "a tet outside of the material");
+    const auto use = [&](std::size_t t) {
+      for (const std::int32_t n : mesh_.tets[t]) used_[n] = 1;
+    };
+    if (!inherited_) {
+      for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
+        use(t);
+        check_tet(t);
+      }
+      return;
     }
+    // The parent's tets are still at a node that it had, unless that is touched.
+    for (const std::int32_t n : inherited_->name)
+      if (n >= 0 && inherited_->touched[n] == 0) used_[n] = 1;
+    for (const std::int32_t t : inherited_->near) use(t);
+    for (const std::int32_t t : inherited_->changed) check_tet(t);
     result_.tets_inherited = static_cast<std::uint32_t>(mesh_.tets.size()) - result_.tets_proved;
-    if (inherited_) inherit_volume();
-  }
-
-  /// Adds the parent's volume but for that of the tets that are gone or moved.
-  void inherit_volume() {
     const VerifiedParent& parent = *options_.parent;
     result_.volume += parent.volume;
-    for (std::size_t o = 0; o < parent.mesh.tets.size(); ++o) {
-      const std::int32_t t = inherited_->heir[o];
-      if (t >= 0 && inherited_->unchanged(mesh_.tets[t], t)) continue;
+    for (const std::int32_t o : inherited_->gone)
       result_.volume -= volume_of(parent.mesh.tets[o], parent.mesh.nodes);
-    }
+  }
+
+  void check_tet(std::size_t t) {
+    poll_();
+    const Tet& tet = mesh_.tets[t];
+    ++result_.tets_proved;
+    result_.volume += volume_of(tet, mesh_.nodes);
+    const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
+                                         mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
+    const auto index = static_cast<std::int32_t>(t);
+    if (!(quality > kFlat))
+      fail(MeshFailure::BadTet, index, centroid(index),
+           quality < -kFlat ? "an inverted tet" : "a flat tet");
+    if (options_.material && !in_material(tet))
+      fail(MeshFailure::OutsideTet, index, centroid(index), "a tet outside of the material");
   }
 
   /// Whether the tet has a cell: at its centroid or, where a chord has cut that off from the

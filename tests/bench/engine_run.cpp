@@ -222,8 +222,10 @@ Samples all_failed(const EngineRun& run, const std::string& why) {
 
 MeshOptions mesh_options(const EngineRun& run) {
   MeshOptions options{.nodes = run.nodes, .iterations = run.iterations, .seed = run.seed};
-  // The engine cannot be told yet to build the Delaunay mesh anew in every iteration.
-  if (run.switches.paper) options.start = MeshOptions::Start::Random;
+  if (run.switches.paper) {
+    options.start = MeshOptions::Start::Random;
+    options.rebuild = true;
+  }
   return options;
 }
 

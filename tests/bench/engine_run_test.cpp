@@ -18,6 +18,8 @@ TEST(MeshOptionsOfARun, FollowItsSwitches) {
   EXPECT_EQ(mesh_options(ours).start, MeshOptions::Start::Lattice);
   const EngineRun papers{.switches = {.paper = true}};
   EXPECT_EQ(mesh_options(papers).start, MeshOptions::Start::Random);
+  EXPECT_TRUE(mesh_options(papers).rebuild);
+  EXPECT_FALSE(mesh_options(ours).rebuild);
 }
 
 TEST(PaperRatio, IsThatOfTable3) {

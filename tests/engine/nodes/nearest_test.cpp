@@ -55,5 +55,40 @@ TEST(NearestNode, VisitsAllWithinTheRadiusAndNoOther) {
     EXPECT_EQ(seen.count(static_cast<int>(k)) == 1, norm2(points[k] - p) <= 1.5 * 1.5);
 }
 
+TEST(NearestNode, FollowsNodesHoweverManyMoveHoweverFar) {
+  auto points = cloud(300, 4);
+  NearestNode grid(points, 0.7);
+  Random random(5);
+  for (const double step : {0.01, 0.2, 0.001, 3.0, 0.05, 30.0, 0.1}) {
+    for (const int some : {1, 3, 50}) {
+      std::vector<std::int32_t> moved;
+      for (int k = 0; k < some; ++k) {
+        const auto n = static_cast<std::int32_t>(random.uniform() * points.size());
+        for (double* x : {&points[n].x, &points[n].y, &points[n].z})
+          *x += step * random.uniform(-1, 1);
+        moved.push_back(n);
+      }
+      points.push_back({random.uniform(0, 10), random.uniform(0, 2), random.uniform(-5, 5)});
+      moved.push_back(static_cast<std::int32_t>(points.size()) - 1);
+      grid.follow(points, moved);
+      for (int k = 0; k < 200; ++k) {
+        const Vec3 p{random.uniform(-5, 15), random.uniform(-5, 5), random.uniform(-9, 9)};
+        ASSERT_EQ(grid.nearest(p), by_hand(points, p)) << "steps of " << step;
+        std::size_t within = 0, counted = 0;
+        for (const Vec3& q : points) within += norm2(q - p) <= 1 ? 1 : 0;
+        grid.for_each_within(p, 1, [&](std::int32_t, double) { ++counted; });
+        ASSERT_EQ(counted, within) << "steps of " << step;
+      }
+    }
+  }
+}
+
+TEST(NearestNode, FollowsTheFirstNodes) {
+  NearestNode grid({}, 1);
+  const std::vector<Vec3> points{{0, 0, 0}, {5, 0, 0}};
+  grid.follow(points, std::vector<std::int32_t>{0, 1});
+  EXPECT_EQ(grid.nearest({4, 0, 0}), 1);
+}
+
 }  // namespace
 }  // namespace remeshd

@@ -11,6 +11,7 @@ constexpr double kSpacing = 0.25;
 struct Line {
   Samples samples;
   NodeSet nodes;
+  NearestToPoints nearest{{}, 1};
 
   Line() {
     for (int k = 0; k <= 80; ++k)
@@ -20,6 +21,7 @@ struct Line {
       nodes.add_new({1.0 * n, 0, 0}, {Support::Kind::Face, 0});
       nodes.free.back() = 0;
     }
+    nearest = NearestToPoints(samples.positions(), 0.8);
   }
   /// Whether each sample whose place on the line is in [lo, hi] takes part, and no other.
   [[nodiscard]] bool takes_part(const ActiveSamples& active, double lo, double hi) const {
@@ -41,15 +43,15 @@ TEST(ActiveSamples, OfAFirstMeshAreAll) {
 TEST(ActiveSamples, HaveAFreeNodeNearestAndTheirNeighboursAreBorderActive) {
   Line line;
   line.nodes.free[10] = 1;
-  const ActiveSamples active(line.samples, line.nodes, 1);
+  const ActiveSamples active(line.nodes, 1, line.nearest);
   // Nearest to node 10: from 9.75 to 10.25; at 9.5 and 10.5 the lower index wins, 9 and 10.
   EXPECT_EQ(active.active_count(), 4U);
   EXPECT_TRUE(line.takes_part(active, 9.75 - 0.6, 10.5 + 0.6));
 }
 
 TEST(ActiveSamples, RestWhereNoNodeIsFree) {
-  const Line line;
-  const ActiveSamples active(line.samples, line.nodes, 1);
+  Line line;
+  const ActiveSamples active(line.nodes, 1, line.nearest);
   EXPECT_EQ(active.active_count(), 0U);
   EXPECT_TRUE(active.participants().empty());
 }
@@ -57,7 +59,7 @@ TEST(ActiveSamples, RestWhereNoNodeIsFree) {
 TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
   Line line;
   line.nodes.free[10] = 1;
-  ActiveSamples active(line.samples, line.nodes, 1);
+  ActiveSamples active(line.nodes, 1, line.nearest);
   active.promote(std::vector<std::uint32_t>{44});  // at 11, border-active
   EXPECT_EQ(active.active_count(), 5U);
   EXPECT_TRUE(line.takes_part(active, 9.75 - 0.6, 11 + 0.6));
@@ -66,7 +68,7 @@ TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
 TEST(ActiveSamples, GrowWithTheFreeNodes) {
   Line line;
   line.nodes.free[10] = 1;
-  ActiveSamples active(line.samples, line.nodes, 1);
+  ActiveSamples active(line.nodes, 1, line.nearest);
   line.nodes.free[9] = line.nodes.free[11] = 1;
   active.refresh(line.nodes);
   EXPECT_EQ(active.active_count(), 12U);

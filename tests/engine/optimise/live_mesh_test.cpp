@@ -67,30 +67,32 @@ TEST(LiveMesh, TakesInTheNodesThatTheStartLacks) {
   const NodeSet nodes = cloud(400, 150);
   std::vector<std::uint8_t> holds(400, 0);
   std::fill_n(holds.begin(), 150, 1);
-  LiveMesh live(mesh_of_first(nodes, 150), holds, kRun);
+  LiveMesh live(mesh_of_first(nodes, 150), holds, false, kRun);
   live.follow(nodes);
   EXPECT_EQ(sorted(live.tets()), anew(nodes));
 }
 
 TEST(LiveMesh, IsTheMeshOfTheNodesHoweverFarTheyMove) {
-  NodeSet nodes = cloud(400, 150);
-  std::vector<std::uint8_t> holds(400, 0);
-  std::fill_n(holds.begin(), 150, 1);
-  LiveMesh live(mesh_of_first(nodes, 150), holds, kRun);
-  Random random(4);
-  live.follow(nodes);
-  for (const double step : {0.5, 0.3, 0.1, 0.3, 0.01, 0.001, 0.5}) {
-    stir(nodes, step, random);
+  for (const bool rebuild : {false, true}) {
+    NodeSet nodes = cloud(400, 150);
+    std::vector<std::uint8_t> holds(400, 0);
+    std::fill_n(holds.begin(), 150, 1);
+    LiveMesh live(mesh_of_first(nodes, 150), holds, rebuild, kRun);
+    Random random(4);
     live.follow(nodes);
-    ASSERT_EQ(sorted(live.tets()), anew(nodes)) << "steps of " << step;
-    // A fixed node is freed, and goes.
-    nodes.free[static_cast<std::int32_t>(1000 * step) % 150] = 1;
+    for (const double step : {0.5, 0.3, 0.1, 0.3, 0.01, 0.001, 0.5}) {
+      stir(nodes, step, random);
+      live.follow(nodes);
+      ASSERT_EQ(sorted(live.tets()), anew(nodes)) << "steps of " << step;
+      // A fixed node is freed, and goes.
+      nodes.free[static_cast<std::int32_t>(1000 * step) % 150] = 1;
+    }
   }
 }
 
 TEST(LiveMesh, FollowsAFewThatMoveFar) {
   NodeSet nodes = cloud(800, 0);
-  LiveMesh live(empty_mesh(), {}, kRun);
+  LiveMesh live(empty_mesh(), {}, false, kRun);
   Random random(5);
   live.follow(nodes);
   for (int round = 0; round < 4; ++round) {
@@ -102,7 +104,7 @@ TEST(LiveMesh, FollowsAFewThatMoveFar) {
 
 TEST(LiveMesh, TakesInNodesAddedOnTheWay) {
   NodeSet nodes = cloud(300, 100);
-  LiveMesh live(empty_mesh(), {}, kRun);
+  LiveMesh live(empty_mesh(), {}, false, kRun);
   Random random(6);
   for (int round = 0; round < 3; ++round) {
     live.follow(nodes);

@@ -13,6 +13,12 @@ namespace {
 
 const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 
+void pull(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
+          std::span<const std::uint32_t> active, const PullOptions& options) {
+  NearestToPoints nearest(samples.positions(), options.edge_length);
+  pull_boundary(nodes, boundary, Adjacency(boundary), samples, active, nearest, options, kRun);
+}
+
 struct Scene {
   FeatureModel model;
   CellularModel cells;
@@ -41,8 +47,7 @@ struct Scene {
 TEST(PullBoundary, EveryVertexGetsANode) {
   const Scene s("tool3-a", 5);
   NodeSet nodes = s.random_nodes(1200, 5);
-  pull_boundary(nodes, s.cells.boundary, Adjacency(s.cells.boundary), s.samples, s.everything,
-                {.edge_length = 5}, kRun);
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 5});
   std::vector<int> at(s.cells.boundary.vertices.size(), 0);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.supports[n].kind == Support::Kind::Vertex) {
@@ -56,8 +61,7 @@ TEST(PullBoundary, PulledNodesStandOnTheirEntityAndTheOthersAreInterior) {
   const Scene s("tool1-a", 5);
   NodeSet nodes = s.random_nodes(1200, 5);
   const NodeSet before = nodes;
-  pull_boundary(nodes, s.cells.boundary, Adjacency(s.cells.boundary), s.samples, s.everything,
-                {.edge_length = 5}, kRun);
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 5});
   int boundary = 0;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
     if (nodes.supports[n].kind == Support::Kind::Interior) {
@@ -80,8 +84,7 @@ TEST(PullBoundary, FixedNodesStay) {
   std::vector<std::uint32_t> right;
   for (const std::uint32_t k : s.everything)
     if (s.samples.points[k].position.x > 15) right.push_back(k);
-  pull_boundary(nodes, s.cells.boundary, Adjacency(s.cells.boundary), s.samples, right,
-                {.edge_length = 8}, kRun);
+  pull(nodes, s.cells.boundary, s.samples, right, {.edge_length = 8});
   int moved = 0;
   for (std::int32_t n = 0; n < before.size(); ++n) {
     if (!before.free[n] && nodes.free[n] == 0) {
@@ -104,8 +107,7 @@ TEST(PullBoundary, ANodeBetweenTwoFarSidesIsSplit) {
   NodeSet nodes;
   for (double x = -8; x <= 8; x += 4)
     for (double y = -8; y <= 8; y += 4) nodes.add_new({x, y, 0.5});
-  pull_boundary(nodes, cells.boundary, Adjacency(cells.boundary), samples, faces,
-                {.edge_length = 4}, kRun);
+  pull(nodes, cells.boundary, samples, faces, {.edge_length = 4});
   EXPECT_GE(nodes.size(), 50);
   int top = 0, bottom = 0;
   for (const Vec3& p : nodes.positions) {

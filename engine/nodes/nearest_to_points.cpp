@@ -1,0 +1,66 @@
+#include "engine/nodes/nearest_to_points.h"
+
+#include <utility>
+
+namespace remeshd {
+
+namespace {
+constexpr std::size_t kMany = 3;  // where one node in so many has moved, no answer is kept
+}
+
+NearestToPoints::NearestToPoints(std::vector<Vec3> points, double cell)
+    : points_(std::move(points)),
+      point_grid_(points_, cell),
+      reach_(cell),
+      answers_(points_.size()),
+      node_grid_({}, cell) {}
+
+void NearestToPoints::follow(std::span<const Vec3> nodes) {
+  ++now_;
+  std::vector<std::int32_t> moved;
+  const std::size_t known = nodes_.size();
+  nodes_.resize(nodes.size());
+  moved_.resize(nodes.size(), 0);
+  is_behind_.resize(nodes.size(), 0);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (n < known && nodes_[n] == nodes[n]) continue;
+    nodes_[n] = nodes[n];
+    moved_[n] = now_;
+    moved.push_back(static_cast<std::int32_t>(n));
+    if (is_behind_[n] == 0) behind_.push_back(static_cast<std::int32_t>(n));
+    is_behind_[n] = 1;
+  }
+  if (moved.size() * kMany >= nodes.size())
+    all_moved_ = now_;
+  else
+    for (const std::int32_t n : moved) look_again_near(n);
+  // Answers of this time come after the moves.
+  ++now_;
+}
+
+void NearestToPoints::look_again_near(std::int32_t node) {
+  point_grid_.for_each_within(nodes_[node], reach_, [&](std::int32_t point, double d) {
+    Answer& a = answers_[point];
+    if (a.given <= all_moved_ || d > a.distance2 || (d == a.distance2 && node > a.node)) return;
+    a = {node, now_, d};
+  });
+}
+
+std::int32_t NearestToPoints::nearest(std::uint32_t point) {
+  Answer& a = answers_[point];
+  if (a.given > 0 && stands(a)) return a.node;
+  const std::int32_t node = grid_of_nodes().nearest(points_[point]);
+  if (node < 0) return -1;
+  const double d = norm2(nodes_[node] - points_[point]);
+  a = {node, d <= reach_ * reach_ ? now_ : 0, d};
+  return node;
+}
+
+const NearestNode& NearestToPoints::grid_of_nodes() {
+  node_grid_.follow(nodes_, behind_);
+  for (const std::int32_t n : behind_) is_behind_[n] = 0;
+  behind_.clear();
+  return node_grid_;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+/// The node nearest to each of some points that stay where they are, while the nodes move and
+/// increase. What is known of a point stays known until its node moves or another comes nearer, so
+/// that few questions are asked of the nodes' grid once most of them have settled.
+class NearestToPoints {
+ public:
+  /// `cell`: width of a cell of the nodes' grid, > 0.
+  NearestToPoints(std::vector<Vec3> points, double cell);
+
+  /// Nodes are here now; new ones come last.
+  void follow(std::span<const Vec3> nodes);
+
+  /// The node nearest to a point, the lowest index where several are equally near; -1 if there are
+  /// none.
+  [[nodiscard]] std::int32_t nearest(std::uint32_t point);
+
+  [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+  [[nodiscard]] const NearestNode& grid_of_points() const { return point_grid_; }
+  [[nodiscard]] const NearestNode& grid_of_nodes();
+
+ private:
+  struct Answer {
+    std::int32_t node = -1;
+    std::uint32_t given = 0;  ///< when
+    double distance2 = 0;     ///< no node has come nearer since
+  };
+
+  [[nodiscard]] bool stands(const Answer& a) const {
+    return a.given > all_moved_ && moved_[a.node] <= a.given;
+  }
+  void look_again_near(std::int32_t node);
+
+  std::vector<Vec3> points_;
+  NearestNode point_grid_;
+  double reach_;                 ///< answers further away than this do not stand
+  std::vector<Answer> answers_;  ///< by point
+  std::vector<Vec3> nodes_;
+  std::vector<std::uint32_t> moved_;  ///< by node: when it did last
+  std::uint32_t now_ = 0;
+  std::uint32_t all_moved_ = 0;  ///< when so many nodes moved that no answer stands
+  NearestNode node_grid_;
+  std::vector<std::int32_t> behind_;  ///< nodes that have moved since `node_grid_`
+  std::vector<std::uint8_t> is_behind_;
+};
+
+}  // namespace remeshd
