@@ -22,13 +22,6 @@ std::array<Vec3, 4> far_corners(const Box& bounds) {
   return {c + Vec3{r, r, r}, c + Vec3{r, -r, -r}, c + Vec3{-r, r, -r}, c + Vec3{-r, -r, r}};
 }
 
-std::array<std::int32_t, 3> sorted_key(std::int32_t a, std::int32_t b, std::int32_t c) {
-  if (a > b) std::swap(a, b);
-  if (b > c) std::swap(b, c);
-  if (a > b) std::swap(a, b);
-  return {a, b, c};
-}
-
 /// Whether b is a rotation of a.
 bool same_turn(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
   return (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[2]) ||
@@ -236,14 +229,12 @@ bool Delaunay::remove(std::span<const std::int32_t> nodes, const Run& run) {
       }
       if (s.n[i] >= 0 && gone[s.n[i] >> 2]) continue;
       const auto& f = kTetFacets[i];
-      walls.push_back(
-          {sorted_key(s.v[f[0]], s.v[f[1]], s.v[f[2]]), s.n[i], {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
+      walls.push_back({Wall::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]),
+                       s.n[i],
+                       {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
     }
   }
-  // A wall is seen from inside its hole; the same three nodes may bound holes on both sides.
-  std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
-    return a.key != b.key ? a.key < b.key : a.outer < b.outer;
-  });
+  std::sort(walls.begin(), walls.end());
   std::vector<Vec3> positions(points_.size() - kFar);
   for (const std::int32_t n : rim) positions[n] = points_[n + kFar];
   Delaunay filling{std::span<const Vec3>(points_)};
@@ -280,9 +271,13 @@ std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling
                                                          const std::vector<Wall>& walls,
                                                          const Run& run) {
   Polling poll(run);
+  std::vector<std::uint8_t> at_wall(filling.points_.size(), 0);
+  for (const Wall& w : walls)
+    for (const std::int32_t v : w.v) at_wall[v] = 1;
   const auto wall_at = [&](const Slot& s, int i) -> std::int32_t {
     const auto& f = kTetFacets[i];
-    const auto key = sorted_key(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
+    if (!(at_wall[s.v[f[0]]] & at_wall[s.v[f[1]]] & at_wall[s.v[f[2]]])) return -1;
+    const auto key = Wall::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
     auto at = std::lower_bound(walls.begin(), walls.end(), key,
                                [](const Wall& w, const auto& k) { return w.key < k; });
     for (; at != walls.end() && at->key == key; ++at)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -39,6 +40,13 @@ class Delaunay {
   /// A node at the very place of an inserted one stays out.
   /// Pre: none of them is inserted yet.
   void insert(std::span<const Vec3> positions, std::span<const std::int32_t> nodes, const Run& run);
+
+  /// Inserts nodes of another mesh at other places, to where they were moved as one rigid body:
+  /// what is the same mesh among them comes along as it is. `names`: by node of `from`, its node
+  /// here, -1 for those that do not come.
+  /// Pre: none of them is inserted yet.
+  void insert_moved(const Delaunay& from, std::span<const std::int32_t> names,
+                    std::span<const Vec3> positions, const Run& run);
 
   /// Takes inserted nodes out again: the tets at them leave holes, which are filled with tets of
   /// the Delaunay mesh of the nodes round the holes. Returns false, and leaves everything as it
@@ -162,13 +170,35 @@ class Delaunay {
     std::array<std::int32_t, 3> key;  ///< its vertices, ascending
     std::int32_t outer;               ///< 4 * tet + facet beyond it, -1: none
     std::array<std::int32_t, 3> v;
+
+    static std::array<std::int32_t, 3> key_of(std::int32_t a, std::int32_t b, std::int32_t c) {
+      const std::int32_t low = std::min({a, b, c}), high = std::max({a, b, c});
+      return {low, a ^ b ^ c ^ low ^ high, high};
+    }
+    /// The same three nodes may bound holes on both sides.
+    friend bool operator<(const Wall& a, const Wall& b) {
+      return a.key != b.key ? a.key < b.key : a.outer < b.outer;
+    }
   };
   struct Fill {  ///< a tet of the filling that lies in a hole, and the walls it touches
     std::int32_t tet;
     std::array<std::int32_t, 4> wall;
   };
 
+  /// Tets of another mesh that are to stand here.
+  struct Graft {
+    std::vector<std::int32_t> nodes;  ///< that have no other tets
+    std::vector<std::int32_t> tets;
+    std::vector<std::int32_t> number;  ///< by slot there: which of `tets`, or -1
+    std::vector<Wall> walls;           ///< round them, over vertices here
+  };
+
   explicit Delaunay(std::span<const Vec3> far_corners);
+  static Graft graft_of(const Delaunay& from, std::span<const std::int32_t> names);
+  /// Puts the tets in the place of those within the walls. Returns false, and leaves everything as
+  /// it was, where that would not be Delaunay.
+  bool plant(const Delaunay& from, const Graft& graft, std::span<const std::int32_t> names,
+             const Run& run);
   static std::optional<std::vector<Fill>> fit(const Delaunay& filling,
                                               const std::vector<Wall>& walls, const Run& run);
   /// The tets with a moved vertex.

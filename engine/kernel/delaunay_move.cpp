@@ -15,7 +15,7 @@ namespace {
 enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kStuck = 3 };
 
 /// Share of the moved nodes that may have to be held back before flips do not pay any more.
-constexpr double kManyHeld = 0.06;
+constexpr double kManyHeld = 0.25;
 /// Held nodes try again once the others have made room; more than once helps few. So many tets are
 /// there for each that makes it worth while.
 constexpr int kTries = 2;

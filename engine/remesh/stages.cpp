@@ -227,6 +227,17 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
   kernel::Delaunay mesh = part.mesh;
   if (!mesh.remove(others, run)) return without();
   mesh.rename(name, nodes.size());
+  // What moves as one body brings its tets along.
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(source.transforms().size()); ++t) {
+    if (source.transforms()[t].is_identity()) continue;
+    std::vector<std::int32_t> moved(part.nodes.size(), -1);
+    for (std::int32_t n = 0; n < nodes.size(); ++n)
+      if (nodes.transform[n] == t && !nodes.free[n]) moved[nodes.original[n]] = n;
+    mesh.insert_moved(part.mesh, moved, nodes.positions, run);
+    for (const std::int32_t n : moved)
+      if (n >= 0) start.holds[n] = 1;
+  }
+  if (mesh.left_part()) throw LeftPart{"moving nodes"};
   for (const std::int32_t n : name)
     if (n >= 0) start.holds[n] = 1;
   start.mesh = std::move(mesh);

@@ -149,6 +149,46 @@ TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
   }
 }
 
+/// Every second node of a box in a cloud moves by `shift`; those that meet it there go.
+void move_a_box(const Vec3& shift, double rest_in_box) {
+  const auto points = cloud(6000, 13);
+  const auto in_box = [](const Vec3& p) { return std::max({p.x, p.y, p.z}) < 0.6; };
+  const Delaunay from = mesh_of(points);
+  std::vector<Vec3> places;
+  std::vector<std::int32_t> names(points.size(), -1);
+  Random random(3);
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (in_box(points[n])) {
+      names[n] = static_cast<std::int32_t>(places.size());
+      places.push_back(points[n] + shift);
+    } else if (!in_box(points[n] - shift) || random.uniform() < rest_in_box) {
+      places.push_back(points[n]);
+    }
+  }
+  std::vector<std::int32_t> still = all(places.size());
+  for (const std::int32_t n : names) std::erase(still, n);
+  Box box = unit_box();
+  box.add(Vec3{1, 1, 1} + shift);
+  Delaunay mesh(box);
+  mesh.insert(places, still, kRun);
+  mesh.insert_moved(from, names, places, kRun);
+  Delaunay expected(box);
+  expected.insert(places, all(places.size()), kRun);
+  ASSERT_EQ(sorted_tets(mesh), sorted_tets(expected));
+  // Its tets hang together: it can be changed.
+  follow(mesh, places);
+  ASSERT_TRUE(mesh.remove(std::vector<std::int32_t>{names[0] < 0 ? 0 : names[0], 5, 100}, kRun));
+}
+
+TEST(Delaunay, NodesThatMoveAsOneBodyBringTheirTetsAlong) {
+  move_a_box({0.5, 0.25, 0.375}, 0);
+  move_a_box({3, 0, 0}, 0);
+}
+
+TEST(Delaunay, ABodyThatGoesWhereOtherNodesStayIsMeshedWithThem) {
+  move_a_box({0.5, 0.25, 0.375}, 0.3);
+}
+
 TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
   const auto before = cloud(400, 7);
   auto points = before;
