@@ -272,18 +272,20 @@ std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling
                                                          const Run& run) {
   Polling poll(run);
   std::vector<std::uint8_t> at_wall(filling.points_.size(), 0);
-  for (const Wall& w : walls)
+  std::vector<std::uint32_t> begin(filling.points_.size() + 1, 0);  // by lowest vertex
+  for (const Wall& w : walls) {
     for (const std::int32_t v : w.v) at_wall[v] = 1;
+    ++begin[w.key[0] + 1];
+  }
+  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
   const auto wall_at = [&](const Slot& s, int i) -> std::int32_t {
     const auto& f = kTetFacets[i];
     if (!(at_wall[s.v[f[0]]] & at_wall[s.v[f[1]]] & at_wall[s.v[f[2]]])) return -1;
     const auto key = Wall::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
-    auto at = std::lower_bound(walls.begin(), walls.end(), key,
-                               [](const Wall& w, const auto& k) { return w.key < k; });
-    for (; at != walls.end() && at->key == key; ++at)
+    for (std::uint32_t w = begin[key[0]]; w < begin[key[0] + 1]; ++w)
       // Seen from inside, a wall turns the other way than the tet's own outward facet.
-      if (same_turn(at->v, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}))
-        return static_cast<std::int32_t>(at - walls.begin());
+      if (walls[w].key == key && same_turn(walls[w].v, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}))
+        return static_cast<std::int32_t>(w);
     return -1;
   };
   std::vector<std::int32_t> inside(filling.slots_.size(), -1);

@@ -167,13 +167,18 @@ void Delaunay::let_go(std::span<const std::int32_t> touched, std::span<const Vec
 
 void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
                         const Run& run) {
+  // A facet between two touched tets is looked at from one side.
+  ++epoch_;
+  for (const std::int32_t t : touched) seen_[t] = 2 * epoch_;
   std::vector<std::int32_t> stack;
   for (const std::int32_t t : touched)
-    for (int i = 0; i < 4; ++i)
-      if (slots_[t].n[i] >= 0)
-        stack.push_back(4 * t + i);
-      else
+    for (int i = 0; i < 4; ++i) {
+      const std::int32_t across = slots_[t].n[i];
+      if (across < 0)
         look_beyond(4 * t + i);
+      else if (across >> 2 > t || seen_[across >> 2] != 2 * epoch_)
+        stack.push_back(4 * t + i);
+    }
   Polling poll(run);
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
