@@ -126,6 +126,18 @@ void order_faces(BoundaryParts& parts, double gap) {
   rearrange(parts.pieces, order);
 }
 
+/// More than a face stands off its triangles.
+double bulge(const Brep& brep, const BrepFace& face, const Surface& surface) {
+  if (surface.kind == Surface::Kind::Plane) return 0;
+  double off = 0;
+  for (const auto& [a, b, c] : face.triangles) {
+    const Vec3 &p = brep.points[a], &q = brep.points[b], &r = brep.points[c];
+    for (const Vec3& middle : {0.5 * (p + q), 0.5 * (q + r), 0.5 * (r + p), (p + q + r) / 3})
+      off = std::max(off, std::fabs(signed_distance(surface, middle)));
+  }
+  return 2 * off;
+}
+
 }  // namespace
 
 Box box_of(const BrepEdge& edge) {
@@ -142,14 +154,31 @@ Box box_of(const Brep& brep, const BrepFace& face, const Surface& surface) {
   Box box;
   for (const int e : face.edges) box.add(box_of(brep.edges[e]));
   if (surface.kind == Surface::Kind::Plane) return box;
-  double off = 0;
-  for (const auto& [a, b, c] : face.triangles) {
-    const Vec3 &p = brep.points[a], &q = brep.points[b], &r = brep.points[c];
-    for (const Vec3& corner : {p, q, r}) box.add(corner);
-    for (const Vec3& middle : {0.5 * (p + q), 0.5 * (q + r), 0.5 * (r + p), (p + q + r) / 3})
-      off = std::max(off, std::fabs(signed_distance(surface, middle)));
+  for (const auto& triangle : face.triangles)
+    for (const int p : triangle) box.add(brep.points[p]);
+  return grown(box, bulge(brep, face, surface));
+}
+
+bool touches(const std::vector<Box>& boxes, const BrepEdge& edge) {
+  const double by = edge.kind == BrepEdge::Kind::Line ? 0 : kBulge;
+  for (std::size_t i = 1; i < edge.points.size(); ++i) {
+    const Vec3 &a = edge.points[i - 1], &b = edge.points[i];
+    Box box;
+    box.add(a);
+    box.add(b);
+    if (touch(boxes, grown(box, by * distance(a, b)))) return true;
   }
-  return grown(box, 2 * off);
+  return false;
+}
+
+bool touches(const std::vector<Box>& boxes, const Brep& brep, const BrepFace& face,
+             const Surface& surface) {
+  const double by = bulge(brep, face, surface);
+  return std::ranges::any_of(face.triangles, [&](const std::array<int, 3>& triangle) {
+    Box box;
+    for (const int p : triangle) box.add(brep.points[p]);
+    return touch(boxes, grown(box, by));
+  });
 }
 
 bool looks_along(const BoundaryParts& parts, int face) {

@@ -42,6 +42,12 @@ void put_in_order(BoundaryParts& parts);
 Box box_of(const kernel::BrepEdge& edge);
 Box box_of(const kernel::Brep& brep, const kernel::BrepFace& face, const Surface& surface);
 
+/// Whether a part of an edge meets one of the boxes: finer than box_of.
+bool touches(const std::vector<Box>& boxes, const kernel::BrepEdge& edge);
+/// Whether a part of a face does, apart from what lies between its edges and their chords.
+bool touches(const std::vector<Box>& boxes, const kernel::Brep& brep, const kernel::BrepFace& face,
+             const Surface& surface);
+
 /// Whether the outward normal of a piece is that of its surface.
 bool looks_along(const BoundaryParts& parts, int face);
 

@@ -29,8 +29,20 @@ struct Meeting {
   std::vector<char> edges, faces;
 
   Meeting(const BoundaryParts& parts, const std::vector<Box>& boxes) {
-    for (const BrepEdge& edge : parts.brep.edges) edges.push_back(touch(boxes, box_of(edge)));
-    for (const BoundaryPiece& piece : parts.pieces) faces.push_back(touch(boxes, piece.box));
+    for (const BrepEdge& edge : parts.brep.edges) edges.push_back(touches(boxes, edge));
+    for (int f = 0; f < static_cast<int>(parts.pieces.size()); ++f)
+      faces.push_back(face_meets(parts, f, boxes));
+  }
+
+ private:
+  /// A round face or a frame may go all round a box: a part of it has to meet one.
+  [[nodiscard]] bool face_meets(const BoundaryParts& parts, int f,
+                                const std::vector<Box>& boxes) const {
+    const BoundaryPiece& piece = parts.pieces[f];
+    const BrepFace& face = parts.brep.faces[f];
+    return touch(boxes, piece.box) &&
+           (std::ranges::any_of(face.edges, [&](int e) { return edges[e] != 0; }) ||
+            touches(boxes, parts.brep, face, piece.surface));
   }
 };
 

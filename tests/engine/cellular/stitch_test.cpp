@@ -80,6 +80,23 @@ TEST(StitchTest, OneOfManyFeaturesIsAllThatIsFused) {
   check(mixed, test::with_parameter(mixed, "p1slot0", "length", 60), "slots that meet");
 }
 
+TEST(StitchTest, ARoundWallAllRoundAChangeStays) {
+  const ModelSource disc = test::case_model("tool1-a");
+  const Made base(disc);
+  for (const std::string name : {"tool1-ab", "tool1-ac"}) {
+    const ModelSource edited = apply(disc, test::case_edit(name));
+    const Made made(edited, base);
+    EXPECT_TRUE(stitches(edited, base)) << name;
+    // The rim of the plate lies round pins and holes, but is not near them.
+    int kept = 0;
+    for (const kernel::BrepEdge& edge : base.cells.parts->brep.edges)
+      if (edge.radius == 50)
+        for (const kernel::BrepEdge& other : made.cells.parts->brep.edges)
+          kept += other.points == edge.points ? 1 : 0;
+    EXPECT_EQ(kept, 2) << name;
+  }
+}
+
 TEST(StitchTest, FeaturesComeGoChangePlacesAndNatures) {
   const ModelSource plate = test::plate_with_grid(26);
   ModelSource removed = plate, turned = plate, reordered = plate, renamed = plate;
