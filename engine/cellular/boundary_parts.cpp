@@ -191,14 +191,18 @@ bool looks_along(const BoundaryParts& parts, int face) {
   return along > 0;
 }
 
-void put_in_order(BoundaryParts& parts) {
-  const double gap = kOrderGap * kernel_tolerance(parts.brep);
-  std::vector<char> used(parts.brep.edges.size(), 0);
-  for (const BrepFace& face : parts.brep.faces)
+void put_edges_in_order(Brep& brep) {
+  const double gap = kOrderGap * kernel_tolerance(brep);
+  std::vector<char> used(brep.edges.size(), 0);
+  for (const BrepFace& face : brep.faces)
     for (const int e : face.edges) used[e] = 1;
-  order_vertices(parts.brep, used, gap);
-  order_edges(parts.brep, used, gap);
-  order_faces(parts, gap);
+  order_vertices(brep, used, gap);
+  order_edges(brep, used, gap);
+}
+
+void put_in_order(BoundaryParts& parts) {
+  put_edges_in_order(parts.brep);
+  order_faces(parts, kOrderGap * kernel_tolerance(parts.brep));
 }
 
 BoundaryParts boundary_parts(const Brep& brep, const std::vector<BoundaryPiece>& pieces) {

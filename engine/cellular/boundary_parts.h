@@ -38,6 +38,9 @@ BoundaryParts boundary_parts(const kernel::Brep& brep, const std::vector<Boundar
 /// its geometry, which noise does not change.
 void put_in_order(BoundaryParts& parts);
 
+/// The same for vertices, edges and points alone; faces stay where they are.
+void put_edges_in_order(kernel::Brep& brep);
+
 /// The box of an edge or face, where chords cut it short too.
 Box box_of(const kernel::BrepEdge& edge);
 Box box_of(const kernel::Brep& brep, const kernel::BrepFace& face, const Surface& surface);

@@ -10,6 +10,7 @@
 #include "engine/cellular/fuse_features.h"
 #include "engine/cellular/plane_face.h"
 #include "engine/cellular/skeleton.h"
+#include "engine/cellular/swept_parts.h"
 
 namespace remeshd {
 namespace {
@@ -62,11 +63,12 @@ std::vector<int> features_to_fuse(const Membership& membership, const BoundaryPa
   return features;
 }
 
-BoundaryParts fuse_some(const EditedModel& edited, const std::vector<int>& features,
-                        const FuseFrame& frame, const Run& run) {
+/// By the CAD kernel.
+FusedParts fuse_some(const EditedModel& edited, const std::vector<int>& features,
+                     const FuseFrame& frame, const Run& run) {
   BoundaryParts out;
   out.brep.scale = frame.scale;
-  if (features.empty()) return out;
+  if (features.empty()) return {out, {}};
   FeatureModel some;
   for (const int f : features) some.features.push_back(edited.model.features[f]);
   fuse_features(some, Membership(some), frame, run, [&](const FusedFeatures& fused) {
@@ -75,24 +77,31 @@ BoundaryParts fuse_some(const EditedModel& edited, const std::vector<int>& featu
   for (BoundaryPiece& piece : out.pieces)
     for (auto* names : {&piece.material_names, &piece.other_names})
       for (FaceName& name : *names) name.feature = features[name.feature];
-  return out;
+  std::vector<char> along;
+  for (int f = 0; f < static_cast<int>(out.pieces.size()); ++f)
+    along.push_back(looks_along(out, f) ? 1 : 0);
+  return {std::move(out), std::move(along)};
 }
 
 class Stitcher {
  public:
-  Stitcher(const BoundaryParts& base, const Changes& changes, const BoundaryParts& fused,
+  Stitcher(const BoundaryParts& base, const Changes& changes, const FusedParts& fused,
            const Meeting& meeting)
-      : base_(base), changes_(changes), fused_(fused), meeting_(meeting) {
-    out_.brep.scale = fused.brep.scale;
+      : base_(base),
+        changes_(changes),
+        fused_(fused.parts),
+        fused_along_(fused.along),
+        meeting_(meeting) {
+    out_.brep.scale = fused_.brep.scale;
     out_.brep.reference = base.brep.reference;
-    same_point_ = kSamePoint * 0.1 * kernel_tolerance(fused.brep);
+    same_point_ = kSamePoint * 0.1 * kernel_tolerance(fused_.brep);
   }
 
   /// Nothing where it does not fit together.
   std::optional<BoundaryParts> stitch(const Membership& membership) {
     keep_edges();
     const Meeting fused_meeting(fused_, changes_.boxes);
-    if (!keep_faces() || !take_edges(fused_meeting) || !take_faces(fused_meeting) ||
+    if (!keep_faces() || !take_edges(fused_meeting) || !take_faces(fused_meeting, membership) ||
         !rebuild_planes(membership) || !closed() || !one_piece())
       return std::nullopt;
     put_in_order(out_);
@@ -241,7 +250,7 @@ class Stitcher {
     return false;
   }
 
-  bool take_faces(const Meeting& meeting) {
+  bool take_faces(const Meeting& meeting, const Membership& membership) {
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f) {
       if (!meeting.faces[f] || is_plane(fused_.pieces[f])) continue;
       BrepFace face = fused_.brep.faces[f];
@@ -249,6 +258,7 @@ class Stitcher {
       std::ranges::sort(face.edges);
       for (auto& triangle : face.triangles)
         for (int& p : triangle) p = take_point(fused_.brep, taken_, p);
+      if (!parts_material(face, fused_.pieces[f].surface, membership)) return false;
       out_.brep.faces.push_back(std::move(face));
       out_.pieces.push_back(fused_.pieces[f]);
     }
@@ -277,11 +287,11 @@ class Stitcher {
     std::vector<BoundaryPiece> renamed;  // families point into it
     renamed.reserve(base_.pieces.size());
     const auto gather = [&](const BoundaryParts& parts, std::size_t f, const BoundaryPiece& piece,
-                            const std::vector<int>& number, int first) {
+                            bool along, const std::vector<int>& number, int first) {
       Family* family = nullptr;
       for (const int e : parts.brep.faces[f].edges) {
         if (number[e] < first) continue;
-        if (family == nullptr) family = &family_of(piece, looks_along(parts, static_cast<int>(f)));
+        if (family == nullptr) family = &family_of(piece, along);
         ++family->uses[number[e]];
       }
       return family;
@@ -291,14 +301,15 @@ class Stitcher {
       BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
       const bool whole = rename(piece);
       // What a changed feature covered lies in its box, with all its edges.
-      Family* family = gather(base_, f, piece, kept_.edges, 0);
+      Family* family =
+          gather(base_, f, piece, looks_along(base_, static_cast<int>(f)), kept_.edges, 0);
       if (family == nullptr) continue;
       if (!whole) return false;
       add_known(base_.brep.faces[f], family->known);
     }
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
       if (is_plane(fused_.pieces[f]))
-        gather(fused_, f, fused_.pieces[f], taken_.edges, kept_edges_);
+        gather(fused_, f, fused_.pieces[f], fused_along_[f] != 0, taken_.edges, kept_edges_);
     for (Family& family : families_)
       if (!rebuild(family, membership)) return false;
     return true;
@@ -331,7 +342,7 @@ class Stitcher {
         for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
         face.swept_volume = -face.swept_volume;
       }
-      if (!parts_material(face, membership)) return false;
+      if (!parts_material(face, family.piece->surface, membership)) return false;
       BoundaryPiece piece = *family.piece;
       piece.box = box_of(out_.brep, face, piece.surface);
       out_.brep.faces.push_back(std::move(face));
@@ -341,14 +352,15 @@ class Stitcher {
   }
 
   /// Whether there is material behind the face and none before, at its largest triangle.
-  [[nodiscard]] bool parts_material(const BrepFace& face, const Membership& membership) const {
+  [[nodiscard]] bool parts_material(const BrepFace& face, const Surface& surface,
+                                    const Membership& membership) const {
     const auto& points = out_.brep.points;
     Vec3 largest, at;
     for (const auto& [a, b, c] : face.triangles) {
       const Vec3 n = cross(points[b] - points[a], points[c] - points[a]);
       if (norm2(n) <= norm2(largest)) continue;
       largest = n;
-      at = (points[a] + points[b] + points[c]) / 3;
+      at = project(surface, (points[a] + points[b] + points[c]) / 3);
     }
     const Vec3 step = kProbe * membership.bounds().diagonal() * normalised(largest);
     return membership.inside(at - step) && !membership.inside(at + step);
@@ -413,6 +425,7 @@ class Stitcher {
   const BoundaryParts& base_;
   const Changes& changes_;
   const BoundaryParts& fused_;
+  const std::vector<char>& fused_along_;
   const Meeting& meeting_;
   BoundaryParts out_;
   Taken kept_{base_.brep}, taken_{fused_.brep};
@@ -429,14 +442,18 @@ std::optional<BoundaryParts> stitch(const EditedModel& edited, const StitchBase&
   const Meeting meeting(base.parts, changes.boxes);
   const std::vector<int> features =
       features_to_fuse(edited.membership, base.parts, meeting, changes.boxes);
-  if (features.size() >= edited.model.features.size()) return std::nullopt;
   const Box& bounds = edited.membership.bounds();
   if (distance(base.parts.brep.reference, bounds.lo) > kFarReference * bounds.diagonal())
     return std::nullopt;
   FuseFrame frame = fuse_frame(edited.membership);
   frame.reference = base.parts.brep.reference;
-  const BoundaryParts fused = fuse_some(edited, features, frame, run);
-  return Stitcher(base.parts, changes, fused, meeting).stitch(edited.membership);
+  const auto stitched = [&](const FusedParts& fused) {
+    return Stitcher(base.parts, changes, fused, meeting).stitch(edited.membership);
+  };
+  if (const auto swept = swept_parts(edited.model, edited.membership, features, frame))
+    if (auto parts = stitched(*swept)) return parts;
+  if (features.size() >= edited.model.features.size()) return std::nullopt;
+  return stitched(fuse_some(edited, features, frame, run));
 }
 
 }  // namespace remeshd
