@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace remeshd {
+namespace {
+
+constexpr std::size_t kMaxColumns = 50'000;  // more would take longer than the kernel
+
+}  // namespace
 
 std::optional<Levels> Levels::find(const Sweeps& sweeps, const Outlines& outlines,
                                    const Membership& membership, double diagonal) {
@@ -20,6 +25,7 @@ std::optional<Levels> Levels::find(const Sweeps& sweeps, const Outlines& outline
       return std::nullopt;
   }
   out.z_ = std::move(apart);
+  if (outlines.pieces.size() * (out.z_.size() + 1) > kMaxColumns) return std::nullopt;
   const auto height = [&](double z) {
     return static_cast<int>(std::ranges::upper_bound(out.z_, z) - out.z_.begin()) - 1;
   };

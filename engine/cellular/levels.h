@@ -19,7 +19,7 @@ class Levels {
     bool material = false;
   };
 
-  /// Nothing where two heights are not clearly the same or apart.
+  /// Nothing where two heights are not clearly the same or apart, or there are very many.
   static std::optional<Levels> find(const Sweeps& sweeps, const Outlines& outlines,
                                     const Membership& membership, double diagonal);
 

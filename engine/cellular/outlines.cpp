@@ -8,7 +8,9 @@
 namespace remeshd {
 namespace {
 
+// More would take longer than the kernel.
 constexpr std::size_t kMaxSides = 1500;  // pairs of sides are looked at
+constexpr int kMaxSearches = 10'000;     // for a node
 // Of a radius: chords stay further apart than they stand off their circles, and triangles between
 // them are no slivers.
 constexpr double kClearChords = 0.03;
@@ -66,6 +68,7 @@ class Arrangement {
   };
 
   int node(const Vec3& p) {
+    if (++searches_ > kMaxSearches) clear_of_doubt_ = false;
     for (int n = 0; n < static_cast<int>(out_.nodes.size()); ++n) {
       const double d = distance(out_.nodes[n], p);
       if (d <= same_) return n;
@@ -184,6 +187,7 @@ class Arrangement {
   const Membership& membership_;
   double same_, clear_;
   bool clear_of_doubt_ = true;
+  int searches_ = 0;
   std::vector<Placed> sides_;
   std::map<std::array<int, 2>, int> line_;  ///< pieces by nodes
   Outlines out_;

@@ -34,7 +34,8 @@ struct Outlines {
 /// Splits outlines by each other and merges what coincides.
 ///
 /// Returns nothing where round sides meet others but at their ends, which a kernel is for, or
-/// anything comes so near to something else that it is not clear whether they meet.
+/// anything comes so near to something else that it is not clear whether they meet, or there are
+/// very many.
 std::optional<Outlines> arrange_outlines(const Sweeps& sweeps, const Membership& membership,
                                          double diagonal);
 

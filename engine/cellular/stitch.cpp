@@ -50,16 +50,21 @@ struct Meeting {
 /// The features, by index in the edited model, that decide inside of the boxes.
 std::vector<int> features_to_fuse(const Membership& membership, const BoundaryParts& base,
                                   const Meeting& meeting, const std::vector<Box>& boxes) {
-  std::vector<Box> near = boxes;
   const double margin = kernel_tolerance(base.brep);
-  for (std::size_t f = 0; f < base.pieces.size(); ++f)
-    if (meeting.faces[f] && !is_plane(base.pieces[f]))
-      near.push_back(grown(base.pieces[f].box, margin));
-  for (std::size_t e = 0; e < base.brep.edges.size(); ++e)
-    if (meeting.edges[e]) near.push_back(grown(box_of(base.brep.edges[e]), margin));
+  const auto near = [&](const Box& bounds) {
+    const std::vector<Box> feature{grown(bounds, margin)};
+    if (touch(boxes, feature.front())) return true;
+    for (std::size_t f = 0; f < base.pieces.size(); ++f)
+      if (meeting.faces[f] && !is_plane(base.pieces[f]) && touch(feature, base.pieces[f].box) &&
+          touches(feature, base.brep, base.brep.faces[f], base.pieces[f].surface))
+        return true;
+    for (std::size_t e = 0; e < base.brep.edges.size(); ++e)
+      if (meeting.edges[e] && touches(feature, base.brep.edges[e])) return true;
+    return false;
+  };
   std::vector<int> features;
   for (int f = 0; f < static_cast<int>(membership.solids().size()); ++f)
-    if (touch(near, membership.solids()[f].bounds())) features.push_back(f);
+    if (near(membership.solids()[f].bounds())) features.push_back(f);
   return features;
 }
 

@@ -97,6 +97,16 @@ TEST(StitchTest, ARoundWallAllRoundAChangeStays) {
   }
 }
 
+TEST(StitchTest, WhatARoundWallGoesAroundIsNotNearIt) {
+  const ModelSource disc = test::case_model("tool1-a");
+  // Through the rim, for the CAD kernel, but not with all that stands on the disc.
+  ModelSource edited = disc;
+  ASSERT_EQ(edited.features[7].id, "hole1");
+  edited.features[7].placement.origin = {48.0, 0.0, 0.0};
+  EXPECT_TRUE(stitches(edited, Made(disc)));
+  expect_same_both_ways(disc, edited, "hole through the rim");
+}
+
 TEST(StitchTest, FeaturesComeGoChangePlacesAndNatures) {
   const ModelSource plate = test::plate_with_grid(26);
   ModelSource removed = plate, turned = plate, reordered = plate, renamed = plate;
