@@ -129,7 +129,6 @@ Sweep moved(Sweep sweep, const Transform& to, int axis) {
   };
   const Vec3 along = column(Transform(), axis);
   const bool same_way = to.rotate(along).z > 0;
-  const bool same_turn = same_way;  // rigid: the outline turns over with the axis
   sweep.low = to.apply(sweep.low * along).z;
   sweep.high = to.apply(sweep.high * along).z;
   if (!same_way) {
@@ -141,7 +140,7 @@ Sweep moved(Sweep sweep, const Transform& to, int axis) {
     side.from = flat(side.from);
     side.to = closed ? side.from : flat(side.to);
     side.centre = flat(side.centre);
-    side.left_turn = side.left_turn == same_turn;
+    side.left_turn = side.left_turn == same_way;  // the outline turns over with the axis
   }
   if (turning(sweep.sides) < 0) {
     std::ranges::reverse(sweep.sides);

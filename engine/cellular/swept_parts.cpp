@@ -1,8 +1,6 @@
 #include "engine/cellular/swept_parts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "engine/cellular/levels.h"
 #include "engine/cellular/swept_edges.h"
@@ -50,15 +48,13 @@ class SweptParts {
     BoundaryPiece piece;
     piece.boundary = true;
     std::ranges::sort(covers, std::ranges::greater{}, &OutlineCover::sweep);
-    const Surface *of_material = nullptr, *of_other = nullptr;
     for (const OutlineCover& cover : covers) {
       const bool owns = std::ranges::binary_search(behind, cover.sweep);
-      const Surface*& surface = owns ? of_material : of_other;
-      if (surface == nullptr) surface = &cover.face->surface;
-      (owns ? piece.material_names : piece.other_names)
-          .push_back({sweeps_.sweeps[cover.sweep].feature, cover.face->name});
+      auto& names = owns ? piece.material_names : piece.other_names;
+      if (names.empty() && (owns || piece.material_names.empty()))
+        piece.surface = cover.face->surface;  // that of the first name of all
+      names.push_back({sweeps_.sweeps[cover.sweep].feature, cover.face->name});
     }
-    piece.surface = of_material != nullptr ? *of_material : *of_other;
     return piece;
   }
 
