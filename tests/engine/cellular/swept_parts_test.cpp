@@ -7,7 +7,6 @@
 #include "engine/base/error.h"
 #include "engine/base/random.h"
 #include "engine/cellular/cellular_model.h"
-#include "engine/cellular/outlines.h"
 #include "engine/cellular/stitch.h"
 #include "tests/support/cases.h"
 #include "tests/support/same_boundary.h"
@@ -49,14 +48,6 @@ std::optional<FusedParts> parts_of(const ModelSource& source) {
   return swept_parts(model, membership, all_of(model), frame);
 }
 
-std::optional<Outlines> outlines_of(const ModelSource& source) {
-  const FeatureModel model = evaluate(source);
-  const Membership membership(model);
-  const auto sweeps = find_sweeps(model, membership, all_of(model));
-  return sweeps ? arrange_outlines(*sweeps, membership, membership.bounds().diagonal())
-                : std::nullopt;
-}
-
 TEST(SweptPartsTest, FeaturesAlongOneDirectionNeedNoKernel) {
   for (const char* name : {"simple-a", "tool1-a", "tool1-c", "tool2-a", "tool3-b"})
     EXPECT_TRUE(parts_of(test::case_model(name))) << name;
@@ -85,28 +76,6 @@ TEST(SweptPartsTest, WhatIsInDoubtIsLeftToTheKernel) {
   EXPECT_TRUE(with(placed(block("step", 20, 4, 4), 0, 0, 2))) << "flush";
   EXPECT_FALSE(with(placed(block("step", 20, 4, 4), 1e-7, 0, 2))) << "nearly flush";
   EXPECT_FALSE(with(placed(block("step", 5, 4, 4), 0, 0, 2 - 1e-7))) << "nearly on top";
-}
-
-TEST(OutlinesTest, OverlappingSidesAreOnePieceAndCrossingOnesAreSplit) {
-  // A square with a bar from rim to rim, and one that sticks out.
-  const auto bar = outlines_of(model_of({block("a", 10, 10, 1), block("b", 2, 10, 1)}));
-  ASSERT_TRUE(bar);
-  EXPECT_EQ(bar->nodes.size(), 8U);
-  EXPECT_EQ(bar->pieces.size(), 10U);
-  const auto cross = outlines_of(model_of({block("a", 10, 10, 1), block("b", 2, 12, 1)}));
-  ASSERT_TRUE(cross);
-  EXPECT_EQ(cross->nodes.size(), 12U);
-  EXPECT_EQ(cross->pieces.size(), 16U);
-}
-
-TEST(OutlinesTest, CirclesThatCoincideAreOne) {
-  const auto outlines =
-      outlines_of(model_of({block("a", 10, 10, 1), cylinder("b", 2, 1), cylinder("c", 2, 4),
-                            turned(cylinder("d", 2, 1), {0, 0, -1}, {1, 0, 0})}));
-  ASSERT_TRUE(outlines);
-  EXPECT_EQ(outlines->pieces.size(), 5U);
-  EXPECT_EQ(outlines->pieces.back().left, (std::vector{0, 1, 2, 3}));
-  EXPECT_EQ(outlines->pieces.back().right, std::vector{0});
 }
 
 /// A feature with sizes and places on a coarse grid, so that much is flush.
