@@ -23,20 +23,41 @@ struct Chain {
 
 class ChainOfEdits : public testing::TestWithParam<Chain> {};
 
-TEST_P(ChainOfEdits, IsAsGoodAsFreshAfterAHundred) {
-  ModelSource source = test::case_model(GetParam().model);
-  Random random(7);
+/// How the mesh at the end of a chain stands to one that is made of its model at once.
+struct Ending {
+  double lost;   ///< mean volume-length
+  double nodes;  ///< ratio
+};
+
+Ending end_of_chain(const Chain& chain, std::uint64_t seed) {
+  ModelSource source = test::case_model(chain.model);
+  Random random(seed);
   Revision r = make_revision(nullptr, source, {.nodes = 2000}, kRun);
   for (int k = 0; k < 100; ++k) {
-    const Knob& knob = GetParam().knobs[random.below(GetParam().knobs.size())];
+    const Knob& knob = chain.knobs[random.below(chain.knobs.size())];
     source.parameters[knob.parameter] = random.uniform(knob.lo, knob.hi);
     r = make_revision(&r, source, {}, kRun);
   }
-  const Revision fresh = make_revision(nullptr, source, {.size = r.edge_length}, kRun);
-  EXPECT_GE(r.report.quality.volume_length_mean, fresh.report.quality.volume_length_mean - 0.01);
-  EXPECT_NEAR(r.report.counts.nodes, fresh.report.counts.nodes, 0.12 * fresh.report.counts.nodes);
   EXPECT_TRUE(verify(r.delivery.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
+  const Revision fresh = make_revision(nullptr, source, {.size = r.edge_length}, kRun);
+  return {fresh.report.quality.volume_length_mean - r.report.quality.volume_length_mean,
+          static_cast<double>(r.report.counts.nodes) / fresh.report.counts.nodes};
 }
+
+/// What a single chain ends with depends on roundings: its nodes spread by .035 of a fresh mesh's,
+/// its mean measure by .004. What edits wear off shows in the mean of some.
+TEST_P(ChainOfEdits, IsAsGoodAsFreshAfterAHundred) {
+  constexpr int kChains = 3;
+  Ending mean{0, 0};
+  for (std::uint64_t seed = 7; seed < 7 + kChains; ++seed) {
+    const Ending ending = end_of_chain(GetParam(), seed);
+    mean.lost += ending.lost / kChains;
+    mean.nodes += ending.nodes / kChains;
+  }
+  EXPECT_LE(mean.lost, 0.01);
+  EXPECT_NEAR(mean.nodes, 1, 0.1);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Models, ChainOfEdits,
     testing::Values(Chain{"simple-a", {{"top_x", -20, 20}}},
