@@ -1,5 +1,7 @@
 #include "engine/optimise/relocate.h"
 
+#include <utility>
+
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
@@ -11,35 +13,71 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
   return moves;
 }
 
+namespace {
+
+/// What moves a node: sums over its tets.
+struct Pull {
+  Vec3 moment;
+  double volume = 0;
+};
+
+/// Adds a tet to the sums of those of its nodes that have a 1 in `at`.
+void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at,
+         std::vector<Pull>& pulls) {
+  const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
+             &d = nodes.positions[t[3]];
+  const Vec3 ab = b - a, ac = c - a, ad = d - a;
+  const Vec3 nc = cross(ab, ac), nd = cross(ac, ad), nb = cross(ad, ab);
+  const double six_volume = dot(nc, ad);
+  // Volume times circumcentre, relative to a; needs no division, so that slivers do no harm.
+  const Vec3 m = (norm2(ad) * nc + norm2(ac) * nb + norm2(ab) * nd) / 12.0;
+  for (const std::int32_t n : t) {
+    if (!at[n]) continue;
+    pulls[n].moment += m + (six_volume / 6) * (a - nodes.positions[n]);
+    pulls[n].volume += six_volume / 6;
+  }
+}
+
+bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
+  return (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) != 0;
+}
+
+}  // namespace
+
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside, const Run& run) {
-  struct Pull {
-    Vec3 moment;
-    double volume = 0;
-  };
   const std::vector<std::uint8_t> moves = relocated(nodes);
   std::vector<Pull> pulls(moves.size());
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (!(moves[t[0]] | moves[t[1]] | moves[t[2]] | moves[t[3]])) continue;
-    const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
-               &d = nodes.positions[t[3]];
-    const Vec3 ab = b - a, ac = c - a, ad = d - a;
-    const Vec3 nc = cross(ab, ac), nd = cross(ac, ad), nb = cross(ad, ab);
-    const double six_volume = dot(nc, ad);
-    // Volume times circumcentre, relative to a; needs no division, so that slivers do no harm.
-    const Vec3 m = (norm2(ad) * nc + norm2(ac) * nb + norm2(ab) * nd) / 12.0;
-    for (const std::int32_t n : t) {
-      if (!moves[n]) continue;
-      pulls[n].moment += m + (six_volume / 6) * (a - nodes.positions[n]);
-      pulls[n].volume += six_volume / 6;
-    }
+    if (any(moves, t)) add(nodes, t, moves, pulls);
   }
+  std::vector<Vec3> to = nodes.positions;
+  std::vector<std::uint8_t> stuck(moves.size(), 0);
+  std::vector<std::int32_t> all_stuck;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
     if (!moves[n] || pulls[n].volume <= 0) continue;
     const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
-    if (inside(p)) nodes.positions[n] = p;
+    if (inside(p)) {
+      to[n] = p;
+      continue;
+    }
+    stuck[n] = 1;
+    pulls[n] = {};
+    all_stuck.push_back(n);
   }
+  if (!all_stuck.empty()) {
+    for (const Tet& t : tets)
+      if (any(stuck, t) && inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
+                                          nodes.positions[t[2]] + nodes.positions[t[3]])))
+        add(nodes, t, stuck, pulls);
+    for (const std::int32_t n : all_stuck) {
+      if (pulls[n].volume <= 0) continue;
+      const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
+      if (inside(p)) to[n] = p;
+    }
+  }
+  nodes.positions = std::move(to);
 }
 
 double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& run) {
@@ -49,7 +87,7 @@ double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& 
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (!(moves[t[0]] | moves[t[1]] | moves[t[2]] | moves[t[3]])) continue;
+    if (!any(moves, t)) continue;
     const auto& p = nodes.positions;
     quality += volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
     ++counted;

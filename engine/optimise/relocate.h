@@ -15,7 +15,9 @@ namespace remeshd {
 std::vector<std::uint8_t> relocated(const NodeSet& nodes);
 
 /// Moves every free interior node to the volume-weighted mean of the circumcentres of its tets
-/// (formula 1 of Sect. 3.3; Chen 2003), with step 1. A move out of the model is not made.
+/// (formula 1 of Sect. 3.3; Chen 2003), with step 1. A node that this would move out of the model,
+/// for one in a crowd on the boundary may have no samples and tets on both sides, goes by its tets
+/// inside alone, or stays.
 ///
 /// `tets`: all those at such nodes; others may be among them.
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside, const Run& run);

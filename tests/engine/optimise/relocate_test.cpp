@@ -71,5 +71,15 @@ TEST(Relocate, FixedAndBoundaryNodesStay) {
   EXPECT_EQ(boundary.nodes.positions[6], (Vec3{0.2, 0, 2}));
 }
 
+TEST(Relocate, ANodeInTheBoundaryThatTetsOutsidePullOutGoesIn) {
+  // Half of the octahedron, the larger one, is outside.
+  Octahedron o({0.1, 0, 2});
+  o.nodes.positions[4].z = 6;
+  const InsideTest below = [](const Vec3& p) { return p.z <= 2; };
+  relocate(o.nodes, o.tets, below, {});
+  EXPECT_LT(o.nodes.positions[6].z, 1.99);
+  EXPECT_GT(o.nodes.positions[6].z, 1);
+}
+
 }  // namespace
 }  // namespace remeshd
