@@ -23,7 +23,10 @@ namespace remeshd {
 namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
-constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
+constexpr double kNearChange = 2;  // x edge length: further from the changed boxes nodes stay
+// New cells have moved where so many nodes go for each that comes, have been added below the other.
+constexpr double kMoved = 0.5, kAdded = 0.25;
+constexpr double kLeastWanted = 0.6, kMostWanted = 1.25;  // x the mean density
 constexpr double kSampledBeyond = 1.5;  // x edge length: as far as a node looks for its samples
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
@@ -101,6 +104,24 @@ std::vector<std::int32_t> nodes_to_look_at(const Revision& original, const Point
   return nodes;
 }
 
+/// Share of the nodes that a filling of the mean density has which the new cells get. Where cells
+/// have moved rather than been added, what was on the boundary and is inside now, or inside and on
+/// the boundary, has its nodes already: there are to be as many as the modified model needs beside
+/// the copies, were the original as dense as it should be.
+double share_wanted(const Revision& original, const Density& density, std::size_t copied,
+                    std::size_t filled) {
+  if (!density.expected || filled == 0) return 1;
+  const CellularModel& then = original.cells;
+  const auto all = static_cast<double>(original.master->positions().size());
+  const double wanted =
+      *density.expected - static_cast<double>(copied) / all *
+                              expected_nodes(then.volume, then.area, original.edge_length);
+  const double filling = static_cast<double>(filled);
+  const double moved = (all - static_cast<double>(copied)) / filling;
+  const double weight = std::clamp((moved - kAdded) / (kMoved - kAdded), 0.0, 1.0);
+  return 1 + weight * (std::clamp(wanted / filling, kLeastWanted, kMostWanted) - 1);
+}
+
 /// The tets of the model at some of the nodes.
 std::vector<Tet> tets_at(const Master& master, std::span<const std::int32_t> nodes) {
   std::vector<std::uint8_t> wanted(master.positions().size(), 0);
@@ -159,7 +180,8 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
     density.edge_length = original->edge_length;
     // What the edge length says, not what the original has: small errors of many edits would add
     // up.
-    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
+    density.expected = expected_nodes(volume, area, density.edge_length);
+    density.nodes_per_volume = *density.expected / volume;
   }
   if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
   return density;
@@ -178,14 +200,22 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
         source, {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
         original->edge_length, run);
   }
-  const auto fill = start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
-  const std::vector<Vec3> added = fill(
-      source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
-      {.edge_length = density.edge_length,
-       .density = density.nodes_per_volume,
-       .count = density.count,
-       .seed = seed},
-      run);
+  const auto fill = [&](double share) {
+    return (start == MeshOptions::Start::Lattice ? fill_lattice : fill_random)(
+        source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
+        {.edge_length = density.edge_length,
+         .density = share * density.nodes_per_volume,
+         .count = density.count,
+         .seed = seed},
+        run);
+  };
+  std::vector<Vec3> added = fill(1);
+  if (original) {
+    const std::size_t copied =
+        original->master->positions().size() - looked_at.size() + nodes.positions.size();
+    if (const double share = share_wanted(*original, density, copied, added.size()); share != 1)
+      added = fill(share);
+  }
   for (const Vec3& p : added) nodes.add_new(p);
   if (!original) {
     LocalNodes local;

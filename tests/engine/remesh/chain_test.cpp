@@ -70,6 +70,18 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+TEST(ToAndFro, TheNumberOfNodesStaysWhatTheModelNeeds) {
+  // Three features turn round the axis: what new cells get is what the vanished ones had.
+  const ModelSource there = test::case_model("tool1-a");
+  const ModelSource back = apply(there, test::case_edit("tool1-ac"));
+  Revision r = make_revision(nullptr, there, {.nodes = 4000, .iterations = 5}, kRun);
+  for (int k = 0; k < 8; ++k) {
+    r = make_revision(&r, k % 2 == 0 ? back : there, {.iterations = 5}, kRun);
+    EXPECT_EQ(r.report.way, Way::Local);
+    EXPECT_NEAR(r.report.counts.nodes, 4000, 100) << "edit " << k;
+  }
+}
+
 /// A remesh of a mesh that was made in one iteration from random nodes, in a chain that is said to
 /// have begun with a mean volume-length of .87.
 Revision remesh_of_a_poor_mesh(const MeshOptions& options) {
