@@ -31,7 +31,6 @@ class Levels {
   [[nodiscard]] bool active(int sweep, int slab) const {
     return low_[sweep] < slab && slab <= high_[sweep];
   }
-  [[nodiscard]] bool ends_at(int sweep, int height) const { return high_[sweep] == height; }
 
   /// Whether there is a face between left and right.
   [[nodiscard]] bool wall(int piece, int slab) const {

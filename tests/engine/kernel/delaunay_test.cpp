@@ -149,7 +149,8 @@ TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
   }
 }
 
-/// Every second node of a box in a cloud moves by `shift`; those that meet it there go.
+/// The nodes of a box in a cloud move by `shift`. Where the box comes to lie, a share of the others
+/// stays, `rest_in_box`; the rest go.
 void move_a_box(const Vec3& shift, double rest_in_box) {
   const auto points = cloud(6000, 13);
   const auto in_box = [](const Vec3& p) { return std::max({p.x, p.y, p.z}) < 0.6; };
