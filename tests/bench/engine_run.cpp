@@ -14,6 +14,7 @@
 #include "tests/support/cases.h"
 #include "tests/support/child_process.h"
 #include "tests/support/documents.h"
+#include "tests/support/way_name.h"
 
 namespace remeshd::bench {
 namespace {
@@ -54,26 +55,6 @@ ModelSource model_of_file(const std::string& file) {
   return test::read_model(json::parse(in));
 }
 
-const char* name_of(Way way) {
-  switch (way) {
-    case Way::Unchanged:
-      return "unchanged";
-    case Way::Continued:
-      return "continued";
-    case Way::Local:
-      return "local";
-    case Way::Full:
-      return "full";
-    case Way::Fresh:
-      return "fresh";
-    case Way::TetGen:
-      return "TetGen";
-    case Way::Rebased:
-      break;
-  }
-  return "rebased";
-}
-
 /// All of a sample that the report knows.
 Sample sample_of(const Report& report) {
   Sample s;
@@ -87,7 +68,7 @@ Sample sample_of(const Report& report) {
   s.tets = report.counts.tets;
   s.iterations = report.counts.iterations;
   s.free_share = report.free_share;
-  s.way = name_of(report.way);
+  s.way = test::name_of(report.way);
   s.quality = report.quality;
   return s;
 }
@@ -169,7 +150,7 @@ Samples run_chain(const EngineRun& run) {
   Sample& chain = samples["chain"];
   std::deque<Revision> revisions;
   std::map<std::string, int> ways;
-  double cpu = 0, wall = 0, peak = 0, after_first = 0;
+  double cpu = 0, wall = 0, nodes = 0, peak = 0, after_first = 0;
   for (int k = 1; k <= run.length; ++k) {
     const Revision& from = revisions.empty() ? base : revisions.back();
     Revision next =
@@ -177,6 +158,7 @@ Samples run_chain(const EngineRun& run) {
     revisions.push_back(std::move(next));
     cpu += made.cpu;
     wall += made.wall;
+    nodes += made.nodes;
     peak = std::max(peak, made.peak_bytes);
     ++ways[made.way];
     malloc_trim(0);  // what is free does not stay with a revision
@@ -185,6 +167,7 @@ Samples run_chain(const EngineRun& run) {
   chain = made;
   chain.cpu = cpu / run.length;
   chain.wall = wall / run.length;
+  chain.nodes = nodes / run.length;
   chain.peak_bytes = peak;
   chain.way.clear();
   for (const auto& [way, n] : ways)

@@ -34,7 +34,7 @@ struct Options {
 constexpr double kCaseSeconds = 1500;  // wall clock; each step has its own limit
 
 bool fell_back(const Outcome& o) {
-  return o.valid() && (o.way == "full" || o.way == "fresh" || o.way == "tetgen");
+  return o.valid() && (o.way == "full" || o.way == "fresh" || o.way == "TetGen");
 }
 
 bool failed(const Outcome& o) { return !o.valid() && o.kind != "refused"; }

@@ -8,31 +8,12 @@
 
 #include "engine/base/error.h"
 #include "tests/campaign/verifier/verifier.h"
+#include "tests/support/way_name.h"
 
 namespace remeshd::campaign {
 namespace {
 
 using nlohmann::json;
-
-std::string name_of(Way way) {
-  switch (way) {
-    case Way::Unchanged:
-      return "unchanged";
-    case Way::Continued:
-      return "continued";
-    case Way::Local:
-      return "local";
-    case Way::Full:
-      return "full";
-    case Way::Fresh:
-      return "fresh";
-    case Way::TetGen:
-      return "tetgen";
-    case Way::Rebased:
-      return "rebased";
-  }
-  return "unknown";
-}
 
 double since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -71,7 +52,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
     next->revision = make_revision(base ? &base->revision : nullptr, model, options, Run{});
     outcome.seconds = since(start);
     const Report& report = next->revision.report;
-    outcome.way = name_of(report.way);
+    outcome.way = test::name_of(report.way);
     outcome.inserted = static_cast<int>(report.counts.nodes_inserted);
     outcome.nodes = static_cast<int>(report.counts.nodes);
     outcome.kept =

@@ -17,6 +17,7 @@
 #include "engine/remesh/stopwatch.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
+#include "tests/support/way_name.h"
 
 /// Deltas from rounding to the model's size on every number that the models of the seven cases
 /// hold: one for each in every run of the tests, all of them with REMESHD_DELTAS=all (README.md).
@@ -194,8 +195,6 @@ void expect_continued(const Revision& anchor, const Revision& r,
   EXPECT_GE(now.volume_length_min, std::min(kMeasure, then.volume_length_min - 1e-3));
 }
 
-constexpr std::array kWays{"unchanged", "continued", "local", "full", "fresh", "TetGen", "rebased"};
-
 struct Result {
   std::string what;              ///< the way, or the reason of a refusal
   std::optional<Revision> made;  ///< nothing where the model is refused
@@ -217,7 +216,7 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
     return result;
   }
   const Revision& r = *result.made;
-  result.what = kWays[static_cast<std::size_t>(r.report.way)];
+  result.what = test::name_of(r.report.way);
   expect_valid(from, r);
   const std::vector<double> motions = face_motions(anchor.cells.boundary, r.cells.boundary);
   const double largest = *std::max_element(motions.begin(), motions.end());
