@@ -17,7 +17,7 @@ ModelSummary summary_of(const FeatureModel& model, const Run& run) {
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 7,
+  return {.algorithm_version = 8,
           .evaluate = evaluate,
           .apply = apply,
           .summarise = summary_of,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/parallel.h"
 #include "engine/boundary/face_distance.h"
 #include "engine/boundary/lattice.h"
 
@@ -42,25 +43,24 @@ class Wanted {
 
   [[nodiscard]] bool everywhere() const { return region_ == nullptr; }
   [[nodiscard]] bool holds(const Vec3& p) const { return !region_ || region_->holds(p); }
-  /// Calls f(box) for parts of `box` that cover what is wanted in it; `holds_first` tells the
-  /// points of each that are in no earlier one.
+  /// Calls f(part, number) for parts of `box` that cover what is wanted in it; `holds_first` tells
+  /// the points of each that are in no earlier one.
   template <class F>
   void for_each_part(const Box& box, const F& f) const {
-    if (everywhere()) return f(box);
-    for (part_ = 0; part_ < boxes_.size(); ++part_)
-      if (const Box part = intersection(box, boxes_[part_]); !part.empty()) f(part);
+    if (everywhere()) return f(box, 0);
+    for (std::size_t k = 0; k < boxes_.size(); ++k)
+      if (const Box part = intersection(box, boxes_[k]); !part.empty()) f(part, k);
   }
-  [[nodiscard]] bool holds_first(const Vec3& p) const {
+  [[nodiscard]] bool holds_first(const Vec3& p, std::size_t part) const {
     if (everywhere()) return true;
-    if (!region_->holds(p) || !boxes_[part_].contains(p)) return false;
-    return std::none_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(part_),
+    if (!region_->holds(p) || !boxes_[part].contains(p)) return false;
+    return std::none_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(part),
                         [&](const Box& earlier) { return earlier.contains(p); });
   }
 
  private:
   const Region* region_;
   std::vector<Box> boxes_;
-  mutable std::size_t part_ = 0;
 };
 
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
@@ -72,10 +72,10 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
   const Box box = face_box(face);
   const std::size_t begin = out.size();
   bool reached = false;
-  wanted.for_each_part(box, [&](const Box& part) {
+  wanted.for_each_part(box, [&](const Box& part, std::size_t number) {
     reached = true;
     visit_lattice(face.surface, part, spacing, jitter, random, [&](const Vec3& p) {
-      if (!box.contains(p, spacing) || !wanted.holds_first(p)) return;
+      if (!box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
       const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
       if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
       if (!others.empty()) {
@@ -140,12 +140,14 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
   Samples samples;
   const std::vector<std::vector<int>> others = rivals(boundary);
   const Wanted wanted(options.where, boundary.bounds);
-  for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
-    run.poll();
-    sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
-                options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f),
-                samples.points);
-  }
+  samples.points = collect_in_blocks<Sample>(
+      boundary.faces.size(), 1, run,
+      [&](std::size_t begin, std::size_t, std::vector<Sample>& found) {
+        run.poll();
+        const int f = static_cast<int>(begin);
+        sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
+                    options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), found);
+      });
   samples.edges_begin = samples.points.size();
   for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)
     sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter, wanted,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/base/parallel.h"
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 /// Stands for a neighbour in the model that is not in the part.
 constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t kBlock = 1024;
 
 int face_of(const NodeSet& nodes, const FacesOf& faces, const Tet& t) {
   const std::array<Support, 4> supports{nodes.supports[t[0]], nodes.supports[t[1]],
@@ -39,6 +41,17 @@ PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
     return rim.tets.empty() ? Known::No : rim.tets[slot];
   };
   const FacesOf faces(boundary);
+  std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
+  in_blocks(delaunay.slots(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    run.poll();
+    for (auto slot = static_cast<std::int32_t>(begin); slot < static_cast<std::int32_t>(end);
+         ++slot) {
+      const Tet t = delaunay.corners(slot);
+      if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
+      in_model[slot] =
+          known_of(slot) == Known::Inside || contributes(nodes, boundary, faces, inside, t) ? 1 : 0;
+    }
+  });
   PeeledMesh mesh;
   std::vector<Tet>& tets = mesh.tets;
   tets.reserve(delaunay.size());
@@ -46,11 +59,8 @@ PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   std::vector<Tet> neighbours;  // by tet
   neighbours.reserve(delaunay.size());
   std::vector<std::int32_t> number(delaunay.slots(), -1);
-  Polling poll(run);
   delaunay.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
-    poll();
-    const Known known = known_of(slot);
-    if (known != Known::Inside && !contributes(nodes, boundary, faces, inside, t)) return;
+    if (in_model[slot] == 0) return;
     number[slot] = static_cast<std::int32_t>(tets.size());
     tets.push_back(t);
     mesh.slots.push_back(slot);

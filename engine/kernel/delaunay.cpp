@@ -30,12 +30,10 @@ bool same_turn(const std::array<std::int32_t, 3>& a, const std::array<std::int32
 
 }  // namespace
 
-Delaunay::Delaunay(std::span<const Vec3> far)
-    : points_(far.begin(), far.begin() + kFar), edges_(kEdgeTable) {
+Delaunay::Delaunay(std::span<const Vec3> far) : points_(far.begin(), far.begin() + kFar) {
   Slot s{{0, 1, 2, 3}, {-1, -1, -1, -1}};
   if (orientation(points_[0], points_[1], points_[2], points_[3]) < 0) std::swap(s.v[2], s.v[3]);
   slots_.push_back(s);
-  seen_.push_back(0);
 }
 
 Delaunay::Delaunay(const Box& bounds) : Delaunay(std::span<const Vec3>(far_corners(bounds))) {}
@@ -127,21 +125,22 @@ std::int32_t Delaunay::allocate() {
     return t;
   }
   slots_.emplace_back();
-  seen_.push_back(0);
   return static_cast<std::int32_t>(slots_.size()) - 1;
 }
 
 void Delaunay::link(std::int32_t facet, std::int32_t a, std::int32_t b) {
   if (a > b) std::swap(a, b);
   const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
-  const std::size_t mask = edges_.size() - 1;
+  auto& edges = scratch_.edges;
+  const std::uint32_t epoch = scratch_.epoch;
+  const std::size_t mask = edges.size() - 1;
   std::size_t at = (key * 0x9E3779B97F4A7C15ULL >> 40) & mask;
-  while (edges_[at].epoch == epoch_ && edges_[at].key != key) at = (at + 1) & mask;
-  if (edges_[at].epoch != epoch_) {
-    edges_[at] = {key, facet, epoch_};
+  while (edges[at].epoch == epoch && edges[at].key != key) at = (at + 1) & mask;
+  if (edges[at].epoch != epoch) {
+    edges[at] = {key, facet, epoch};
     return;
   }
-  const std::int32_t other = edges_[at].facet;
+  const std::int32_t other = edges[at].facet;
   slots_[facet >> 2].n[facet & 3] = other;
   slots_[other >> 2].n[other & 3] = facet;
 }
@@ -155,50 +154,50 @@ bool Delaunay::insert_one(std::int32_t vertex) {
   }
   if (!conflicts(start, p)) return false;  // only a tet with a corner at p contains it in no sphere
 
-  ++epoch_;
-  cavity_.assign(1, start);
-  rim_.clear();
-  seen_[start] = 2 * epoch_;
-  for (std::size_t k = 0; k < cavity_.size(); ++k) {
-    const Slot& s = slots_[cavity_[k]];
+  scratch_.begin(slots_.size());
+  auto& [seen, epoch, cavity, rim, edges] = scratch_;
+  const std::uint32_t within = 2 * epoch, outside = 2 * epoch + 1;
+  cavity.assign(1, start);
+  rim.clear();
+  seen[start] = within;
+  for (std::size_t k = 0; k < cavity.size(); ++k) {
+    const Slot& s = slots_[cavity[k]];
     for (int i = 0; i < 4; ++i) {
       const std::int32_t across = s.n[i];
       const auto& f = kTetFacets[i];
       if (across >= 0) {
         const std::int32_t t = across >> 2;
-        // 2 * epoch: in the cavity; 2 * epoch + 1: known to be outside.
-        if (seen_[t] == 2 * epoch_) continue;
-        if (seen_[t] != 2 * epoch_ + 1) {
+        if (seen[t] == within) continue;
+        if (seen[t] != outside) {
           if (conflicts(t, p)) {
-            seen_[t] = 2 * epoch_;
-            cavity_.push_back(t);
+            seen[t] = within;
+            cavity.push_back(t);
             continue;
           }
-          seen_[t] = 2 * epoch_ + 1;
+          seen[t] = outside;
         }
       }
       left_part_ |= across < -1 && in_sphere(points_[s.v[f[0]]], points_[s.v[f[1]]],
                                              points_[s.v[f[2]]], beyond_[-2 - across], p) > 0;
       // kTetFacets turns outward; seen from p, inside, the other way round is positive.
-      rim_.push_back({across, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
+      rim.push_back({across, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
     }
   }
-  if (edges_.size() < 6 * rim_.size()) {
-    std::size_t size = edges_.size();
-    while (size < 6 * rim_.size()) size *= 2;
-    edges_.assign(size, EdgeEntry{0, 0, 0});
+  if (edges.size() < 6 * rim.size()) {
+    std::size_t size = edges.size();
+    while (size < 6 * rim.size()) size *= 2;
+    edges.assign(size, EdgeEntry{0, 0, 0});
   }
-  for (const std::int32_t t : cavity_) {
+  for (const std::int32_t t : cavity) {
     slots_[t].v[0] = kDead;
     free_.push_back(t);
   }
-  for (const Rim& r : rim_) {
+  for (const Rim& r : rim) {
     const std::int32_t t = allocate();
     Slot& s = slots_[t];
     s.v = {r.v[0], r.v[1], r.v[2], vertex};
     s.n = {-1, -1, -1, r.outer};
     if (r.outer >= 0) slots_[r.outer >> 2].n[r.outer & 3] = 4 * t + 3;
-    seen_[t] = 0;
     link(4 * t + 0, r.v[1], r.v[2]);
     link(4 * t + 1, r.v[0], r.v[2]);
     link(4 * t + 2, r.v[0], r.v[1]);
@@ -252,7 +251,6 @@ bool Delaunay::remove(std::span<const std::int32_t> nodes, const Run& run) {
   for (const Fill& f : *fill) {
     Slot& s = slots_[place[f.tet]];
     s.v = filling.slots_[f.tet].v;
-    seen_[place[f.tet]] = 0;
     for (int i = 0; i < 4; ++i) {
       if (f.wall[i] < 0) {
         const std::int32_t across = filling.slots_[f.tet].n[i];
@@ -365,7 +363,6 @@ Delaunay Delaunay::cut(std::span<const std::int32_t> slots, std::span<const std:
     }
     part.slots_.push_back(s);
   }
-  part.seen_.resize(part.slots_.size(), 0);
   return part;
 }
 

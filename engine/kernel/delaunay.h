@@ -28,7 +28,7 @@ class Delaunay {
 
   explicit Delaunay(const Box& bounds);
   /// Only to be filled by `visit_state`.
-  Delaunay() : edges_(kEdgeTable) {}
+  Delaunay() = default;
 
   /// Whether nodes anywhere in the box are well within the far corners.
   [[nodiscard]] bool encloses(const Box& box) const;
@@ -138,7 +138,6 @@ class Delaunay {
   template <class F>
   void visit_state(F&& f) {
     f(points_, slots_, free_, hint_);
-    seen_.resize(slots_.size(), 0);
   }
 
  private:
@@ -165,6 +164,28 @@ class Delaunay {
   };
 
   static constexpr std::size_t kEdgeTable = 256;
+
+  /// Of one insertion, kept for its memory; copies of a mesh begin without.
+  struct Scratch {
+    Scratch() = default;
+    Scratch(const Scratch&) {}
+    Scratch(Scratch&&) = default;
+    Scratch& operator=(const Scratch&) { return *this = Scratch(); }
+    Scratch& operator=(Scratch&&) = default;
+    ~Scratch() = default;
+
+    /// Forgets what slots were marked as.
+    void begin(std::size_t slots) {
+      ++epoch;
+      if (seen.size() < slots) seen.resize(slots, 0);
+    }
+
+    std::vector<std::uint32_t> seen;  ///< by slot: a mark, which counts in its epoch only
+    std::uint32_t epoch = 0;
+    std::vector<std::int32_t> cavity;
+    std::vector<Rim> rim;
+    std::vector<EdgeEntry> edges = std::vector<EdgeEntry>(kEdgeTable);
+  };
 
   struct Wall {                       ///< a facet round a hole, seen from inside
     std::array<std::int32_t, 3> key;  ///< its vertices, ascending
@@ -216,9 +237,10 @@ class Delaunay {
   /// that resisted when they were looked at, 4 * tet + facet.
   void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
                 const Run& run);
-  /// Whether a facet at the rim is locally Delaunay; if not, the part has been left.
-  void look_beyond(std::int32_t facet);
-  /// Returns whether the facet is locally Delaunay now or gone.
+  /// Whether a facet, 4 * tet + facet, is locally Delaunay; also at the rim of a part.
+  [[nodiscard]] bool is_delaunay(std::int32_t facet) const;
+  /// Returns whether the facet is locally Delaunay now or gone, or at the rim, where it is noted
+  /// that the part has been left.
   bool flip(std::int32_t facet, std::vector<std::int32_t>& stack);
   [[nodiscard]] int facet_opposite(std::int32_t tet, std::int32_t vertex) const;
   [[nodiscard]] bool positive_with(std::int32_t tet, int corner, std::int32_t vertex) const;
@@ -241,12 +263,7 @@ class Delaunay {
   std::vector<Vec3> beyond_;  ///< of a part: corners of the tets across its rim
   bool left_part_ = false;
 
-  // Scratch of one insertion, kept for its memory.
-  std::vector<std::uint32_t> seen_;
-  std::uint32_t epoch_ = 0;
-  std::vector<std::int32_t> cavity_;
-  std::vector<Rim> rim_;
-  std::vector<EdgeEntry> edges_;
+  Scratch scratch_;
 };
 
 }  // namespace remeshd::kernel

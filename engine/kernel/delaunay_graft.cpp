@@ -117,7 +117,6 @@ bool Delaunay::plant(const Delaunay& from, const Graft& graft, std::span<const s
   for (std::size_t k = 0; k < place.size(); ++k) {
     const Slot& s = from.slots_[graft.tets[k]];
     Slot& to = slots_[place[k]];
-    seen_[place[k]] = 0;
     for (int i = 0; i < 4; ++i) {
       to.v[i] = moved(s, i);
       if (walls[k][i] < 0) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/kernel/predicates.h"
 #include "engine/mesh/tet_mesh.h"
@@ -20,6 +21,7 @@ constexpr double kManyHeld = 0.25;
 /// there for each that makes it worth while.
 constexpr int kTries = 2;
 constexpr std::size_t kTetsPerTry = 5000;
+constexpr std::size_t kBlock = 2048;
 
 }  // namespace
 
@@ -85,35 +87,39 @@ Delaunay::Moved Delaunay::move(std::span<const Vec3> positions, std::span<const 
 
 std::vector<std::int32_t> Delaunay::tets_at_moved(const std::vector<std::uint8_t>& roles,
                                                   const Run& run) const {
-  std::vector<std::int32_t> tets;
-  Polling poll(run);
-  for (std::size_t t = 0; t < slots_.size(); ++t) {
-    poll();
-    const auto& v = slots_[t].v;
-    if (v[0] == kDead) continue;
-    if (roles[v[0]] == kMoved || roles[v[1]] == kMoved || roles[v[2]] == kMoved ||
-        roles[v[3]] == kMoved)
-      tets.push_back(static_cast<std::int32_t>(t));
-  }
-  return tets;
+  return collect_in_blocks<std::int32_t>(
+      slots_.size(), kBlock, run,
+      [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+        run.poll();
+        for (std::size_t t = begin; t < end; ++t) {
+          const auto& v = slots_[t].v;
+          if (v[0] == kDead) continue;
+          if (roles[v[0]] == kMoved || roles[v[1]] == kMoved || roles[v[2]] == kMoved ||
+              roles[v[3]] == kMoved)
+            found.push_back(static_cast<std::int32_t>(t));
+        }
+      });
 }
 
 std::vector<std::int32_t> Delaunay::hold_back(std::span<const std::int32_t> touched,
                                               std::vector<std::uint8_t>& roles,
                                               const std::vector<Vec3>& old, const Run& run) {
-  Polling poll(run);
   std::vector<std::int32_t> held;
   std::vector<std::uint8_t> fresh(points_.size(), 1);  // put back in the last sweep
   for (bool again = true; again;) {
-    std::vector<std::int32_t> back;
-    for (const std::int32_t t : touched) {
-      poll();
-      const auto& v = slots_[t].v;
-      if (!fresh[v[0]] && !fresh[v[1]] && !fresh[v[2]] && !fresh[v[3]]) continue;
-      if (orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0) continue;
-      for (const std::int32_t n : v)
-        if (roles[n] == kMoved) back.push_back(n);
-    }
+    const auto back = collect_in_blocks<std::int32_t>(
+        touched.size(), kBlock, run,
+        [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+          run.poll();
+          for (const std::int32_t t : touched.subspan(begin, end - begin)) {
+            const auto& v = slots_[t].v;
+            if (!fresh[v[0]] && !fresh[v[1]] && !fresh[v[2]] && !fresh[v[3]]) continue;
+            if (orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0)
+              continue;
+            for (const std::int32_t n : v)
+              if (roles[n] == kMoved) found.push_back(n);
+          }
+        });
     fresh.assign(points_.size(), 0);
     again = false;
     for (const std::int32_t v : back) {
@@ -168,17 +174,20 @@ void Delaunay::let_go(std::span<const std::int32_t> touched, std::span<const Vec
 void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
                         const Run& run) {
   // A facet between two touched tets is looked at from one side.
-  ++epoch_;
-  for (const std::int32_t t : touched) seen_[t] = 2 * epoch_;
-  std::vector<std::int32_t> stack;
-  for (const std::int32_t t : touched)
-    for (int i = 0; i < 4; ++i) {
-      const std::int32_t across = slots_[t].n[i];
-      if (across < 0)
-        look_beyond(4 * t + i);
-      else if (across >> 2 > t || seen_[across >> 2] != 2 * epoch_)
-        stack.push_back(4 * t + i);
-    }
+  scratch_.begin(slots_.size());
+  const std::uint32_t mark = 2 * scratch_.epoch;
+  for (const std::int32_t t : touched) scratch_.seen[t] = mark;
+  auto stack = collect_in_blocks<std::int32_t>(
+      touched.size(), kBlock, run,
+      [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+        run.poll();
+        for (const std::int32_t t : touched.subspan(begin, end - begin))
+          for (int i = 0; i < 4; ++i) {
+            const std::int32_t across = slots_[t].n[i];
+            const bool mine = across < 0 || across >> 2 > t || scratch_.seen[across >> 2] != mark;
+            if (mine && !is_delaunay(4 * t + i)) found.push_back(4 * t + i);
+          }
+      });
   Polling poll(run);
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
@@ -189,22 +198,23 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
   }
 }
 
-void Delaunay::look_beyond(std::int32_t facet) {
+bool Delaunay::is_delaunay(std::int32_t facet) const {
   const std::int32_t across = slots_[facet >> 2].n[facet & 3];
-  left_part_ |= across < -1 && conflicts(facet >> 2, beyond_[-2 - across]);
+  if (across == -1) return true;
+  return !conflicts(
+      facet >> 2, across < -1 ? beyond_[-2 - across] : points_[slots_[across >> 2].v[across & 3]]);
 }
 
 bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
   const std::int32_t t = facet >> 2;
   const int i = facet & 3;
   const Slot& s = slots_[t];
-  if (s.v[0] == kDead) return true;
+  if (s.v[0] == kDead || is_delaunay(facet)) return true;
   if (s.n[i] < 0) {
-    look_beyond(facet);
+    left_part_ = true;
     return true;
   }
   const std::int32_t q = slots_[s.n[i] >> 2].v[s.n[i] & 3];
-  if (!conflicts(t, points_[q])) return true;
   int flat = -1, reflex = -1, bad = 0;
   for (const int c : kTetFacets[i]) {
     Vec3 corner[4] = {points_[s.v[0]], points_[s.v[1]], points_[s.v[2]], points_[s.v[3]]};
@@ -260,7 +270,6 @@ void Delaunay::flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack) {
     Slot& s = slots_[made[c]];
     s.v = old_t.v;
     s.v[c] = q;
-    seen_[made[c]] = 0;
   }
   for (const int c : kTetFacets[ip]) {
     int in_u = 0;

@@ -1,10 +1,14 @@
 #include "engine/mesh/quality.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "engine/base/parallel.h"
 
 namespace remeshd {
 
@@ -63,6 +67,7 @@ std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& 
   return {highest, lowest};
 }
 
+constexpr std::size_t kBlock = 4096;
 constexpr int kRanks = 1000;  // of measures, to find a percentile without sorting them all
 
 int rank_of(float measure) {
@@ -73,19 +78,23 @@ int rank_of(float measure) {
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const auto [highest, lowest] = extreme_cosines(a, b, c, d);
-  return {static_cast<float>(volume_length(a, b, c, d)), static_cast<float>(highest),
-          static_cast<float>(lowest)};
+  const auto rounded = [](double cosine) {
+    constexpr double kUnits = 32767;
+    return static_cast<std::int16_t>(std::lround(std::clamp(cosine, -1.0, 1.0) * kUnits));
+  };
+  return {static_cast<float>(volume_length(a, b, c, d)), rounded(highest), rounded(lowest)};
 }
 
 std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
                                      const Run& run) {
-  std::vector<TetMeasure> measures;
-  measures.reserve(tets.size());
-  Polling poll(run);
-  for (const Tet& t : tets) {
-    poll();
-    measures.push_back(measure_tet(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]));
-  }
+  std::vector<TetMeasure> measures(tets.size());
+  in_blocks(tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    run.poll();
+    for (std::size_t k = begin; k < end; ++k) {
+      const Tet& t = tets[k];
+      measures[k] = measure_tet(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+    }
+  });
   return measures;
 }
 
@@ -103,25 +112,21 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   };
   double sum = 0;
   std::size_t count = 0;
-  TetMeasure extreme{HUGE_VALF, -HUGE_VALF, HUGE_VALF};
-  Place worst, sharpest, bluntest;
+  float lowest = HUGE_VALF;
+  Place worst;
+  std::int16_t sharpest = std::numeric_limits<std::int16_t>::min();
+  std::int16_t bluntest = std::numeric_limits<std::int16_t>::max();
   std::array<std::uint32_t, kRanks> ranks{};
   each([&](const MeasuredTets& part, std::size_t t) {
     const TetMeasure& m = part.measures[t];
     sum += static_cast<double>(m.volume_length);
     ++count;
     ++ranks[rank_of(m.volume_length)];
-    if (m.volume_length < extreme.volume_length) {
-      extreme.volume_length = m.volume_length;
+    sharpest = std::max(sharpest, m.highest_cosine);
+    bluntest = std::min(bluntest, m.lowest_cosine);
+    if (m.volume_length < lowest) {
+      lowest = m.volume_length;
       worst = {&part, t};
-    }
-    if (m.highest_cosine > extreme.highest_cosine) {
-      extreme.highest_cosine = m.highest_cosine;
-      sharpest = {&part, t};
-    }
-    if (m.lowest_cosine < extreme.lowest_cosine) {
-      extreme.lowest_cosine = m.lowest_cosine;
-      bluntest = {&part, t};
     }
   });
   if (count == 0) return quality;
@@ -140,9 +145,14 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   int rank = 0;
   while (ranks[rank] <= below) below -= ranks[rank++];
   std::vector<std::pair<float, Place>> candidates;
+  double smallest = std::numbers::pi, largest = 0;  // angles
   each([&](const MeasuredTets& part, std::size_t t) {
-    const float measure = part.measures[t].volume_length;
-    if (rank_of(measure) == rank) candidates.emplace_back(measure, Place{&part, t});
+    const TetMeasure& m = part.measures[t];
+    if (rank_of(m.volume_length) == rank) candidates.emplace_back(m.volume_length, Place{&part, t});
+    if (m.highest_cosine < sharpest && m.lowest_cosine > bluntest) return;
+    const auto angles = of_corners({&part, t}, dihedral_angles);
+    smallest = std::min(smallest, std::ranges::min(angles));
+    largest = std::max(largest, std::ranges::max(angles));
   });
   const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(below);
   std::ranges::nth_element(candidates, at, {}, [](const auto& c) {
@@ -150,8 +160,8 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   });
   quality.volume_length_p01 = of_corners(at->second, volume_length);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
-  quality.dihedral_min = std::ranges::min(of_corners(sharpest, dihedral_angles)) * kDegrees;
-  quality.dihedral_max = std::ranges::max(of_corners(bluntest, dihedral_angles)) * kDegrees;
+  quality.dihedral_min = smallest * kDegrees;
+  quality.dihedral_max = largest * kDegrees;
   return quality;
 }
 

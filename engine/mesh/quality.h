@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -31,11 +32,12 @@ struct Quality {
 };
 
 /// What the quality of a mesh is made of, for one of its tets. Kept with a mesh, so that another
-/// one measures the tets only that it does not share with it.
+/// one measures the tets only that it does not share with it. Cosines are in units of 1/32767,
+/// which tells which few tets to measure for the extreme angles of a mesh.
 struct TetMeasure {
   float volume_length = 0;
-  float highest_cosine = 0;  ///< of its dihedral angles: of the smallest
-  float lowest_cosine = 0;
+  std::int16_t highest_cosine = 0;  ///< of its dihedral angles: of the smallest
+  std::int16_t lowest_cosine = 0;
 };
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/parallel.h"
 #include "engine/base/random.h"
 #include "engine/nodes/fill.h"
 
@@ -28,10 +29,15 @@ class Lattice {
     axes_ = {Vec3{c, s, 0}, Vec3{-s * d, c * d, e}, Vec3{s * e, -c * e, d}};
   }
 
-  /// Calls `visit(p)` for the nodes in a box, in the order of the lattice.
-  template <class Visit>
-  void for_each_in(const Box& box, const Visit& visit, const Run& run) const {
+  /// Cubes of the lattice from `lo` to `hi` along each of its axes.
+  struct Cubes {
     std::array<long, 3> lo{}, hi{};
+
+    [[nodiscard]] std::size_t layers() const { return hi[2] - lo[2] + 1; }
+  };
+  /// All that touch a box.
+  [[nodiscard]] Cubes cubes_of(const Box& box) const {
+    Cubes cubes;
     for (int i = 0; i < 3; ++i) {
       double least = HUGE_VAL, most = -HUGE_VAL;
       for (int corner = 0; corner < 8; ++corner) {
@@ -41,16 +47,19 @@ class Lattice {
         least = std::fmin(least, along);
         most = std::fmax(most, along);
       }
-      lo[i] = static_cast<long>(std::floor(least)) - 1;
-      hi[i] = static_cast<long>(std::ceil(most)) + 1;
+      cubes.lo[i] = static_cast<long>(std::floor(least)) - 1;
+      cubes.hi[i] = static_cast<long>(std::ceil(most)) + 1;
     }
-    for (long z = lo[2]; z <= hi[2]; ++z) {
-      run.poll();
-      for (long y = lo[1]; y <= hi[1]; ++y)
-        for (long x = lo[0]; x <= hi[0]; ++x)
-          for (const int centre : {0, 1})
-            if (const Vec3 p = node(x, y, z, centre); box.contains(p)) visit(p);
-    }
+    return cubes;
+  }
+
+  /// Calls `visit(p)` for the nodes in a layer of cubes, in the order of the lattice.
+  template <class Visit>
+  void for_each_in(const Cubes& cubes, std::size_t layer, const Visit& visit) const {
+    const long z = cubes.lo[2] + static_cast<long>(layer);
+    for (long y = cubes.lo[1]; y <= cubes.hi[1]; ++y)
+      for (long x = cubes.lo[0]; x <= cubes.hi[0]; ++x)
+        for (const int centre : {0, 1}) visit(node(x, y, z, centre));
   }
 
  private:
@@ -79,14 +88,19 @@ std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& b
   std::vector<Vec3> nodes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     if (boxes[b].empty()) continue;
-    lattice.for_each_in(
-        boxes[b],
-        [&](const Vec3& p) {
-          const auto holds = [&](const Box& box) { return box.contains(p); };
-          if (std::any_of(boxes.begin(), boxes.begin() + static_cast<long>(b), holds)) return;
-          if (inside(p)) nodes.push_back(p);
-        },
-        run);
+    const Lattice::Cubes cubes = lattice.cubes_of(boxes[b]);
+    const auto found = collect_in_blocks<Vec3>(
+        cubes.layers(), 1, run, [&](std::size_t layer, std::size_t, std::vector<Vec3>& in_layer) {
+          run.poll();
+          lattice.for_each_in(cubes, layer, [&](const Vec3& p) {
+            const auto holds = [&](const Box& box) { return box.contains(p); };
+            if (!holds(boxes[b]) ||
+                std::any_of(boxes.begin(), boxes.begin() + static_cast<long>(b), holds))
+              return;
+            if (inside(p)) in_layer.push_back(p);
+          });
+        });
+    nodes.insert(nodes.end(), found.begin(), found.end());
   }
   return nodes;
 }

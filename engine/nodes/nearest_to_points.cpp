@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "engine/base/parallel.h"
+
 namespace remeshd {
 
 namespace {
 constexpr std::size_t kMany = 3;  // where one node in so many has moved, no answer is kept
-}
+constexpr std::size_t kBlock = 512;
+}  // namespace
 
 NearestToPoints::NearestToPoints(std::vector<Vec3> points, double cell)
     : points_(std::move(points)),
@@ -46,14 +49,33 @@ void NearestToPoints::look_again_near(std::int32_t node) {
   });
 }
 
+NearestToPoints::Answer NearestToPoints::look_up(const NearestNode& grid,
+                                                 std::uint32_t point) const {
+  const std::int32_t node = grid.nearest(points_[point]);
+  if (node < 0) return {};
+  const double d = norm2(nodes_[node] - points_[point]);
+  return {node, d <= reach_ * reach_ ? now_ : 0, d};
+}
+
 std::int32_t NearestToPoints::nearest(std::uint32_t point) {
   Answer& a = answers_[point];
-  if (a.given > 0 && stands(a)) return a.node;
-  const std::int32_t node = grid_of_nodes().nearest(points_[point]);
-  if (node < 0) return -1;
-  const double d = norm2(nodes_[node] - points_[point]);
-  a = {node, d <= reach_ * reach_ ? now_ : 0, d};
-  return node;
+  if (!stands(a)) a = look_up(grid_of_nodes(), point);
+  return a.node;
+}
+
+std::vector<std::int32_t> NearestToPoints::nearest(std::span<const std::uint32_t> points,
+                                                   const Run& run) {
+  const NearestNode& grid = grid_of_nodes();
+  std::vector<std::int32_t> nodes(points.size());
+  in_blocks(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    run.poll();
+    for (std::size_t k = begin; k < end; ++k) {
+      Answer& a = answers_[points[k]];
+      if (!stands(a)) a = look_up(grid, points[k]);
+      nodes[k] = a.node;
+    }
+  });
+  return nodes;
 }
 
 const NearestNode& NearestToPoints::grid_of_nodes() {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/run.h"
 #include "engine/nodes/nearest.h"
 
 namespace remeshd {
@@ -22,6 +23,9 @@ class NearestToPoints {
   /// The node nearest to a point, the lowest index where several are equally near; -1 if there are
   /// none.
   [[nodiscard]] std::int32_t nearest(std::uint32_t point);
+  /// The same for many; what is not known is looked up on several threads.
+  [[nodiscard]] std::vector<std::int32_t> nearest(std::span<const std::uint32_t> points,
+                                                  const Run& run);
 
   [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
   [[nodiscard]] const NearestNode& grid_of_points() const { return point_grid_; }
@@ -38,6 +42,7 @@ class NearestToPoints {
     return a.given > all_moved_ && moved_[a.node] <= a.given;
   }
   void look_again_near(std::int32_t node);
+  [[nodiscard]] Answer look_up(const NearestNode& grid, std::uint32_t point) const;
 
   std::vector<Vec3> points_;
   NearestNode point_grid_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/base/parallel.h"
 #include "engine/base/region.h"
 
 namespace remeshd {
@@ -10,6 +11,7 @@ namespace remeshd {
 namespace {
 constexpr double kBorder = 0.6;  // of the edge length: the next one or two samples of a face
 constexpr double kReach = 1.5;   // of the edge length: no node is further from a sample
+constexpr std::size_t kBlock = 4096;
 
 }  // namespace
 
@@ -20,14 +22,15 @@ ActiveSamples::ActiveSamples(const Samples& samples)
   std::iota(participants_.begin(), participants_.end(), 0U);
 }
 
-ActiveSamples::ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest)
+ActiveSamples::ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest,
+                             const Run& run)
     : edge_length_(edge_length),
       states_(nearest.points().size(), State::Resting),
       nearest_(&nearest) {
-  refresh(nodes);
+  refresh(nodes, run);
 }
 
-void ActiveSamples::refresh(const NodeSet& nodes) {
+void ActiveSamples::refresh(const NodeSet& nodes, const Run& run) {
   if (!nearest_) return;
   // Samples far from every free node cannot have one nearest.
   std::vector<Vec3> free;
@@ -35,11 +38,16 @@ void ActiveSamples::refresh(const NodeSet& nodes) {
     if (nodes.free[n]) free.push_back(nodes.positions[n]);
   const Region near_free(free, kReach * edge_length_, 1);
   nearest_->follow(nodes.positions);
-  for (std::uint32_t s = 0; s < states_.size(); ++s) {
-    if (states_[s] == State::Active || !near_free.holds(nearest_->points()[s])) continue;
-    const std::int32_t node = nearest_->nearest(s);
-    if (node >= 0 && nodes.free[node]) activate(s);
-  }
+  const auto near = collect_in_blocks<std::uint32_t>(
+      states_.size(), kBlock, run,
+      [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
+        for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s)
+          if (states_[s] != State::Active && near_free.holds(nearest_->points()[s]))
+            found.push_back(s);
+      });
+  const std::vector<std::int32_t> node = nearest_->nearest(near, run);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    if (node[k] >= 0 && nodes.free[node[k]]) activate(near[k]);
   collect();
 }
 

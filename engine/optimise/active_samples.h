@@ -19,7 +19,7 @@ class ActiveSamples {
   explicit ActiveSamples(const Samples& samples);
   /// Those whose nearest node is free are active. `edge_length`: samples within `kBorder` of it are
   /// neighbours. `nearest`: of the samples; used as long as this lives.
-  ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest);
+  ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest, const Run& run);
 
   /// Active and border-active samples, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& participants() const { return participants_; }
@@ -30,7 +30,7 @@ class ActiveSamples {
   void promote(std::span<const std::uint32_t> pulling);
 
   /// The set of free nodes has grown: samples whose nearest node is free now become active.
-  void refresh(const NodeSet& nodes);
+  void refresh(const NodeSet& nodes, const Run& run);
 
  private:
   enum class State : std::uint8_t { Resting, Border, Active };

@@ -104,7 +104,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   const bool all_free = count_free(nodes) == static_cast<std::uint32_t>(nodes.size());
   NearestToPoints nearest(samples.positions(), kGridCell * options.edge_length);
   ActiveSamples active =
-      all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.edge_length, nearest);
+      all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.edge_length, nearest, run);
   LiveMesh live(std::move(start.mesh), std::move(start.holds), options.rebuild, run);
   Frozen frozen;
   const auto pull_now = [&] {
@@ -126,7 +126,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, live.tets(), inside))
-      active.refresh(nodes);
+      active.refresh(nodes, run);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;
     quality = now;

@@ -53,11 +53,11 @@ std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
                          std::span<const std::uint32_t> active, NearestToPoints& nearest,
                          std::vector<std::uint32_t>& pulling, const Run& run) {
   std::vector<Pull> pulls;
-  Polling poll(run);
-  for (const std::uint32_t index : active) {
-    poll();
+  const std::vector<std::int32_t> nearest_node = nearest.nearest(active, run);
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    const std::uint32_t index = active[k];
     const Sample& s = samples.points[index];
-    const std::int32_t node = nearest.nearest(index);
+    const std::int32_t node = nearest_node[k];
     if (node < 0 || !nodes.free[node]) continue;
     pulling.push_back(index);
     pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});

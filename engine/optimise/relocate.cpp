@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
@@ -14,6 +15,8 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
 }
 
 namespace {
+
+constexpr std::size_t kBlock = 512;
 
 /// What moves a node: sums over its tets.
 struct Pull {
@@ -54,18 +57,22 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
   }
   std::vector<Vec3> to = nodes.positions;
   std::vector<std::uint8_t> stuck(moves.size(), 0);
-  std::vector<std::int32_t> all_stuck;
-  for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    if (!moves[n] || pulls[n].volume <= 0) continue;
-    const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
-    if (inside(p)) {
-      to[n] = p;
-      continue;
-    }
-    stuck[n] = 1;
-    pulls[n] = {};
-    all_stuck.push_back(n);
-  }
+  const auto all_stuck = collect_in_blocks<std::int32_t>(
+      moves.size(), kBlock, run,
+      [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+        run.poll();
+        for (std::size_t n = begin; n < end; ++n) {
+          if (!moves[n] || pulls[n].volume <= 0) continue;
+          const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
+          if (inside(p)) {
+            to[n] = p;
+            continue;
+          }
+          stuck[n] = 1;
+          pulls[n] = {};
+          found.push_back(static_cast<std::int32_t>(n));
+        }
+      });
   if (!all_stuck.empty()) {
     for (const Tet& t : tets)
       if (any(stuck, t) && inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/base/parallel.h"
 #include "engine/cellular/sharp_places.h"
 #include "engine/remesh/group_areas.h"
 #include "engine/remesh/groups.h"
@@ -14,6 +15,7 @@ namespace remeshd {
 namespace {
 
 constexpr double kSharp = 25 * std::numbers::pi / 180;
+constexpr std::size_t kBlock = 4096;
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals,
@@ -68,18 +70,17 @@ std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original,
   std::vector<std::uint8_t> in_place;
   for (const Transform& t : d.map.transforms) in_place.push_back(t.is_identity() ? 1 : 0);
   std::vector<TetMeasure> measures(d.mesh.tets.size());
-  Polling poll(run);
-  for (std::size_t k = 0; k < measures.size(); ++k) {
-    poll();
-    const Tet& t = d.mesh.tets[k];
-    const std::int32_t o = d.map.original_tet[k];
-    if (o >= 0 && in_place[d.map.node_transform[t[0]]] != 0) {
-      measures[k] = original->measures[o];
-      continue;
+  in_blocks(measures.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+    run.poll();
+    for (std::size_t k = begin; k < end; ++k) {
+      const Tet& t = d.mesh.tets[k];
+      const std::int32_t o = d.map.original_tet[k];
+      const auto& p = d.mesh.nodes;
+      measures[k] = o >= 0 && in_place[d.map.node_transform[t[0]]] != 0
+                        ? original->measures[o]
+                        : measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
     }
-    const auto& p = d.mesh.nodes;
-    measures[k] = measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-  }
+  });
   return measures;
 }
 
@@ -149,7 +150,6 @@ void account(const Revision* original, double volume, Revision& revision, const 
   const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
   counts.nodes = size(d.mesh.nodes);
   counts.tets = size(d.mesh.tets);
-  counts.boundary_facets = size(d.groups.facets);
   const auto count = [&](NodeOrigin origin) {
     return static_cast<std::uint32_t>(
         std::count(d.map.node_origin.begin(), d.map.node_origin.end(), origin));
@@ -178,6 +178,7 @@ void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& r
   revision.report.quality_before = original.report.quality_before;
   revision.report.free_share = 0;
   revision.report.counts.nodes_copied = static_cast<std::uint32_t>(d.mesh.nodes.size());
+  revision.report.counts.boundary_facets = static_cast<std::uint32_t>(d.groups.facets.size());
 }
 
 void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
@@ -186,6 +187,7 @@ void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Suppor
   Delivery& d = revision.delivery;
   d.groups = name_groups(d.mesh, surface, supports, revision.model, membership,
                          revision.cells.boundary, before, run);
+  revision.report.counts.boundary_facets = static_cast<std::uint32_t>(d.groups.facets.size());
   revision.report.groups =
       group_areas(d.mesh, d.groups, revision.model, membership, revision.cells);
 }
@@ -205,13 +207,18 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   d.tet_ids = permanent_ids(d.map.original_tet, original ? &original->delivery.tet_ids : nullptr,
                             master.next_tet_id);
   d.mesh = std::move(c.whole.mesh);
-  name_delivery(c.verification.surface, master.supports, source.modified(),
-                cells_before(d, original, source), revision, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   const double volume = c.verification.volume;
-  account(original, volume, revision, run);
-  revision.report.quality_before =
-      quality_before(*revision.master, d.mesh, revision.measures, volume, run);
+  const auto name = [&] {
+    name_delivery(c.verification.surface, revision.master->supports, source.modified(),
+                  cells_before(d, original, source), revision, run);
+  };
+  const auto measure = [&] {
+    account(original, volume, revision, run);
+    revision.report.quality_before =
+        quality_before(*revision.master, d.mesh, revision.measures, volume, run);
+  };
+  side_by_side({name, measure}, run);
 }
 
 }  // namespace remeshd

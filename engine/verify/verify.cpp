@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "engine/improve/boundary_rules.h"
 #include "engine/improve/edge_chains.h"
 #include "engine/mesh/quality.h"
@@ -21,6 +22,7 @@ constexpr std::uint32_t kKeptPerKind = 20;
 constexpr double kFlat = 1e-6;
 /// Share of the model's diagonal within which a node stands on its support.
 constexpr double kOnSupport = 1e-7;
+constexpr std::size_t kBlock = 1024;
 
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
@@ -38,6 +40,7 @@ class Checker {
         options_(options),
         faces_(boundary, supports),
         tolerance_(kOnSupport * boundary.bounds.diagonal()),
+        run_(run),
         poll_(run) {
     if (options.parent) inherited_ = inherit(mesh, *options.parent, poll_);
   }
@@ -77,17 +80,15 @@ class Checker {
       for (const std::int32_t n : mesh_.tets[t]) used_[n] = 1;
     };
     if (!inherited_) {
-      for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-        use(t);
-        check_tet(t);
-      }
+      for (std::size_t t = 0; t < mesh_.tets.size(); ++t) use(t);
+      prove(mesh_.tets.size(), [](std::size_t k) { return static_cast<std::int32_t>(k); });
       return;
     }
     // The parent's tets are still at a node that it had, unless that is touched.
     for (const std::int32_t n : inherited_->name)
       if (n >= 0 && inherited_->touched[n] == 0) used_[n] = 1;
     for (const std::int32_t t : inherited_->near) use(t);
-    for (const std::int32_t t : inherited_->changed) check_tet(t);
+    prove(inherited_->changed.size(), [&](std::size_t k) { return inherited_->changed[k]; });
     result_.tets_inherited = static_cast<std::uint32_t>(mesh_.tets.size()) - result_.tets_proved;
     const VerifiedParent& parent = *options_.parent;
     result_.volume += parent.volume;
@@ -95,19 +96,37 @@ class Checker {
       result_.volume -= volume_of(parent.mesh.tets[o], parent.mesh.nodes);
   }
 
-  void check_tet(std::size_t t) {
-    poll_();
-    const Tet& tet = mesh_.tets[t];
-    ++result_.tets_proved;
-    result_.volume += volume_of(tet, mesh_.nodes);
-    const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
-                                         mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
-    const auto index = static_cast<std::int32_t>(t);
-    if (!(quality > kFlat))
-      fail(MeshFailure::BadTet, index, centroid(index),
-           quality < -kFlat ? "an inverted tet" : "a flat tet");
-    if (options_.material && !in_material(tet))
-      fail(MeshFailure::OutsideTet, index, centroid(index), "a tet outside of the material");
+  /// Looks at the tets tet(0), ..., tet(count - 1).
+  template <class TetOf>
+  void prove(std::size_t count, const TetOf& tet_of) {
+    struct Bad {
+      std::int32_t tet;
+      double quality;
+      bool outside;
+    };
+    std::vector<double> volumes((count + kBlock - 1) / kBlock, 0);
+    const auto all_bad = collect_in_blocks<Bad>(
+        count, kBlock, run_, [&](std::size_t begin, std::size_t end, std::vector<Bad>& found) {
+          run_.poll();
+          for (std::size_t k = begin; k < end; ++k) {
+            const std::int32_t t = tet_of(k);
+            const Tet& tet = mesh_.tets[t];
+            volumes[begin / kBlock] += volume_of(tet, mesh_.nodes);
+            const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
+                                                 mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
+            const bool outside = options_.material && !in_material(tet);
+            if (outside || !(quality > kFlat)) found.push_back({t, quality, outside});
+          }
+        });
+    result_.tets_proved += static_cast<std::uint32_t>(count);
+    for (const double volume : volumes) result_.volume += volume;
+    for (const Bad& bad : all_bad) {
+      if (!(bad.quality > kFlat))
+        fail(MeshFailure::BadTet, bad.tet, centroid(bad.tet),
+             bad.quality < -kFlat ? "an inverted tet" : "a flat tet");
+      if (bad.outside)
+        fail(MeshFailure::OutsideTet, bad.tet, centroid(bad.tet), "a tet outside of the material");
+    }
   }
 
   /// Whether the tet has a cell: at its centroid or, where a chord has cut that off from the
@@ -328,6 +347,7 @@ class Checker {
   const VerifyOptions& options_;
   FacetFaces faces_;
   double tolerance_;
+  const Run& run_;
   Polling poll_;
   std::optional<Inheritance> inherited_;
   Verification result_;

@@ -228,7 +228,7 @@ FakeEngine::FakeEngine() : state_(std::make_shared<State>()) {}
 Engine FakeEngine::engine() const {
   const auto state = state_;
   return {
-      .algorithm_version = 7,
+      .algorithm_version = 8,
       .evaluate = evaluate,
       .apply = apply,
       .summarise =

@@ -43,7 +43,7 @@ TEST(ActiveSamples, OfAFirstMeshAreAll) {
 TEST(ActiveSamples, HaveAFreeNodeNearestAndTheirNeighboursAreBorderActive) {
   Line line;
   line.nodes.free[10] = 1;
-  const ActiveSamples active(line.nodes, 1, line.nearest);
+  const ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   // Nearest to node 10: from 9.75 to 10.25; at 9.5 and 10.5 the lower index wins, 9 and 10.
   EXPECT_EQ(active.active_count(), 4U);
   EXPECT_TRUE(line.takes_part(active, 9.75 - 0.6, 10.5 + 0.6));
@@ -51,7 +51,7 @@ TEST(ActiveSamples, HaveAFreeNodeNearestAndTheirNeighboursAreBorderActive) {
 
 TEST(ActiveSamples, RestWhereNoNodeIsFree) {
   Line line;
-  const ActiveSamples active(line.nodes, 1, line.nearest);
+  const ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   EXPECT_EQ(active.active_count(), 0U);
   EXPECT_TRUE(active.participants().empty());
 }
@@ -59,7 +59,7 @@ TEST(ActiveSamples, RestWhereNoNodeIsFree) {
 TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
   Line line;
   line.nodes.free[10] = 1;
-  ActiveSamples active(line.nodes, 1, line.nearest);
+  ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   active.promote(std::vector<std::uint32_t>{44});  // at 11, border-active
   EXPECT_EQ(active.active_count(), 5U);
   EXPECT_TRUE(line.takes_part(active, 9.75 - 0.6, 11 + 0.6));
@@ -68,9 +68,9 @@ TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
 TEST(ActiveSamples, GrowWithTheFreeNodes) {
   Line line;
   line.nodes.free[10] = 1;
-  ActiveSamples active(line.nodes, 1, line.nearest);
+  ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   line.nodes.free[9] = line.nodes.free[11] = 1;
-  active.refresh(line.nodes);
+  active.refresh(line.nodes, remeshd::Run{});
   EXPECT_EQ(active.active_count(), 12U);
   EXPECT_TRUE(line.takes_part(active, 8.75 - 0.6, 11.5 + 0.6));
 }
