@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/kernel/curve_points.h"
+
 namespace remeshd {
 namespace {
 
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-// rad, as the kernel's: between points of an edge, and of the triangles' side of it.
-constexpr double kPointTurning = 0.1, kChordTurning = 0.12;
 constexpr double kStraight = 1e-9;  // rad
-
-int steps(double angle, double turning) {
-  return std::max(2, static_cast<int>(std::ceil(angle / turning)));
-}
 
 }  // namespace
 
@@ -78,7 +74,8 @@ int SweptEdges::add_arc(const OutlinePiece& piece, int height) {
              &last = brep_.vertices[edge.vertices[1]].position;
   for (const int end : {0, 1})
     edge.tangents[end] = normalised(cross(edge.axis, (end == 0 ? first : last) - edge.centre));
-  const int n = steps(piece.angle, kPointTurning), m = steps(piece.angle, kChordTurning);
+  const int n = kernel::steps_of(piece.angle, kernel::kPointTurning);
+  const int m = kernel::steps_of(piece.angle, kernel::kChordTurning);
   for (int i = 0; i <= n; ++i)
     edge.points.push_back(i == 0 ? first : i == n ? last : at(piece.angle * i / n));
   for (int i = 0; i <= m; ++i)

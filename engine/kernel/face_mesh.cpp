@@ -17,6 +17,7 @@
 
 #include "engine/kernel/border_mesh.h"
 #include "engine/kernel/brep_shapes.h"
+#include "engine/kernel/curve_points.h"
 
 namespace remeshd::kernel {
 namespace {
@@ -25,7 +26,6 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = K::Point_2;
 
 constexpr double kStep = 0.14;        // rad between nodes, about that of the polylines
-constexpr double kTurning = 0.12;     // rad between chords of a circle
 constexpr double kSameCorner = 1e-3;  // kernel units: images of one node this near are one corner
 constexpr double kShortest = 1e-6;    // kernel units: segments are not split below
 constexpr int kRounds = 40;
@@ -106,7 +106,7 @@ class FaceMesher {
       case BrepEdge::Kind::Line:
         return 1;
       case BrepEdge::Kind::Circle:
-        return std::max(2, static_cast<int>(std::ceil(edge.length / (kTurning * edge.radius))));
+        return steps_of(edge.length / edge.radius, kChordTurning);
       case BrepEdge::Kind::Other:
         break;
     }
