@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "engine/cellular/changes.h"
+#include "engine/cellular/crossed_parts.h"
 #include "engine/cellular/fuse_features.h"
 #include "engine/cellular/plane_face.h"
 #include "engine/cellular/skeleton.h"
@@ -457,6 +458,8 @@ std::optional<BoundaryParts> stitch(const EditedModel& edited, const StitchBase&
   };
   if (const auto swept = swept_parts(edited.model, edited.membership, features, frame))
     if (auto parts = stitched(*swept)) return parts;
+  if (const auto crossed = crossed_parts(edited.model, edited.membership, features, frame))
+    if (auto parts = stitched(*crossed)) return parts;
   if (features.size() >= edited.model.features.size()) return std::nullopt;
   return stitched(fuse_some(edited, features, frame, run));
 }

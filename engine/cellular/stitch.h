@@ -19,10 +19,10 @@ struct StitchBase {
 
 /// The boundary parts of an edited model from those of its base. Outside of the boxes round what
 /// changed both models are the same point set; inside of them the features that reach into them
-/// decide. So these few are fused, without the CAD kernel where swept_parts.h does, and parts that
-/// meet a box are taken from there, all others from the base. Faces of planes, which may be as
-/// large as the model, are put together from edges of both; other faces and edges come as a whole,
-/// so all features near them are fused too.
+/// decide. So these few are fused, without the CAD kernel where swept_parts.h or crossed_parts.h
+/// do, and parts that meet a box are taken from there, all others from the base. Faces of planes,
+/// which may be as large as the model, are put together from edges of both; other faces and edges
+/// come as a whole, so all features near them are fused too.
 ///
 /// Returns nothing where the kernel would have to fuse the whole model, or what comes out does not
 /// fit together, or the material is in more than one piece. Throws Error(KernelFailure) where the
