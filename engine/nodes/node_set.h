@@ -31,6 +31,21 @@ struct NodeSet {
     original.push_back(-1);
     transform.push_back(-1);
   }
+  /// Puts a node in the place of another.
+  void move(std::int32_t from, std::int32_t to) {
+    positions[to] = positions[from];
+    supports[to] = supports[from];
+    free[to] = free[from];
+    original[to] = original[from];
+    transform[to] = transform[from];
+  }
+  void resize(std::int32_t count) {
+    positions.resize(count);
+    supports.resize(count);
+    free.resize(count);
+    original.resize(count);
+    transform.resize(count);
+  }
 };
 
 }  // namespace remeshd

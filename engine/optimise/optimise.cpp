@@ -9,12 +9,14 @@
 #include "engine/optimise/pull.h"
 #include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
+#include "engine/optimise/voids.h"
 
 namespace remeshd {
 
 namespace {
 
-constexpr double kGridCell = 0.8;  // of the edge length: fastest for one-nearest queries
+constexpr double kGridCell = 0.8;     // of the edge length: fastest for one-nearest queries
+constexpr std::uint32_t kFillAt = 3;  // iteration: by then what is no void has closed
 
 /// `07-optimise-04`.
 std::string dump_name(std::uint32_t iteration) {
@@ -123,6 +125,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, live.tets());
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
+    if (options.fill_voids && k == kFillAt) fill_voids(nodes, tets, inside, options.edge_length);
     relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, live.tets(), inside))

@@ -20,6 +20,8 @@ struct OptimiseOptions {
   /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
   /// is, on the boundary until the last repositioning, and counts as free.
   double freeze = 0.01;
+  /// Whether voids between the nodes that a remesh starts with get nodes (`fill_voids`).
+  bool fill_voids = false;
   bool rebuild = false;  ///< see LiveMesh
 };
 

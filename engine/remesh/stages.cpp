@@ -12,6 +12,7 @@
 #include "engine/nodes/density.h"
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
+#include "engine/nodes/thin_out.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/carry_over.h"
 #include "engine/remesh/master.h"
@@ -23,10 +24,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
-constexpr double kNearChange = 2;  // x edge length: further from the changed boxes nodes stay
-// New cells have moved where so many nodes go for each that comes, have been added below the other.
-constexpr double kMoved = 0.5, kAdded = 0.25;
-constexpr double kLeastWanted = 0.6, kMostWanted = 1.25;  // x the mean density
+constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 1.5;  // x edge length: as far as a node looks for its samples
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
@@ -44,19 +42,11 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, kernel::Delaunay& mesh,
       unused.push_back(n);
       continue;
     }
-    nodes.positions[next] = nodes.positions[n];
-    nodes.supports[next] = nodes.supports[n];
-    nodes.free[next] = nodes.free[n];
-    nodes.original[next] = nodes.original[n];
-    nodes.transform[next] = nodes.transform[n];
+    nodes.move(n, next);
     number[n] = next++;
   }
   if (unused.empty()) return;
-  nodes.positions.resize(next);
-  nodes.supports.resize(next);
-  nodes.free.resize(next);
-  nodes.original.resize(next);
-  nodes.transform.resize(next);
+  nodes.resize(next);
   for (Tet& t : tets)
     for (std::int32_t& n : t) n = number[n];
   if (mesh.remove(unused, run)) {
@@ -102,24 +92,6 @@ std::vector<std::int32_t> nodes_to_look_at(const Revision& original, const Point
     if (everything || source.in_changed(positions[n], margin))
       nodes.push_back(static_cast<std::int32_t>(n));
   return nodes;
-}
-
-/// Share of the nodes that a filling of the mean density has which the new cells get. Where cells
-/// have moved rather than been added, what was on the boundary and is inside now, or inside and on
-/// the boundary, has its nodes already: there are to be as many as the modified model needs beside
-/// the copies, were the original as dense as it should be.
-double share_wanted(const Revision& original, const Density& density, std::size_t copied,
-                    std::size_t filled) {
-  if (!density.expected || filled == 0) return 1;
-  const CellularModel& then = original.cells;
-  const auto all = static_cast<double>(original.master->positions().size());
-  const double wanted =
-      *density.expected - static_cast<double>(copied) / all *
-                              expected_nodes(then.volume, then.area, original.edge_length);
-  const double filling = static_cast<double>(filled);
-  const double moved = (all - static_cast<double>(copied)) / filling;
-  const double weight = std::clamp((moved - kAdded) / (kMoved - kAdded), 0.0, 1.0);
-  return 1 + weight * (std::clamp(wanted / filling, kLeastWanted, kMostWanted) - 1);
 }
 
 /// The tets of the model at some of the nodes.
@@ -180,8 +152,8 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
     density.edge_length = original->edge_length;
     // What the edge length says, not what the original has: small errors of many edits would add
     // up.
-    density.expected = expected_nodes(volume, area, density.edge_length);
-    density.nodes_per_volume = *density.expected / volume;
+    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
+    density.inherited = true;
   }
   if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
   return density;
@@ -200,22 +172,14 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
         source, {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
         original->edge_length, run);
   }
-  const auto fill = [&](double share) {
-    return (start == MeshOptions::Start::Lattice ? fill_lattice : fill_random)(
-        source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
-        {.edge_length = density.edge_length,
-         .density = share * density.nodes_per_volume,
-         .count = density.count,
-         .seed = seed},
-        run);
-  };
-  std::vector<Vec3> added = fill(1);
-  if (original) {
-    const std::size_t copied =
-        original->master->positions().size() - looked_at.size() + nodes.positions.size();
-    if (const double share = share_wanted(*original, density, copied, added.size()); share != 1)
-      added = fill(share);
-  }
+  const std::vector<Vec3> added =
+      (start == MeshOptions::Start::Lattice ? fill_lattice : fill_random)(
+          source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
+          {.edge_length = density.edge_length,
+           .density = density.nodes_per_volume,
+           .count = density.count,
+           .seed = seed},
+          run);
   for (const Vec3& p : added) nodes.add_new(p);
   if (!original) {
     LocalNodes local;
@@ -224,6 +188,7 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
     return local;
   }
   free_at_active_faces(nodes, source, density.edge_length, run);
+  thin_out(nodes, density.edge_length);
   std::optional<LocalNodes> local =
       localise(nodes, looked_at, *original->master, original->supports(),
                {original->master_nodes(), original->delivery.mesh.tets}, reach.map, source,

@@ -21,7 +21,7 @@ struct Density {
   double edge_length = 0;              ///< l: spacing of samples, reach of searches
   double nodes_per_volume = 0;         ///< in newcells
   std::optional<std::uint32_t> count;  ///< of a first mesh asked for by number of nodes
-  std::optional<double> expected;      ///< of an edit that keeps its base's density: nodes in all
+  bool inherited = false;              ///< an edit keeps its base's density
 };
 
 /// Throws Error(InvalidArgument) `OptionsInvalid`.

@@ -168,9 +168,12 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   watch_.lap(report.seconds.setup);
 
   StartMesh start = start_mesh(*local, source, boundary.bounds, run_);
-  OptimiseResult loop = optimise(
-      nodes, std::move(start), boundary, inside, samples,
-      {.edge_length = l, .iterations = options.iterations, .rebuild = options.rebuild}, run_);
+  OptimiseResult loop = optimise(nodes, std::move(start), boundary, inside, samples,
+                                 {.edge_length = l,
+                                  .iterations = options.iterations,
+                                  .fill_voids = original && !s.all_free && s.density.inherited,
+                                  .rebuild = options.rebuild},
+                                 run_);
   counts.free_at_end = count(nodes.free, 1);
   counts.free_per_iteration = loop.free_per_iteration;
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());

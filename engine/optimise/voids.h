@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "engine/base/inside_test.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/nodes/node_set.h"
+
+namespace remeshd {
+
+/// Puts new nodes into the voids of a Delaunay mesh: to the circumcentres of tets between interior
+/// nodes whose balls are larger than those of an optimised mesh, largest first, none nearer to
+/// another of them than the radius of such a ball.
+///
+/// `tets`: of the Delaunay mesh of the nodes, where voids are looked for. `edge_length`: target
+/// edge length.
+void fill_voids(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
+                double edge_length);
+
+}  // namespace remeshd
