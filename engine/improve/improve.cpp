@@ -29,6 +29,7 @@ constexpr std::size_t kMostMended = 12;
 constexpr std::size_t kMostTakenOut = 3;
 /// A node in more tets than this, as only a broken mesh has, stays: it would be tried for each.
 constexpr std::size_t kMostAtNode = 300;
+constexpr double kBadAtRim = 0.9;  // score
 constexpr int kPollEvery = 64;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
@@ -69,7 +70,11 @@ class CleanUp {
     }
     if (bad_tets().size() <= most_stubborn()) mend();
     ImproveResult result;
-    result.below_threshold = static_cast<std::uint32_t>(bad_tets().size());
+    for (const std::int32_t t : bad_tets()) {
+      ++result.below_threshold;
+      if (std::ranges::min(mesh_.tet(t)) < options_.locked && score_(mesh_, t) < kBadAtRim)
+        ++result.bad_at_rim;
+    }
     result.mesh = mesh_.result();
     result.node_moved.resize(start_.size());
     for (std::size_t n = 0; n < start_.size(); ++n)

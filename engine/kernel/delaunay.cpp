@@ -282,7 +282,7 @@ std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling
     const auto key = Wall::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]);
     for (std::uint32_t w = begin[key[0]]; w < begin[key[0] + 1]; ++w)
       // Seen from inside, a wall turns the other way than the tet's own outward facet.
-      if (walls[w].key == key && same_turn(walls[w].v, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}))
+      if (walls[w].has_key(key) && same_turn(walls[w].v, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}))
         return static_cast<std::int32_t>(w);
     return -1;
   };
@@ -403,24 +403,20 @@ std::vector<std::int32_t> Delaunay::put_back(const Delaunay& part, const Cut& cu
   return place;
 }
 
-bool Delaunay::ball_meets(std::int32_t slot, const Box& box) const {
+Delaunay::Ball Delaunay::ball(std::int32_t slot) const {
   const auto& v = slots_[slot].v;
   // The nearer the origin, the less is lost to the far corners.
-  const Vec3& a = points_[*std::ranges::max_element(v)];
+  const std::int32_t origin = *std::ranges::max_element(v);
+  const Vec3& a = points_[origin];
   std::array<Vec3, 3> d;
   int k = 0;
   for (const std::int32_t w : v)
-    if (w != *std::ranges::max_element(v)) d[k++] = points_[w] - a;
+    if (w != origin) d[k++] = points_[w] - a;
   const Vec3 bc = cross(d[1], d[2]);
   const double det = 2 * dot(d[0], bc);
   const Vec3 centre =
       (norm2(d[0]) * bc + norm2(d[1]) * cross(d[2], d[0]) + norm2(d[2]) * cross(d[0], d[1])) / det;
-  const double radius2 = norm2(centre);
-  if (!std::isfinite(radius2)) return true;
-  const Vec3 c = a + centre;
-  const Vec3 nearest{std::clamp(c.x, box.lo.x, box.hi.x), std::clamp(c.y, box.lo.y, box.hi.y),
-                     std::clamp(c.z, box.lo.z, box.hi.z)};
-  return norm2(nearest - c) <= radius2 * (1 + 1e-9);
+  return {a + centre, norm(centre)};
 }
 
 }  // namespace remeshd::kernel

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -104,8 +105,12 @@ class Delaunay {
   [[nodiscard]] std::int32_t beyond(std::int32_t slot, int corner) const {
     return slots_[slot].n[corner] < -1 ? -2 - slots_[slot].n[corner] : -1;
   }
-  /// Whether the ball round a tet meets a box, to within rounding; also where the tet is flat.
-  [[nodiscard]] bool ball_meets(std::int32_t slot, const Box& box) const;
+  /// The ball round a tet, to within rounding.
+  struct Ball {
+    Vec3 centre;
+    double radius;  ///< infinite or not a number where the tet is flat
+  };
+  [[nodiscard]] Ball ball(std::int32_t slot) const;
 
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.
@@ -198,7 +203,12 @@ class Delaunay {
     }
     /// The same three nodes may bound holes on both sides.
     friend bool operator<(const Wall& a, const Wall& b) {
-      return a.key != b.key ? a.key < b.key : a.outer < b.outer;
+      // Not as arrays, whose comparison is a call.
+      return std::tie(a.key[0], a.key[1], a.key[2], a.outer) <
+             std::tie(b.key[0], b.key[1], b.key[2], b.outer);
+    }
+    [[nodiscard]] bool has_key(const std::array<std::int32_t, 3>& k) const {
+      return key[0] == k[0] && key[1] == k[1] && key[2] == k[2];
     }
   };
   struct Fill {  ///< a tet of the filling that lies in a hole, and the walls it touches

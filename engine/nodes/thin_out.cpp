@@ -7,7 +7,7 @@ namespace remeshd {
 namespace {
 
 // x edge length: in regular meshes nodes are .65 from each other inside, and .35 on model edges.
-constexpr double kCrowded = 0.42, kCrowdedOnEdge = 0.3;
+constexpr double kCrowded = 0.46, kCrowdedOnEdge = 0.3;
 
 }  // namespace
 

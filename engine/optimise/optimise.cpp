@@ -59,7 +59,8 @@ class Frozen {
 };
 
 /// Frees the fixed nodes next to free ones, through tets that belong to the model: such as have an
-/// interior node or, all corners being on the boundary, their centroid inside (Sect. 8).
+/// interior node or, all corners being on the boundary, their centroid inside (Sect. 8). Nodes at
+/// the rim of a part stay.
 bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
             const InsideTest& inside) {
   std::vector<std::uint8_t> was_free = nodes.free;
@@ -75,8 +76,7 @@ bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
                                      nodes.positions[t[2]] + nodes.positions[t[3]])))
       continue;
     for (const std::int32_t n : t) {
-      if (was_free[n]) continue;
-      if (n < nodes.rim) throw LeftPart{"freeing nodes"};
+      if (was_free[n] || n < nodes.rim) continue;
       nodes.free[n] = 1;
       grown = true;
     }

@@ -7,23 +7,22 @@ namespace remeshd {
 
 namespace {
 
-constexpr int kSteps = 4;  // cubes to the reach
-
 /// The tets at inner nodes, those of clusters that one of them is in, and tets outside of the model
-/// that nodes in the boxes may lie in the balls of: these may reach far.
+/// that changing nodes may lie in the balls of: these may reach far.
 std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::uint8_t>& inner,
-                                   std::span<const Box> boxes) {
+                                   const Surroundings* changing) {
   const auto count = static_cast<std::int32_t>(master.mesh.slots());
   std::vector<std::uint8_t> taken(count, 0);
   std::vector<std::uint8_t> clusters(master.clusters.size(), 0);
+  const auto may_be_entered = [&](const kernel::Delaunay::Ball& ball) {
+    return changing->meets(ball.centre, ball.radius);
+  };
   for (std::int32_t s = 0; s < count; ++s) {
     if (!master.mesh.in_use(s)) continue;
     const auto at = master.mesh.corners(s);
     const bool wanted =
         std::ranges::any_of(at, [&](std::int32_t n) { return n >= 0 && inner[n] != 0; }) ||
-        (!master.inside(s) && std::ranges::any_of(boxes, [&](const Box& box) {
-          return master.mesh.ball_meets(s, box);
-        }));
+        (changing && !master.inside(s) && may_be_entered(master.mesh.ball(s)));
     if (!wanted) continue;
     taken[s] = 1;
     if (const std::int32_t c = master.cluster_of(s); c >= 0) clusters[c] = 1;
@@ -40,9 +39,9 @@ std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::
 }  // namespace
 
 OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
-                     const std::vector<std::uint8_t>& inner, std::span<const Box> boxes) {
+                     const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
   OriginalPart part;
-  const std::vector<std::int32_t> slots = slots_at(master, inner, boxes);
+  const std::vector<std::int32_t> slots = slots_at(master, inner, changing);
 
   // The delivered tets of all pieces, and which slots have them.
   std::vector<std::int32_t> delivered_number(slots.size(), -1);
@@ -120,21 +119,19 @@ std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int
   for (std::int32_t n = 0; n < near.size(); ++n)
     if (stays(n)) looked[near.original[n]] = 2;
   std::vector<std::uint8_t> inner(delivered.nodes.size(), 1);
-  std::vector<Box> boxes;
+  std::optional<Surroundings> changing;
   if (std::isfinite(reach)) {
     std::vector<Vec3> changed;
     for (std::int32_t n = 0; n < near.size(); ++n)
       if (!stays(n)) changed.push_back(near.positions[n]);
     for (const std::int32_t o : looked_at)
       if (looked[o] == 1) changed.push_back(master.mesh.position(o));
-    const Region region(changed, reach, kSteps);
-    local.sampled = region.grown(sampled_beyond);
-    for (Box box : region.boxes())
-      if (box = intersection(box, source.modified().bounds()); !box.empty()) boxes.push_back(box);
+    changing.emplace(std::move(changed), reach, source.modified().bounds());
+    local.sampled = changing->region().grown(sampled_beyond);
     for (std::size_t n = 0; n < inner.size(); ++n)
-      inner[n] = region.holds(master.mesh.position(static_cast<std::int32_t>(n))) ? 1 : 0;
+      inner[n] = changing->holds(master.mesh.position(static_cast<std::int32_t>(n))) ? 1 : 0;
   }
-  local.part = cut_out(master, delivered, inner, boxes);
+  local.part = cut_out(master, delivered, inner, changing ? &*changing : nullptr);
   const OriginalPart& part = local.part;
 
   NodeSet& nodes = local.nodes;

@@ -9,6 +9,7 @@
 #include "engine/boundary/entity_map.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
+#include "engine/nodes/surroundings.h"
 #include "engine/plan/point_source.h"
 #include "engine/remesh/master.h"
 
@@ -34,9 +35,10 @@ struct OriginalPart {
   std::vector<std::uint8_t> beyond;         ///< by element of `cut.beyond`: 1 if in the model
 };
 
-/// `inner`: by node of the original. `boxes`: where nodes may move or come.
+/// `inner`: by node of the original. `changing`: where nodes may move or come; null: nowhere that
+/// is not at inner nodes.
 OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
-                     const std::vector<std::uint8_t>& inner, std::span<const Box> boxes);
+                     const std::vector<std::uint8_t>& inner, const Surroundings* changing);
 
 /// The nodes that an edit works on, and the part of the original that they came from.
 struct LocalNodes {

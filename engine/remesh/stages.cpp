@@ -273,12 +273,15 @@ void finish(Candidate& c, const Target& target, const Site& site, bool clean_up,
     carried.dirty.assign(c.delaunay.tets.size(), 1);
   }
   run.report("improve", 0.85);
-  if (clean_up)
-    c.mesh = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
-                     {.threshold = options.threshold, .locked = c.nodes.rim}, run)
-                 .mesh;
-  else
+  c.bad_at_rim = 0;
+  if (clean_up) {
+    ImproveResult improved = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
+                                     {.threshold = options.threshold, .locked = c.nodes.rim}, run);
+    c.bad_at_rim = improved.bad_at_rim;
+    c.mesh = std::move(improved.mesh);
+  } else {
     c.mesh = std::move(carried.mesh);
+  }
   const PartMesh made{c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.mesh};
   c.whole = original ? splice(*original, supports_left(*original, site), site.part, made,
                               target.source, run)

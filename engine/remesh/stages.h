@@ -54,6 +54,8 @@ struct Candidate {
   WholeMesh whole;
   Verification verification;  ///< of the whole
   bool too_fine = false;      ///< the boundary would need many more nodes than the edge length says
+  std::uint32_t bad_at_rim =
+      0;  ///< tets that the clean-up could not mend, beside what is not in the part
   double verify_seconds = 0;
 };
 

@@ -79,7 +79,7 @@ TEST(ToAndFro, TheNumberOfNodesStaysWhatTheModelNeeds) {
   for (int k = 0; k < 8; ++k) {
     r = make_revision(&r, k % 2 == 0 ? back : there, {.iterations = 5}, kRun);
     EXPECT_EQ(r.report.way, Way::Local);
-    EXPECT_NEAR(r.report.counts.nodes, 4000, 120) << "edit " << k;
+    EXPECT_NEAR(r.report.counts.nodes, 4000, 100) << "edit " << k;
   }
 }
 

@@ -169,7 +169,7 @@ TEST(CutOut, HasAllTetsOfItsInnerNodesAndWholeClusters) {
   for (std::size_t n = 0; n < inner.size(); ++n)
     inner[n] = norm(master.positions()[n] - Vec3{30, 0, 6}) < 12 ? 1 : 0;
   const OriginalPart part =
-      cut_out(master, {original.master_nodes(), original.delivery.mesh.tets}, inner, {});
+      cut_out(master, {original.master_nodes(), original.delivery.mesh.tets}, inner, nullptr);
   std::vector<int> tets_at(inner.size(), 0), in_part(inner.size(), 0);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s)
     if (master.inside(s))

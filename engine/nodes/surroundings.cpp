@@ -1,0 +1,46 @@
+#include "engine/nodes/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remeshd {
+
+namespace {
+constexpr int kSteps = 4;        // cubes to the reach
+constexpr int kBlock = 6;        // cubes along each axis: few boxes, which do not reach far
+constexpr double kCell = 0.4;    // of the reach
+constexpr double kSlack = 1e-9;  // of a radius
+}  // namespace
+
+Surroundings::Surroundings(std::vector<Vec3> points, double reach, const Box& within)
+    : points_(std::move(points)),
+      reach_(reach),
+      region_(points_, reach, kSteps),
+      grid_(points_, kCell * reach) {
+  for (Box block : region_.blocks(kBlock)) {
+    block = intersection(block, within);
+    if (block.empty()) continue;
+    blocks_.push_back(block);
+    box_.add(block.lo);
+    box_.add(block.hi);
+  }
+}
+
+bool Surroundings::holds(const Vec3& p) const {
+  return region_.holds(p) && distance(p, points_[grid_.nearest(p)]) <= reach_;
+}
+
+bool Surroundings::meets(const Vec3& centre, double radius) const {
+  if (box_.empty()) return false;
+  if (!std::isfinite(radius)) return true;
+  const double reached2 = radius * radius * (1 + kSlack);
+  const auto near = [&](const Box& box) {
+    const Vec3 nearest{std::clamp(centre.x, box.lo.x, box.hi.x),
+                       std::clamp(centre.y, box.lo.y, box.hi.y),
+                       std::clamp(centre.z, box.lo.z, box.hi.z)};
+    return norm2(nearest - centre) <= reached2;
+  };
+  return near(box_) && std::ranges::any_of(blocks_, near);
+}
+
+}  // namespace remeshd

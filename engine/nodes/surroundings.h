@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/base/region.h"
+#include "engine/base/vec.h"
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+/// What is within some distance of one of some points.
+class Surroundings {
+ public:
+  /// `within`: all that is asked for is in this box.
+  Surroundings(std::vector<Vec3> points, double reach, const Box& within);
+
+  [[nodiscard]] bool holds(const Vec3& p) const;
+  /// False where a ball does not meet it by far.
+  [[nodiscard]] bool meets(const Vec3& centre, double radius) const;
+  /// Cubes that cover it.
+  [[nodiscard]] const Region& region() const { return region_; }
+
+ private:
+  std::vector<Vec3> points_;
+  double reach_;
+  Region region_;
+  NearestNode grid_;
+  Box box_;                  ///< round all of it
+  std::vector<Box> blocks_;  ///< cover it
+};
+
+}  // namespace remeshd
