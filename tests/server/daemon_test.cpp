@@ -131,7 +131,7 @@ TEST_F(Daemons, TellTheirLimitsAndLoad) {
   create(plate());
   const auto about = info();
   EXPECT_EQ(about.protocol(), "remesh.v1");
-  EXPECT_EQ(about.algorithm_version(), 7U);
+  EXPECT_EQ(about.algorithm_version(), engine_.engine().algorithm_version);
   EXPECT_EQ(about.workers(), 2U);
   EXPECT_EQ(about.threads(), 3U);
   EXPECT_EQ(about.revisions(), 1U);
