@@ -98,9 +98,11 @@ std::vector<Box> Region::boxes() const {
         while (!queue.empty()) {
           const std::array<int, 3> c = queue.back();
           queue.pop_back();
-          const Box held = cube(c[0], c[1], c[2]);
-          box.add(held.lo);
-          box.add(held.hi);
+          const Vec3 corner =
+              box_.lo + width_ * Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]),
+                                      static_cast<double>(c[2])};
+          box.add(corner);
+          box.add(corner + Vec3{width_, width_, width_});
           for (int axis = 0; axis < 3; ++axis)
             for (const int step : {-1, 1}) {
               std::array<int, 3> next = c;
@@ -115,29 +117,6 @@ std::vector<Box> Region::boxes() const {
         boxes.push_back(box);
       }
   return boxes;
-}
-
-std::vector<Box> Region::blocks(int cubes) const {
-  const auto count = [&](int axis) { return (size_[axis] + cubes - 1) / cubes; };
-  std::vector<Box> blocks(static_cast<std::size_t>(count(0)) * count(1) * count(2));
-  for (int z = 0; z < size_[2]; ++z)
-    for (int y = 0; y < size_[1]; ++y)
-      for (int x = 0; x < size_[0]; ++x) {
-        if (!holds_[index(x, y, z)]) continue;
-        const std::size_t row = static_cast<std::size_t>(z / cubes) * count(1) + y / cubes;
-        Box& block = blocks[row * count(0) + x / cubes];
-        const Box held = cube(x, y, z);
-        block.add(held.lo);
-        block.add(held.hi);
-      }
-  std::erase_if(blocks, [](const Box& block) { return block.empty(); });
-  return blocks;
-}
-
-Box Region::cube(int x, int y, int z) const {
-  const Vec3 lo = box_.lo + width_ * Vec3{static_cast<double>(x), static_cast<double>(y),
-                                          static_cast<double>(z)};
-  return {lo, lo + Vec3{width_, width_, width_}};
 }
 
 }  // namespace remeshd

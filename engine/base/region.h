@@ -27,8 +27,6 @@ class Region {
   }
   /// Boxes round the parts that hang together, in an order of their own; they may overlap.
   [[nodiscard]] std::vector<Box> boxes() const;
-  /// Boxes round what of it lies in each block of `cubes` cubes along each axis.
-  [[nodiscard]] std::vector<Box> blocks(int cubes) const;
 
  private:
   Region() = default;
@@ -37,7 +35,6 @@ class Region {
     return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x;
   }
   void widen(int steps);
-  [[nodiscard]] Box cube(int x, int y, int z) const;
 
   Box box_;  ///< of all cubes
   double width_ = 0;

@@ -7,7 +7,6 @@ namespace remeshd {
 
 namespace {
 constexpr int kSteps = 4;        // cubes to the reach
-constexpr int kBlock = 6;        // cubes along each axis: few boxes, which do not reach far
 constexpr double kCell = 0.4;    // of the reach
 constexpr double kSlack = 1e-9;  // of a radius
 }  // namespace
@@ -17,12 +16,12 @@ Surroundings::Surroundings(std::vector<Vec3> points, double reach, const Box& wi
       reach_(reach),
       region_(points_, reach, kSteps),
       grid_(points_, kCell * reach) {
-  for (Box block : region_.blocks(kBlock)) {
-    block = intersection(block, within);
-    if (block.empty()) continue;
-    blocks_.push_back(block);
-    box_.add(block.lo);
-    box_.add(block.hi);
+  for (const Box& part : region_.boxes()) {
+    const Box box = intersection(part, within);
+    if (box.empty()) continue;
+    boxes_.push_back(box);
+    box_.add(box.lo);
+    box_.add(box.hi);
   }
 }
 
@@ -40,7 +39,7 @@ bool Surroundings::meets(const Vec3& centre, double radius) const {
                        std::clamp(centre.z, box.lo.z, box.hi.z)};
     return norm2(nearest - centre) <= reached2;
   };
-  return near(box_) && std::ranges::any_of(blocks_, near);
+  return near(box_) && std::ranges::any_of(boxes_, near);
 }
 
 }  // namespace remeshd

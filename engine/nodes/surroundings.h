@@ -12,11 +12,12 @@ namespace remeshd {
 /// What is within some distance of one of some points.
 class Surroundings {
  public:
-  /// `within`: all that is asked for is in this box.
+  /// `reach`: the distance, a length > 0. `within`: all that is asked for is in this box.
   Surroundings(std::vector<Vec3> points, double reach, const Box& within);
 
   [[nodiscard]] bool holds(const Vec3& p) const;
-  /// False where a ball does not meet it by far.
+  /// Whether a ball meets the boxes round the parts that hang together; true where the radius is
+  /// not finite, false where there is nothing.
   [[nodiscard]] bool meets(const Vec3& centre, double radius) const;
   /// Cubes that cover it.
   [[nodiscard]] const Region& region() const { return region_; }
@@ -26,8 +27,8 @@ class Surroundings {
   double reach_;
   Region region_;
   NearestNode grid_;
-  Box box_;                  ///< round all of it
-  std::vector<Box> blocks_;  ///< cover it
+  Box box_;                 ///< round all of it
+  std::vector<Box> boxes_;  ///< cover it
 };
 
 }  // namespace remeshd

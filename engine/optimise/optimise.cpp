@@ -125,14 +125,15 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, live.tets());
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
-    if (options.fill_voids && k == kFillAt) fill_voids(nodes, tets, inside, options.edge_length);
+    const bool filled = options.fill_voids && k == kFillAt &&
+                        fill_voids(nodes, tets, inside, options.edge_length) > 0;
     relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, live.tets(), inside))
       active.refresh(nodes, run);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;
-    quality = now;
+    quality = filled ? 0 : now;  // nodes that are new spoil the mesh before they better it
   }
   frozen.thaw_boundary(nodes);
   pull_now();

@@ -40,7 +40,7 @@ struct OptimiseResult {
 /// The optimisation loop (Sect. 3.3 and 8): the boundary procedure with the active samples,
 /// Delaunay mesh, optimal Delaunay relocation (Chen 2003) of the free interior nodes; after
 /// iterations 1 and 4 the layer of fixed nodes next to the free ones is freed too. Nodes may be
-/// added by splitting.
+/// added by splitting, and where `fill_voids` finds room for them after iteration 3.
 ///
 /// A first mesh is the case of all nodes free and an empty start. Throws LeftPart where what has to
 /// move gets to the rim of the part.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/circumball.h"
+
 namespace remeshd {
 
 namespace {
@@ -20,17 +22,15 @@ struct Void {
 
 std::optional<Void> ball_of(const std::vector<Vec3>& p, const Tet& t, double flat) {
   const Vec3 &o = p[t[0]], a = p[t[1]] - o, b = p[t[2]] - o, c = p[t[3]] - o;
-  const double six_volume = dot(a, cross(b, c));
-  if (six_volume <= flat) return std::nullopt;
-  const Vec3 to =
-      (norm2(a) * cross(b, c) + norm2(b) * cross(c, a) + norm2(c) * cross(a, b)) / (2 * six_volume);
+  if (dot(a, cross(b, c)) <= flat) return std::nullopt;
+  const Vec3 to = to_circumcentre(a, b, c);
   return Void{norm2(to), o + to};
 }
 
 }  // namespace
 
-void fill_voids(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
-                double edge_length) {
+std::int32_t fill_voids(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
+                        double edge_length) {
   const double l = edge_length;
   const double least2 = kLargestBall * kLargestBall * l * l;
   std::vector<Void> voids;
@@ -42,13 +42,13 @@ void fill_voids(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& ins
     if (ball && ball->radius2 > least2 && inside(ball->centre)) voids.push_back(*ball);
   }
   std::ranges::stable_sort(voids, std::ranges::greater(), &Void::radius2);
-  const auto first = static_cast<std::size_t>(nodes.size());
+  const std::int32_t first = nodes.size();
   for (const Void& v : voids) {
     const auto near = [&](const Vec3& p) { return norm2(p - v.centre) <= least2; };
-    if (std::none_of(nodes.positions.begin() + static_cast<std::ptrdiff_t>(first),
-                     nodes.positions.end(), near))
+    if (std::none_of(nodes.positions.begin() + first, nodes.positions.end(), near))
       nodes.add_new(v.centre);
   }
+  return nodes.size() - first;
 }
 
 }  // namespace remeshd

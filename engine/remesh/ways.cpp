@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on a face this near
 constexpr int kRepairRounds = 8;
-// x edge length. Of 136 attempts of the campaign 9 had to go on from 4 to the next, 22 from 3.5, 43
-// from 3; from 5 it is 3, but parts of the cases are a tenth to a half larger.
+// x edge length. Of 136 attempts of the campaign 9 had to go on from 4 to the next and 22 from 3.5;
+// from 5 it is 3, but parts of the cases are a tenth to a half larger.
 constexpr std::array kReaches{4.0, 6.0, 8.0};
 constexpr double kFewInserted = 200, kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <stdexcept>
 
 #include "tests/support/documents.h"
@@ -76,6 +77,18 @@ FeatureSource placed(FeatureSource feature, double x, double y, double z, Nature
   feature.placement.origin = {x, y, z};
   feature.nature = nature;
   return feature;
+}
+
+FeatureSource turned(FeatureSource feature, std::array<double, 3> z, std::array<double, 3> x) {
+  feature.placement.z_axis = {z[0], z[1], z[2]};
+  feature.placement.x_axis = {x[0], x[1], x[2]};
+  return feature;
+}
+
+std::vector<int> all_of(const FeatureModel& model) {
+  std::vector<int> features(model.features.size());
+  std::iota(features.begin(), features.end(), 0);
+  return features;
 }
 
 ProfileEntry point(Scalar x, Scalar y) { return {std::move(x), std::move(y), {}}; }

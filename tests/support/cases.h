@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,12 @@ FeatureSource cylinder(std::string id, double radius, double height);
 /// The feature elsewhere.
 FeatureSource placed(FeatureSource feature, double x, double y, double z,
                      Nature nature = Nature::Additive);
+
+/// The feature with the z and x axes given.
+FeatureSource turned(FeatureSource feature, std::array<double, 3> z, std::array<double, 3> x);
+
+/// The indices of its features.
+std::vector<int> all_of(const FeatureModel& model);
 
 /// Entries of a profile: a point, and an arc that ends at (x, y) by way of (tx, ty).
 ProfileEntry point(Scalar x, Scalar y);

@@ -57,23 +57,11 @@ TEST(Region, HasABoxRoundEachPart) {
     EXPECT_TRUE(std::ranges::any_of(region.boxes(), [&](const Box& b) { return b.contains(p); }));
 }
 
-TEST(Region, BlocksCoverItAndDoNotReachFar) {
-  Random random(4);
-  const std::vector<Vec3> points = cloud(8, {}, random);
-  const Region region(points, 0.3, 3);
-  const std::vector<Box> blocks = region.blocks(2);
-  for (const Box& b : blocks) EXPECT_LE(norm(b.hi - b.lo), 2 * 0.1 * std::sqrt(3.0) * (1 + 1e-9));
-  for (const Vec3& p : cloud(2000, {}, random))
-    if (region.holds(2 * p))
-      EXPECT_TRUE(std::ranges::any_of(blocks, [&](const Box& b) { return b.contains(2 * p); }));
-}
-
 TEST(Region, OfNothingIsEmpty) {
   const Region region({}, 1, 2);
   EXPECT_TRUE(region.empty());
   EXPECT_FALSE(region.holds({}));
   EXPECT_TRUE(region.grown(1).boxes().empty());
-  EXPECT_TRUE(region.blocks(2).empty());
 }
 
 }  // namespace

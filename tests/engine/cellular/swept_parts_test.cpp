@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "engine/base/error.h"
 #include "engine/base/random.h"
 #include "engine/cellular/cellular_model.h"
@@ -16,28 +14,17 @@ namespace {
 
 const Run kRun;
 
+using test::all_of;
 using test::block;
 using test::cylinder;
 using test::feature;
 using test::model_of;
 using test::placed;
 using test::point;
+using test::turned;
 
 FeatureSource slot(std::string id, double length, double width, double height) {
   return feature(std::move(id), "slot", {{"length", length}, {"width", width}, {"height", height}});
-}
-
-/// With the z and x axes given.
-FeatureSource turned(FeatureSource f, std::array<double, 3> z, std::array<double, 3> x) {
-  f.placement.z_axis = {z[0], z[1], z[2]};
-  f.placement.x_axis = {x[0], x[1], x[2]};
-  return f;
-}
-
-std::vector<int> all_of(const FeatureModel& model) {
-  std::vector<int> features(model.features.size());
-  std::iota(features.begin(), features.end(), 0);
-  return features;
 }
 
 std::optional<FusedParts> parts_of(const ModelSource& source) {

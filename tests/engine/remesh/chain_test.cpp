@@ -96,6 +96,16 @@ TEST(ToAndFro, ABoundaryThatIsBuriedAndLaidBareAgainWearsNothingOut) {
   EXPECT_GT(r.report.quality.volume_length_mean, first.report.quality.volume_length_mean - 0.004);
 }
 
+TEST(AutomaticIterations, AreNotEndedByTheNodesThatFillVoids) {
+  const ModelSource there = test::case_model("tool3-a");
+  const ModelSource edited = apply(there, test::case_edit("tool3-ab"));
+  const Revision base = make_revision(nullptr, there, {.nodes = 4000}, kRun);
+  const Revision r = make_revision(&base, edited, {}, kRun);
+  EXPECT_EQ(r.report.way, Way::Local);
+  const Revision regular = make_revision(nullptr, edited, {.nodes = r.report.counts.nodes}, kRun);
+  EXPECT_GT(r.report.quality.volume_length_mean, regular.report.quality.volume_length_mean - 0.01);
+}
+
 /// A remesh of a mesh that was made in one iteration from random nodes, in a chain that is said to
 /// have begun with a mean volume-length of .87.
 Revision remesh_of_a_poor_mesh(const MeshOptions& options) {
