@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <queue>
 
 #include "engine/improve/boundary_rules.h"
@@ -60,10 +61,11 @@ class CleanUp {
         dirty_(dirty.begin(), dirty.end()) {}
 
   ImproveResult work() {
+    InVain ways;
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(most_stubborn(), [&](std::int32_t t) {
+      changed |= on_stubborn(most_stubborn(), ways, [&](std::int32_t t) {
         return last_.relax(t) || last_.reconnect(t) || last_.climb(t);
       });
       if (!changed) break;
@@ -97,13 +99,24 @@ class CleanUp {
     return tets;
   }
 
+  /// By tet, what surrounded it when a means was of no help.
+  using InVain = std::map<std::int32_t, LastMeans::Neighbourhood>;
+
   /// Has a last means try the worst of the bad tets; true if it helped one.
   template <class Means>
-  bool on_stubborn(std::size_t most, const Means& means) {
+  bool on_stubborn(std::size_t most, InVain& in_vain, const Means& means) {
     bool changed = false;
     for (const std::int32_t t : stubborn_tets(most)) {
       run_.poll();
-      if (!bad(t) || last_.is_crowded(t) || !means(t)) continue;
+      if (!bad(t)) continue;
+      LastMeans::Neighbourhood round = last_.neighbourhood(t);
+      if (LastMeans::is_crowded(round)) continue;
+      if (const auto tried = in_vain.find(t); tried != in_vain.end() && tried->second == round)
+        continue;
+      if (!means(t)) {
+        in_vain[t] = std::move(round);
+        continue;
+      }
       touch(last_.touched());
       drain();
       changed = true;
@@ -117,9 +130,11 @@ class CleanUp {
 
   /// Has the few that are left mended; where there are many the goals are out of reach.
   void mend() {
+    InVain mended, mended_otherwise;
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_stubborn(kMostMended, [&](std::int32_t t) { return last_.mend(t); })) break;
-    on_stubborn(kMostTakenOut, [&](std::int32_t t) { return last_.mend_otherwise(t); });
+      if (!on_stubborn(kMostMended, mended, [&](std::int32_t t) { return last_.mend(t); })) break;
+    on_stubborn(kMostTakenOut, mended_otherwise,
+                [&](std::int32_t t) { return last_.mend_otherwise(t); });
   }
 
   /// The worst of the bad tets: few enough for the dear treatment that they get.

@@ -61,7 +61,15 @@ LastMeans::Standing LastMeans::standing(const std::vector<std::int32_t>& tets) c
   return now;
 }
 
-bool LastMeans::is_crowded(std::int32_t t) const { return tets_at(nodes_round(t)).size() > kCrowd; }
+LastMeans::Neighbourhood LastMeans::neighbourhood(std::int32_t t) const {
+  Neighbourhood tets;
+  for (const std::int32_t s : tets_at(nodes_round(t))) tets.emplace_back(s, mesh_.stamp(s));
+  return tets;
+}
+
+bool LastMeans::is_crowded(const Neighbourhood& neighbourhood) {
+  return neighbourhood.size() > kCrowd;
+}
 
 bool LastMeans::relax(std::int32_t t) {
   const std::vector<std::int32_t> nodes = nodes_round(t);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/improve/boundary_rules.h"
@@ -19,9 +20,14 @@ class LastMeans {
             int max_ring)
       : mesh_(mesh), rules_(rules), smoother_(smoother), score_(score), max_ring_(max_ring) {}
 
+  /// Tets with their stamps, ascending.
+  using Neighbourhood = std::vector<std::pair<std::int32_t, std::uint32_t>>;
+  /// What the means look at to help a tet: where one was of no help, it is of none until this
+  /// changes.
+  [[nodiscard]] Neighbourhood neighbourhood(std::int32_t t) const;
   /// Whether so many tets surround a tet as only do in a mesh that is broken there, with nodes in
   /// hundreds of tets: it would take the last means minutes, for nothing.
-  [[nodiscard]] bool is_crowded(std::int32_t t) const;
+  [[nodiscard]] static bool is_crowded(const Neighbourhood& neighbourhood);
 
   /// Moves all nodes round a tet a little, several times, though most of their tets are good
   /// enough: where two nodes of a model edge are too near, each holds the other. Takes the moves

@@ -165,7 +165,7 @@ void LocalMesh::move(std::int32_t node, const Vec3& position) {
     change.position = nodes_[node];
     changes_.push_back(std::move(change));
   }
-  set_position(node, position);
+  set_position(node, position, 1);
 }
 
 void LocalMesh::begin_trial() {
@@ -184,11 +184,11 @@ void LocalMesh::undo_trial() {
 }
 
 void LocalMesh::take_back(const Change& change) {
-  if (change.node >= 0) return set_position(change.node, change.position);
+  if (change.node >= 0) return set_position(change.node, change.position, -1);
   for (auto t = change.fresh_slots.rbegin(); t != change.fresh_slots.rend(); ++t) {
     for (const std::int32_t n : tets_[*t]) unlink(n, *t);
     tets_[*t][0] = -1;
-    ++stamps_[*t];
+    --stamps_[*t];
     if (*t < change.slots) gaps_.push_back(*t);
   }
   tets_.resize(change.slots);
@@ -199,16 +199,17 @@ void LocalMesh::take_back(const Change& change) {
     const std::int32_t t = change.old_slots[i];
     tets_[t] = change.old_tets[i];
     qualities_[t] = kUnknown;
-    ++stamps_[t];
+    --stamps_[t];
     for (const std::int32_t n : tets_[t]) link(n, t);
   }
 }
 
-void LocalMesh::set_position(std::int32_t node, const Vec3& position) {
+/// Every tet at the node grows by so many stamps.
+void LocalMesh::set_position(std::int32_t node, const Vec3& position, std::int32_t stamps) {
   nodes_[node] = position;
   for (const std::int32_t t : tets_of(node)) {
     qualities_[t] = kUnknown;
-    ++stamps_[t];
+    stamps_[t] += stamps;
   }
 }
 

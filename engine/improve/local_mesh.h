@@ -63,7 +63,8 @@ class LocalMesh {
   void begin_trial();
   /// Ends the trial and keeps what it changed.
   void keep_trial();
-  /// Ends the trial and takes back all that it changed: the same tets stand in the same slots.
+  /// Ends the trial and takes back all that it changed: the same tets stand in the same slots, and
+  /// with the same stamps.
   void undo_trial();
 
   /// The tets in use, in the order of their slots.
@@ -82,7 +83,7 @@ class LocalMesh {
     std::vector<Tet> old_tets;
     std::int32_t slots = 0;  ///< how many there were
   };
-  void set_position(std::int32_t node, const Vec3& position);
+  void set_position(std::int32_t node, const Vec3& position, std::int32_t stamps);
   void take_back(const Change& change);
   void link(std::int32_t node, std::int32_t t);
   void unlink(std::int32_t node, std::int32_t t);

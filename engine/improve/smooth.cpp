@@ -17,11 +17,11 @@ constexpr double kBand = 0.06;
 constexpr double kMaxStep = 0.3;
 /// The same for one easing step, which is repeated.
 constexpr double kEaseStep = 0.1;
-/// Half the span of the differences that give a score's energy its slope; of the same length.
-constexpr double kProbe = 1e-4;
-/// Least energy by a score for which a step is worth its while: where no tet at the node is near to
-/// lacking anything it is far less.
-constexpr double kLeastEnergy = 0.03;
+/// Span of the differences that give a score's energy its slope; of the same length.
+constexpr double kProbe = 1e-6;
+/// Least energy by a score for which a step is worth its while: that of one tet that just lacks
+/// nothing. Where a tenth of it did, mending took half as long again and helped no more.
+constexpr double kLeastEnergy = 1;
 /// Easing keeps away from tets of this measure and below.
 constexpr double kLeastEased = 0.05;
 
@@ -134,8 +134,8 @@ bool Smoother::ease(std::int32_t node, Vec3& position) {
   if (!(slopes(mesh_.node(node)) > kLeastEased)) return false;
   Vec3 direction;
   for (const Slope& s : slopes_) direction += std::pow(s.quality, -9) * s.gradient;
-  return step_down(
-      node, direction, [&](const Vec3& x, double limit) { return energy(x, limit); }, position);
+  const auto by_measure = [&](const Vec3& x, double limit) { return energy(x, limit); };
+  return step_down(node, direction, energy(mesh_.node(node), HUGE_VAL), by_measure, position);
 }
 
 bool Smoother::ease(std::int32_t node, const Score& score, int steepness, Vec3& position) {
@@ -150,23 +150,21 @@ bool Smoother::ease(std::int32_t node, const Score& score, int steepness, Vec3& 
     return sum;
   };
   const Vec3& p = mesh_.node(node);
-  if (energy(p, kLeastEnergy) < kLeastEnergy) return false;
+  const double now = energy(p, HUGE_VAL);
+  if (now < kLeastEnergy) return false;
   const double h = kProbe * length_;
-  const auto fall = [&](const Vec3& by) {
-    return energy(p - by, HUGE_VAL) - energy(p + by, HUGE_VAL);
-  };
+  const auto fall = [&](const Vec3& by) { return now - energy(p + by, HUGE_VAL); };
   const Vec3 direction{fall({h, 0, 0}), fall({0, h, 0}), fall({0, 0, h})};
-  return std::isfinite(norm2(direction)) && step_down(node, direction, energy, position);
+  return std::isfinite(norm2(direction)) && step_down(node, direction, now, energy, position);
 }
 
 template <class Energy>
-bool Smoother::step_down(std::int32_t node, Vec3 direction, const Energy& energy,
+bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const Energy& energy,
                          Vec3& position) const {
   const Vec3& p = mesh_.node(node);
   const bool slides = !facets_.empty();
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
   const Vec3 unit = normalised(direction);
-  const double now = energy(p, HUGE_VAL);
   double reach = kEaseStep * length_;
   for (int halving = 0; halving < kMaxHalvings; ++halving, reach *= 0.5) {
     const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;

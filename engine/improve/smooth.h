@@ -51,10 +51,11 @@ class Smoother {
   /// nothing.
   bool slide(std::int32_t node, const Vec3& p, Vec3& direction) const;
   [[nodiscard]] double energy(const Vec3& p, double limit) const;
-  /// One easing step along a direction. Energy is called with a place and a limit, and may stop
-  /// adding up once it has reached that.
+  /// One easing step along a direction, down from the energy that is there `now`. Energy is called
+  /// with a place and a limit, and may stop adding up once it has reached that.
   template <class Energy>
-  bool step_down(std::int32_t node, Vec3 direction, const Energy& energy, Vec3& position) const;
+  bool step_down(std::int32_t node, Vec3 direction, double now, const Energy& energy,
+                 Vec3& position) const;
 
   const LocalMesh& mesh_;
   const BoundaryRules& rules_;

@@ -95,8 +95,8 @@ std::array<int, 3> NearestNode::cell_of(const Vec3& p) const {
           axis(p.z, box_.lo.z, size_[2])};
 }
 
-std::int32_t NearestNode::nearest(const Vec3& p) const {
-  if (nodes_.empty()) return -1;
+template <class Look, class Done>
+void NearestNode::look_round(const Vec3& p, const Look& look, const Done& done) const {
   const auto home = cell_of(p);
   // Distance from p to the box of cells within `ring` of home: nothing beyond can be nearer.
   const auto margin = [&](int ring) {
@@ -107,14 +107,6 @@ std::int32_t NearestNode::nearest(const Vec3& p) const {
       if (home[a] + ring < size_[a] - 1) m = std::min(m, (home[a] + ring + 1) * cell_ - v[a]);
     }
     return m - drift_;
-  };
-  std::int32_t best = -1;
-  double best_d = HUGE_VAL;
-  const auto look = [&](std::int32_t node, const Vec3& at) {
-    const double d = norm2(at - p);
-    if (d > best_d || (d == best_d && node > best)) return;
-    best_d = d;
-    best = node;
   };
   for (const auto& [node, at] : strays_) look(node, at);
   for (int ring = 0;; ++ring) {
@@ -133,9 +125,35 @@ std::int32_t NearestNode::nearest(const Vec3& p) const {
           for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) look(nodes_[k], points_[k]);
         }
       }
-    const double m = margin(ring);
-    if (best >= 0 && (m == HUGE_VAL || (m > 0 && m * m > best_d))) return best;
+    if (done(margin(ring))) return;
   }
+}
+
+std::int32_t NearestNode::nearest(const Vec3& p) const {
+  if (nodes_.empty()) return -1;
+  std::int32_t best = -1;
+  double best_d = HUGE_VAL;
+  look_round(
+      p,
+      [&](std::int32_t node, const Vec3& at) {
+        const double d = norm2(at - p);
+        if (d > best_d || (d == best_d && node > best)) return;
+        best_d = d;
+        best = node;
+      },
+      [&](double seen) {
+        return best >= 0 && (seen == HUGE_VAL || (seen > 0 && seen * seen > best_d));
+      });
+  return best;
+}
+
+bool NearestNode::any_within(const Vec3& p, double radius) const {
+  if (nodes_.empty()) return false;
+  bool found = false;
+  look_round(
+      p, [&](std::int32_t, const Vec3& at) { found = found || norm2(at - p) <= radius * radius; },
+      [&](double seen) { return found || seen > radius; });
+  return found;
 }
 
 }  // namespace remeshd

@@ -22,6 +22,9 @@ class NearestNode {
   /// The node nearest to p, the lowest index where several are equally near; -1 if there are none.
   [[nodiscard]] std::int32_t nearest(const Vec3& p) const;
 
+  /// Whether a node is within `radius` of p. Cheaper than `nearest` where many are.
+  [[nodiscard]] bool any_within(const Vec3& p, double radius) const;
+
   /// Calls f(node, squared distance) for every node within `radius` of p, by cells.
   template <class F>
   void for_each_within(const Vec3& p, double radius, F&& f) const {
@@ -53,6 +56,10 @@ class NearestNode {
   /// How far a point is outside of a cell.
   [[nodiscard]] double beyond(std::uint32_t cell, const Vec3& p) const;
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
+  /// Calls look(node, place) for the strays and for what stands in the cells round p, ring by ring
+  /// until done(d), where all nodes nearer than d have been looked at.
+  template <class Look, class Done>
+  void look_round(const Vec3& p, const Look& look, const Done& done) const;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x;
   }

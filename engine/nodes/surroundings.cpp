@@ -11,11 +11,8 @@ constexpr double kCell = 0.4;    // of the reach
 constexpr double kSlack = 1e-9;  // of a radius
 }  // namespace
 
-Surroundings::Surroundings(std::vector<Vec3> points, double reach, const Box& within)
-    : points_(std::move(points)),
-      reach_(reach),
-      region_(points_, reach, kSteps),
-      grid_(points_, kCell * reach) {
+Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box& within)
+    : reach_(reach), region_(points, reach, kSteps), grid_(points, kCell * reach) {
   for (const Box& part : region_.boxes()) {
     const Box box = intersection(part, within);
     if (box.empty()) continue;
@@ -26,7 +23,7 @@ Surroundings::Surroundings(std::vector<Vec3> points, double reach, const Box& wi
 }
 
 bool Surroundings::holds(const Vec3& p) const {
-  return region_.holds(p) && distance(p, points_[grid_.nearest(p)]) <= reach_;
+  return region_.holds(p) && grid_.any_within(p, reach_);
 }
 
 bool Surroundings::meets(const Vec3& centre, double radius) const {

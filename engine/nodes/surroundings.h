@@ -13,7 +13,7 @@ namespace remeshd {
 class Surroundings {
  public:
   /// `reach`: the distance, a length > 0. `within`: all that is asked for is in this box.
-  Surroundings(std::vector<Vec3> points, double reach, const Box& within);
+  Surroundings(std::span<const Vec3> points, double reach, const Box& within);
 
   [[nodiscard]] bool holds(const Vec3& p) const;
   /// Whether a ball meets the boxes round the parts that hang together; true where the radius is
@@ -23,7 +23,6 @@ class Surroundings {
   [[nodiscard]] const Region& region() const { return region_; }
 
  private:
-  std::vector<Vec3> points_;
   double reach_;
   Region region_;
   NearestNode grid_;

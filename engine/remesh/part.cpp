@@ -126,7 +126,7 @@ std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int
       if (!stays(n)) changed.push_back(near.positions[n]);
     for (const std::int32_t o : looked_at)
       if (looked[o] == 1) changed.push_back(master.mesh.position(o));
-    changing.emplace(std::move(changed), reach, source.modified().bounds());
+    changing.emplace(changed, reach, source.modified().bounds());
     local.sampled = changing->region().grown(sampled_beyond);
     for (std::size_t n = 0; n < inner.size(); ++n)
       inner[n] = changing->holds(master.mesh.position(static_cast<std::int32_t>(n))) ? 1 : 0;

@@ -30,7 +30,10 @@ TEST(NearestNode, FindsWhatASearchThroughAllFinds) {
     const NearestNode grid(points, cell);
     for (int k = 0; k < 500; ++k) {
       const Vec3 p{random.uniform(-5, 15), random.uniform(-5, 5), random.uniform(-9, 9)};
-      ASSERT_EQ(grid.nearest(p), by_hand(points, p)) << "cell " << cell;
+      const std::int32_t nearest = by_hand(points, p);
+      ASSERT_EQ(grid.nearest(p), nearest) << "cell " << cell;
+      for (const double radius : {0.2, 1.0, 6.0})
+        ASSERT_EQ(grid.any_within(p, radius), distance(points[nearest], p) <= radius);
     }
   }
 }
@@ -40,7 +43,10 @@ TEST(NearestNode, OfEquallyNearNodesTheLowestWins) {
   EXPECT_EQ(NearestNode(points, 0.3).nearest({0, 0, 0}), 0);
 }
 
-TEST(NearestNode, AnEmptySetHasNone) { EXPECT_EQ(NearestNode({}, 1).nearest({0, 0, 0}), -1); }
+TEST(NearestNode, AnEmptySetHasNone) {
+  EXPECT_EQ(NearestNode({}, 1).nearest({0, 0, 0}), -1);
+  EXPECT_FALSE(NearestNode({}, 1).any_within({0, 0, 0}, 9));
+}
 
 TEST(NearestNode, VisitsAllWithinTheRadiusAndNoOther) {
   const auto points = cloud(400, 3);

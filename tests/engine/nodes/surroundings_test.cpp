@@ -40,8 +40,12 @@ TEST(Surroundings, MeetBallsThatReachThemAndNoneThatAreFar) {
   for (const Vec3& centre : cloud(2000, 4, 5)) {
     const double radius = random.uniform(0, 2);
     const double gap = distance_to(points, centre) - radius - 0.5;
-    if (gap <= 0) EXPECT_TRUE(around.meets(centre, radius));
-    if (gap > 0.5 * 3) EXPECT_FALSE(around.meets(centre, radius));
+    if (gap <= 0) {
+      EXPECT_TRUE(around.meets(centre, radius));
+    }
+    if (gap > 0.5 * 3) {
+      EXPECT_FALSE(around.meets(centre, radius));
+    }
     ++(gap <= 0 ? met : missed);
   }
   EXPECT_GT(met, 100);

@@ -118,7 +118,9 @@ TEST(Part, CopiesKeepTheirNumberWhereTheMeshGrows) {
   ASSERT_GT(remesh.report.counts.nodes, original.report.counts.nodes);
   const std::vector<std::int32_t>& from = remesh.delivery.map.original_node;
   for (std::size_t n = 0; n < from.size(); ++n)
-    if (from[n] >= 0) ASSERT_EQ(from[n], static_cast<std::int32_t>(n));
+    if (from[n] >= 0) {
+      ASSERT_EQ(from[n], static_cast<std::int32_t>(n));
+    }
 }
 
 TEST(Part, TheLastFillTheGapsWhereTheMeshShrinks) {
@@ -128,8 +130,9 @@ TEST(Part, TheLastFillTheGapsWhereTheMeshShrinks) {
   ASSERT_LT(count, original.report.counts.nodes);
   const std::vector<std::int32_t>& from = remesh.delivery.map.original_node;
   for (std::size_t n = 0; n < from.size(); ++n)
-    if (from[n] >= 0 && from[n] != static_cast<std::int32_t>(n))
+    if (from[n] >= 0 && from[n] != static_cast<std::int32_t>(n)) {
       EXPECT_GE(from[n], static_cast<std::int32_t>(count)) << "moved without need";
+    }
   expect_consistent(remesh);
   expect_delaunay(*remesh.master);
 }
@@ -180,7 +183,9 @@ TEST(CutOut, HasAllTetsOfItsInnerNodesAndWholeClusters) {
     const std::int32_t n = part.nodes[p];
     EXPECT_EQ(part.inner[p], inner[n]);
     EXPECT_EQ(part.positions[p], master.positions()[n]);
-    if (inner[n]) EXPECT_EQ(in_part[n], tets_at[n]);
+    if (inner[n]) {
+      EXPECT_EQ(in_part[n], tets_at[n]);
+    }
   }
   double peeled = 0, delivered = 0;
   const auto volume = [](const Tet& t, const std::vector<Vec3>& p) {
