@@ -15,9 +15,12 @@ namespace {
 constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kBlock = 1024;
 
-int face_of(const NodeSet& nodes, const FacesOf& faces, const Tet& t) {
-  const std::array<Support, 4> supports{nodes.supports[t[0]], nodes.supports[t[1]],
-                                        nodes.supports[t[2]], nodes.supports[t[3]]};
+template <std::size_t kCorners>
+int face_of(const NodeSet& nodes, const FacesOf& faces,
+            const std::array<std::int32_t, kCorners>& corners) {
+  std::array<Support, kCorners> supports;
+  std::ranges::transform(corners, supports.begin(),
+                         [&](std::int32_t n) { return nodes.supports[n]; });
   return faces.common(supports);
 }
 
@@ -113,6 +116,14 @@ PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   std::size_t kept = 0;
   for (std::size_t k = 0; k < tets.size(); ++k) {
     if (gone[k]) continue;
+    for (int i = 0; i < 4; ++i) {
+      if (neighbours[k][i] >= 0) continue;
+      const auto& f = kTetFacets[i];
+      const Triangle facet{tets[k][f[0]], tets[k][f[1]], tets[k][f[2]]};
+      if (face_of(nodes, faces, facet) >= 0) continue;
+      const auto& p = nodes.positions;
+      mesh.stray.push_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3.0);
+    }
     mesh.slots[kept] = mesh.slots[k];
     tets[kept++] = tets[k];
   }

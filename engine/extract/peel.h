@@ -26,6 +26,9 @@ struct PeelRim {
 struct PeeledMesh {
   std::vector<Tet> tets;
   std::vector<std::int32_t> slots;  ///< by tet: its slot in the Delaunay mesh, ascending
+  /// Centroids of boundary facets whose nodes share no face: where the boundary is too thinly
+  /// occupied for its facets to be Delaunay.
+  std::vector<Vec3> stray;
 };
 
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node

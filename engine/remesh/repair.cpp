@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/recover.h"
@@ -14,7 +13,7 @@ constexpr double kAround = 1.0;   // x edge length: how far from a failure sampl
 constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this to another
 }  // namespace
 
-int insert_where_missing(NodeSet& nodes, const Verification& verification,
+int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          double edge_length) {
   const NearestNode grid(nodes.positions, 0.8 * edge_length);
@@ -43,10 +42,17 @@ int insert_where_missing(NodeSet& nodes, const Verification& verification,
     }
     return best;
   };
-  for (const MeshDefect& defect : verification.failures)
+  for (const MeshDefect& defect : defects)
     if (const std::optional<Sample> place = place_for(defect)) added.push_back(*place);
   for (const Sample& s : added) nodes.add_new(s.position, s.support);
   return static_cast<int>(added.size());
+}
+
+std::vector<MeshDefect> stray_facets(const PeeledMesh& mesh) {
+  std::vector<MeshDefect> defects;
+  for (const Vec3& place : mesh.stray)
+    defects.push_back({MeshFailure::StrayFacet, -1, place, "a boundary facet on no model face"});
+  return defects;
 }
 
 bool boundary_is_complete(const Verification& v) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "engine/boundary/samples.h"
+#include "engine/extract/peel.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
 #include "engine/verify/verify.h"
@@ -8,13 +12,16 @@
 namespace remeshd {
 
 /// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
-/// that is no boundary edge is halved; near the other places that verification names a node goes to
-/// the sample that is farthest from any. That is where the boundary is too thinly occupied for its
-/// facets to be Delaunay.
+/// that is no boundary edge is halved; near the other defects a node goes to the sample that is
+/// farthest from any. That is where the boundary is too thinly occupied for its facets to be
+/// Delaunay.
 ///
-/// Returns the number of nodes inserted; 0 where everything near the failures has its node.
-int insert_where_missing(NodeSet& nodes, const Verification& verification,
+/// Returns the number of nodes inserted; 0 where everything near the defects has its node.
+int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples, double edge_length);
+
+/// The stray facets of a peeled mesh as verification would name them.
+std::vector<MeshDefect> stray_facets(const PeeledMesh& mesh);
 
 /// Whether all that is wrong with a mesh is its tets: its surface is closed and has the model's
 /// vertices, edges and faces.

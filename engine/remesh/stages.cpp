@@ -297,7 +297,7 @@ void finish(Candidate& c, const Target& target, const Site& site, bool clean_up,
   const Stopwatch watch;
   c.verification =
       verify(c.whole.mesh, c.whole.master.supports, cells.boundary, cells.volume, run, proof);
-  c.verify_seconds = watch.total();
+  c.verify_seconds += watch.total();
 }
 
 }  // namespace remeshd

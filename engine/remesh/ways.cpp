@@ -186,8 +186,7 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   const Site site{local->part, reach.map};
   Candidate candidate =
       extract(std::move(nodes), std::move(loop), local->part, source, cells, inside, run_);
-  finish(candidate, s.target, site, options.clean_up, run_);
-  counts.nodes_inserted = repair(candidate, s, site, samples, inside);
+  counts.nodes_inserted = finish_repaired(candidate, s, site, samples, inside);
   if (counts.nodes_inserted > 0)
     report.warnings.push_back(std::to_string(counts.nodes_inserted) +
                               " nodes were inserted to make the boundary complete");
@@ -196,31 +195,41 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   return candidate;
 }
 
-/// Inserts nodes where the boundary is not all there. Returns their number.
-std::uint32_t Ways::repair(Candidate& c, const Setting& s, const Site& site, const Samples& samples,
-                           const InsideTest& inside) {
+/// Finishes a mesh, with nodes inserted where the boundary is not all there: as long as the peeled
+/// mesh shows that by itself, and then where verification finds it. Returns their number.
+std::uint32_t Ways::finish_repaired(Candidate& c, const Setting& s, const Site& site,
+                                    const Samples& samples, const InsideTest& inside) {
   const CellularModel& cells = s.target.cells;
   const double l = s.density.edge_length;
+  const bool clean_up = s.target.options.clean_up;
   const auto most =
-      static_cast<std::uint32_t>(few_more(static_cast<double>(c.whole.mesh.nodes.size())));
+      static_cast<std::uint32_t>(few_more(static_cast<double>(c.nodes.size() + c.nodes.elsewhere)));
   std::uint32_t repaired = 0;
-  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
+  const auto insert_at = [&](std::span<const MeshDefect> defects) {
     const std::int32_t first = c.nodes.size();
-    if (insert_where_missing(c.nodes, c.verification, cells.boundary, samples, l) == 0) break;
+    if (c.too_fine || insert_where_missing(c.nodes, defects, cells.boundary, samples, l) == 0)
+      return false;
     c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, run_);
     repaired += c.nodes.size() - first;
-    c.too_fine = repaired > most;
-    if (c.too_fine) break;
     const double verified = c.verify_seconds;
     c = extract(std::move(c.nodes), std::move(c.loop), site.part, s.target.source, cells, inside,
                 run_);
+    c.verify_seconds = verified;
+    c.too_fine = repaired > most;
+    return true;
+  };
+  const auto insert_at_stray_facets = [&] {
+    for (int round = 0; round < kRepairRounds && !c.delaunay.stray.empty(); ++round)
+      if (!insert_at(stray_facets(c.delaunay))) break;
+  };
+  insert_at_stray_facets();
+  finish(c, s.target, site, clean_up, run_);
+  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
+    if (!insert_at(c.verification.failures)) break;
+    insert_at_stray_facets();
     // What the peeled mesh lacks no clean-up brings back.
     finish(c, s.target, site, false, run_);
-    c.verify_seconds += verified;
-    if (!s.target.options.clean_up || !boundary_is_complete(c.verification)) continue;
-    const double drafted = c.verify_seconds;
-    finish(c, s.target, site, true, run_);
-    c.verify_seconds += drafted;
+    if (clean_up && boundary_is_complete(c.verification)) finish(c, s.target, site, true, run_);
   }
   return repaired;
 }

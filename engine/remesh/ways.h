@@ -45,8 +45,8 @@ class Ways {
 
   Candidate attempt(const Setting& s);
   std::optional<Candidate> attempt_within(const Setting& s, const Reach& reach);
-  std::uint32_t repair(Candidate& c, const Setting& s, const Site& site, const Samples& samples,
-                       const InsideTest& inside);
+  std::uint32_t finish_repaired(Candidate& c, const Setting& s, const Site& site,
+                                const Samples& samples, const InsideTest& inside);
   std::shared_ptr<const PointSource> points_of(const Revision* original);
   void next(Way way, const Candidate& failed, const char* what);
 

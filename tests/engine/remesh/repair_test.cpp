@@ -24,7 +24,8 @@ class BrokenLink : public testing::Test {
     verification_.failures = {{MeshFailure::BrokenEdge, edge_, 0.5 * (a_ + b_), "broken"}};
   }
   int insert() {
-    return insert_where_missing(nodes_, verification_, cells_.boundary, samples_, kEdgeLength);
+    return insert_where_missing(nodes_, verification_.failures, cells_.boundary, samples_,
+                                kEdgeLength);
   }
 
   const FeatureModel model_ = evaluate(test::case_model("simple-a"));

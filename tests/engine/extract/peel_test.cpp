@@ -1,0 +1,50 @@
+#include "engine/extract/peel.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "engine/cellular/cellular_model.h"
+#include "engine/model/solid.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+/// A cube with a node in its middle and one at each vertex but the last `missing`.
+PeeledMesh peeled_cube(int missing) {
+  const FeatureModel model = evaluate(test::one_feature(test::block("b", 2, 2, 2)));
+  const CellularModel cells = build_cells(model, kRun);
+  const BoundaryModel& boundary = cells.boundary;
+  const Membership membership(model);
+  NodeSet nodes;
+  nodes.add_new(0.5 * (boundary.bounds.lo + boundary.bounds.hi));
+  for (int v = 0; v + missing < static_cast<int>(boundary.vertices.size()); ++v)
+    nodes.add_new(boundary.vertices[v].position, {Support::Kind::Vertex, v});
+  kernel::Delaunay delaunay(boundary.bounds);
+  std::vector<std::int32_t> all(nodes.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  delaunay.insert(nodes.positions, all, kRun);
+  return peel(
+      nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); }, {}, {}, kRun);
+}
+
+TEST(Peel, OfACubeLeavesTwoTetsOnEachSide) {
+  const PeeledMesh mesh = peeled_cube(0);
+  EXPECT_EQ(mesh.tets.size(), 12U);
+  EXPECT_TRUE(mesh.stray.empty());
+}
+
+TEST(Peel, TellsWhereABoundaryFacetIsOnNoFace) {
+  const PeeledMesh mesh = peeled_cube(1);
+  ASSERT_EQ(mesh.stray.size(), 1U);
+  const FeatureModel model = evaluate(test::one_feature(test::block("b", 2, 2, 2)));
+  const CellularModel cells = build_cells(model, kRun);
+  EXPECT_NEAR(distance(mesh.stray[0], cells.boundary.vertices.back().position), 2 / std::sqrt(3.0),
+              1e-9);
+}
+
+}  // namespace
+}  // namespace remeshd
