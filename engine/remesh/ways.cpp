@@ -218,8 +218,9 @@ std::uint32_t Ways::finish_repaired(Candidate& c, const Setting& s, const Site& 
     c.too_fine = repaired > most;
     return true;
   };
+  int rounds_at_stray = 0;
   const auto insert_at_stray_facets = [&] {
-    for (int round = 0; round < kRepairRounds && !c.delaunay.stray.empty(); ++round)
+    for (; rounds_at_stray < kRepairRounds && !c.delaunay.stray.empty(); ++rounds_at_stray)
       if (!insert_at(stray_facets(c.delaunay))) break;
   };
   insert_at_stray_facets();
