@@ -1,4 +1,6 @@
 // A part of a Delaunay mesh on its own, and back again.
+#include <algorithm>
+
 #include "engine/kernel/delaunay.h"
 
 namespace remeshd::kernel {
@@ -39,6 +41,7 @@ Delaunay Delaunay::cut(std::span<const std::int32_t> slots, std::span<const std:
 std::vector<std::int32_t> Delaunay::put_back(const Delaunay& part, const Cut& cut,
                                              std::span<const std::int32_t> names,
                                              std::int32_t count) {
+  points_.reserve(static_cast<std::size_t>(count) + kFar);
   points_.resize(static_cast<std::size_t>(count) + kFar);
   for (std::size_t n = 0; n < names.size(); ++n)
     if (names[n] >= 0) points_[names[n] + kFar] = part.points_[n + kFar];
@@ -51,6 +54,11 @@ std::vector<std::int32_t> Delaunay::put_back(const Delaunay& part, const Cut& cu
     slots_[cut.slots[t]].v[0] = kDead;
     free_.push_back(cut.slots[t]);
   }
+  // No room to spare: this mesh stays while the part goes.
+  const auto more = static_cast<std::size_t>(
+      std::count_if(part.slots_.begin() + static_cast<std::ptrdiff_t>(cut.slots.size()),
+                    part.slots_.end(), [](const Slot& s) { return s.v[0] != kDead; }));
+  if (more > free_.size()) slots_.reserve(slots_.size() + more - free_.size());
   for (std::size_t t = cut.slots.size(); t < part.slots_.size(); ++t)
     if (part.slots_[t].v[0] != kDead) place[t] = allocate();
   for (std::size_t t = 0; t < part.slots_.size(); ++t) {

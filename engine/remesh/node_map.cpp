@@ -19,6 +19,9 @@ NodeMap map_kept(const Revision& original, std::span<const Vec3> nodes) {
   map.transform_features = {original.model.features.front().id};
   const TetMesh& then = original.delivery.mesh;
   map.node_transform.assign(then.nodes.size(), 0);
+  map.node_origin.reserve(then.nodes.size());
+  map.original_node.reserve(then.nodes.size());
+  map.original_tet.reserve(then.tets.size());
   for (std::size_t n = 0; n < then.nodes.size(); ++n) {
     map.node_origin.push_back(nodes[n] == then.nodes[n] ? NodeOrigin::Kept : NodeOrigin::Moved);
     map.original_node.push_back(static_cast<std::int32_t>(n));

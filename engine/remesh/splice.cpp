@@ -18,6 +18,11 @@ class Places {
       : end_(count), gone_(std::move(gone)) {}
 
   std::int32_t take() { return used_ < gone_.size() ? gone_[used_++] : end_++; }
+  /// Above all of them once `more` have been taken.
+  [[nodiscard]] std::size_t end_after(std::size_t more) const {
+    const std::size_t gaps = gone_.size() - used_;
+    return static_cast<std::size_t>(end_) + (more > gaps ? more - gaps : 0);
+  }
 
   /// How many there are in the end.
   [[nodiscard]] std::int32_t count() const {
@@ -41,6 +46,13 @@ class Places {
   std::vector<std::int32_t> gone_;
   std::size_t used_ = 0;
 };
+
+/// Resizes without room to spare: what is spliced stays with its revision.
+template <class T>
+void resize_tightly(std::vector<T>& values, std::size_t size) {
+  values.reserve(size);
+  values.resize(size);
+}
 
 /// Moves the last elements into the gaps.
 template <class T>
@@ -118,11 +130,11 @@ class Splicer {
     NodeMap& map = whole_.map;
     const std::size_t most = std::max<std::size_t>(
         whole_.mesh.nodes.size(), names_.empty() ? 0 : 1 + std::ranges::max(names_));
-    whole_.mesh.nodes.resize(most);
-    whole_.master.supports.resize(most);
-    map.node_origin.resize(most);
-    map.original_node.resize(most);
-    map.node_transform.resize(most);
+    resize_tightly(whole_.mesh.nodes, most);
+    resize_tightly(whole_.master.supports, most);
+    resize_tightly(map.node_origin, most);
+    resize_tightly(map.original_node, most);
+    resize_tightly(map.node_transform, most);
     const std::span<const Vec3> then = original_.delivery.mesh.nodes;
     for (std::size_t n = 0; n < names_.size(); ++n) {
       const std::int32_t at = names_[n];
@@ -159,13 +171,13 @@ class Splicer {
     tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
     Places& places = tet_places_.front();
     NodeMap& map = whole_.map;
+    const std::size_t end = places.end_after(std::ranges::count(was, -1));
+    resize_tightly(whole_.mesh.tets, end);
+    resize_tightly(map.original_tet, end);
+    whole_.new_tets.reserve(tets.size());
     for (std::size_t k = 0; k < tets.size(); ++k) {
       const std::int32_t at = was[k] >= 0 ? cut_.delivered_tet[was[k]] : places.take();
       whole_.new_tets.push_back(at);
-      if (static_cast<std::size_t>(at) >= whole_.mesh.tets.size()) {
-        whole_.mesh.tets.resize(at + 1);
-        map.original_tet.resize(at + 1);
-      }
       const Tet tet = renamed(tets[k], names_);
       const bool kept = was[k] >= 0 && std::ranges::all_of(tet, [&](std::int32_t n) {
                           return map.node_origin[n] == NodeOrigin::Kept &&
@@ -181,6 +193,7 @@ class Splicer {
     Master& master = whole_.master;
     const std::vector<std::int32_t> slot = master.mesh.put_back(
         part_.delaunay, cut_.cut, names_, static_cast<std::int32_t>(whole_.mesh.nodes.size()));
+    master.tet_of_slot.reserve(master.mesh.slots());
     master.tet_of_slot.resize(master.mesh.slots(), Master::kOutside);
     for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
     for (const std::int32_t s : slot)
