@@ -94,6 +94,10 @@ class Delaunay {
   std::vector<std::int32_t> put_back(const Delaunay& part, const Cut& cut,
                                      std::span<const std::int32_t> names, std::int32_t count);
 
+  /// Moves the tets together, in the order of their slots, and gives back the memory of those that
+  /// are free. Returns by slot the new one, -1 for the free.
+  std::vector<std::int32_t> close_gaps();
+
   /// Whether a slot holds a tet, which may be at a far corner.
   [[nodiscard]] bool in_use(std::int32_t slot) const { return slots_[slot].v[0] != kDead; }
   /// A tet's nodes; negative for the far corners.

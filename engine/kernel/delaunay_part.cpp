@@ -81,4 +81,23 @@ std::vector<std::int32_t> Delaunay::put_back(const Delaunay& part, const Cut& cu
   return place;
 }
 
+std::vector<std::int32_t> Delaunay::close_gaps() {
+  std::vector<std::int32_t> to(slots_.size(), -1);
+  std::int32_t next = 0;
+  for (std::size_t t = 0; t < slots_.size(); ++t)
+    if (slots_[t].v[0] != kDead) to[t] = next++;
+  std::vector<Slot> slots;
+  slots.reserve(static_cast<std::size_t>(next));
+  for (Slot s : slots_) {
+    if (s.v[0] == kDead) continue;
+    for (std::int32_t& n : s.n)
+      if (n >= 0) n = 4 * to[n >> 2] + (n & 3);
+    slots.push_back(s);
+  }
+  slots_ = std::move(slots);
+  free_ = {};
+  hint_ = 0;
+  return to;
+}
+
 }  // namespace remeshd::kernel

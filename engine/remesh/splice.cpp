@@ -10,6 +10,8 @@ namespace remeshd {
 
 namespace {
 
+constexpr double kMostSpare = 0.1;  // of the tets: as many free slots may stay with a revision
+
 /// Numbers for what comes, out of those that what goes leaves behind.
 class Places {
  public:
@@ -218,6 +220,20 @@ class Splicer {
     for (std::size_t k = 0; k < part_.peeled.size(); ++k)
       master.tet_of_slot[slot[part_.peeled_slots[k]]] =
           pieces.same[k] >= 0 ? whole_.new_tets[pieces.same[k]] : -2 - number[pieces.cluster[k]];
+    const std::size_t spare = master.mesh.slots() - master.mesh.size();
+    if (static_cast<double>(spare) > kMostSpare * static_cast<double>(master.mesh.size()))
+      close_slot_gaps();
+  }
+
+  void close_slot_gaps() {
+    Master& master = whole_.master;
+    const std::vector<std::int32_t> to = master.mesh.close_gaps();
+    std::vector<std::int32_t> tet_of_slot(master.mesh.slots());
+    for (std::size_t s = 0; s < to.size(); ++s)
+      if (to[s] >= 0) tet_of_slot[to[s]] = master.tet_of_slot[s];
+    master.tet_of_slot = std::move(tet_of_slot);
+    for (Cluster& cluster : master.clusters)
+      for (std::int32_t& s : cluster.delaunay) s = to[s];
   }
 
   void close_node_gaps() {

@@ -125,6 +125,27 @@ TEST(Delaunay, TakingNodesOutGivesTheMeshOfTheOthers) {
   }
 }
 
+TEST(Delaunay, WithoutGapsItIsTheSameMesh) {
+  const auto points = cloud(400, 9);
+  Delaunay mesh = mesh_of(points);
+  std::vector<std::int32_t> some(150);
+  std::iota(some.begin(), some.end(), 100);
+  ASSERT_TRUE(mesh.remove(some, kRun));
+  Delaunay tight = mesh;
+  const std::vector<std::int32_t> to = tight.close_gaps();
+  EXPECT_EQ(tight.slots(), tight.size());
+  EXPECT_EQ(tight.size(), mesh.size());
+  for (std::size_t s = 0; s < to.size(); ++s) {
+    const auto slot = static_cast<std::int32_t>(s);
+    ASSERT_EQ(to[s] >= 0, mesh.in_use(slot));
+    if (to[s] >= 0) {
+      EXPECT_EQ(tight.corners(to[s]), mesh.corners(slot));
+    }
+  }
+  tight.insert(points, some, kRun);
+  EXPECT_EQ(sorted_tets(tight), sorted_tets(mesh_of(points)));
+}
+
 TEST(Delaunay, NodesTakenOutCanBePutInAgain) {
   const auto points = cloud(400, 5);
   Delaunay mesh = mesh_of(points);
