@@ -131,28 +131,29 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
                                                       .most_added = most_nodes_inside(input)},
                                                      limits, run);
   Candidate c;
-  c.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
-                     find_supports(surface, out), cells.boundary, c.nodes);
+  c.whole.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
+                           find_supports(surface, out), cells.boundary, c.nodes);
   Stopwatch watch;
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  c.verification = verify(c.whole.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
   watch.lap(c.verify_seconds);
-  if (!sound(c.mesh, c.verification)) return c;
+  if (!sound(c.whole.mesh, c.verification)) return c;
   if (input.clean_up) {
-    const std::vector<std::uint8_t> dirty(c.mesh.tets.size(), 1);
-    c.mesh = improve(c.mesh, c.nodes.supports, cells.boundary, dirty,
-                     {.threshold = input.threshold}, run)
-                 .mesh;
+    const std::vector<std::uint8_t> dirty(c.whole.mesh.tets.size(), 1);
+    c.whole.mesh = improve(c.whole.mesh, c.nodes.supports, cells.boundary, dirty,
+                           {.threshold = input.threshold}, run)
+                       .mesh;
   }
   Stopwatch again;
-  c.verification = verify(c.mesh, c.nodes.supports, cells.boundary, cells.volume, run,
+  c.verification = verify(c.whole.mesh, c.nodes.supports, cells.boundary, cells.volume, run,
                           {.material = [&](const Vec3& p) { return input.membership.inside(p); }});
   again.lap(c.verify_seconds);
   if (!c.verification.valid) return c;
-  c.nodes.positions = c.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
+  c.nodes.positions = c.whole.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
-  c.whole = whole_mesh({c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.mesh}, run);
+  c.whole =
+      whole_mesh({c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.whole.mesh}, run);
   return c;
 }
 
@@ -162,7 +163,7 @@ bool is_flat_only(const Candidate& c) {
   const Verification& v = c.verification;
   const auto& counts = v.counts;
   return std::accumulate(counts.begin(), counts.end(), 0U) == v.count(MeshFailure::BadTet) &&
-         sound(c.mesh, v);
+         sound(c.whole.mesh, v);
 }
 
 Error not_recovered(const LastResort& input, const Verification& failed, const std::string& also) {

@@ -261,12 +261,14 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
   return c;
 }
 
-void finish(Candidate& c, const Target& target, const Site& site, bool clean_up, const Run& run) {
-  const Revision* original = target.original;
+namespace {
+
+/// The part's mesh, carried over and cleaned up.
+TetMesh cleaned_up(Candidate& c, const Target& target, const Site& site, bool clean_up,
+                   const Run& run) {
   const MeshOptions& options = target.options;
-  const CellularModel& cells = target.cells;
   CarriedMesh carried;
-  if (original && options.clean_up) {
+  if (target.original && options.clean_up) {
     carried = carry_over(c.nodes, c.delaunay.tets, site.part, target.source.transforms(), run);
   } else {
     carried.mesh = {c.nodes.positions, c.delaunay.tets};
@@ -274,18 +276,30 @@ void finish(Candidate& c, const Target& target, const Site& site, bool clean_up,
   }
   run.report("improve", 0.85);
   c.bad_at_rim = 0;
-  if (clean_up) {
-    ImproveResult improved = improve(carried.mesh, c.nodes.supports, cells.boundary, carried.dirty,
-                                     {.threshold = options.threshold, .locked = c.nodes.rim}, run);
-    c.bad_at_rim = improved.bad_at_rim;
-    c.mesh = std::move(improved.mesh);
-  } else {
-    c.mesh = std::move(carried.mesh);
-  }
-  const PartMesh made{c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.mesh};
-  c.whole = original ? splice(*original, supports_left(*original, site), site.part, made,
-                              target.source, run)
-                     : whole_mesh(made, run);
+  if (!clean_up) return std::move(carried.mesh);
+  ImproveResult improved =
+      improve(carried.mesh, c.nodes.supports, target.cells.boundary, carried.dirty,
+              {.threshold = options.threshold, .locked = c.nodes.rim}, run);
+  c.bad_at_rim = improved.bad_at_rim;
+  return std::move(improved.mesh);
+}
+
+WholeMesh put_together(Candidate& c, const Target& target, const Site& site, bool clean_up,
+                       const Run& run) {
+  const TetMesh mesh = cleaned_up(c, target, site, clean_up, run);
+  const PartMesh made{c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, mesh};
+  if (const Revision* original = target.original)
+    return splice(*original, supports_left(*original, site), site.part, made, target.source, run);
+  return whole_mesh(made, run);
+}
+
+}  // namespace
+
+void finish(Candidate& c, const Target& target, const Site& site, bool clean_up, const Run& run) {
+  const Revision* original = target.original;
+  const CellularModel& cells = target.cells;
+  c.whole = {};  // its memory, where it is made again
+  c.whole = put_together(c, target, site, clean_up, run);
   run.report("verify", 0.95);
   VerifyOptions proof{
       .material = [&](const Vec3& p) { return target.source.modified().inside(p); }};

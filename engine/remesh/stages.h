@@ -49,7 +49,6 @@ StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const B
 struct Candidate {
   NodeSet nodes;        ///< those of the part's mesh only
   PeeledMesh delaunay;  ///< of the part
-  TetMesh mesh;         ///< cleaned up, of the part
   OptimiseResult loop;
   WholeMesh whole;
   Verification verification;  ///< of the whole

@@ -45,9 +45,9 @@ struct Ready {
 
 void expect_valid(const Candidate& c, const Ready& ready) {
   const Verification v =
-      verify(c.mesh, c.nodes.supports, ready.cells.boundary, ready.cells.volume, kRun);
+      verify(c.whole.mesh, c.nodes.supports, ready.cells.boundary, ready.cells.volume, kRun);
   EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
-  EXPECT_EQ(c.nodes.positions, c.mesh.nodes);
+  EXPECT_EQ(c.nodes.positions, c.whole.mesh.nodes);
   for (const std::int32_t o : c.nodes.original) EXPECT_EQ(o, -1);
 }
 
@@ -57,8 +57,8 @@ TEST_P(TetGenMeshOf, ACaseIsValidAndOfFairQuality) {
   const Ready ready(test::case_model(GetParam().modified), 3000);
   const Candidate c = mesh_by_tetgen(ready.input(), kRun);
   expect_valid(c, ready);
-  EXPECT_NEAR(c.mesh.nodes.size(), 3000, 0.25 * 3000);
-  const Quality quality = measure_quality(c.mesh.nodes, c.mesh.tets, kRun);
+  EXPECT_NEAR(c.whole.mesh.nodes.size(), 3000, 0.25 * 3000);
+  const Quality quality = measure_quality(c.whole.mesh.nodes, c.whole.mesh.tets, kRun);
   EXPECT_GT(quality.volume_length_mean, 0.72);
   EXPECT_GT(quality.dihedral_min, 12);
 }
@@ -141,14 +141,14 @@ TEST(LastResort, HasTheDelaunayMeshOfItsNodesForTheNextEdit) {
   const Candidate c = mesh_by_tetgen(ready.input(), kRun);
   for (std::int32_t n = 0; n < c.nodes.size(); ++n)
     EXPECT_EQ(c.loop.mesh.position(n), c.nodes.positions[n]);
-  EXPECT_NEAR(c.delaunay.tets.size(), c.mesh.tets.size(), 0.1 * c.mesh.tets.size());
+  EXPECT_NEAR(c.delaunay.tets.size(), c.whole.mesh.tets.size(), 0.1 * c.whole.mesh.tets.size());
 }
 
 TEST(LastResort, GivesTheSameMeshEveryTime) {
   const Ready ready(fine_pins(), 2000);
   const Candidate a = mesh_by_tetgen(ready.input(), kRun), b = mesh_by_tetgen(ready.input(), kRun);
-  EXPECT_EQ(a.mesh.nodes, b.mesh.nodes);
-  EXPECT_EQ(a.mesh.tets, b.mesh.tets);
+  EXPECT_EQ(a.whole.mesh.nodes, b.whole.mesh.nodes);
+  EXPECT_EQ(a.whole.mesh.tets, b.whole.mesh.tets);
 }
 
 TEST(LastResort, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
