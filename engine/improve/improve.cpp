@@ -61,11 +61,11 @@ class CleanUp {
         dirty_(dirty.begin(), dirty.end()) {}
 
   ImproveResult work() {
-    InVain ways;
+    InVain in_vain;
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(most_stubborn(), ways, [&](std::int32_t t) {
+      changed |= on_stubborn(most_stubborn(), in_vain, [&](std::int32_t t) {
         return last_.relax(t) || last_.reconnect(t) || last_.climb(t);
       });
       if (!changed) break;
@@ -130,11 +130,11 @@ class CleanUp {
 
   /// Has the few that are left mended; where there are many the goals are out of reach.
   void mend() {
-    InVain mended, mended_otherwise;
+    InVain in_vain;
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_stubborn(kMostMended, mended, [&](std::int32_t t) { return last_.mend(t); })) break;
-    on_stubborn(kMostTakenOut, mended_otherwise,
-                [&](std::int32_t t) { return last_.mend_otherwise(t); });
+      if (!on_stubborn(kMostMended, in_vain, [&](std::int32_t t) { return last_.mend(t); })) break;
+    in_vain.clear();
+    on_stubborn(kMostTakenOut, in_vain, [&](std::int32_t t) { return last_.mend_otherwise(t); });
   }
 
   /// The worst of the bad tets: few enough for the dear treatment that they get.

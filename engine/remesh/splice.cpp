@@ -51,9 +51,9 @@ class Places {
 
 /// Resizes without room to spare: what is spliced stays with its revision.
 template <class T>
-void resize_tightly(std::vector<T>& values, std::size_t size) {
+void resize_tightly(std::vector<T>& values, std::size_t size, const T& added = {}) {
   values.reserve(size);
-  values.resize(size);
+  values.resize(size, added);
 }
 
 /// Moves the last elements into the gaps.
@@ -195,8 +195,7 @@ class Splicer {
     Master& master = whole_.master;
     const std::vector<std::int32_t> slot = master.mesh.put_back(
         part_.delaunay, cut_.cut, names_, static_cast<std::int32_t>(whole_.mesh.nodes.size()));
-    master.tet_of_slot.reserve(master.mesh.slots());
-    master.tet_of_slot.resize(master.mesh.slots(), Master::kOutside);
+    resize_tightly(master.tet_of_slot, master.mesh.slots(), Master::kOutside);
     for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
     for (const std::int32_t s : slot)
       if (s >= 0) master.tet_of_slot[s] = Master::kOutside;

@@ -25,8 +25,9 @@ class Ways {
 
   /// The first valid mesh: with the nodes that the plan copies, failing that with all of them free,
   /// failing that from new nodes, failing that by TetGen. A boundary with details far finer than
-  /// the edge length, told by the nodes that it takes, goes to TetGen at once: placing nodes anew
-  /// would be in vain. Where the original's boundary took so many, not all of them are freed.
+  /// the edge length, told by the nodes that its repair takes, goes to TetGen at once unless they
+  /// made it valid: placing nodes anew would be in vain. Where the original's boundary took so
+  /// many, not all of them are freed.
   ///
   /// Throws Error(BoundaryNotRecovered) where TetGen fails too.
   NewMesh first_valid();

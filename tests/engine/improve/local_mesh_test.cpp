@@ -34,12 +34,14 @@ TEST(LocalMesh, TakesBackTheMovesAndReplacementsOfATrialInTheirSlots) {
   std::vector<std::int32_t> slots;
   mesh.replace(std::vector{0, 1}, kThree, slots);
   mesh.move(3, {0, 0, 3});
+  EXPECT_NE(mesh.stamp(0), 0U);
   const std::vector<std::int32_t> three = slots;
   slots.clear();
   mesh.replace(three, kTwo.tets, slots);
   mesh.undo_trial();
   expect_as_at_the_start(mesh);
   EXPECT_EQ(mesh.quality(0), quality) << "of the tet that stands there again";
+  for (const std::int32_t t : {0, 1}) EXPECT_EQ(mesh.stamp(t), 0U) << "tet " << t;
 }
 
 TEST(LocalMesh, GivesTheSameSlotsAfterATrialTakenBackAsWithoutIt) {
