@@ -49,7 +49,7 @@ class CleanUp {
  public:
   CleanUp(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
           std::span<const std::uint8_t> dirty, const ImproveOptions& options, const Run& run)
-      : start_(mesh.nodes),
+      : start_(mesh),
         mesh_(mesh, options.locked, run),
         rules_(boundary, supports, mesh_, options.chord_tolerance),
         smoother_(mesh_, rules_),
@@ -78,9 +78,16 @@ class CleanUp {
         ++result.bad_at_rim;
     }
     result.mesh = mesh_.result();
-    result.node_moved.resize(start_.size());
-    for (std::size_t n = 0; n < start_.size(); ++n)
-      result.node_moved[n] = result.mesh.nodes[n] != start_[n] ? 1 : 0;
+    result.was.reserve(result.mesh.tets.size());
+    for (std::int32_t t = 0; t < mesh_.slots(); ++t) {
+      if (!mesh_.used(t)) continue;
+      const auto slot = static_cast<std::size_t>(t);
+      const bool same = slot < start_.tets.size() && start_.tets[slot] == mesh_.tet(t);
+      result.was.push_back(same ? t : -1);
+    }
+    result.node_moved.resize(start_.nodes.size());
+    for (std::size_t n = 0; n < start_.nodes.size(); ++n)
+      result.node_moved[n] = result.mesh.nodes[n] != start_.nodes[n] ? 1 : 0;
     return result;
   }
 
@@ -218,7 +225,7 @@ class CleanUp {
   }
   void push(std::int32_t t) { jobs_.push({mesh_.quality(t), t, mesh_.stamp(t)}); }
 
-  const std::vector<Vec3>& start_;  ///< where the nodes were
+  const TetMesh& start_;
   LocalMesh mesh_;
   BoundaryRules rules_;
   Smoother smoother_;

@@ -28,6 +28,7 @@ struct ImproveOptions {
 
 struct ImproveResult {
   TetMesh mesh;  ///< same node indices as the input; nodes no longer used keep their place
+  std::vector<std::int32_t> was;         ///< by tet: that of the input that it is still, or -1
   std::vector<std::uint8_t> node_moved;  ///< 1 where smoothing moved the node
   std::uint32_t below_threshold = 0;     ///< tets that stayed below
   std::uint32_t bad_at_rim = 0;  ///< those with a locked node that lack more than a tenth of it

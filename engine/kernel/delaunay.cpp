@@ -322,14 +322,13 @@ std::optional<std::vector<Delaunay::Fill>> Delaunay::fit(const Delaunay& filling
 void Delaunay::rename(std::span<const std::int32_t> names, std::int32_t count) {
   std::vector<Vec3> points(points_.begin(), points_.begin() + kFar);
   points.resize(static_cast<std::size_t>(count) + kFar);
+  const std::size_t nodes = std::min(names.size(), points_.size() - kFar);
+  for (std::size_t n = 0; n < nodes; ++n)
+    if (names[n] >= 0) points[names[n] + kFar] = points_[n + kFar];
   for (Slot& s : slots_) {
     if (s.v[0] == kDead) continue;
-    for (std::int32_t& v : s.v) {
-      if (v < kFar) continue;
-      const std::int32_t name = names[v - kFar] + kFar;
-      points[name] = points_[v];
-      v = name;
-    }
+    for (std::int32_t& v : s.v)
+      if (v >= kFar) v = names[v - kFar] + kFar;
   }
   points_ = std::move(points);
 }

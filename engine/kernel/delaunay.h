@@ -117,7 +117,8 @@ class Delaunay {
   [[nodiscard]] Ball ball(std::int32_t slot) const;
 
   /// Renames every node n to `names[n]`.
-  /// Pre: names of inserted nodes are distinct and not negative; `count` is above all of them.
+  /// Pre: names of inserted nodes are not negative, those that are not are distinct; `count` is
+  /// above all of them.
   void rename(std::span<const std::int32_t> names, std::int32_t count);
 
   /// Calls f(corners) for every tet that has no far corner.

@@ -16,10 +16,11 @@ constexpr double kSpoilt = 0.02;
 /// The new mesh seen through the original's pieces.
 class Carrier {
  public:
-  Carrier(const NodeSet& nodes, std::span<const Tet> tets, const OriginalPart& original,
+  Carrier(const NodeSet& nodes, const PeeledMesh& peeled, const OriginalPart& original,
           std::span<const Transform> transforms, const Run& run)
       : nodes_(nodes),
-        tets_(tets),
+        tets_(peeled.tets),
+        slots_(peeled.slots),
         original_(original),
         transforms_(transforms),
         poll_(run),
@@ -43,6 +44,37 @@ class Carrier {
     return nodes_.transform[t[0]];
   }
 
+  void find_images() {
+    std::vector<std::int32_t> at_slot(original_.inside.size(), -1);  // the original's peeled tet
+    std::int32_t next = 0;
+    for (std::size_t s = 0; s < at_slot.size(); ++s)
+      if (original_.inside[s] != 0) at_slot[s] = next++;
+    std::vector<std::uint8_t> taken(original_.tets.size(), 0);
+    std::vector<std::int32_t> others;  // that do not stand where they stood
+    image_.assign(tets_.size(), -1);
+    Tet originals{};
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      poll_();
+      if (common_transform(tets_[k], originals) < 0) continue;
+      const auto slot = static_cast<std::size_t>(slots_[k]);
+      const std::int32_t o = slot < at_slot.size() ? at_slot[slot] : -1;
+      if (o >= 0 && original_.tets[o] == originals) {
+        image_[k] = o;
+        taken[o] = 1;
+      } else {
+        others.push_back(static_cast<std::int32_t>(k));
+      }
+    }
+    std::vector<std::int32_t> left;
+    for (std::size_t o = 0; o < taken.size(); ++o)
+      if (taken[o] == 0) left.push_back(static_cast<std::int32_t>(o));
+    const TetIndex index(original_.tets, left, original_.positions.size(), poll_);
+    for (const std::int32_t k : others) {
+      common_transform(tets_[k], originals);
+      image_[k] = index.find(originals);
+    }
+  }
+
   void match() {
     const std::int32_t count = nodes_.size();
     unmoved_.assign(count, 0);
@@ -50,18 +82,13 @@ class Carrier {
       if (nodes_.original[n] >= 0)
         unmoved_[n] = nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(
                                                  original_.positions[nodes_.original[n]]);
-    const TetIndex index(original_.tets, original_.positions.size(), poll_);
-    image_.assign(tets_.size(), -1);
+    find_images();
     std::vector<std::uint32_t> found(pieces_.clusters.size(), 0);
     std::vector<std::int32_t> transform(pieces_.clusters.size(), -1);
     std::vector<std::uint8_t> whole(pieces_.clusters.size(), 1);
     for (std::size_t k = 0; k < tets_.size(); ++k) {
-      poll_();
-      Tet originals{};
-      const std::int32_t t = common_transform(tets_[k], originals);
-      if (t < 0) continue;
-      image_[k] = index.find(originals);
       if (image_[k] < 0) continue;
+      const std::int32_t t = nodes_.transform[tets_[k][0]];
       const std::int32_t piece = pieces_.cluster[image_[k]];
       if (piece < 0) continue;
       if (transform[piece] < 0) transform[piece] = t;
@@ -171,23 +198,28 @@ class Carrier {
   CarriedMesh assemble() {
     CarriedMesh result;
     result.mesh.nodes = positions();
+    const auto add = [&](const Tet& tet, bool dirty, std::int32_t peeled, std::int32_t delivered) {
+      result.mesh.tets.push_back(tet);
+      result.dirty.push_back(dirty ? 1 : 0);
+      result.same.peeled.push_back(peeled);
+      result.same.delivered.push_back(delivered);
+    };
     for (std::size_t k = 0; k < tets_.size(); ++k) {
       if (carried_[k] && !stands_for_itself(k)) continue;  // its piece stands for it
-      result.mesh.tets.push_back(tets_[k]);
-      result.dirty.push_back(!carried_[k]);
+      add(tets_[k], !carried_[k], static_cast<std::int32_t>(k),
+          image_[k] < 0 ? -1 : pieces_.same[image_[k]]);
     }
     for (std::size_t p = 0; p < piece_tets_.size(); ++p) {
       if (!carried_piece_[p]) continue;
-      for (const Tet& t : piece_tets_[p]) {
-        result.mesh.tets.push_back(t);
-        result.dirty.push_back(0);
-      }
+      for (std::size_t i = 0; i < piece_tets_[p].size(); ++i)
+        add(piece_tets_[p][i], false, -1, pieces_.clusters[p].delivered[i]);
     }
     return result;
   }
 
   const NodeSet& nodes_;
   std::span<const Tet> tets_;
+  std::span<const std::int32_t> slots_;  ///< by tet
   const OriginalPart& original_;
   std::span<const Transform> transforms_;
   Polling poll_;
@@ -202,10 +234,9 @@ class Carrier {
 
 }  // namespace
 
-CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets,
-                       const OriginalPart& original, std::span<const Transform> transforms,
-                       const Run& run) {
-  return Carrier(nodes, tets, original, transforms, run).carry();
+CarriedMesh carry_over(const NodeSet& nodes, const PeeledMesh& peeled, const OriginalPart& original,
+                       std::span<const Transform> transforms, const Run& run) {
+  return Carrier(nodes, peeled, original, transforms, run).carry();
 }
 
 }  // namespace remeshd

@@ -3,10 +3,17 @@
 #include <span>
 #include <vector>
 
+#include "engine/extract/peel.h"
 #include "engine/nodes/node_set.h"
 #include "engine/remesh/part.h"
 
 namespace remeshd {
+
+/// Tets of two other meshes with the same nodes as those of a mesh: by tet, -1 where none is known.
+struct SameTets {
+  std::vector<std::int32_t> peeled;     ///< of the new peeled Delaunay mesh
+  std::vector<std::int32_t> delivered;  ///< of OriginalPart::delivered
+};
 
 /// A peeled Delaunay mesh in which everything that did not change has already been replaced by the
 /// original's cleaned-up mesh, to the bit and with its connectivity.
@@ -14,6 +21,7 @@ struct CarriedMesh {
   TetMesh mesh;  ///< node i is node i of the NodeSet
   std::vector<std::uint8_t>
       dirty;  ///< per tet: 1 where it is not the original's and may need clean-up
+  SameTets same;
 };
 
 /// Carries the original's cleaned-up mesh over to where the new Delaunay mesh has the same tets.
@@ -24,11 +32,10 @@ struct CarriedMesh {
 /// delivered position; where that would spoil a tet next to them, what was carried round them is
 /// given back.
 ///
-/// `tets`: the new peeled Delaunay mesh over `nodes`. `transforms`: as in PointSource. Nodes at the
-/// rim keep their delivered position; throws LeftPart where one of them would have to be given
-/// back.
-CarriedMesh carry_over(const NodeSet& nodes, std::span<const Tet> tets,
-                       const OriginalPart& original, std::span<const Transform> transforms,
-                       const Run& run);
+/// `peeled`: the new peeled Delaunay mesh over `nodes`, made out of that of `original`: a tet that
+/// was left alone stands in the same slot. `transforms`: as in PointSource. Nodes at the rim keep
+/// their delivered position; throws LeftPart where one of them would have to be given back.
+CarriedMesh carry_over(const NodeSet& nodes, const PeeledMesh& peeled, const OriginalPart& original,
+                       std::span<const Transform> transforms, const Run& run);
 
 }  // namespace remeshd

@@ -1,6 +1,7 @@
 #include "engine/remesh/deliver.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
 #include "engine/base/parallel.h"
@@ -17,13 +18,24 @@ namespace {
 constexpr double kSharp = 25 * std::numbers::pi / 180;
 constexpr std::size_t kBlock = 4096;
 
+/// The first `size` values, more of them where there are fewer, without room to spare.
+template <class T>
+std::vector<T> of_same_size(const std::vector<T>& values, std::size_t size) {
+  std::vector<T> result;
+  result.reserve(size);
+  result.assign(values.begin(), values.begin() + std::min(size, values.size()));
+  result.resize(size);
+  return result;
+}
+
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals,
-                                         const std::vector<std::uint64_t>* inherited,
+                                         const std::vector<std::uint64_t>& inherited,
                                          std::uint64_t& next) {
-  std::vector<std::uint64_t> ids;
-  ids.reserve(originals.size());
-  for (const std::int32_t o : originals) ids.push_back(o >= 0 ? (*inherited)[o] : next++);
+  std::vector<std::uint64_t> ids = of_same_size(inherited, originals.size());
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    if (const std::int32_t o = originals[k]; o != static_cast<std::int32_t>(k))
+      ids[k] = o >= 0 ? inherited[o] : next++;
   return ids;
 }
 
@@ -41,44 +53,43 @@ std::vector<std::uint8_t> sides_of(const Box& box, std::span<const Vec3> nodes) 
   return sides;
 }
 
-/// Tets that stayed in place and meet no changed box are in the cells that they were in.
-CellsBefore cells_before(const Delivery& d, const Revision* original, const PointSource& source) {
-  CellsBefore before;
-  if (!original) return before;
-  before.groups = &original->delivery.groups;
-  before.tet = d.map.original_tet;
+/// Tets that were not remade and meet no changed box are in the cells that they were in.
+CellsBefore cells_before(const Delivery& d, const Revision* original,
+                         std::span<const std::int32_t> remade, const PointSource& source,
+                         const Run& run) {
+  if (!original) return {};
   Box changed;
   for (const Box& box : source.changed()) {
     changed.add(box.lo);
     changed.add(box.hi);
   }
   const std::vector<std::uint8_t> sides = sides_of(changed, d.mesh.nodes);
-  for (std::size_t k = 0; k < before.tet.size(); ++k) {
-    if (before.tet[k] < 0) continue;
-    const Tet& t = d.mesh.tets[k];
-    if (d.map.node_transform[t[0]] != source.identity() ||
-        ((sides[t[0]] & sides[t[1]] & sides[t[2]] & sides[t[3]]) == 0 &&
-         source.meets_changed(t, d.mesh.nodes)))
-      before.tet[k] = -1;
-  }
+  const std::vector<std::int32_t> at_change = collect_in_blocks<std::int32_t>(
+      d.mesh.tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end, auto& found) {
+        run.poll();
+        for (std::size_t k = begin; k < end; ++k) {
+          const Tet& t = d.mesh.tets[k];
+          if ((sides[t[0]] & sides[t[1]] & sides[t[2]] & sides[t[3]]) == 0 &&
+              source.meets_changed(t, d.mesh.nodes))
+            found.push_back(static_cast<std::int32_t>(k));
+        }
+      });
+  CellsBefore before{&original->delivery.groups, {}};
+  std::ranges::set_union(remade, at_change, std::back_inserter(before.others));
   return before;
 }
 
-/// Measures of the delivered tets; those of tets that were kept in place are the original's.
-std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original, const Run& run) {
+/// Measures of the delivered tets; those of tets that were not remade are the original's.
+std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original,
+                                    std::span<const std::int32_t> remade, const Run& run) {
   if (!original) return measure_tets(d.mesh.nodes, d.mesh.tets, run);
-  std::vector<std::uint8_t> in_place;
-  for (const Transform& t : d.map.transforms) in_place.push_back(t.is_identity() ? 1 : 0);
-  std::vector<TetMeasure> measures(d.mesh.tets.size());
-  in_blocks(measures.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+  std::vector<TetMeasure> measures = of_same_size(original->measures, d.mesh.tets.size());
+  in_blocks(remade.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (std::size_t k = begin; k < end; ++k) {
-      const Tet& t = d.mesh.tets[k];
-      const std::int32_t o = d.map.original_tet[k];
+      const Tet& t = d.mesh.tets[remade[k]];
       const auto& p = d.mesh.nodes;
-      measures[k] = o >= 0 && in_place[d.map.node_transform[t[0]]] != 0
-                        ? original->measures[o]
-                        : measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+      measures[remade[k]] = measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
     }
   });
   return measures;
@@ -144,7 +155,24 @@ void measure_away(Revision& revision) {
 
 }  // namespace
 
-void account(const Revision* original, double volume, Revision& revision, const Run& run) {
+std::vector<std::int32_t> remade_tets(const Delivery& d, const Run& run) {
+  std::vector<std::uint8_t> in_place;
+  for (const Transform& t : d.map.transforms) in_place.push_back(t.is_identity() ? 1 : 0);
+  const bool any_moved = std::ranges::count(in_place, 0) > 0;
+  const auto& was = d.map.original_tet;
+  return collect_in_blocks<std::int32_t>(
+      was.size(), kBlock, run, [&](std::size_t begin, std::size_t end, auto& found) {
+        run.poll();
+        for (std::size_t k = begin; k < end; ++k) {
+          const auto tet = static_cast<std::int32_t>(k);
+          if (was[k] != tet || (any_moved && !in_place[d.map.node_transform[d.mesh.tets[k][0]]]))
+            found.push_back(tet);
+        }
+      });
+}
+
+void account(const Revision* original, std::span<const std::int32_t> remade, double volume,
+             Revision& revision, const Run& run) {
   const Delivery& d = revision.delivery;
   Counts& counts = revision.report.counts;
   const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
@@ -158,7 +186,7 @@ void account(const Revision* original, double volume, Revision& revision, const 
   counts.nodes_moved = count(NodeOrigin::Moved);
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
-  revision.measures = measures_of(d, original, run);
+  revision.measures = measures_of(d, original, remade, run);
   revision.report.quality = summarise({{{d.mesh.nodes, d.mesh.tets}, revision.measures}}, volume);
   measure_away(revision);
   revision.report.volume = volume;
@@ -202,19 +230,20 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
     master.next_node_id = parent->master->next_node_id;
     master.next_tet_id = parent->master->next_tet_id;
   }
-  d.node_ids = permanent_ids(d.map.original_node, original ? &original->delivery.node_ids : nullptr,
-                             master.next_node_id);
-  d.tet_ids = permanent_ids(d.map.original_tet, original ? &original->delivery.tet_ids : nullptr,
-                            master.next_tet_id);
+  const Delivery nothing;
+  const Delivery& before = original ? original->delivery : nothing;
+  d.node_ids = permanent_ids(d.map.original_node, before.node_ids, master.next_node_id);
+  d.tet_ids = permanent_ids(d.map.original_tet, before.tet_ids, master.next_tet_id);
   d.mesh = std::move(c.whole.mesh);
   revision.master = std::make_shared<const Master>(std::move(master));
   const double volume = c.verification.volume;
+  const std::vector<std::int32_t> remade = remade_tets(d, run);
   const auto name = [&] {
     name_delivery(c.verification.surface, revision.master->supports, source.modified(),
-                  cells_before(d, original, source), revision, run);
+                  cells_before(d, original, remade, source, run), revision, run);
   };
   const auto measure = [&] {
-    account(original, volume, revision, run);
+    account(original, remade, volume, revision, run);
     revision.report.quality_before =
         quality_before(*revision.master, d.mesh, revision.measures, volume, run);
   };

@@ -26,8 +26,13 @@ void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Suppor
                    const Membership& membership, const CellsBefore& before, Revision& revision,
                    const Run& run);
 
+/// The tets, ascending, that are not the original's of the same number in place.
+std::vector<std::int32_t> remade_tets(const Delivery& delivery, const Run& run);
+
 /// Counts nodes and tets by origin and measures the delivered mesh, of this volume, into
-/// `revision.report`. `original`: where it was copied from, null if from nowhere.
-void account(const Revision* original, double volume, Revision& revision, const Run& run);
+/// `revision.report`. `original`: where it was copied from, null if from nowhere; `remade`: all
+/// other tets are measured already.
+void account(const Revision* original, std::span<const std::int32_t> remade, double volume,
+             Revision& revision, const Run& run);
 
 }  // namespace remeshd

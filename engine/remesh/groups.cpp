@@ -69,27 +69,34 @@ MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surfac
                        const CellsBefore& before, const Run& run) {
   MeshGroups groups;
   Numbering<std::vector<int>> cells;
-  groups.tet_cell.reserve(mesh.tets.size());
+  groups.tet_cell.assign(mesh.tets.size(), -1);
+  Polling poll(run);
+  if (before.groups) {
+    const std::vector<std::int32_t>& then = before.groups->tet_cell;
+    std::vector<std::int32_t> number(before.groups->cell_owners.size(), -1);
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
+      if (next < before.others.size() && before.others[next] == static_cast<std::int32_t>(k)) {
+        ++next;
+        continue;
+      }
+      std::int32_t& cell = number[then[k]];
+      if (cell < 0) cell = cells(indices_of(before.groups->cell_owners[then[k]], model));
+      groups.tet_cell[k] = cell;
+    }
+  }
   std::vector<int> owners;
   std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
   std::int32_t last_cell = -1;
-  Polling poll(run);
-  std::vector<std::int32_t> still(before.groups ? before.groups->cell_owners.size() : 0, -1);
   for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     poll();
-    const Tet& tet = mesh.tets[k];
-    if (before.groups && before.tet[k] >= 0) {
-      const std::int32_t cell = before.groups->tet_cell[before.tet[k]];
-      if (still[cell] < 0) still[cell] = cells(indices_of(before.groups->cell_owners[cell], model));
-      groups.tet_cell.push_back(still[cell]);
-      continue;
-    }
-    owners_of(mesh, tet, model, membership, owners);
+    if (groups.tet_cell[k] >= 0) continue;
+    owners_of(mesh, mesh.tets[k], model, membership, owners);
     if (last_cell < 0 || owners != last) {
       last_cell = cells(owners);
       last = owners;
     }
-    groups.tet_cell.push_back(last_cell);
+    groups.tet_cell[k] = last_cell;
   }
   std::vector<std::int32_t> renumber;
   for (const std::vector<int>& cell : cells.sorted(renumber)) {

@@ -9,10 +9,10 @@
 
 namespace remeshd {
 
-/// Cells of an earlier mesh of which some tets still have theirs.
+/// Cells of an earlier mesh, of which tets of the same number still have theirs.
 struct CellsBefore {
   const MeshGroups* groups = nullptr;  ///< null: nothing is known
-  std::vector<std::int32_t> tet;       ///< by tet: the earlier one with the same cell, or -1
+  std::vector<std::int32_t> others;    ///< tets that may be in another cell, ascending
 };
 
 /// Names the boundary facets and the tets of a finished mesh: each facet with the feature faces

@@ -152,8 +152,7 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
-  c.whole =
-      whole_mesh({c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, c.whole.mesh}, run);
+  c.whole = whole_mesh({c.nodes, c.loop.mesh, c.delaunay, c.whole.mesh, {}}, run);
   return c;
 }
 

@@ -68,25 +68,32 @@ void join_across_facets(std::span<const Tet> tets, std::size_t node_count, Union
 }  // namespace
 
 Pieces find_pieces(std::span<const Tet> delaunay, std::span<const Tet> delivered,
-                   std::size_t node_count, const Run& run) {
+                   std::span<const std::int32_t> same, std::size_t node_count, const Run& run) {
   Polling poll(run);
   Pieces pieces;
-  const TetIndex index(delivered, node_count, poll);
-  pieces.same.resize(delaunay.size());
+  pieces.same.assign(delaunay.size(), -1);
   pieces.cluster.assign(delaunay.size(), -1);
+  std::vector<std::int32_t> others;  // delivered tets of which nothing is known
+  for (std::size_t k = 0; k < delivered.size(); ++k) {
+    if (!same.empty() && same[k] >= 0)
+      pieces.same[same[k]] = static_cast<std::int32_t>(k);
+    else
+      others.push_back(static_cast<std::int32_t>(k));
+  }
+  const TetIndex index(delivered, others, node_count, poll);
   std::vector<std::uint8_t> stands(delivered.size(), 0);
   std::vector<std::int32_t> changed;  // Delaunay tets, then delivered ones
   for (std::size_t k = 0; k < delaunay.size(); ++k) {
     poll();
-    pieces.same[k] = index.find(delaunay[k]);
+    if (pieces.same[k] < 0) pieces.same[k] = index.find(delaunay[k]);
     if (pieces.same[k] >= 0)
       stands[pieces.same[k]] = 1;
     else
       changed.push_back(static_cast<std::int32_t>(k));
   }
   const std::size_t delaunay_count = changed.size();
-  for (std::size_t k = 0; k < delivered.size(); ++k)
-    if (!stands[k]) changed.push_back(static_cast<std::int32_t>(k));
+  for (const std::int32_t k : others)
+    if (!stands[k]) changed.push_back(k);
 
   std::vector<Tet> tets;
   tets.reserve(changed.size());

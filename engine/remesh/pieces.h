@@ -23,9 +23,10 @@ struct Pieces {
   std::vector<Cluster> clusters;
 };
 
-/// Tets that share a facet, on either side of the exchange, belong to one cluster. `node_count`:
-/// above every node of the tets.
+/// Tets that share a facet, on either side of the exchange, belong to one cluster. `same`: by
+/// delivered tet the Delaunay tet with the same nodes where that is known, else -1; may be empty.
+/// `node_count`: above every node of the tets.
 Pieces find_pieces(std::span<const Tet> delaunay, std::span<const Tet> delivered,
-                   std::size_t node_count, const Run& run);
+                   std::span<const std::int32_t> same, std::size_t node_count, const Run& run);
 
 }  // namespace remeshd

@@ -25,7 +25,7 @@ void repeat(const Revision& original, Revision& revision, const Run& run) {
   revision.report.verification.tets_inherited +=
       std::exchange(revision.report.verification.tets_proved, 0);
   revision.report.way = Way::Unchanged;
-  account(&original, original.report.volume, revision, run);
+  account(&original, {}, original.report.volume, revision, run);
 }
 
 /// Nearly the same geometry: the connectivity of the original's mesh, where that serves.
@@ -52,7 +52,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   revision.report.way = Way::Continued;
   revision.report.free_share =
       mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
-  account(&original, mesh.verification.volume, revision, run);
+  account(&original, remade_tets(revision.delivery, run), mesh.verification.volume, revision, run);
   return true;
 }
 

@@ -65,6 +65,13 @@ void close_gaps(std::vector<T>& values, const std::vector<std::int32_t>& moves) 
   values.resize(count);
 }
 
+std::vector<std::int32_t> indices_of(std::span<const std::uint8_t> values, std::uint8_t value) {
+  std::vector<std::int32_t> indices;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k] == value) indices.push_back(static_cast<std::int32_t>(k));
+  return indices;
+}
+
 Tet renamed(Tet tet, std::span<const std::int32_t> names) {
   for (std::int32_t& n : tet) n = names[n];
   return tet;
@@ -156,18 +163,23 @@ class Splicer {
   void place_tets() {
     const NodeSet& nodes = part_.nodes;
     const std::vector<Tet>& tets = part_.mesh.tets;
-    const TetIndex index(cut_.delivered, cut_.nodes.size(), poll_);
-    std::vector<std::int32_t> was(tets.size(), -1);
+    std::vector<std::int32_t> was = part_.same.delivered;
+    was.resize(tets.size(), -1);
     std::vector<std::uint8_t> stays(cut_.delivered.size(), 0);
+    for (const std::int32_t d : was)
+      if (d >= 0) stays[d] = 1;
+    const std::vector<std::int32_t> left = indices_of(stays, 0);
+    const TetIndex index(cut_.delivered, left, cut_.nodes.size(), poll_);
     for (std::size_t k = 0; k < tets.size(); ++k) {
       poll_();
+      if (was[k] >= 0) continue;
       const Tet originals = renamed(tets[k], nodes.original);
       if (std::ranges::any_of(originals, [](std::int32_t o) { return o < 0; })) continue;
       was[k] = index.find(originals);
       if (was[k] >= 0) stays[was[k]] = 1;
     }
     std::vector<std::int32_t> gone;
-    for (std::size_t d = 0; d < stays.size(); ++d)
+    for (const std::int32_t d : left)
       if (stays[d] == 0) gone.push_back(cut_.delivered_tet[d]);
     std::ranges::sort(gone);
     tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));
@@ -199,7 +211,8 @@ class Splicer {
     for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
     for (const std::int32_t s : slot)
       if (s >= 0) master.tet_of_slot[s] = Master::kOutside;
-    const Pieces pieces = find_pieces(part_.peeled, part_.mesh.tets, names_.size(), run_);
+    const Pieces pieces = find_pieces(part_.peeled.tets, part_.mesh.tets, part_.same.peeled,
+                                      names_.size(), run_);
     std::vector<std::int32_t> free = cut_.clusters;
     std::vector<std::int32_t> number;
     for (const std::int32_t c : free) master.clusters[c] = {};
@@ -213,11 +226,11 @@ class Splicer {
       free.pop_back();
       Cluster& out = master.clusters[number.back()];
       for (const std::int32_t k : cluster.delaunay)
-        out.delaunay.push_back(slot[part_.peeled_slots[k]]);
+        out.delaunay.push_back(slot[part_.peeled.slots[k]]);
       for (const std::int32_t k : cluster.delivered) out.delivered.push_back(whole_.new_tets[k]);
     }
-    for (std::size_t k = 0; k < part_.peeled.size(); ++k)
-      master.tet_of_slot[slot[part_.peeled_slots[k]]] =
+    for (std::size_t k = 0; k < part_.peeled.slots.size(); ++k)
+      master.tet_of_slot[slot[part_.peeled.slots[k]]] =
           pieces.same[k] >= 0 ? whole_.new_tets[pieces.same[k]] : -2 - number[pieces.cluster[k]];
     const std::size_t spare = master.mesh.slots() - master.mesh.size();
     if (static_cast<double>(spare) > kMostSpare * static_cast<double>(master.mesh.size()))
@@ -242,6 +255,8 @@ class Splicer {
     const std::int32_t count = places.count();
     std::vector<std::int32_t> names(count + moves.size());
     std::iota(names.begin(), names.end(), 0);
+    for (const std::int32_t gap : moves)
+      if (gap >= 0) names[gap] = -1;
     std::ranges::copy(moves, names.begin() + count);
     whole_.master.mesh.rename(names, count);
     for (Tet& t : whole_.mesh.tets) {
@@ -294,13 +309,15 @@ WholeMesh whole_mesh(const PartMesh& part, const Run& run) {
   master.mesh = part.delaunay;
   master.supports = part.nodes.supports;
   master.tet_of_slot.assign(master.mesh.slots(), Master::kOutside);
-  Pieces pieces = find_pieces(part.peeled, part.mesh.tets, part.mesh.nodes.size(), run);
-  for (std::size_t k = 0; k < part.peeled.size(); ++k)
-    master.tet_of_slot[part.peeled_slots[k]] =
+  const std::vector<std::int32_t>& slots = part.peeled.slots;
+  Pieces pieces = find_pieces(part.peeled.tets, part.mesh.tets, part.same.peeled,
+                              part.mesh.nodes.size(), run);
+  for (std::size_t k = 0; k < slots.size(); ++k)
+    master.tet_of_slot[slots[k]] =
         pieces.same[k] >= 0 ? pieces.same[k] : -2 - pieces.cluster[k];
   master.clusters = std::move(pieces.clusters);
   for (Cluster& cluster : master.clusters)
-    for (std::int32_t& k : cluster.delaunay) k = part.peeled_slots[k];
+    for (std::int32_t& k : cluster.delaunay) k = slots[k];
   return whole;
 }
 

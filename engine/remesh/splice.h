@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/remesh/carry_over.h"
 #include "engine/remesh/part.h"
 #include "engine/remesh/remesh.h"
 
@@ -11,10 +12,10 @@ namespace remeshd {
 /// What came of the nodes of a part.
 struct PartMesh {
   const NodeSet& nodes;
-  const kernel::Delaunay& delaunay;            ///< of all nodes
-  std::span<const Tet> peeled;                 ///< its tets in the model
-  std::span<const std::int32_t> peeled_slots;  ///< by peeled tet
-  const TetMesh& mesh;                         ///< cleaned up
+  const kernel::Delaunay& delaunay;  ///< of all nodes
+  const PeeledMesh& peeled;          ///< its tets in the model
+  const TetMesh& mesh;               ///< cleaned up
+  const SameTets& same;              ///< by tet of `mesh`; empty where nothing is known
 };
 
 /// A whole mesh with where it came from.

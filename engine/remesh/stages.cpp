@@ -263,31 +263,49 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const OriginalPart& part,
 
 namespace {
 
+/// The part's mesh as it comes from the loop, all of it to be cleaned up.
+CarriedMesh all_new(const Candidate& c) {
+  const std::size_t count = c.delaunay.tets.size();
+  CarriedMesh mesh{{c.nodes.positions, c.delaunay.tets}, std::vector<std::uint8_t>(count, 1), {}};
+  mesh.same.peeled.resize(count);
+  std::iota(mesh.same.peeled.begin(), mesh.same.peeled.end(), 0);
+  mesh.same.delivered.assign(count, -1);
+  return mesh;
+}
+
+std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
+                                    std::span<const std::int32_t> at) {
+  std::vector<std::int32_t> result(at.size(), -1);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (at[k] >= 0) result[k] = values[at[k]];
+  return result;
+}
+
 /// The part's mesh, carried over and cleaned up.
-TetMesh cleaned_up(Candidate& c, const Target& target, const Site& site, bool clean_up,
-                   const Run& run) {
+CarriedMesh cleaned_up(Candidate& c, const Target& target, const Site& site, bool clean_up,
+                       const Run& run) {
   const MeshOptions& options = target.options;
-  CarriedMesh carried;
-  if (target.original && options.clean_up) {
-    carried = carry_over(c.nodes, c.delaunay.tets, site.part, target.source.transforms(), run);
-  } else {
-    carried.mesh = {c.nodes.positions, c.delaunay.tets};
-    carried.dirty.assign(c.delaunay.tets.size(), 1);
-  }
+  CarriedMesh carried =
+      target.original && options.clean_up
+          ? carry_over(c.nodes, c.delaunay, site.part, target.source.transforms(), run)
+          : all_new(c);
   run.report("improve", 0.85);
   c.bad_at_rim = 0;
-  if (!clean_up) return std::move(carried.mesh);
+  if (!clean_up) return carried;
   ImproveResult improved =
       improve(carried.mesh, c.nodes.supports, target.cells.boundary, carried.dirty,
               {.threshold = options.threshold, .locked = c.nodes.rim}, run);
   c.bad_at_rim = improved.bad_at_rim;
-  return std::move(improved.mesh);
+  return {std::move(improved.mesh),
+          {},
+          {looked_up(carried.same.peeled, improved.was),
+           looked_up(carried.same.delivered, improved.was)}};
 }
 
 WholeMesh put_together(Candidate& c, const Target& target, const Site& site, bool clean_up,
                        const Run& run) {
-  const TetMesh mesh = cleaned_up(c, target, site, clean_up, run);
-  const PartMesh made{c.nodes, c.loop.mesh, c.delaunay.tets, c.delaunay.slots, mesh};
+  const CarriedMesh mesh = cleaned_up(c, target, site, clean_up, run);
+  const PartMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
   if (const Revision* original = target.original)
     return splice(*original, supports_left(*original, site), site.part, made, target.source, run);
   return whole_mesh(made, run);

@@ -14,8 +14,9 @@ namespace remeshd {
 /// neighbours are looked up near each other.
 class TetIndex {
  public:
-  /// `node_count`: above every node of the tets.
-  TetIndex(std::span<const Tet> tets, std::size_t node_count, Polling& poll);
+  /// Of `which` of the tets. `node_count`: above every node of the tets.
+  TetIndex(std::span<const Tet> tets, std::span<const std::int32_t> which, std::size_t node_count,
+           Polling& poll);
   /// Index of the tet with these nodes, -1 if there is none.
   [[nodiscard]] std::int32_t find(const Tet& tet) const;
 

@@ -19,6 +19,11 @@ bool same_turn(const Tet& a, Tet b) {
   return even && a[3] == b[3];
 }
 
+/// Not as arrays, whose comparison is a call.
+bool equal(const Tet& a, const Tet& b) {
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
+}
+
 template <class Array>
 bool has(const Array& array, std::int32_t index) {
   return index >= 0 && static_cast<std::size_t>(index) < array.size();
@@ -52,7 +57,7 @@ Inheritance inherit(const TetMesh& mesh, const VerifiedParent& parent, Polling& 
     const std::int32_t o = parent.tet[t];
     const bool known = has(parent.mesh.tets, o) && result.heir[o] < 0;
     const auto index = static_cast<std::int32_t>(t);
-    if (known && tet == parent.mesh.tets[o] && all(still, tet)) {
+    if (known && equal(tet, parent.mesh.tets[o]) && all(still, tet)) {
       result.heir[o] = index;
       continue;
     }

@@ -6,6 +6,8 @@ namespace remeshd {
 namespace {
 
 const remeshd::Run kRun;
+/// Of the original's tet, in another slot.
+const PeeledMesh kPeeled{{{0, 1, 2, 4}}, {7}, {}};
 
 /// A Delaunay mesh of one tet, for which the delivered mesh has two with a fifth node: as after the
 /// last resort, whose delivered mesh is more than clean-up makes of the peeled Delaunay mesh.
@@ -15,7 +17,7 @@ struct Original : OriginalPart {
     delivered_nodes = positions;
     tets = {{0, 1, 2, 4}};
     delivered = {{0, 1, 2, 3}, {1, 2, 3, 4}};
-    pieces = find_pieces(tets, delivered, positions.size(), kRun);
+    pieces = find_pieces(tets, delivered, {}, positions.size(), kRun);
   }
 };
 
@@ -30,9 +32,8 @@ NodeSet copies_of(const Original& original, std::int32_t count) {
 }
 
 CarriedMesh carry(const Original& original, const NodeSet& nodes) {
-  const std::vector<Tet> tets{{0, 1, 2, 4}};
   const std::vector<Transform> transforms{Transform{}};
-  return carry_over(nodes, tets, original, transforms, kRun);
+  return carry_over(nodes, kPeeled, original, transforms, kRun);
 }
 
 TEST(CarryOver, BringsWhatTheCleanUpMadeOfATet) {
@@ -55,13 +56,12 @@ TEST(CarryOver, LeavesTetsWhoseNodesWentDifferentWays) {
   const Original original;
   NodeSet nodes = copies_of(original, 5);
   nodes.transform[3] = 1;
-  const std::vector<Tet> tets{{0, 1, 2, 4}};
   Transform away;
   away.m[3] = 0.5;
   nodes.positions[3] = away.apply(nodes.positions[3]);
   const CarriedMesh carried =
-      carry_over(nodes, tets, original, std::vector<Transform>{Transform{}, away}, kRun);
-  EXPECT_EQ(carried.mesh.tets, tets);
+      carry_over(nodes, kPeeled, original, std::vector<Transform>{Transform{}, away}, kRun);
+  EXPECT_EQ(carried.mesh.tets, kPeeled.tets);
 }
 
 }  // namespace
