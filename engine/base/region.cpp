@@ -35,25 +35,6 @@ Region::Region(std::span<const Vec3> points, double reach, int steps) : width_(r
   widen(steps);
 }
 
-Region Region::grown(double by) const {
-  if (empty()) return *this;
-  const int steps = static_cast<int>(std::ceil(by / width_));
-  Region region;
-  region.width_ = width_;
-  const double around = steps * width_;
-  region.box_.lo = box_.lo - Vec3{around, around, around};
-  region.box_.hi = box_.hi + Vec3{around, around, around};
-  for (int a = 0; a < 3; ++a) region.size_[a] = size_[a] + 2 * steps;
-  region.holds_.assign(
-      static_cast<std::size_t>(region.size_[0]) * region.size_[1] * region.size_[2], 0);
-  for (int z = 0; z < size_[2]; ++z)
-    for (int y = 0; y < size_[1]; ++y)
-      for (int x = 0; x < size_[0]; ++x)
-        region.holds_[region.index(x + steps, y + steps, z + steps)] = holds_[index(x, y, z)];
-  region.widen(steps);
-  return region;
-}
-
 /// Every cube takes those up to `steps` away along each axis with it, one axis after the other.
 void Region::widen(int steps) {
   const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size_[0]),

@@ -18,8 +18,6 @@ class Region {
   Region(std::span<const Vec3> points, double reach, int steps);
 
   [[nodiscard]] bool empty() const { return box_.empty(); }
-  /// What is within `by` of it, and a little more.
-  [[nodiscard]] Region grown(double by) const;
   [[nodiscard]] bool holds(const Vec3& p) const {
     if (!box_.contains(p)) return false;
     const auto c = cube_of(p);
@@ -29,7 +27,6 @@ class Region {
   [[nodiscard]] std::vector<Box> boxes() const;
 
  private:
-  Region() = default;
   [[nodiscard]] std::array<int, 3> cube_of(const Vec3& p) const;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * size_[1] + y) * size_[0] + x;

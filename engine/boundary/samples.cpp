@@ -38,11 +38,20 @@ std::vector<std::vector<int>> rivals(const BoundaryModel& boundary) {
 /// Where samples are wanted.
 class Wanted {
  public:
-  Wanted(const Region* region, const Box& all)
-      : region_(region), boxes_(region ? region->boxes() : std::vector<Box>{all}) {}
+  explicit Wanted(const std::optional<std::vector<Region>>& places)
+      : places_(places ? &*places : nullptr) {
+    if (everywhere()) return;
+    for (const Region& place : *places_) {
+      const std::vector<Box> boxes = place.boxes();
+      boxes_.insert(boxes_.end(), boxes.begin(), boxes.end());
+    }
+  }
 
-  [[nodiscard]] bool everywhere() const { return region_ == nullptr; }
-  [[nodiscard]] bool holds(const Vec3& p) const { return !region_ || region_->holds(p); }
+  [[nodiscard]] bool everywhere() const { return places_ == nullptr; }
+  [[nodiscard]] bool holds(const Vec3& p) const {
+    return everywhere() ||
+           std::ranges::any_of(*places_, [&](const Region& place) { return place.holds(p); });
+  }
   /// Calls f(part, number) for parts of `box` that cover what is wanted in it; `holds_first` tells
   /// the points of each that are in no earlier one.
   template <class F>
@@ -53,14 +62,14 @@ class Wanted {
   }
   [[nodiscard]] bool holds_first(const Vec3& p, std::size_t part) const {
     if (everywhere()) return true;
-    if (!region_->holds(p) || !boxes_[part].contains(p)) return false;
-    return std::none_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(part),
+    return holds(p) && boxes_[part].contains(p) &&
+           std::none_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(part),
                         [&](const Box& earlier) { return earlier.contains(p); });
   }
 
  private:
-  const Region* region_;
-  std::vector<Box> boxes_;
+  const std::vector<Region>* places_;  ///< null: everywhere
+  std::vector<Box> boxes_;             ///< cover them
 };
 
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
@@ -139,7 +148,7 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
                         const Run& run) {
   Samples samples;
   const std::vector<std::vector<int>> others = rivals(boundary);
-  const Wanted wanted(options.where, boundary.bounds);
+  const Wanted wanted(options.where);
   samples.points = collect_in_blocks<Sample>(
       boundary.faces.size(), 1, run,
       [&](std::size_t begin, std::size_t, std::vector<Sample>& found) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/base/region.h"
@@ -23,8 +24,8 @@ struct SampleOptions {
   double edge_spacing = 0.18;  ///< of the target edge length
   double jitter =
       0.2;  ///< of the spacing; lattice-aligned samples lock nodes into cocircular places
-  /// Only samples in it are wanted; null: all.
-  const Region* where = nullptr;
+  /// Only samples in one of these are wanted; nothing: all.
+  std::optional<std::vector<Region>> where;
 };
 
 /// The samples of all faces, then of all edges, then of all vertices.

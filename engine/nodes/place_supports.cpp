@@ -8,8 +8,6 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kSearch = 1.2;  // x edge length: a face's samples are .36 apart, one is in reach
-
 std::vector<Vec3> positions_of(const Samples& samples) {
   std::vector<Vec3> positions;
   positions.reserve(samples.points.size());
@@ -36,7 +34,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
     // several of a kind the one with the nearest sample.
     Support best;
     double best_d = HUGE_VAL;
-    grid.for_each_within(p, kSearch * edge_length, [&](std::int32_t index, double d) {
+    grid.for_each_within(p, kSupportReach * edge_length, [&](std::int32_t index, double d) {
       const Support& s = samples.points[index].support;
       if (s.kind < best.kind || (s.kind == best.kind && d >= best_d) ||
           s.kind > nodes.supports[n].kind)

@@ -5,6 +5,9 @@
 
 namespace remeshd {
 
+/// x edge length: how far a node looks for samples of what it stands on. A face's are .36 apart.
+inline constexpr double kSupportReach = 1.2;
+
 /// Finds for every fixed node from `first` on that stood on the boundary of the original model the
 /// vertex, edge or face of the modified one that it stands on now. A node that finds none is freed:
 /// its piece of boundary is gone.

@@ -19,8 +19,6 @@ class Surroundings {
   /// Whether a ball meets the boxes round the parts that hang together; true where the radius is
   /// not finite, false where there is nothing.
   [[nodiscard]] bool meets(const Vec3& centre, double radius) const;
-  /// Cubes that cover it.
-  [[nodiscard]] const Region& region() const { return region_; }
 
  private:
   double reach_;

@@ -108,7 +108,7 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
                                    const Master& master, std::span<const Support> supports,
                                    const TetMeshView& delivered, const EntityMap* map,
-                                   const PointSource& source, double reach, double sampled_beyond) {
+                                   const PointSource& source, double reach) {
   const std::int32_t identity = source.identity();
   const auto stays = [&](std::int32_t n) {
     return !near.free[n] && near.original[n] >= 0 && near.transform[n] == identity;
@@ -127,7 +127,6 @@ std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int
     for (const std::int32_t o : looked_at)
       if (looked[o] == 1) changed.push_back(master.mesh.position(o));
     changing.emplace(changed, reach, source.modified().bounds());
-    local.sampled = changing->region().grown(sampled_beyond);
     for (std::size_t n = 0; n < inner.size(); ++n)
       inner[n] = changing->holds(master.mesh.position(static_cast<std::int32_t>(n))) ? 1 : 0;
   }

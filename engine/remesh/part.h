@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/region.h"
 #include "engine/boundary/entity_map.h"
 #include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
@@ -44,21 +43,18 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
 struct LocalNodes {
   NodeSet nodes;      ///< `original`: nodes of `part`
   OriginalPart part;  ///< empty for a first mesh
-  /// Where boundary samples are wanted; nothing: everywhere.
-  std::optional<Region> sampled;
   std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
 };
 
 /// Cuts the part out of the original that lies within `reach` (length) of what changes: `near` are
 /// the nodes that the plan made of the original's `looked_at` nodes, by their numbers in the
-/// original, new ones too. With `reach` infinite all of the original is in it. Samples are wanted a
-/// little further, `sampled_beyond` (length), so that every inner node has its own.
+/// original, new ones too. With `reach` infinite all of the original is in it.
 ///
 /// Nodes that are looked at keep their supports of the original; others that come along stand
 /// before them and get theirs by `map`. Returns nothing where it has none for one.
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
                                    const Master& master, std::span<const Support> supports,
                                    const TetMeshView& delivered, const EntityMap* map,
-                                   const PointSource& source, double reach, double sampled_beyond);
+                                   const PointSource& source, double reach);
 
 }  // namespace remeshd

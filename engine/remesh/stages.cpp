@@ -12,6 +12,7 @@
 #include "engine/nodes/density.h"
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill.h"
+#include "engine/nodes/place_supports.h"
 #include "engine/nodes/thin_out.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/carry_over.h"
@@ -25,7 +26,8 @@ namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
-constexpr double kSampledBeyond = 1.5;  // x edge length: as far as a node looks for its samples
+constexpr double kSampledBeyond = 0.5;  // x edge length; the nearest samples of a node are nearer
+constexpr int kSampledSteps = 5;
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
 /// Leaves out the nodes that no tet uses, but for those at the rim, and renumbers the tets and the
@@ -192,9 +194,23 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
   std::optional<LocalNodes> local =
       localise(nodes, looked_at, *original->master, original->supports(),
                {original->master_nodes(), original->delivery.mesh.tets}, reach.map, source,
-               reach.length, kSampledBeyond * density.edge_length);
+               reach.length);
   if (local) dump_nodes(run, "05-nodes", local->nodes);
   return local;
+}
+
+std::vector<Region> sampled_places(const LocalNodes& local, double edge_length,
+                                   const Reach& reach) {
+  const NodeSet& nodes = local.nodes;
+  std::vector<Vec3> free, to_place;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (nodes.free[n])
+      free.push_back(nodes.positions[n]);
+    else if (n >= local.placed && nodes.supports[n].kind != Support::Kind::Interior)
+      to_place.push_back(nodes.positions[n]);
+  }
+  return {Region(free, reach.length + kSampledBeyond * edge_length, kSampledSteps),
+          Region(to_place, kSupportReach * edge_length, 1)};
 }
 
 StartMesh start_mesh(const LocalNodes& local, const PointSource& source, const Box& bounds,

@@ -157,7 +157,7 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
   watch_.lap(report.seconds.copy);
 
   SampleOptions sampling;
-  if (local->sampled) sampling.where = &*local->sampled;
+  if (std::isfinite(reach.length)) sampling.where = sampled_places(*local, l, reach);
   const Samples samples = sample_boundary(boundary, membership, l, s.seed, sampling, run_);
   const InsideTest inside = inside_test(options.inside, membership, boundary, run_);
   counts.samples = static_cast<std::uint32_t>(samples.points.size());

@@ -228,7 +228,7 @@ FakeEngine::FakeEngine() : state_(std::make_shared<State>()) {}
 Engine FakeEngine::engine() const {
   const auto state = state_;
   return {
-      .algorithm_version = 9,
+      .algorithm_version = 10,
       .evaluate = evaluate,
       .apply = apply,
       .summarise =

@@ -35,17 +35,6 @@ TEST(Region, HoldsWhatIsInReachAndNothingMuchFurther) {
   }
 }
 
-TEST(Region, GrownHoldsWhatIsNearIt) {
-  Random random(2);
-  const std::vector<Vec3> points = cloud(5, {}, random);
-  const Region region(points, 0.5, 4), grown = region.grown(0.3);
-  for (const Vec3& p : cloud(2000, {}, random)) {
-    if (!region.holds(3 * p)) continue;
-    for (const Vec3& off : {Vec3{0.3, 0, 0}, Vec3{0, -0.3, 0}, Vec3{0.17, 0.17, -0.17}})
-      EXPECT_TRUE(grown.holds(3 * p + off));
-  }
-}
-
 TEST(Region, HasABoxRoundEachPart) {
   Random random(3);
   std::vector<Vec3> points = cloud(10, {}, random);
@@ -61,7 +50,7 @@ TEST(Region, OfNothingIsEmpty) {
   const Region region({}, 1, 2);
   EXPECT_TRUE(region.empty());
   EXPECT_FALSE(region.holds({}));
-  EXPECT_TRUE(region.grown(1).boxes().empty());
+  EXPECT_TRUE(region.boxes().empty());
 }
 
 }  // namespace
