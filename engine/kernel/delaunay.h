@@ -252,6 +252,11 @@ class Delaunay {
   /// that resisted when they were looked at, 4 * tet + facet.
   void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
                 const Run& run);
+  /// The corner opposite of a facet that a tet has for a neighbour; also at the rim of a part.
+  [[nodiscard]] const Vec3& opposite(std::int32_t neighbour) const {
+    return neighbour < -1 ? beyond_[-2 - neighbour]
+                          : points_[slots_[neighbour >> 2].v[neighbour & 3]];
+  }
   /// Whether a facet, 4 * tet + facet, is locally Delaunay; also at the rim of a part.
   [[nodiscard]] bool is_delaunay(std::int32_t facet) const;
   /// Returns whether the facet is locally Delaunay now or gone, or at the rim, where it is noted

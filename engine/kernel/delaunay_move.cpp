@@ -181,12 +181,17 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
       touched.size(), kBlock, run,
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
-        for (const std::int32_t t : touched.subspan(begin, end - begin))
+        for (const std::int32_t t : touched.subspan(begin, end - begin)) {
+          const auto& v = slots_[t].v;
+          const SphereTest sphere(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]);
           for (int i = 0; i < 4; ++i) {
             const std::int32_t across = slots_[t].n[i];
             const bool mine = across < 0 || across >> 2 > t || scratch_.seen[across >> 2] != mark;
-            if (mine && !is_delaunay(4 * t + i)) found.push_back(4 * t + i);
+            if (!mine || across == -1) continue;
+            const int side = sphere.side(opposite(across));
+            if (side > 0 || (side == 0 && !is_delaunay(4 * t + i))) found.push_back(4 * t + i);
           }
+        }
       });
   Polling poll(run);
   // Every flip lowers the lifted surface, so that this ends.
@@ -200,9 +205,7 @@ void Delaunay::flip_all(std::span<const std::int32_t> touched, std::vector<std::
 
 bool Delaunay::is_delaunay(std::int32_t facet) const {
   const std::int32_t across = slots_[facet >> 2].n[facet & 3];
-  if (across == -1) return true;
-  return !conflicts(
-      facet >> 2, across < -1 ? beyond_[-2 - across] : points_[slots_[across >> 2].v[across & 3]]);
+  return across == -1 || !conflicts(facet >> 2, opposite(across));
 }
 
 bool Delaunay::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
