@@ -9,6 +9,7 @@ namespace {
 constexpr double kCellsPerNode = 64;  // bound on memory where nodes are few and far between
 constexpr double kDrift = 0.15;  // of a cell's width: further outside of its cell a node strays
 constexpr std::size_t kMostStrays = 12;  // each query looks at all of them
+constexpr double kAlittle = 1 + 1e-12;    // more than a distance, for rounding
 constexpr Vec3 kAway{1e150, 1e150, 1e150};
 }  // namespace
 
@@ -129,21 +130,24 @@ void NearestNode::look_round(const Vec3& p, const Look& look, const Done& done) 
   }
 }
 
-std::int32_t NearestNode::nearest(const Vec3& p) const {
+const Vec3& NearestNode::place_of(std::int32_t node) const {
+  const auto stray = std::ranges::find(strays_, node, &Stray::node);
+  return stray != strays_.end() ? stray->at : points_[entry_[node]];
+}
+
+std::int32_t NearestNode::nearest(const Vec3& p, std::int32_t guess) const {
   if (nodes_.empty()) return -1;
-  std::int32_t best = -1;
-  double best_d = HUGE_VAL;
-  look_round(
-      p,
-      [&](std::int32_t node, const Vec3& at) {
-        const double d = norm2(at - p);
-        if (d > best_d || (d == best_d && node > best)) return;
-        best_d = d;
-        best = node;
-      },
-      [&](double seen) {
-        return best >= 0 && (seen == HUGE_VAL || (seen > 0 && seen * seen > best_d));
-      });
+  std::int32_t best = guess;
+  double best_d = guess < 0 ? HUGE_VAL : norm2(place_of(guess) - p);
+  if (best_d > cell_ * cell_) best = -1, best_d = HUGE_VAL;
+  const auto look = [&](std::int32_t node, const Vec3& at) {
+    const double d = norm2(at - p);
+    if (d > best_d || (d == best_d && node > best)) return;
+    best_d = d;
+    best = node;
+  };
+  if (best < 0) look_round(p, look, [&](double) { return best >= 0; });
+  look_within(p, kAlittle * std::sqrt(best_d), look);
   return best;
 }
 

@@ -20,7 +20,8 @@ class NearestNode {
   void follow(std::span<const Vec3> positions, std::span<const std::int32_t> moved);
 
   /// The node nearest to p, the lowest index where several are equally near; -1 if there are none.
-  [[nodiscard]] std::int32_t nearest(const Vec3& p) const;
+  /// `guess`: a node that may be it, which saves time where it is near; -1 for none.
+  [[nodiscard]] std::int32_t nearest(const Vec3& p, std::int32_t guess = -1) const;
 
   /// Whether a node is within `radius` of p. Cheaper than `nearest` where many are.
   [[nodiscard]] bool any_within(const Vec3& p, double radius) const;
@@ -28,22 +29,10 @@ class NearestNode {
   /// Calls f(node, squared distance) for every node within `radius` of p, by cells.
   template <class F>
   void for_each_within(const Vec3& p, double radius, F&& f) const {
-    const double reach = radius + drift_;
-    const auto lo = cell_of(p - Vec3{reach, reach, reach});
-    const auto hi = cell_of(p + Vec3{reach, reach, reach});
-    for (int z = lo[2]; z <= hi[2]; ++z)
-      for (int y = lo[1]; y <= hi[1]; ++y)
-        for (int x = lo[0]; x <= hi[0]; ++x) {
-          const std::size_t c = index(x, y, z);
-          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) {
-            const double d = norm2(points_[k] - p);
-            if (d <= radius * radius) f(nodes_[k], d);
-          }
-        }
-    for (const auto& [node, at] : strays_) {
+    look_within(p, radius, [&](std::int32_t node, const Vec3& at) {
       const double d = norm2(at - p);
       if (d <= radius * radius) f(node, d);
-    }
+    });
   }
 
  private:
@@ -53,9 +42,25 @@ class NearestNode {
   };
 
   void build(std::span<const Vec3> positions);
+  /// Where a node is.
+  [[nodiscard]] const Vec3& place_of(std::int32_t node) const;
   /// How far a point is outside of a cell.
   [[nodiscard]] double beyond(std::uint32_t cell, const Vec3& p) const;
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
+  /// Calls look(node, place) for the strays and for what stands in the cells within `radius` of p.
+  template <class Look>
+  void look_within(const Vec3& p, double radius, const Look& look) const {
+    const double reach = radius + drift_;
+    const auto lo = cell_of(p - Vec3{reach, reach, reach});
+    const auto hi = cell_of(p + Vec3{reach, reach, reach});
+    for (int z = lo[2]; z <= hi[2]; ++z)
+      for (int y = lo[1]; y <= hi[1]; ++y)
+        for (int x = lo[0]; x <= hi[0]; ++x) {
+          const std::size_t c = index(x, y, z);
+          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) look(nodes_[k], points_[k]);
+        }
+    for (const auto& [node, at] : strays_) look(node, at);
+  }
   /// Calls look(node, place) for the strays and for what stands in the cells round p, ring by ring
   /// until done(d), where all nodes nearer than d have been looked at.
   template <class Look, class Done>

@@ -51,7 +51,7 @@ void NearestToPoints::look_again_near(std::int32_t node) {
 
 NearestToPoints::Answer NearestToPoints::look_up(const NearestNode& grid,
                                                  std::uint32_t point) const {
-  const std::int32_t node = grid.nearest(points_[point]);
+  const std::int32_t node = grid.nearest(points_[point], answers_[point].node);
   if (node < 0) return {};
   const double d = norm2(nodes_[node] - points_[point]);
   return {node, d <= reach_ * reach_ ? now_ : 0, d};

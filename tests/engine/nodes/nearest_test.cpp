@@ -80,6 +80,9 @@ TEST(NearestNode, FollowsNodesHoweverManyMoveHoweverFar) {
       for (int k = 0; k < 200; ++k) {
         const Vec3 p{random.uniform(-5, 15), random.uniform(-5, 5), random.uniform(-9, 9)};
         ASSERT_EQ(grid.nearest(p), by_hand(points, p)) << "steps of " << step;
+        const auto any = static_cast<std::int32_t>(random.uniform(0, points.size()));
+        ASSERT_EQ(grid.nearest(p, any), by_hand(points, p)) << "steps of " << step;
+        ASSERT_EQ(grid.nearest(p, grid.nearest(p)), by_hand(points, p)) << "steps of " << step;
         std::size_t within = 0, counted = 0;
         for (const Vec3& q : points) within += norm2(q - p) <= 1 ? 1 : 0;
         grid.for_each_within(p, 1, [&](std::int32_t, double) { ++counted; });
