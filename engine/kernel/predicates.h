@@ -29,6 +29,41 @@ inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return exact_orientation(a, b, c, d);
 }
 
+/// Where points lie of the circumsphere of one positive tet, by the determinant expanded by the row
+/// of the point. Cheap, above all for several points, but it does not decide near the sphere.
+class SphereTest {
+ public:
+  SphereTest(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) : origin_(a) {
+    const Vec3 ab = b - a, ac = c - a, ad = d - a;
+    const Vec3 cd = cross(ac, ad);
+    volume_ = dot(ab, cd);
+    normal_ = norm2(ab) * cd + norm2(ac) * cross(ad, ab) + norm2(ad) * cross(ab, ac);
+    const double size = std::max({span(ab), span(ac), span(ad)});
+    size2_ = size * size;
+    unsure_ = kUnsure * size2_ * size;
+  }
+
+  /// +1 where p lies inside, -1 outside, 0 where rounding leaves that open.
+  [[nodiscard]] int side(const Vec3& p) const {
+    const Vec3 ap = p - origin_;
+    const double p2 = norm2(ap);
+    const double outside = volume_ * p2 - dot(ap, normal_);
+    if (std::fabs(outside) <= unsure_ * (p2 + size2_)) return 0;
+    return outside > 0 ? -1 : 1;
+  }
+
+ private:
+  /// With edges from a up to s long and p at a distance r from a, the terms of `volume_ * p2` add up
+  /// to less than 2 s^3 r^2 and those of the other product to less than 6 s^4 r, each rounded fewer
+  /// than 20 times by 2^-53: the error is below 1.4e-14 s^3 (r^2 + s r).
+  static constexpr double kUnsure = 1e-12;
+  /// At least the length.
+  static double span(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
+  Vec3 origin_, normal_;
+  double volume_ = 0, size2_ = 0, unsure_ = 0;
+};
+
 /// +1 where p lies inside the circumsphere of the positive tet abcd, 0 on it, -1 outside. Exact.
 inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
   constexpr double kBound = (16.0 + 224.0 * 0x1.0p-53) * 0x1.0p-53;
@@ -61,40 +96,5 @@ inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
   if (std::fabs(det) > kBound * permanent) return det > 0 ? -1 : 1;
   return exact_in_sphere(a, b, c, d, p);
 }
-
-/// `in_sphere` for several points and one tet, whose share is worked out once: the determinant
-/// expanded by the row of the point.
-class SphereTest {
- public:
-  /// Pre: positive.
-  SphereTest(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) : origin_(a) {
-    const Vec3 ab = b - a, ac = c - a, ad = d - a;
-    const Vec3 cd = cross(ac, ad);
-    volume_ = dot(ab, cd);
-    const double b2 = norm2(ab), c2 = norm2(ac), d2 = norm2(ad);
-    normal_ = b2 * cd + c2 * cross(ad, ab) + d2 * cross(ab, ac);
-    const double size2 = std::max({b2, c2, d2});
-    size_ = std::sqrt(size2);
-    unsure_ = kUnsure * size2 * size_;
-  }
-
-  /// +1 where p lies inside, -1 outside, 0 where rounding leaves that open.
-  [[nodiscard]] int side(const Vec3& p) const {
-    const Vec3 ap = p - origin_;
-    const double p2 = norm2(ap);
-    const double outside = volume_ * p2 - dot(ap, normal_);
-    if (std::fabs(outside) <= unsure_ * (p2 + size_ * std::sqrt(p2))) return 0;
-    return outside > 0 ? -1 : 1;
-  }
-
- private:
-  /// With edges from a up to s long and p at a distance r from a, the terms of `volume_ * p2` add up
-  /// to less than 2 s^3 r^2 and those of the other product to less than 6 s^4 r, each rounded fewer
-  /// than 20 times by 2^-53: the error is below 1.4e-14 s^3 (r^2 + s r).
-  static constexpr double kUnsure = 1e-12;
-
-  Vec3 origin_, normal_;
-  double volume_ = 0, size_ = 0, unsure_ = 0;
-};
 
 }  // namespace remeshd::kernel

@@ -85,8 +85,15 @@ void free_at_active_faces(NodeSet& nodes, const PointSource& source, double edge
         if (s.transform == static_cast<std::int32_t>(t) && s.volume > 0)
           where.push_back(source.modified().solids()[s.modified].bounds());
     }
-    for (const Solid& solid : source.original()->solids())
-      visitor.visit(solid, source.transforms()[t], source.inverses()[t], where);
+    for (std::size_t o = 0; o < source.original()->solids().size(); ++o) {
+      const auto visited = [&](const SourceFeature& s) {  // as one of the modified model
+        return s.same_shape && s.original == static_cast<int>(o) &&
+               s.transform == static_cast<std::int32_t>(t);
+      };
+      if (std::ranges::none_of(source.sources(), visited))
+        visitor.visit(source.original()->solids()[o], source.transforms()[t], source.inverses()[t],
+                      where);
+    }
   }
 }
 

@@ -109,7 +109,8 @@ void NearestNode::look_round(const Vec3& p, const Look& look, const Done& done) 
     }
     return m - drift_;
   };
-  for (const auto& [node, at] : strays_) look(node, at);
+  for (const auto& [node, at] : strays_)
+    if (look(node, at)) return;
   for (int ring = 0;; ++ring) {
     const int x0 = std::max(home[0] - ring, 0), x1 = std::min(home[0] + ring, size_[0] - 1);
     const int y0 = std::max(home[1] - ring, 0), y1 = std::min(home[1] + ring, size_[1] - 1);
@@ -119,12 +120,10 @@ void NearestNode::look_round(const Vec3& p, const Look& look, const Done& done) 
         const bool shell = z == home[2] - ring || z == home[2] + ring || y == home[1] - ring ||
                            y == home[1] + ring;
         // Inside the shell only its two ends in x are new to this ring.
-        const int step = shell || ring == 0 ? 1 : 2 * ring;
-        for (int x = shell ? x0 : home[0] - ring; x <= x1; x += step) {
-          if (x < x0) continue;
-          const std::size_t c = index(x, y, z);
-          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) look(nodes_[k], points_[k]);
-        }
+        if (shell ? look_in_row(x0, x1, y, z, look)
+                  : (home[0] - ring == x0 && look_in_row(x0, x0, y, z, look)) ||
+                        (home[0] + ring == x1 && look_in_row(x1, x1, y, z, look)))
+          return;
       }
     if (done(margin(ring))) return;
   }
@@ -137,27 +136,30 @@ const Vec3& NearestNode::place_of(std::int32_t node) const {
 
 std::int32_t NearestNode::nearest(const Vec3& p, std::int32_t guess) const {
   if (nodes_.empty()) return -1;
-  std::int32_t best = guess;
-  double best_d = guess < 0 ? HUGE_VAL : norm2(place_of(guess) - p);
-  if (best_d > cell_ * cell_) best = -1, best_d = HUGE_VAL;
+  std::int32_t best = -1;
+  double best_d = HUGE_VAL;
   const auto look = [&](std::int32_t node, const Vec3& at) {
     const double d = norm2(at - p);
-    if (d > best_d || (d == best_d && node > best)) return;
+    if (d > best_d || (d == best_d && node > best)) return false;
     best_d = d;
     best = node;
+    return false;
   };
-  if (best < 0) look_round(p, look, [&](double) { return best >= 0; });
-  look_within(p, kAlittle * std::sqrt(best_d), look);
+  if (guess >= 0) look(guess, place_of(guess));
+  if (best_d <= cell_ * cell_)
+    look_within(p, kAlittle * std::sqrt(best_d), look);
+  else
+    look_round(p, look, [&](double seen) {
+      return best >= 0 && (seen == HUGE_VAL || (seen > 0 && seen * seen > best_d));
+    });
   return best;
 }
 
 bool NearestNode::any_within(const Vec3& p, double radius) const {
   if (nodes_.empty()) return false;
-  bool found = false;
-  look_round(
-      p, [&](std::int32_t, const Vec3& at) { found = found || norm2(at - p) <= radius * radius; },
-      [&](double seen) { return found || seen > radius; });
-  return found;
+  return look_within(p, radius, [&](std::int32_t, const Vec3& at) {
+    return norm2(at - p) <= radius * radius;
+  });
 }
 
 }  // namespace remeshd

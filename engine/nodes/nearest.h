@@ -32,6 +32,7 @@ class NearestNode {
     look_within(p, radius, [&](std::int32_t node, const Vec3& at) {
       const double d = norm2(at - p);
       if (d <= radius * radius) f(node, d);
+      return false;
     });
   }
 
@@ -47,22 +48,30 @@ class NearestNode {
   /// How far a point is outside of a cell.
   [[nodiscard]] double beyond(std::uint32_t cell, const Vec3& p) const;
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
-  /// Calls look(node, place) for the strays and for what stands in the cells within `radius` of p.
+  /// Calls look(node, place) for the strays and for what stands in the cells within `radius` of p,
+  /// until it returns true; returns whether it did.
   template <class Look>
-  void look_within(const Vec3& p, double radius, const Look& look) const {
+  bool look_within(const Vec3& p, double radius, const Look& look) const {
+    for (const auto& [node, at] : strays_)
+      if (look(node, at)) return true;
     const double reach = radius + drift_;
     const auto lo = cell_of(p - Vec3{reach, reach, reach});
     const auto hi = cell_of(p + Vec3{reach, reach, reach});
     for (int z = lo[2]; z <= hi[2]; ++z)
       for (int y = lo[1]; y <= hi[1]; ++y)
-        for (int x = lo[0]; x <= hi[0]; ++x) {
-          const std::size_t c = index(x, y, z);
-          for (std::uint32_t k = begin_[c]; k < begin_[c + 1]; ++k) look(nodes_[k], points_[k]);
-        }
-    for (const auto& [node, at] : strays_) look(node, at);
+        if (look_in_row(lo[0], hi[0], y, z, look)) return true;
+    return false;
   }
-  /// Calls look(node, place) for the strays and for what stands in the cells round p, ring by ring
-  /// until done(d), where all nodes nearer than d have been looked at.
+  /// The same for the cells of a row from one to another: they stand side by side.
+  template <class Look>
+  bool look_in_row(int first, int last, int y, int z, const Look& look) const {
+    const std::uint32_t end = begin_[index(last, y, z) + 1];
+    for (std::uint32_t k = begin_[index(first, y, z)]; k < end; ++k)
+      if (look(nodes_[k], points_[k])) return true;
+    return false;
+  }
+  /// The same for the cells round p, ring by ring until done(d), where all nodes nearer than d have
+  /// been looked at.
   template <class Look, class Done>
   void look_round(const Vec3& p, const Look& look, const Done& done) const;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {

@@ -80,10 +80,11 @@ void PointSource::match(const FeatureModel& original, const FeatureModel& modifi
     matched[o] = 1;
     const Feature& then = original.features[o];
     const std::int32_t transform = find_transform(then, now);
-    sources_.push_back({o, m, transform, inverses_[transform], 0});
+    const bool same = same_shape(then, now);
+    sources_.push_back({o, m, transform, inverses_[transform], same, 0});
     const bool in_order = o > last;
     last = std::max(last, o);
-    if (transform == identity_ && in_order && then.nature == now.nature && same_shape(then, now))
+    if (transform == identity_ && in_order && then.nature == now.nature && same)
       continue;
     changed_.push_back(box);
     changed_.push_back(original_->solids()[o].bounds());

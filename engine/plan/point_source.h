@@ -17,6 +17,7 @@ struct SourceFeature {
   int modified = -1;            ///< index in the modified model
   std::int32_t transform = -1;  ///< index into PointSource::transforms
   Transform to_original;        ///< A_orig * A_mod^-1
+  bool same_shape = false;      ///< the original, moved by the transformation, is the modified one
   double volume = 0;            ///< of the copycells it covers, estimated on a lattice
 };
 
