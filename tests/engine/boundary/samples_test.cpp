@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "engine/cellular/cellular_model.h"
@@ -20,11 +21,12 @@ struct Sampled {
   Samples samples;
 };
 
-Sampled sample(const std::string& name, double edge_length, std::uint64_t seed = 1) {
+Sampled sample(const std::string& name, double edge_length, std::uint64_t seed = 1,
+               const SampleOptions& options = {}) {
   FeatureModel model = test::case_features(name);
   CellularModel cells = build_cells(model, kRun);
   Membership membership(model);
-  Samples samples = sample_boundary(cells.boundary, membership, edge_length, seed, {}, kRun);
+  Samples samples = sample_boundary(cells.boundary, membership, edge_length, seed, options, kRun);
   return {std::move(model), std::move(cells), std::move(membership), std::move(samples)};
 }
 
@@ -81,6 +83,36 @@ TEST(Samples, ComeInTheOrderFacesEdgesVertices) {
                                                 : k < s.samples.vertices_begin
                                                     ? Support::Kind::Edge
                                                     : Support::Kind::Vertex);
+}
+
+TEST(Samples, AreAsDenseWhereTheyAreWantedAndNowhereElse) {
+  const double l = 3;
+  const Sampled all = sample("tool3-a", l);
+  // Regions that overlap, the second in two parts.
+  const Vec3 a = all.samples.points.front().position, b = a + Vec3{3 * l, 0, 0};
+  const Vec3 c = all.samples.points[all.samples.edges_begin / 2].position;
+  const std::vector<Region> places{Region(std::vector<Vec3>{a}, 4 * l, 3),
+                                   Region(std::vector<Vec3>{b, c}, 4 * l, 1)};
+  const auto wanted = [&](const Vec3& p) { return places[0].holds(p) || places[1].holds(p); };
+  const Sampled some = sample("tool3-a", l, 1, {.where = places});
+  std::vector<Vec3> positions;
+  for (const Sample& s : some.samples.points) {
+    EXPECT_TRUE(wanted(s.position));
+    positions.push_back(s.position);
+  }
+  const auto expected = std::ranges::count_if(
+      all.samples.points, [&](const Sample& s) { return wanted(s.position); });
+  ASSERT_GT(expected, 300);
+  EXPECT_NEAR(positions.size(), expected, 0.1 * static_cast<double>(expected));
+  // None twice where the regions overlap.
+  const NearestNode grid(positions, l);
+  for (std::size_t k = 0; k < some.samples.edges_begin; ++k) {
+    int close = 0;
+    grid.for_each_within(positions[k], 0.05 * l, [&](std::int32_t n, double) {
+      close += static_cast<std::size_t>(n) < some.samples.edges_begin ? 1 : 0;
+    });
+    EXPECT_LE(close, 2);  // itself, and that of another face at most
+  }
 }
 
 TEST(Samples, TheSeedDecidesThem) {

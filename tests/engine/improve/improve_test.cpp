@@ -128,6 +128,20 @@ TEST(Improve, TellsExactlyWhichNodesMoved) {
   EXPECT_LT(moved, s.mesh.nodes.size() / 5);
 }
 
+TEST(Improve, TellsWhichTetsAreStillThoseOfTheInput) {
+  const SolidFixture s = make_cylinder(5, 4, 30, 7);
+  const ImproveResult result = clean(s);
+  ASSERT_EQ(result.was.size(), result.mesh.tets.size());
+  std::size_t still = 0;
+  for (std::size_t t = 0; t < result.was.size(); ++t) {
+    if (result.was[t] < 0) continue;
+    EXPECT_EQ(result.mesh.tets[t], s.mesh.tets[result.was[t]]);
+    ++still;
+  }
+  EXPECT_GT(still, s.mesh.tets.size() / 2);
+  EXPECT_LT(still, s.mesh.tets.size());
+}
+
 TEST(Improve, WithNothingDirtyChangesNothing) {
   const SolidFixture s = make_box({1, 1, 1}, 8, 2);
   const std::vector<std::uint8_t> none(s.mesh.tets.size(), 0);
