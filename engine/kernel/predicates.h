@@ -53,9 +53,9 @@ class SphereTest {
   }
 
  private:
-  /// With edges from a up to s long and p at a distance r from a, the terms of `volume_ * p2` add up
-  /// to less than 2 s^3 r^2 and those of the other product to less than 6 s^4 r, each rounded fewer
-  /// than 20 times by 2^-53: the error is below 1.4e-14 s^3 (r^2 + s r).
+  /// With edges from a up to s long and p at a distance r from a, the terms of `volume_ * p2` add
+  /// up to less than 2 s^3 r^2 and those of the other product to less than 6 s^4 r, each rounded
+  /// fewer than 20 times by 2^-53: the error is below 1.4e-14 s^3 (r^2 + s r).
   static constexpr double kUnsure = 1e-12;
   /// At least the length.
   static double span(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }

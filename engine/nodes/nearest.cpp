@@ -9,7 +9,7 @@ namespace {
 constexpr double kCellsPerNode = 64;  // bound on memory where nodes are few and far between
 constexpr double kDrift = 0.15;  // of a cell's width: further outside of its cell a node strays
 constexpr std::size_t kMostStrays = 12;  // each query looks at all of them
-constexpr double kAlittle = 1 + 1e-12;    // more than a distance, for rounding
+constexpr double kAlittle = 1 + 1e-12;   // more than a distance, for rounding
 constexpr Vec3 kAway{1e150, 1e150, 1e150};
 }  // namespace
 
@@ -157,9 +157,8 @@ std::int32_t NearestNode::nearest(const Vec3& p, std::int32_t guess) const {
 
 bool NearestNode::any_within(const Vec3& p, double radius) const {
   if (nodes_.empty()) return false;
-  return look_within(p, radius, [&](std::int32_t, const Vec3& at) {
-    return norm2(at - p) <= radius * radius;
-  });
+  return look_within(
+      p, radius, [&](std::int32_t, const Vec3& at) { return norm2(at - p) <= radius * radius; });
 }
 
 }  // namespace remeshd

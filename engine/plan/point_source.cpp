@@ -84,8 +84,7 @@ void PointSource::match(const FeatureModel& original, const FeatureModel& modifi
     sources_.push_back({o, m, transform, inverses_[transform], same, 0});
     const bool in_order = o > last;
     last = std::max(last, o);
-    if (transform == identity_ && in_order && then.nature == now.nature && same)
-      continue;
+    if (transform == identity_ && in_order && then.nature == now.nature && same) continue;
     changed_.push_back(box);
     changed_.push_back(original_->solids()[o].bounds());
   }

@@ -41,8 +41,8 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
 
 /// The nodes that an edit works on, and the part of the original that they came from.
 struct LocalNodes {
-  NodeSet nodes;      ///< `original`: nodes of `part`
-  OriginalPart part;  ///< empty for a first mesh
+  NodeSet nodes;            ///< `original`: nodes of `part`
+  OriginalPart part;        ///< empty for a first mesh
   std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
 };
 

@@ -211,8 +211,8 @@ class Splicer {
     for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
     for (const std::int32_t s : slot)
       if (s >= 0) master.tet_of_slot[s] = Master::kOutside;
-    const Pieces pieces = find_pieces(part_.peeled.tets, part_.mesh.tets, part_.same.peeled,
-                                      names_.size(), run_);
+    const Pieces pieces =
+        find_pieces(part_.peeled.tets, part_.mesh.tets, part_.same.peeled, names_.size(), run_);
     std::vector<std::int32_t> free = cut_.clusters;
     std::vector<std::int32_t> number;
     for (const std::int32_t c : free) master.clusters[c] = {};
@@ -310,11 +310,10 @@ WholeMesh whole_mesh(const PartMesh& part, const Run& run) {
   master.supports = part.nodes.supports;
   master.tet_of_slot.assign(master.mesh.slots(), Master::kOutside);
   const std::vector<std::int32_t>& slots = part.peeled.slots;
-  Pieces pieces = find_pieces(part.peeled.tets, part.mesh.tets, part.same.peeled,
-                              part.mesh.nodes.size(), run);
+  Pieces pieces =
+      find_pieces(part.peeled.tets, part.mesh.tets, part.same.peeled, part.mesh.nodes.size(), run);
   for (std::size_t k = 0; k < slots.size(); ++k)
-    master.tet_of_slot[slots[k]] =
-        pieces.same[k] >= 0 ? pieces.same[k] : -2 - pieces.cluster[k];
+    master.tet_of_slot[slots[k]] = pieces.same[k] >= 0 ? pieces.same[k] : -2 - pieces.cluster[k];
   master.clusters = std::move(pieces.clusters);
   for (Cluster& cluster : master.clusters)
     for (std::int32_t& k : cluster.delaunay) k = slots[k];

@@ -191,10 +191,9 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
   }
   free_at_active_faces(nodes, source, density.edge_length, run);
   thin_out(nodes, density.edge_length);
-  std::optional<LocalNodes> local =
-      localise(nodes, looked_at, *original->master, original->supports(),
-               {original->master_nodes(), original->delivery.mesh.tets}, reach.map, source,
-               reach.length);
+  std::optional<LocalNodes> local = localise(
+      nodes, looked_at, *original->master, original->supports(),
+      {original->master_nodes(), original->delivery.mesh.tets}, reach.map, source, reach.length);
   if (local) dump_nodes(run, "05-nodes", local->nodes);
   return local;
 }

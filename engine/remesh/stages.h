@@ -41,8 +41,8 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
                                         const Density& density, MeshOptions::Start start,
                                         std::uint64_t seed, const Reach& reach, const Run& run);
 
-/// Where an edit needs samples of the boundary: near its free nodes, with those that get free beside
-/// them, and near fixed nodes that have to find what they stand on.
+/// Where an edit needs samples of the boundary: near its free nodes, with those that get free
+/// beside them, and near fixed nodes that have to find what they stand on.
 std::vector<Region> sampled_places(const LocalNodes& local, double edge_length, const Reach& reach);
 
 /// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the original's.

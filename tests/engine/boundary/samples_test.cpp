@@ -100,8 +100,8 @@ TEST(Samples, AreAsDenseWhereTheyAreWantedAndNowhereElse) {
     EXPECT_TRUE(wanted(s.position));
     positions.push_back(s.position);
   }
-  const auto expected = std::ranges::count_if(
-      all.samples.points, [&](const Sample& s) { return wanted(s.position); });
+  const auto expected = std::ranges::count_if(all.samples.points,
+                                              [&](const Sample& s) { return wanted(s.position); });
   ASSERT_GT(expected, 300);
   EXPECT_NEAR(positions.size(), expected, 0.1 * static_cast<double>(expected));
   // None twice where the regions overlap.

@@ -76,8 +76,7 @@ int left_open(int count, const Draw& draw) {
 TEST(SphereTest, SaysOfPointsAnywhereWhatTheExactTestSays) {
   Random random(1);
   const auto coordinate = [&] { return random.uniform(-1, 1); };
-  const int open =
-      left_open(20000, [&] { return Vec3{coordinate(), coordinate(), coordinate()}; });
+  const int open = left_open(20000, [&] { return Vec3{coordinate(), coordinate(), coordinate()}; });
   EXPECT_LT(open, 5);
 }
 
@@ -85,8 +84,7 @@ TEST(SphereTest, SaysOfLatticePointsWhatTheExactTestSaysOrLeavesThemOpen) {
   // Far from the origin, so that coordinates are rounded; very many points lie on the sphere.
   Random random(2);
   const auto coordinate = [&] { return 1000 + 0.1 * std::floor(random.uniform(0, 4)); };
-  const int open =
-      left_open(20000, [&] { return Vec3{coordinate(), coordinate(), coordinate()}; });
+  const int open = left_open(20000, [&] { return Vec3{coordinate(), coordinate(), coordinate()}; });
   EXPECT_GT(open, 200);
 }
 
