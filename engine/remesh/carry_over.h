@@ -9,7 +9,8 @@
 
 namespace remeshd {
 
-/// Tets of two other meshes with the same nodes as those of a mesh: by tet, -1 where none is known.
+/// Tets of two other meshes with the same nodes as those of a mesh: by tet, -1 where none is known;
+/// empty where nothing is.
 struct SameTets {
   std::vector<std::int32_t> peeled;     ///< of the new peeled Delaunay mesh
   std::vector<std::int32_t> delivered;  ///< of OriginalPart::delivered

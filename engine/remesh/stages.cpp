@@ -280,12 +280,8 @@ namespace {
 
 /// The part's mesh as it comes from the loop, all of it to be cleaned up.
 CarriedMesh all_new(const Candidate& c) {
-  const std::size_t count = c.delaunay.tets.size();
-  CarriedMesh mesh{{c.nodes.positions, c.delaunay.tets}, std::vector<std::uint8_t>(count, 1), {}};
-  mesh.same.peeled.resize(count);
-  std::iota(mesh.same.peeled.begin(), mesh.same.peeled.end(), 0);
-  mesh.same.delivered.assign(count, -1);
-  return mesh;
+  const std::vector<Tet>& tets = c.delaunay.tets;
+  return {{c.nodes.positions, tets}, std::vector<std::uint8_t>(tets.size(), 1), {}};
 }
 
 std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
@@ -300,10 +296,10 @@ std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
 CarriedMesh cleaned_up(Candidate& c, const Target& target, const Site& site, bool clean_up,
                        const Run& run) {
   const MeshOptions& options = target.options;
+  const bool copied = target.original && options.clean_up;
   CarriedMesh carried =
-      target.original && options.clean_up
-          ? carry_over(c.nodes, c.delaunay, site.part, target.source.transforms(), run)
-          : all_new(c);
+      copied ? carry_over(c.nodes, c.delaunay, site.part, target.source.transforms(), run)
+             : all_new(c);
   run.report("improve", 0.85);
   c.bad_at_rim = 0;
   if (!clean_up) return carried;
@@ -311,10 +307,13 @@ CarriedMesh cleaned_up(Candidate& c, const Target& target, const Site& site, boo
       improve(carried.mesh, c.nodes.supports, target.cells.boundary, carried.dirty,
               {.threshold = options.threshold, .locked = c.nodes.rim}, run);
   c.bad_at_rim = improved.bad_at_rim;
-  return {std::move(improved.mesh),
-          {},
-          {looked_up(carried.same.peeled, improved.was),
-           looked_up(carried.same.delivered, improved.was)}};
+  SameTets same;
+  if (copied)
+    same = {looked_up(carried.same.peeled, improved.was),
+            looked_up(carried.same.delivered, improved.was)};
+  else
+    same.peeled = std::move(improved.was);  // which was cleaned up as it is
+  return {std::move(improved.mesh), {}, std::move(same)};
 }
 
 WholeMesh put_together(Candidate& c, const Target& target, const Site& site, bool clean_up,
