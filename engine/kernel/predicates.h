@@ -10,6 +10,8 @@ namespace remeshd::kernel {
 /// Exact signs by CGAL; called where the filter below cannot decide.
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int exact_in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
+/// The latter behind a filter with the error bound of Shewchuk 1997.
+int filtered_in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
 
 /// Sign of det(b - a, c - a, d - a): +1 for a positive tet. Exact; floating-point filter with the
 /// error bound of Shewchuk 1997 in front.
@@ -64,37 +66,26 @@ class SphereTest {
   double volume_ = 0, size2_ = 0, unsure_ = 0;
 };
 
-/// +1 where p lies inside the circumsphere of the positive tet abcd, 0 on it, -1 outside. Exact.
+/// +1 where p lies inside the circumsphere of the positive tet abcd, 0 on it, -1 outside. Exact;
+/// in front of what is dear a bound of the error by the size of the tet, which decides nearly
+/// always.
 inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
-  constexpr double kBound = (16.0 + 224.0 * 0x1.0p-53) * 0x1.0p-53;
-  const double aex = a.x - p.x, aey = a.y - p.y, aez = a.z - p.z;
-  const double bex = b.x - p.x, bey = b.y - p.y, bez = b.z - p.z;
-  const double cex = c.x - p.x, cey = c.y - p.y, cez = c.z - p.z;
-  const double dex = d.x - p.x, dey = d.y - p.y, dez = d.z - p.z;
-  const double axby = aex * bey, bxay = bex * aey, ab = axby - bxay;
-  const double bxcy = bex * cey, cxby = cex * bey, bc = bxcy - cxby;
-  const double cxdy = cex * dey, dxcy = dex * cey, cd = cxdy - dxcy;
-  const double dxay = dex * aey, axdy = aex * dey, da = dxay - axdy;
-  const double axcy = aex * cey, cxay = cex * aey, ac = axcy - cxay;
-  const double bxdy = bex * dey, dxby = dex * bey, bd = bxdy - dxby;
-  const double abc = aez * bc - bez * ac + cez * ab;
-  const double bcd = bez * cd - cez * bd + dez * bc;
-  const double cda = cez * da + dez * ac + aez * cd;
-  const double dab = dez * ab + aez * bd + bez * da;
-  const double alift = aex * aex + aey * aey + aez * aez;
-  const double blift = bex * bex + bey * bey + bez * bez;
-  const double clift = cex * cex + cey * cey + cez * cez;
-  const double dlift = dex * dex + dey * dey + dez * dez;
-  const double det = (dlift * abc - clift * dab) + (blift * cda - alift * bcd);
-  const double az = std::fabs(aez), bz = std::fabs(bez), cz = std::fabs(cez), dz = std::fabs(dez);
-  const double pab = std::fabs(axby) + std::fabs(bxay), pbc = std::fabs(bxcy) + std::fabs(cxby);
-  const double pcd = std::fabs(cxdy) + std::fabs(dxcy), pda = std::fabs(dxay) + std::fabs(axdy);
-  const double pac = std::fabs(axcy) + std::fabs(cxay), pbd = std::fabs(bxdy) + std::fabs(dxby);
-  const double permanent =
-      (pcd * bz + pbd * cz + pbc * dz) * alift + (pda * cz + pac * dz + pcd * az) * blift +
-      (pab * dz + pbd * az + pda * bz) * clift + (pbc * az + pac * bz + pab * cz) * dlift;
-  if (std::fabs(det) > kBound * permanent) return det > 0 ? -1 : 1;
-  return exact_in_sphere(a, b, c, d, p);
+  const Vec3 ae = a - p, be = b - p, ce = c - p, de = d - p;
+  const double ab = ae.x * be.y - be.x * ae.y, bc = be.x * ce.y - ce.x * be.y;
+  const double cd = ce.x * de.y - de.x * ce.y, da = de.x * ae.y - ae.x * de.y;
+  const double ac = ae.x * ce.y - ce.x * ae.y, bd = be.x * de.y - de.x * be.y;
+  const double abc = ae.z * bc - be.z * ac + ce.z * ab, bcd = be.z * cd - ce.z * bd + de.z * bc;
+  const double cda = ce.z * da + de.z * ac + ae.z * cd, dab = de.z * ab + ae.z * bd + be.z * da;
+  const double det = (norm2(de) * abc - norm2(ce) * dab) + (norm2(be) * cda - norm2(ae) * bcd);
+  const auto largest = [](double q, double r, double s, double t) {
+    return std::max(std::max(std::fabs(q), std::fabs(r)), std::max(std::fabs(s), std::fabs(t)));
+  };
+  const double x = largest(ae.x, be.x, ce.x, de.x), y = largest(ae.y, be.y, ce.y, de.y);
+  const double z = largest(ae.z, be.z, ce.z, de.z), size = std::max(std::max(x, y), z);
+  // The permanent of `filtered_in_sphere` is at most 4 * (3 * 2xy * z) * 3 size^2.
+  constexpr double kBound = 73 * (16.0 + 224.0 * 0x1.0p-53) * 0x1.0p-53;
+  if (std::fabs(det) > kBound * (x * y * z) * (size * size)) return det > 0 ? -1 : 1;
+  return filtered_in_sphere(a, b, c, d, p);
 }
 
 }  // namespace remeshd::kernel
