@@ -237,7 +237,8 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   d.mesh = std::move(c.whole.mesh);
   revision.master = std::make_shared<const Master>(std::move(master));
   const double volume = c.verification.volume;
-  const std::vector<std::int32_t> remade = remade_tets(d, run);
+  std::vector<std::int32_t> remade;
+  if (original) remade = remade_tets(d, run);
   const auto name = [&] {
     name_delivery(c.verification.surface, revision.master->supports, source.modified(),
                   cells_before(d, original, remade, source, run), revision, run);
