@@ -17,7 +17,6 @@ class Region {
   /// had to be made larger. `steps`: width of the cubes, as a fraction of the reach.
   Region(std::span<const Vec3> points, double reach, int steps);
 
-  [[nodiscard]] bool empty() const { return box_.empty(); }
   [[nodiscard]] bool holds(const Vec3& p) const {
     if (!box_.contains(p)) return false;
     const auto c = cube_of(p);

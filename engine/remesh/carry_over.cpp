@@ -65,10 +65,7 @@ class Carrier {
         others.push_back(static_cast<std::int32_t>(k));
       }
     }
-    std::vector<std::int32_t> left;
-    for (std::size_t o = 0; o < taken.size(); ++o)
-      if (taken[o] == 0) left.push_back(static_cast<std::int32_t>(o));
-    const TetIndex index(original_.tets, left, original_.positions.size(), poll_);
+    const TetIndex index(original_.tets, taken, original_.positions.size(), poll_);
     for (const std::int32_t k : others) {
       common_transform(tets_[k], originals);
       image_[k] = index.find(originals);

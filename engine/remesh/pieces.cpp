@@ -73,15 +73,13 @@ Pieces find_pieces(std::span<const Tet> delaunay, std::span<const Tet> delivered
   Pieces pieces;
   pieces.same.assign(delaunay.size(), -1);
   pieces.cluster.assign(delaunay.size(), -1);
-  std::vector<std::int32_t> others;  // delivered tets of which nothing is known
-  for (std::size_t k = 0; k < delivered.size(); ++k) {
-    if (!same.empty() && same[k] >= 0)
-      pieces.same[same[k]] = static_cast<std::int32_t>(k);
-    else
-      others.push_back(static_cast<std::int32_t>(k));
-  }
-  const TetIndex index(delivered, others, node_count, poll);
   std::vector<std::uint8_t> stands(delivered.size(), 0);
+  for (std::size_t k = 0; k < same.size(); ++k) {
+    if (same[k] < 0) continue;
+    pieces.same[same[k]] = static_cast<std::int32_t>(k);
+    stands[k] = 1;
+  }
+  const TetIndex index(delivered, stands, node_count, poll);
   std::vector<std::int32_t> changed;  // Delaunay tets, then delivered ones
   for (std::size_t k = 0; k < delaunay.size(); ++k) {
     poll();
@@ -92,8 +90,8 @@ Pieces find_pieces(std::span<const Tet> delaunay, std::span<const Tet> delivered
       changed.push_back(static_cast<std::int32_t>(k));
   }
   const std::size_t delaunay_count = changed.size();
-  for (const std::int32_t k : others)
-    if (!stands[k]) changed.push_back(k);
+  for (std::size_t k = 0; k < delivered.size(); ++k)
+    if (!stands[k]) changed.push_back(static_cast<std::int32_t>(k));
 
   std::vector<Tet> tets;
   tets.reserve(changed.size());

@@ -65,13 +65,6 @@ void close_gaps(std::vector<T>& values, const std::vector<std::int32_t>& moves) 
   values.resize(count);
 }
 
-std::vector<std::int32_t> indices_of(std::span<const std::uint8_t> values, std::uint8_t value) {
-  std::vector<std::int32_t> indices;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (values[k] == value) indices.push_back(static_cast<std::int32_t>(k));
-  return indices;
-}
-
 Tet renamed(Tet tet, std::span<const std::int32_t> names) {
   for (std::int32_t& n : tet) n = names[n];
   return tet;
@@ -168,8 +161,7 @@ class Splicer {
     std::vector<std::uint8_t> stays(cut_.delivered.size(), 0);
     for (const std::int32_t d : was)
       if (d >= 0) stays[d] = 1;
-    const std::vector<std::int32_t> left = indices_of(stays, 0);
-    const TetIndex index(cut_.delivered, left, cut_.nodes.size(), poll_);
+    const TetIndex index(cut_.delivered, stays, cut_.nodes.size(), poll_);
     for (std::size_t k = 0; k < tets.size(); ++k) {
       poll_();
       if (was[k] >= 0) continue;
@@ -179,7 +171,7 @@ class Splicer {
       if (was[k] >= 0) stays[was[k]] = 1;
     }
     std::vector<std::int32_t> gone;
-    for (const std::int32_t d : left)
+    for (std::size_t d = 0; d < stays.size(); ++d)
       if (stays[d] == 0) gone.push_back(cut_.delivered_tet[d]);
     std::ranges::sort(gone);
     tet_places_.emplace_back(static_cast<std::int32_t>(whole_.mesh.tets.size()), std::move(gone));

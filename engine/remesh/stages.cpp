@@ -26,8 +26,8 @@ namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
-constexpr double kSampledBeyond = 0.5;  // x edge length; the nearest samples of a node are nearer
-constexpr int kSampledSteps = 4;
+constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
+constexpr int kSampledSteps = 4;        // cubes to the reach
 constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
 
 /// Leaves out the nodes that no tet uses, but for those at the rim, and renumbers the tets and the

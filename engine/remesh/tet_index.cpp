@@ -13,16 +13,19 @@ Tet sorted_nodes(Tet t) {
   return t;
 }
 
-TetIndex::TetIndex(std::span<const Tet> tets, std::span<const std::int32_t> which,
+TetIndex::TetIndex(std::span<const Tet> tets, std::span<const std::uint8_t> left_out,
                    std::size_t node_count, Polling& poll)
-    : begin_(node_count + 1, 0), entries_(which.size()) {
-  for (const std::int32_t k : which) ++begin_[std::ranges::min(tets[k]) + 1];
+    : begin_(node_count + 1, 0) {
+  for (std::size_t k = 0; k < tets.size(); ++k)
+    if (left_out[k] == 0) ++begin_[std::ranges::min(tets[k]) + 1];
   for (std::size_t n = 1; n < begin_.size(); ++n) begin_[n] += begin_[n - 1];
+  entries_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const std::int32_t k : which) {
+  for (std::size_t k = 0; k < tets.size(); ++k) {
     poll();
+    if (left_out[k] != 0) continue;
     const Tet t = sorted_nodes(tets[k]);
-    entries_[next[t[0]]++] = {{t[1], t[2], t[3]}, k};
+    entries_[next[t[0]]++] = {{t[1], t[2], t[3]}, static_cast<std::int32_t>(k)};
   }
 }
 

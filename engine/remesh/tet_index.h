@@ -14,9 +14,10 @@ namespace remeshd {
 /// neighbours are looked up near each other.
 class TetIndex {
  public:
-  /// Of `which` of the tets. `node_count`: above every node of the tets.
-  TetIndex(std::span<const Tet> tets, std::span<const std::int32_t> which, std::size_t node_count,
-           Polling& poll);
+  /// `left_out`: by tet, 1 for those that are not to be found. `node_count`: above every node of
+  /// the tets.
+  TetIndex(std::span<const Tet> tets, std::span<const std::uint8_t> left_out,
+           std::size_t node_count, Polling& poll);
   /// Index of the tet with these nodes, -1 if there is none.
   [[nodiscard]] std::int32_t find(const Tet& tet) const;
 
