@@ -17,7 +17,7 @@ ModelSummary summary_of(const FeatureModel& model, const Run& run) {
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 10,
+  return {.algorithm_version = 11,
           .evaluate = evaluate,
           .apply = apply,
           .summarise = summary_of,
@@ -25,7 +25,8 @@ Engine production_engine() {
           .compare = compare,
           .serialise = serialise,
           .deserialise = deserialise,
-          .feature_types = [] { return feature_types(); }};
+          .feature_types = [] { return feature_types(); },
+          .memory_blocks = memory_blocks};
 }
 
 }  // namespace remeshd

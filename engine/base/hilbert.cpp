@@ -44,6 +44,20 @@ std::uint64_t hilbert_key(const Vec3& p, const Box& box) {
   return key;
 }
 
+std::vector<Vec3> along_hilbert_curve(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3& p : points) box.add(p);
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  order.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    order.emplace_back(hilbert_key(points[k], box), k);
+  std::ranges::sort(order);
+  std::vector<Vec3> sorted;
+  sorted.reserve(points.size());
+  for (const auto& [key, k] : order) sorted.push_back(points[k]);
+  return sorted;
+}
+
 std::vector<std::int32_t> insertion_order(std::span<const Vec3> positions,
                                           std::span<const std::int32_t> nodes, const Box& box) {
   struct Item {

@@ -11,6 +11,9 @@ namespace remeshd {
 /// Position of p along a Hilbert curve through the box, 16 bits an axis (Skilling 2004).
 std::uint64_t hilbert_key(const Vec3& p, const Box& box);
 
+/// The points along a Hilbert curve through the box round them.
+std::vector<Vec3> along_hilbert_curve(std::span<const Vec3> points);
+
 /// The nodes in a biased randomised insertion order (Amenta, Choi & Rote 2003): rounds of growing
 /// size, each along a Hilbert curve; the rounds are drawn from the node's own index, so the same
 /// nodes give the same order.

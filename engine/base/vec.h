@@ -63,6 +63,12 @@ inline Box intersection(const Box& a, const Box& b) {
           {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
 }
 
+/// The box, larger to all sides.
+inline Box grown(const Box& box, double by) {
+  const Vec3 margin{by, by, by};
+  return {box.lo - margin, box.hi + margin};
+}
+
 /// An affine map kept as the three rows of a 3x4 matrix [R | t].
 ///
 /// `apply` works row by row, each row from left to right, with no fused operation, so that any

@@ -45,11 +45,6 @@ bool touch(const std::vector<Box>& boxes, const Box& b) {
   return std::ranges::any_of(boxes, [&](const Box& a) { return touch(a, b); });
 }
 
-Box grown(const Box& box, double by) {
-  const Vec3 margin{by, by, by};
-  return {box.lo - margin, box.hi + margin};
-}
-
 Changes find_changes(const FeatureModel& base, const FeatureModel& model,
                      const Membership& membership) {
   Changes out;

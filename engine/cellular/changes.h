@@ -24,7 +24,4 @@ Changes find_changes(const FeatureModel& base, const FeatureModel& model,
 bool touch(const Box& a, const Box& b);
 bool touch(const std::vector<Box>& boxes, const Box& b);
 
-/// The box, larger to all sides.
-Box grown(const Box& box, double by);
-
 }  // namespace remeshd

@@ -20,7 +20,7 @@ struct PeelOptions {
 struct PeelRim {
   enum class Known : std::uint8_t { No, Inside, Outside };
   std::vector<Known> tets;           ///< by slot: whether it is in the model
-  std::vector<std::uint8_t> beyond;  ///< by number of Delaunay::Cut::beyond: 1 if it is
+  std::vector<std::uint8_t> beyond;  ///< by number of PagedDelaunay::Cut::beyond: 1 if it is
 };
 
 struct PeeledMesh {

@@ -25,7 +25,7 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
 FacetFaces::FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports)
     : boundary_(boundary), supports_(supports), faces_(boundary) {}
 
-int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) const {
+int FacetFaces::face_of(const Triangle& facet, const Vec3& a, const Vec3& b, const Vec3& c) const {
   const auto at_b = faces_of(facet[1]);
   const auto at_c = faces_of(facet[2]);
   int best = -1;
@@ -40,9 +40,6 @@ int FacetFaces::face_of(const Triangle& facet, std::span<const Vec3> nodes) cons
       continue;
     }
     if (norm2(normal) == 0) {
-      const Vec3& a = nodes[facet[0]];
-      const Vec3& b = nodes[facet[1]];
-      const Vec3& c = nodes[facet[2]];
       centroid = (a + b + c) / 3.0;
       normal = cross(b - a, c - a);
       best_fit = dot(normal, outward(best, centroid));
@@ -96,6 +93,11 @@ bool BoundaryRules::on_model_edge(std::int32_t a, std::int32_t b) const {
          std::binary_search(segments_.begin(), segments_.end(), ordered(a, b));
 }
 
+int BoundaryRules::face_of(const Triangle& facet) const {
+  const std::vector<Vec3>& p = mesh_.nodes();
+  return faces_.face_of(facet, p[facet[0]], p[facet[1]], p[facet[2]]);
+}
+
 bool BoundaryRules::upright(int face, const Vec3& a, const Vec3& b, const Vec3& c) const {
   const Vec3 n = cross(b - a, c - a);
   const double along = dot(n, faces_.outward(face, (a + b + c) / 3.0));
@@ -107,8 +109,8 @@ bool BoundaryRules::may_swap(std::int32_t a, std::int32_t b, const EdgeRing& rin
   const std::int32_t last = ring.node[ring.nodes - 1];
   if (interior(a) || interior(b) || interior(first) || interior(last)) return false;
   if (mesh_.locked(first) && mesh_.locked(last)) return false;
-  const int face = faces_.face_of({a, first, b}, mesh_.nodes());
-  if (face < 0 || faces_.face_of({a, b, last}, mesh_.nodes()) != face) return false;
+  const int face = face_of({a, first, b});
+  if (face < 0 || face_of({a, b, last}) != face) return false;
   if (on_model_edge(a, b)) return false;
   if (ring.tets == 1) {
     // The lone tet is peeled: its inner edge comes to the surface, where it must not lie yet.
@@ -149,7 +151,7 @@ bool BoundaryRules::facets_at(std::int32_t node, std::vector<Triangle>& out) con
       const Triangle facet{tet[kTetFacets[i][0]], tet[kTetFacets[i][1]], tet[kTetFacets[i][2]]};
       if (interior(facet[0]) || interior(facet[1]) || interior(facet[2])) continue;
       if (mesh_.across(t, facet[0], facet[1], facet[2]) >= 0) continue;
-      if (faces_.face_of(facet, mesh_.nodes()) < 0) return false;
+      if (face_of(facet) < 0) return false;
       out.push_back(facet);
     }
   }
@@ -159,7 +161,7 @@ bool BoundaryRules::facets_at(std::int32_t node, std::vector<Triangle>& out) con
 bool BoundaryRules::may_move(std::int32_t node, const Vec3& position,
                              std::span<const Triangle> facets) const {
   for (const Triangle& facet : facets) {
-    const int face = faces_.face_of(facet, mesh_.nodes());
+    const int face = face_of(facet);
     if (boundary_.faces[face].surface.kind == Surface::Kind::Plane) {
       // In its plane a facet only turns over together with its tet.
       continue;

@@ -23,10 +23,12 @@ class FacetFaces {
   [[nodiscard]] std::span<const int> faces_of(std::int32_t node) const {
     return faces_(supports_[node]);
   }
-  /// The common face of the three nodes, -1 if there is none. Where they share several (nodes on an
-  /// edge curve), the one whose outward normal the facet's fits best; of those that it fits evenly,
-  /// as on a strip of a wall that stands out of another by little, the one that lies there.
-  [[nodiscard]] int face_of(const Triangle& facet, std::span<const Vec3> nodes) const;
+  /// The common face of the three nodes, which are at a, b and c, -1 if there is none. Where they
+  /// share several (nodes on an edge curve), the one whose outward normal the facet's fits best; of
+  /// those that it fits evenly, as on a strip of a wall that stands out of another by little, the
+  /// one that lies there.
+  [[nodiscard]] int face_of(const Triangle& facet, const Vec3& a, const Vec3& b,
+                            const Vec3& c) const;
   /// Unit normal of the face out of the material.
   [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
   /// Signed distance of p from the face's surface, positive outside of the material.
@@ -75,6 +77,7 @@ class BoundaryRules {
   [[nodiscard]] Vec3 settle(std::int32_t node, const Vec3& p) const;
 
  private:
+  [[nodiscard]] int face_of(const Triangle& facet) const;
   [[nodiscard]] bool upright(int face, const Vec3& a, const Vec3& b, const Vec3& c) const;
   [[nodiscard]] bool on_model_edge(std::int32_t a, std::int32_t b) const;
 

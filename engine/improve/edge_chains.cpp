@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/pages.h"
+
 namespace remeshd {
 
 double curve_parameter(const BoundaryEdge& edge, const Vec3& p) {
@@ -24,9 +26,10 @@ double curve_parameter(const BoundaryEdge& edge, const Vec3& p) {
   return parameter;
 }
 
+template <class Nodes>
 std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel& boundary,
                                                    std::span<const Support> supports,
-                                                   std::span<const Vec3> nodes) {
+                                                   const Nodes& nodes) {
   std::vector<std::int32_t> vertex_node(boundary.vertices.size(), -1);
   std::vector<std::vector<std::pair<double, std::int32_t>>> on_edge(boundary.edges.size());
   for (std::size_t n = 0; n < supports.size(); ++n) {
@@ -52,5 +55,12 @@ std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel& boundary
   }
   return chains;
 }
+
+template std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel&,
+                                                            std::span<const Support>,
+                                                            const std::vector<Vec3>&);
+template std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel&,
+                                                            std::span<const Support>,
+                                                            const Pages<Vec3>&);
 
 }  // namespace remeshd

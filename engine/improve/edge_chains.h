@@ -16,8 +16,10 @@ double curve_parameter(const BoundaryEdge& edge, const Vec3& p);
 /// edge that is closed repeats its first node at the end (its vertex, where it has one).
 ///
 /// A mesh represents the edge if each two neighbours in the chain are joined by a mesh edge.
+/// `Nodes`: positions by node.
+template <class Nodes>
 std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel& boundary,
                                                    std::span<const Support> supports,
-                                                   std::span<const Vec3> nodes);
+                                                   const Nodes& nodes);
 
 }  // namespace remeshd

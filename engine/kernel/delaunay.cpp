@@ -333,17 +333,4 @@ void Delaunay::rename(std::span<const std::int32_t> names, std::int32_t count) {
   points_ = std::move(points);
 }
 
-Delaunay::Ball Delaunay::ball(std::int32_t slot) const {
-  const auto& v = slots_[slot].v;
-  // The nearer the origin, the less is lost to the far corners.
-  const std::int32_t origin = *std::ranges::max_element(v);
-  const Vec3& a = points_[origin];
-  std::array<Vec3, 3> d;
-  int k = 0;
-  for (const std::int32_t w : v)
-    if (w != origin) d[k++] = points_[w] - a;
-  const Vec3 centre = to_circumcentre(d[0], d[1], d[2]);
-  return {a + centre, norm(centre)};
-}
-
 }  // namespace remeshd::kernel

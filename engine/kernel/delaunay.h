@@ -74,30 +74,9 @@ class Delaunay {
   /// Where all of them are.
   [[nodiscard]] std::span<const Vec3> positions() const { return std::span(points_).subspan(kFar); }
 
-  /// How a part hangs together with the mesh that it was cut out of.
-  struct Cut {
-    std::vector<std::int32_t> slots;   ///< by slot of the part: that of the whole
-    std::vector<std::int32_t> beyond;  ///< 4 * slot + facet of the whole, across the part's rim
-  };
-  /// Some of the tets as a mesh of their own, to be changed and put back: its nodes have the names
-  /// given, by node of the whole, below `count`.
-  [[nodiscard]] Delaunay cut(std::span<const std::int32_t> slots,
-                             std::span<const std::int32_t> names, std::int32_t count,
-                             Cut& cut) const;
   /// Whether a change to a part may have had to go on beyond its rim: the part is not to be put
   /// back then.
   [[nodiscard]] bool left_part() const { return left_part_; }
-  /// Puts a changed part back in the place of the tets that were cut out. `names`: by node of the
-  /// part, its node here, below `count`, -1 where the part does not use it. Returns for each slot
-  /// of the part its slot here, -1 for those out of use.
-  /// Pre: `part.left_part()` is false; tets outside of the part use nodes that keep their names.
-  std::vector<std::int32_t> put_back(const Delaunay& part, const Cut& cut,
-                                     std::span<const std::int32_t> names, std::int32_t count);
-
-  /// Moves the tets together, in the order of their slots, and gives back the memory of those that
-  /// are free. Returns by slot the new one, -1 for the free.
-  std::vector<std::int32_t> close_gaps();
-
   /// Whether a slot holds a tet, which may be at a far corner.
   [[nodiscard]] bool in_use(std::int32_t slot) const { return slots_[slot].v[0] != kDead; }
   /// A tet's nodes; negative for the far corners.
@@ -105,17 +84,11 @@ class Delaunay {
     const auto& v = slots_[slot].v;
     return {v[0] - kFar, v[1] - kFar, v[2] - kFar, v[3] - kFar};
   }
-  /// Across the facet opposite a corner, which of Cut::beyond there is; -1 where none of them.
+  /// Across the facet opposite a corner, which of PagedDelaunay::Cut::beyond there is; -1 where
+  /// none of them.
   [[nodiscard]] std::int32_t beyond(std::int32_t slot, int corner) const {
     return slots_[slot].n[corner] < -1 ? -2 - slots_[slot].n[corner] : -1;
   }
-  /// The ball round a tet, to within rounding.
-  struct Ball {
-    Vec3 centre;
-    double radius;  ///< infinite or not a number where the tet is flat
-  };
-  [[nodiscard]] Ball ball(std::int32_t slot) const;
-
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are not negative, those that are not are distinct; `count` is
   /// above all of them.
@@ -144,23 +117,21 @@ class Delaunay {
   /// Number of tets, those at the far corners included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 
-  /// For storing: calls f with each of the arrays that make up the mesh.
-  template <class F>
-  void visit_state(F&& f) {
-    f(points_, slots_, free_, hint_);
-  }
-
  private:
+  friend class PagedDelaunay;
+
   static constexpr std::int32_t kFar = 4;  ///< vertices below are the far corners
   static constexpr std::int32_t kDead = -1;
 
   struct Slot {
+    friend bool operator==(const Slot&, const Slot&) = default;
     template <class A>
     void serialize(A& archive) {
       archive(v, n);
     }
     std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
-    /// 4 * neighbour + its facet, opposite v[i]; -1: none; in a part -2 - k: that of Cut::beyond[k]
+    /// 4 * neighbour + its facet, opposite v[i]; -1: none; in a part -2 - k: of
+    /// PagedDelaunay::Cut::beyond[k]
     std::array<std::int32_t, 4> n;
   };
   struct Rim {                      ///< a facet of the cavity, seen from inside

@@ -85,8 +85,7 @@ TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return {static_cast<float>(volume_length(a, b, c, d)), rounded(highest), rounded(lowest)};
 }
 
-std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
-                                     const Run& run) {
+Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets, const Run& run) {
   std::vector<TetMeasure> measures(tets.size());
   in_blocks(tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
@@ -95,7 +94,7 @@ std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<cons
       measures[k] = measure_tet(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
     }
   });
-  return measures;
+  return Pages(measures);
 }
 
 Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
@@ -106,9 +105,14 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
     std::size_t tet = 0;
   };
   const auto each = [&](auto&& f) {
-    for (const MeasuredTets& part : mesh)
-      for (std::size_t t = 0; t < part.measures.size(); ++t)
-        if (part.left_out.empty() || part.left_out[t] == 0) f(part, t);
+    for (const MeasuredTets& part : mesh) {
+      std::size_t t = 0;
+      for (std::size_t k = 0; k < part.measures.pages(); ++k)
+        for (const TetMeasure& m : part.measures.page(k)) {
+          if (part.left_out.empty() || part.left_out[t] == 0) f(part, t, m);
+          ++t;
+        }
+    }
   };
   double sum = 0;
   std::size_t count = 0;
@@ -117,8 +121,7 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   std::int16_t sharpest = std::numeric_limits<std::int16_t>::min();
   std::int16_t bluntest = std::numeric_limits<std::int16_t>::max();
   std::array<std::uint32_t, kRanks> ranks{};
-  each([&](const MeasuredTets& part, std::size_t t) {
-    const TetMeasure& m = part.measures[t];
+  each([&](const MeasuredTets& part, std::size_t t, const TetMeasure& m) {
     sum += static_cast<double>(m.volume_length);
     ++count;
     ++ranks[rank_of(m.volume_length)];
@@ -135,8 +138,8 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   constexpr int kRanksPerBin = kRanks / 20;
   for (int rank = 0; rank < kRanks; ++rank) quality.histogram[rank / kRanksPerBin] += ranks[rank];
   const auto of_corners = [](const Place& at, auto&& f) {
-    const std::span<const Vec3> p = at.part->mesh.nodes;
-    const Tet& t = at.part->mesh.tets[at.tet];
+    const Pages<Vec3>& p = at.part->nodes;
+    const Tet& t = at.part->tets[at.tet];
     return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
   };
   quality.volume_length_min = of_corners(worst, volume_length);
@@ -146,8 +149,7 @@ Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
   while (ranks[rank] <= below) below -= ranks[rank++];
   std::vector<std::pair<float, Place>> candidates;
   double smallest = std::numbers::pi, largest = 0;  // angles
-  each([&](const MeasuredTets& part, std::size_t t) {
-    const TetMeasure& m = part.measures[t];
+  each([&](const MeasuredTets& part, std::size_t t, const TetMeasure& m) {
     if (rank_of(m.volume_length) == rank) candidates.emplace_back(m.volume_length, Place{&part, t});
     if (m.highest_cosine < sharpest && m.lowest_cosine > bluntest) return;
     const auto angles = of_corners({&part, t}, dihedral_angles);
@@ -169,7 +171,10 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, 
   double volume = 0;
   for (const Tet& t : tets)
     volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
-  return summarise({{{nodes, tets}, measure_tets(nodes, tets, run)}}, volume);
+  const Pages<Vec3> paged_nodes(nodes);
+  const Pages<Tet> paged_tets(tets);
+  const Pages<TetMeasure> measures = measure_tets(paged_nodes, paged_tets, run);
+  return summarise({{paged_nodes, paged_tets, measures}}, volume);
 }
 
 }  // namespace remeshd

@@ -42,13 +42,13 @@ struct TetMeasure {
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-std::vector<TetMeasure> measure_tets(std::span<const Vec3> nodes, std::span<const Tet> tets,
-                                     const Run& run);
+Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets, const Run& run);
 
 /// Tets and their measures.
 struct MeasuredTets {
-  TetMeshView mesh;
-  std::span<const TetMeasure> measures;      ///< by tet
+  const Pages<Vec3>& nodes;
+  const Pages<Tet>& tets;
+  const Pages<TetMeasure>& measures;         ///< by tet
   std::span<const std::uint8_t> left_out{};  ///< by tet: 1 for those that do not count; or empty
 };
 

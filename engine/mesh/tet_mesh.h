@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "engine/base/pages.h"
 #include "engine/base/vec.h"
 
 namespace remeshd {
@@ -19,11 +19,12 @@ struct TetMesh {
   std::vector<Tet> tets;
 };
 
-/// A mesh that something else holds.
-struct TetMeshView {
-  std::span<const Vec3> nodes;
-  std::span<const Tet> tets;
+/// The same at rest, as it stays with a revision: sharing with others what is the same.
+struct PagedMesh {
+  Pages<Vec3> nodes;
+  Pages<Tet> tets;
 };
+inline PagedMesh paged(const TetMesh& mesh) { return {Pages(mesh.nodes), Pages(mesh.tets)}; }
 
 /// The facet of a positive tet opposite its corner i, ordered so that its normal
 /// cross(b - a, c - a) points out of the tet.

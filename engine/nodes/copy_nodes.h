@@ -12,8 +12,8 @@ namespace remeshd {
 /// The original mesh as the copying sees it: Delaunay master positions, where each node stood on
 /// the original boundary, and the tets of the model.
 struct OriginalNodes {
-  std::span<const Vec3> positions;
-  std::span<const Support> supports;  ///< entities of the original boundary; only the kind is used
+  const Pages<Vec3>& positions;
+  const Pages<Support>& supports;  ///< entities of the original boundary; only the kind is used
   /// Nodes that are looked at, ascending. All others are where nothing changed.
   std::span<const std::int32_t> near;
   std::span<const Tet> tets;  ///< peeled: all at these nodes

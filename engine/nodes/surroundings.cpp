@@ -8,12 +8,13 @@ namespace remeshd {
 namespace {
 constexpr int kSteps = 4;        // cubes to the reach
 constexpr double kCell = 0.4;    // of the reach
-constexpr double kSlack = 1e-9;  // of a radius
+constexpr double kSlack = 1e-9;  // of a radius or the reach: more than rounding
 }  // namespace
 
 Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box& within)
     : reach_(reach), region_(points, reach, kSteps), grid_(points, kCell * reach) {
   for (const Box& part : region_.boxes()) {
+    parts_.push_back(grown(part, kSlack * reach));
     const Box box = intersection(part, within);
     if (box.empty()) continue;
     boxes_.push_back(box);
@@ -24,6 +25,11 @@ Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box
 
 bool Surroundings::holds(const Vec3& p) const {
   return region_.holds(p) && grid_.any_within(p, reach_);
+}
+
+bool Surroundings::may_hold_some_of(const Box& box) const {
+  return std::ranges::any_of(parts_,
+                             [&](const Box& part) { return !intersection(part, box).empty(); });
 }
 
 bool Surroundings::meets(const Vec3& centre, double radius) const {

@@ -16,6 +16,8 @@ class Surroundings {
   Surroundings(std::span<const Vec3> points, double reach, const Box& within);
 
   [[nodiscard]] bool holds(const Vec3& p) const;
+  /// Whether there may be a point in the box that it holds.
+  [[nodiscard]] bool may_hold_some_of(const Box& box) const;
   /// Whether a ball meets the boxes round the parts that hang together; true where the radius is
   /// not finite, false where there is nothing.
   [[nodiscard]] bool meets(const Vec3& centre, double radius) const;
@@ -26,6 +28,7 @@ class Surroundings {
   NearestNode grid_;
   Box box_;                 ///< round all of it
   std::vector<Box> boxes_;  ///< cover it
+  std::vector<Box> parts_;  ///< the same, also what is not within the box that is asked for
 };
 
 }  // namespace remeshd

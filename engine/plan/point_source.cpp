@@ -126,10 +126,7 @@ bool PointSource::in_changed(const Vec3& p, double margin) const {
                      [&](const Box& box) { return box.contains(p, margin); });
 }
 
-bool PointSource::meets_changed(const Tet& tet, std::span<const Vec3> nodes) const {
-  Box box;
-  for (const std::int32_t n : tet)
-    if (n >= 0) box.add(nodes[n]);
+bool PointSource::meets_changed(const Box& box) const {
   return std::ranges::any_of(
       changed_, [&](const Box& changed) { return !intersection(box, changed).empty(); });
 }

@@ -57,7 +57,14 @@ class PointSource {
   [[nodiscard]] bool in_changed(const Vec3& p, double margin = 0) const;
 
   /// Whether the box round a tet meets one of them. Far corners, negative, are nowhere.
-  [[nodiscard]] bool meets_changed(const Tet& tet, std::span<const Vec3> nodes) const;
+  template <class Nodes>
+  [[nodiscard]] bool meets_changed(const Tet& tet, const Nodes& nodes) const {
+    Box box;
+    for (const std::int32_t n : tet)
+      if (n >= 0) box.add(nodes[n]);
+    return meets_changed(box);
+  }
+  [[nodiscard]] bool meets_changed(const Box& box) const;
 
   [[nodiscard]] const Membership& modified() const { return modified_; }
   /// Null where there is no original model.

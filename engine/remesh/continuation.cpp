@@ -40,7 +40,7 @@ constexpr double kNextToNothing = 1e-3;  // rad, and of the measure
 /// Where the nodes of the anchor go.
 class Motion {
  public:
-  Motion(std::span<const Vec3> anchor, std::span<const Support> supports, double edge_length)
+  Motion(const Pages<Vec3>& anchor, const Pages<Support>& supports, double edge_length)
       : anchor_(anchor), supports_(supports), l_(edge_length), by_(anchor.size()) {}
 
   /// Boundary nodes to their entities. Post: false where a surface moved too far.
@@ -67,7 +67,7 @@ class Motion {
   }
 
   /// Interior nodes near moved ones by harmonic extension, nought further away.
-  void extend(std::span<const Tet> tets, Polling& poll) {
+  void extend(const Pages<Tet>& tets, Polling& poll) {
     if (moved_.empty()) return;
     const NearestNode grid(moved_, l_);
     std::vector<std::int32_t> row(anchor_.size(), -1);
@@ -106,8 +106,8 @@ class Motion {
   }
 
  private:
-  std::span<const Vec3> anchor_;
-  std::span<const Support> supports_;
+  const Pages<Vec3>& anchor_;
+  const Pages<Support>& supports_;
   double l_;
   std::vector<Vec3> by_;     ///< by node
   std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
@@ -119,7 +119,7 @@ class Motion {
 struct Worst {
   double measure, least, largest;
 
-  Worst(const Tet& t, std::span<const Vec3> p) {
+  Worst(const Tet& t, const Pages<Vec3>& p) {
     const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]], &d = p[t[3]];
     measure = volume_length(a, b, c, d);
     const auto angles = dihedral_angles(a, b, c, d);
@@ -147,10 +147,9 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   if (!match) return NotContinued{};
 
   ContinuedMesh c;
-  const std::span<const Support> before = original.supports();
-  c.supports.reserve(before.size());
-  for (const Support& s : before) c.supports.push_back((*match)(s));
-  const std::span<const Vec3> anchor = original.master_nodes();
+  c.supports = original.supports();
+  for (std::size_t n = 0; n < c.supports.size(); ++n) c.supports.set(n, (*match)(c.supports[n]));
+  const Pages<Vec3>& anchor = original.master_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotContinued{};
   const double coincident = kCoincident * kernel_tolerance(modified.cells.parts->brep);
@@ -159,10 +158,12 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   Polling poll(run);
   c.mesh.tets = original.delivery.mesh.tets;
   motion.extend(c.mesh.tets, poll);
-  c.mesh.nodes.reserve(anchor.size());
+  c.mesh.nodes = anchor;
   for (std::size_t n = 0; n < anchor.size(); ++n) {
-    c.nodes_moved += motion.moves(static_cast<std::int32_t>(n)) ? 1 : 0;
-    c.mesh.nodes.push_back(motion.place(static_cast<std::int32_t>(n)));
+    const auto node = static_cast<std::int32_t>(n);
+    if (!motion.moves(node)) continue;
+    ++c.nodes_moved;
+    c.mesh.nodes.edit(n) = motion.place(node);
   }
 
   for (const Tet& t : c.mesh.tets) {
@@ -174,11 +175,7 @@ std::variant<ContinuedMesh, NotContinued> continue_mesh(const Revision& original
   run.report("verify", 0.95);
   const Stopwatch watch;
   const Membership membership(modified.model);
-  std::vector<std::int32_t> itself(std::max(c.mesh.nodes.size(), c.mesh.tets.size()));
-  std::iota(itself.begin(), itself.end(), 0);
-  const std::span<const std::int32_t> all = itself;
-  const VerifiedParent parent =
-      verified_parent(original, all.first(c.mesh.nodes.size()), all.first(c.mesh.tets.size()));
+  const VerifiedParent parent = verified_parent(original);
   c.verification =
       verify(c.mesh, c.supports, boundary, modified.cells.volume, run,
              {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});

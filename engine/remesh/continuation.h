@@ -11,8 +11,8 @@ namespace remeshd {
 
 /// The mesh of a revision whose nodes have followed a small motion of the surfaces.
 struct ContinuedMesh {
-  TetMesh mesh;  ///< the tets of the base
-  std::vector<Support> supports;
+  PagedMesh mesh;  ///< the tets of the base
+  Pages<Support> supports;
   Verification verification;
   double verify_seconds = 0;
   std::uint32_t nodes_moved = 0;  ///< against the anchor

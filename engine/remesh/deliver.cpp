@@ -18,30 +18,20 @@ namespace {
 constexpr double kSharp = 25 * std::numbers::pi / 180;
 constexpr std::size_t kBlock = 4096;
 
-/// The first `size` values, more of them where there are fewer, without room to spare.
-template <class T>
-std::vector<T> of_same_size(const std::vector<T>& values, std::size_t size) {
-  std::vector<T> result;
-  result.reserve(size);
-  result.assign(values.begin(), values.begin() + std::min(size, values.size()));
-  result.resize(size);
-  return result;
-}
-
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
-std::vector<std::uint64_t> permanent_ids(std::span<const std::int32_t> originals,
-                                         const std::vector<std::uint64_t>& inherited,
-                                         std::uint64_t& next) {
-  std::vector<std::uint64_t> ids = of_same_size(inherited, originals.size());
+Pages<std::uint64_t> permanent_ids(const Pages<std::int32_t>& originals,
+                                   const Pages<std::uint64_t>& inherited, std::uint64_t& next) {
+  Pages<std::uint64_t> ids = inherited;
+  ids.resize(originals.size());
   for (std::size_t k = 0; k < ids.size(); ++k)
     if (const std::int32_t o = originals[k]; o != static_cast<std::int32_t>(k))
-      ids[k] = o >= 0 ? inherited[o] : next++;
+      ids.edit(k) = o >= 0 ? inherited[o] : next++;
   return ids;
 }
 
 /// One bit for each side of the box that a node is beyond, by node: where all nodes of a tet have
 /// one in common, the tet misses the box.
-std::vector<std::uint8_t> sides_of(const Box& box, std::span<const Vec3> nodes) {
+std::vector<std::uint8_t> sides_of(const Box& box, const Pages<Vec3>& nodes) {
   std::vector<std::uint8_t> sides(nodes.size());
   for (std::size_t n = 0; n < sides.size(); ++n) {
     const Vec3& p = nodes[n];
@@ -80,29 +70,32 @@ CellsBefore cells_before(const Delivery& d, const Revision* original,
 }
 
 /// Measures of the delivered tets; those of tets that were not remade are the original's.
-std::vector<TetMeasure> measures_of(const Delivery& d, const Revision* original,
-                                    std::span<const std::int32_t> remade, const Run& run) {
+Pages<TetMeasure> measures_of(const Delivery& d, const Revision* original,
+                              std::span<const std::int32_t> remade, const Run& run) {
   if (!original) return measure_tets(d.mesh.nodes, d.mesh.tets, run);
-  std::vector<TetMeasure> measures = of_same_size(original->measures, d.mesh.tets.size());
+  std::vector<TetMeasure> anew(remade.size());
   in_blocks(remade.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (std::size_t k = begin; k < end; ++k) {
       const Tet& t = d.mesh.tets[remade[k]];
       const auto& p = d.mesh.nodes;
-      measures[remade[k]] = measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+      anew[k] = measure_tet(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
     }
   });
+  Pages<TetMeasure> measures = original->measures;
+  measures.resize(d.mesh.tets.size());
+  for (std::size_t k = 0; k < remade.size(); ++k) measures.edit(remade[k]) = anew[k];
   return measures;
 }
 
-double volume_of(std::span<const Vec3> p, const Tet& t) {
+double volume_of(const Pages<Vec3>& p, const Tet& t) {
   return tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
 }
 
 /// Quality of the peeled Delaunay mesh: that of the delivered one but for what clean-up changed.
-Quality quality_before(const Master& master, const TetMesh& delivered,
-                       std::span<const TetMeasure> measures, double volume, const Run& run) {
-  const std::span<const Vec3> p = master.positions();
+Quality quality_before(const Master& master, const PagedMesh& delivered,
+                       const Pages<TetMeasure>& measures, double volume, const Run& run) {
+  const Pages<Vec3>& p = master.positions();
   std::vector<std::uint8_t> moved(p.size());
   for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = p[n] != delivered.nodes[n] ? 1 : 0;
   std::vector<std::uint8_t> changed(delivered.tets.size(), 0);
@@ -122,9 +115,11 @@ Quality quality_before(const Master& master, const TetMesh& delivered,
   for (const Cluster& cluster : master.clusters)
     for (const std::int32_t s : cluster.delaunay) then.push_back(master.mesh.corners(s));
   for (const Tet& tet : then) volume += volume_of(p, tet);
-  return summarise({{{delivered.nodes, delivered.tets}, measures, changed},
-                    {{p, then}, measure_tets(p, then, run)}},
-                   volume);
+  const Pages<Tet> paged_then(then);
+  const Pages<TetMeasure> measures_then = measure_tets(p, paged_then, run);
+  return summarise(
+      {{delivered.nodes, delivered.tets, measures, changed}, {p, paged_then, measures_then}},
+      volume);
 }
 
 /// Quality away from where the model is sharp.
@@ -135,8 +130,8 @@ void measure_away(Revision& revision) {
   const SharpPlaces sharp =
       sharp_places(revision.cells.boundary, Membership(revision.model), kSharp);
   if (!sharp.any()) return;
-  const TetMesh& mesh = revision.delivery.mesh;
-  const std::span<const Support> supports = revision.supports();
+  const PagedMesh& mesh = revision.delivery.mesh;
+  const Pages<Support>& supports = revision.supports();
   std::vector<std::uint8_t> at(mesh.nodes.size());
   for (std::size_t n = 0; n < at.size(); ++n) at[n] = sharp.holds(supports[n]) ? 1 : 0;
   std::vector<std::uint8_t> left_out(mesh.tets.size(), 0);
@@ -149,8 +144,7 @@ void measure_away(Revision& revision) {
     volume -= volume_of(mesh.nodes, t);
   }
   if (report.sharp_tets > 0)
-    report.quality_away =
-        summarise({{{mesh.nodes, mesh.tets}, revision.measures, left_out}}, volume);
+    report.quality_away = summarise({{mesh.nodes, mesh.tets, revision.measures, left_out}}, volume);
 }
 
 }  // namespace
@@ -187,7 +181,7 @@ void account(const Revision* original, std::span<const std::int32_t> remade, dou
   counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
       d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
   revision.measures = measures_of(d, original, remade, run);
-  revision.report.quality = summarise({{{d.mesh.nodes, d.mesh.tets}, revision.measures}}, volume);
+  revision.report.quality = summarise({{d.mesh.nodes, d.mesh.tets, revision.measures}}, volume);
   measure_away(revision);
   revision.report.volume = volume;
   revision.report.exact_volume = revision.cells.volume;
@@ -197,7 +191,7 @@ VerificationFigures figures_of(const Verification& v) {
   return {v.tets_proved, v.tets_inherited, v.chord_error, v.volume_error};
 }
 
-void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision) {
+void deliver_kept(const Revision& original, Pages<Vec3> nodes, Revision& revision) {
   Delivery& d = revision.delivery;
   d = original.delivery;
   d.mesh.nodes = std::move(nodes);
@@ -209,7 +203,7 @@ void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& r
   revision.report.counts.boundary_facets = static_cast<std::uint32_t>(d.groups.facets.size());
 }
 
-void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
+void name_delivery(std::span<const SurfaceFacet> surface, const Pages<Support>& supports,
                    const Membership& membership, const CellsBefore& before, Revision& revision,
                    const Run& run) {
   Delivery& d = revision.delivery;

@@ -18,11 +18,11 @@ VerificationFigures figures_of(const Verification& verification);
 
 /// The tets of the original over nodes that stand where `nodes` says, permanent ids and master
 /// included; groups stay as they were.
-void deliver_kept(const Revision& original, std::vector<Vec3> nodes, Revision& revision);
+void deliver_kept(const Revision& original, Pages<Vec3> nodes, Revision& revision);
 
 /// Groups of the delivered mesh and their areas. `surface`: its boundary facets; `before`: cells
 /// that it still has.
-void name_delivery(std::span<const SurfaceFacet> surface, std::span<const Support> supports,
+void name_delivery(std::span<const SurfaceFacet> surface, const Pages<Support>& supports,
                    const Membership& membership, const CellsBefore& before, Revision& revision,
                    const Run& run);
 

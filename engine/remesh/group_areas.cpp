@@ -46,7 +46,7 @@ std::string group_name(const std::vector<std::string>& faces) {
   return name;
 }
 
-std::vector<GroupArea> group_areas(const TetMesh& mesh, const MeshGroups& groups,
+std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& groups,
                                    const FeatureModel& model, const Membership& membership,
                                    const CellularModel& cells) {
   const FacetNames names(model, membership, cells.boundary);

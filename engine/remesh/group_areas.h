@@ -13,7 +13,7 @@ namespace remeshd {
 /// facets cover its faces only about.
 ///
 /// Exact areas are those of the cellular model's faces. Post: in the order of the groups.
-std::vector<GroupArea> group_areas(const TetMesh& mesh, const MeshGroups& groups,
+std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& groups,
                                    const FeatureModel& model, const Membership& membership,
                                    const CellularModel& cells);
 

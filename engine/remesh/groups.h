@@ -23,8 +23,8 @@ struct CellsBefore {
 /// Post: facets in the order of `surface`; groups and cells sorted by name and by owners.
 ///
 /// `before`: what is known from the mesh that this one was made from.
-MeshGroups name_groups(const TetMesh& mesh, std::span<const SurfaceFacet> surface,
-                       std::span<const Support> supports, const FeatureModel& model,
+MeshGroups name_groups(const PagedMesh& mesh, std::span<const SurfaceFacet> surface,
+                       const Pages<Support>& supports, const FeatureModel& model,
                        const Membership& membership, const BoundaryModel& boundary,
                        const CellsBefore& before, const Run& run);
 

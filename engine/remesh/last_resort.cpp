@@ -97,7 +97,8 @@ kernel::Delaunay triangulate(const NodeSet& nodes, const Box& bounds, const Run&
 }
 
 /// Whether the mesh is one that can be cleaned up: no tet inverted, the boundary a closed manifold.
-bool sound(const TetMesh& mesh, const Verification& verification) {
+template <class Mesh>
+bool sound(const Mesh& mesh, const Verification& verification) {
   for (const MeshFailure kind :
        {MeshFailure::BadFacet, MeshFailure::OpenBoundary, MeshFailure::PinchedNode})
     if (verification.count(kind) > 0) return false;
@@ -131,28 +132,34 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const LastR
                                                       .most_added = most_nodes_inside(input)},
                                                      limits, run);
   Candidate c;
-  c.whole.mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
+  TetMesh mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
                            find_supports(surface, out), cells.boundary, c.nodes);
   Stopwatch watch;
-  c.verification = verify(c.whole.mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  c.verification = verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run);
   watch.lap(c.verify_seconds);
-  if (!sound(c.whole.mesh, c.verification)) return c;
+  const auto unfinished = [&] {
+    c.whole.mesh = paged(mesh);
+    return std::move(c);
+  };
+  if (!sound(mesh, c.verification)) return unfinished();
   if (input.clean_up) {
-    const std::vector<std::uint8_t> dirty(c.whole.mesh.tets.size(), 1);
-    c.whole.mesh = improve(c.whole.mesh, c.nodes.supports, cells.boundary, dirty,
-                           {.threshold = input.threshold}, run)
-                       .mesh;
+    const std::vector<std::uint8_t> dirty(mesh.tets.size(), 1);
+    mesh =
+        improve(mesh, c.nodes.supports, cells.boundary, dirty, {.threshold = input.threshold}, run)
+            .mesh;
   }
   Stopwatch again;
-  c.verification = verify(c.whole.mesh, c.nodes.supports, cells.boundary, cells.volume, run,
+  c.verification = verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run,
                           {.material = [&](const Vec3& p) { return input.membership.inside(p); }});
   again.lap(c.verify_seconds);
-  if (!c.verification.valid) return c;
-  c.nodes.positions = c.whole.mesh.nodes;  // where the nodes were matters to no Delaunay mesh
+  if (!c.verification.valid) return unfinished();
+  c.nodes.positions = mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.membership.inside(p); };
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
-  c.whole = whole_mesh({c.nodes, c.loop.mesh, c.delaunay, c.whole.mesh, {}}, run);
+  c.whole = whole_mesh({c.nodes, c.loop.mesh, c.delaunay, mesh, {}}, run);
+  for (SurfaceFacet& facet : c.verification.surface) facet.tet = c.whole.new_tets[facet.tet];
+  std::ranges::stable_sort(c.verification.surface, {}, &SurfaceFacet::tet);
   return c;
 }
 

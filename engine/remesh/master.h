@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "engine/base/pages.h"
 #include "engine/cellular/support.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/kernel/paged_delaunay.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/remesh/pieces.h"
 
@@ -16,17 +15,17 @@ namespace remeshd {
 struct Master {
   static constexpr std::int32_t kOutside = -1;
 
-  kernel::Delaunay mesh;          ///< of all nodes, the outside included
-  std::vector<Support> supports;  ///< entities of the revision's BoundaryModel
+  kernel::PagedDelaunay mesh;  ///< of all nodes, the outside included
+  Pages<Support> supports;     ///< entities of the revision's BoundaryModel
   /// By slot of `mesh`: the delivered tet that is the same, kOutside where the tet is not in the
   /// model, -2 - c where it is in cluster c.
-  std::vector<std::int32_t> tet_of_slot;
+  Pages<std::int32_t> tet_of_slot;
   /// Of slots and delivered tets; those without any are free to be used again.
-  std::vector<Cluster> clusters;
+  Pages<Cluster> clusters;
   std::uint64_t next_node_id = 1;  ///< permanent ids below are taken along the chain of ancestors
   std::uint64_t next_tet_id = 1;
 
-  [[nodiscard]] std::span<const Vec3> positions() const { return mesh.positions(); }
+  [[nodiscard]] const Pages<Vec3>& positions() const { return mesh.positions(); }
   [[nodiscard]] bool inside(std::int32_t slot) const {
     return tet_of_slot[slot] != kOutside && mesh.in_use(slot);
   }

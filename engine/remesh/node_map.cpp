@@ -1,45 +1,79 @@
 #include "engine/remesh/node_map.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 
 namespace remeshd {
 
-NodeMap map_to_nothing(const TetMesh& mesh) {
-  NodeMap map;
-  map.node_origin.assign(mesh.nodes.size(), NodeOrigin::New);
-  map.original_node.assign(mesh.nodes.size(), -1);
-  map.node_transform.assign(mesh.nodes.size(), -1);
-  map.original_tet.assign(mesh.tets.size(), -1);
+namespace {
+
+/// Makes each element the number that it has.
+void count_up(Pages<std::int32_t>& values, std::size_t size) {
+  values.resize(size);
+  for (std::size_t begin = 0; begin < size; begin += values.kPage) {
+    const std::span<const std::int32_t> page = values.page(begin / values.kPage);
+    std::size_t differ = 0;
+    for (std::size_t k = 0; k < page.size(); ++k)
+      differ += page[k] != static_cast<std::int32_t>(begin + k) ? 1 : 0;
+    if (differ == 0) continue;
+    std::int32_t* own = &values.edit(begin);
+    std::iota(own, own + page.size(), static_cast<std::int32_t>(begin));
+  }
+}
+
+}  // namespace
+
+NodeMap map_to_nothing(const PagedMesh& mesh) {
+  return {.node_origin = {mesh.nodes.size(), NodeOrigin::New},
+          .original_node = {mesh.nodes.size(), -1},
+          .node_transform = {mesh.nodes.size(), -1},
+          .original_tet = {mesh.tets.size(), -1}};
+}
+
+NodeMap map_to_itself(const Revision& original, const Pages<Vec3>& nodes, std::int32_t identity) {
+  const Delivery& then = original.delivery;
+  // Out of the original's own, which is much the same where it was an edit too.
+  NodeMap map{.node_origin = then.map.node_origin,
+              .original_node = then.map.original_node,
+              .node_transform = then.map.node_transform,
+              .original_tet = then.map.original_tet};
+  count_up(map.original_node, nodes.size());
+  count_up(map.original_tet, then.mesh.tets.size());
+  bool moved = false;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const bool kept = nodes[n] == then.mesh.nodes[n];
+    moved = moved || !kept;
+    map.node_origin.set(n, kept ? NodeOrigin::Kept : NodeOrigin::Moved);
+    map.node_transform.set(n, identity);
+  }
+  if (!moved) return map;
+  for (std::size_t t = 0; t < then.mesh.tets.size(); ++t)
+    if (std::ranges::any_of(then.mesh.tets[t],
+                            [&](std::int32_t n) { return map.node_origin[n] != NodeOrigin::Kept; }))
+      map.original_tet.edit(t) = -1;
   return map;
 }
 
-NodeMap map_kept(const Revision& original, std::span<const Vec3> nodes) {
-  NodeMap map;
+NodeMap map_kept(const Revision& original, const Pages<Vec3>& nodes) {
+  NodeMap map = map_to_itself(original, nodes, 0);
   map.transforms = {Transform{}};
   map.transform_features = {original.model.features.front().id};
-  const TetMesh& then = original.delivery.mesh;
-  map.node_transform.assign(then.nodes.size(), 0);
-  map.node_origin.reserve(then.nodes.size());
-  map.original_node.reserve(then.nodes.size());
-  map.original_tet.reserve(then.tets.size());
-  for (std::size_t n = 0; n < then.nodes.size(); ++n) {
-    map.node_origin.push_back(nodes[n] == then.nodes[n] ? NodeOrigin::Kept : NodeOrigin::Moved);
-    map.original_node.push_back(static_cast<std::int32_t>(n));
-  }
-  for (std::size_t t = 0; t < then.tets.size(); ++t) {
-    const Tet& tet = then.tets[t];
-    const bool kept = std::all_of(tet.begin(), tet.end(), [&](std::int32_t n) {
-      return map.node_origin[n] == NodeOrigin::Kept;
-    });
-    map.original_tet.push_back(kept ? static_cast<std::int32_t>(t) : -1);
-  }
   return map;
 }
 
-VerifiedParent verified_parent(const Revision& original, std::span<const std::int32_t> node,
-                               std::span<const std::int32_t> tet) {
+VerifiedParent verified_parent(const Revision& original) {
+  Pages<std::int32_t> node = original.delivery.map.original_node;
+  Pages<std::int32_t> tet = original.delivery.map.original_tet;
+  count_up(node, original.delivery.mesh.nodes.size());
+  count_up(tet, original.delivery.mesh.tets.size());
+  return verified_parent(original, node, tet);
+}
+
+VerifiedParent verified_parent(const Revision& original, const Pages<std::int32_t>& node,
+                               const Pages<std::int32_t>& tet) {
   const Delivery& d = original.delivery;
-  VerifiedParent parent{{d.mesh.nodes, d.mesh.tets}, {}, original.report.volume, node, tet};
+  VerifiedParent parent{d.mesh, {}, original.report.volume, node, tet};
   parent.surface.reserve(d.groups.facets.size());
   for (const MeshFacet& f : d.groups.facets) parent.surface.push_back({f.nodes, f.tet});
   return parent;

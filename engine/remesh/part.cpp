@@ -14,19 +14,24 @@ std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::
   const auto count = static_cast<std::int32_t>(master.mesh.slots());
   std::vector<std::uint8_t> taken(count, 0);
   std::vector<std::uint8_t> clusters(master.clusters.size(), 0);
-  const auto may_be_entered = [&](const kernel::Delaunay::Ball& ball) {
+  const auto may_be_entered = [&](const kernel::PagedDelaunay::Ball& ball) {
     return changing->meets(ball.centre, ball.radius);
   };
-  for (std::int32_t s = 0; s < count; ++s) {
-    if (!master.mesh.in_use(s)) continue;
-    const auto at = master.mesh.corners(s);
-    const bool wanted =
-        std::ranges::any_of(at, [&](std::int32_t n) { return n >= 0 && inner[n] != 0; }) ||
-        (changing && !master.inside(s) && may_be_entered(master.mesh.ball(s)));
-    if (!wanted) continue;
+  const auto entered = [&](std::int32_t s) {
+    return changing && master.tet_of_slot[s] == Master::kOutside &&
+           may_be_entered(master.mesh.ball(s));
+  };
+  const auto near = [&](const Box& box) { return !changing || changing->may_hold_some_of(box); };
+  master.mesh.for_each_slot_near(near, [&](std::int32_t s) {
+    const bool wanted = std::ranges::any_of(
+        master.mesh.corners(s), [&](std::int32_t n) { return n >= 0 && inner[n] != 0; });
+    if (!wanted && !entered(s)) return;
     taken[s] = 1;
     if (const std::int32_t c = master.cluster_of(s); c >= 0) clusters[c] = 1;
-  }
+  });
+  master.mesh.for_each_slot_afar(near, [&](std::int32_t s) {
+    if (entered(s)) taken[s] = 1;
+  });
   for (std::size_t c = 0; c < clusters.size(); ++c)
     if (clusters[c] != 0)
       for (const std::int32_t s : master.clusters[c].delaunay) taken[s] = 1;
@@ -38,7 +43,7 @@ std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::
 
 }  // namespace
 
-OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
+OriginalPart cut_out(const Master& master, const PagedMesh& delivered,
                      const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
   OriginalPart part;
   const std::vector<std::int32_t> slots = slots_at(master, inner, changing);
@@ -76,7 +81,7 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
     name[n] = static_cast<std::int32_t>(part.nodes.size());
     part.nodes.push_back(n);
     part.inner.push_back(inner[n]);
-    part.positions.push_back(master.mesh.position(n));
+    part.positions.push_back(master.positions()[n]);
     part.delivered_nodes.push_back(delivered.nodes[n]);
   }
   const auto renamed = [&](Tet t) {
@@ -106,8 +111,8 @@ OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
 }
 
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
-                                   const Master& master, std::span<const Support> supports,
-                                   const TetMeshView& delivered, const EntityMap* map,
+                                   const Master& master, const Pages<Support>& supports,
+                                   const PagedMesh& delivered, const EntityMap* map,
                                    const PointSource& source, double reach) {
   const std::int32_t identity = source.identity();
   const auto stays = [&](std::int32_t n) {
@@ -125,10 +130,10 @@ std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int
     for (std::int32_t n = 0; n < near.size(); ++n)
       if (!stays(n)) changed.push_back(near.positions[n]);
     for (const std::int32_t o : looked_at)
-      if (looked[o] == 1) changed.push_back(master.mesh.position(o));
+      if (looked[o] == 1) changed.push_back(master.positions()[o]);
     changing.emplace(changed, reach, source.modified().bounds());
     for (std::size_t n = 0; n < inner.size(); ++n)
-      inner[n] = changing->holds(master.mesh.position(static_cast<std::int32_t>(n))) ? 1 : 0;
+      inner[n] = changing->holds(master.positions()[n]) ? 1 : 0;
   }
   local.part = cut_out(master, delivered, inner, changing ? &*changing : nullptr);
   const OriginalPart& part = local.part;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/boundary/entity_map.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/kernel/paged_delaunay.h"
 #include "engine/nodes/node_set.h"
 #include "engine/nodes/surroundings.h"
 #include "engine/plan/point_source.h"
@@ -24,7 +24,7 @@ struct OriginalPart {
   std::vector<Vec3> positions;        ///< as in the Delaunay master
   std::vector<Vec3> delivered_nodes;  ///< as the master gave them
   kernel::Delaunay mesh;
-  kernel::Delaunay::Cut cut;
+  kernel::PagedDelaunay::Cut cut;
   std::vector<Tet> tets;                    ///< peeled
   Pieces pieces;                            ///< of `tets` and `delivered`
   std::vector<Tet> delivered;               ///< delivered tets that these pieces have
@@ -36,7 +36,7 @@ struct OriginalPart {
 
 /// `inner`: by node of the original. `changing`: where nodes may move or come; null: nowhere that
 /// is not at inner nodes.
-OriginalPart cut_out(const Master& master, const TetMeshView& delivered,
+OriginalPart cut_out(const Master& master, const PagedMesh& delivered,
                      const std::vector<std::uint8_t>& inner, const Surroundings* changing);
 
 /// The nodes that an edit works on, and the part of the original that they came from.
@@ -53,8 +53,8 @@ struct LocalNodes {
 /// Nodes that are looked at keep their supports of the original; others that come along stand
 /// before them and get theirs by `map`. Returns nothing where it has none for one.
 std::optional<LocalNodes> localise(const NodeSet& near, std::span<const std::int32_t> looked_at,
-                                   const Master& master, std::span<const Support> supports,
-                                   const TetMeshView& delivered, const EntityMap* map,
+                                   const Master& master, const Pages<Support>& supports,
+                                   const PagedMesh& delivered, const EntityMap* map,
                                    const PointSource& source, double reach);
 
 }  // namespace remeshd

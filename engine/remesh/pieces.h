@@ -11,6 +11,7 @@ namespace remeshd {
 
 /// Delaunay tets and the delivered tets that clean-up put in their place, with the same hull.
 struct Cluster {
+  friend bool operator==(const Cluster&, const Cluster&) = default;
   std::vector<std::int32_t> delaunay;
   std::vector<std::int32_t> delivered;
 };

@@ -44,10 +44,8 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   name_delivery(mesh.verification.surface, mesh.supports, membership, {}, revision, run);
   const FeatureModel& made_for = original.master_model();
   revision.anchor = std::make_shared<const Anchor>(
-      Anchor{original.anchor ? original.anchor->source : original.meshed_source,
-             made_for,
-             {original.master_nodes().begin(), original.master_nodes().end()},
-             std::move(mesh.supports)});
+      Anchor{original.anchor ? original.anchor->source : original.meshed_source, made_for,
+             original.master_nodes(), std::move(mesh.supports)});
   revision.reference = original.reference;
   revision.report.way = Way::Continued;
   revision.report.free_share =
@@ -90,13 +88,12 @@ void renew_if_worn(const Revision& original, Ways& ways, Revision& revision, con
 
 const FeatureModel& Revision::master_model() const { return anchor ? anchor->model : meshed_model; }
 
-std::span<const Vec3> Revision::master_nodes() const {
+const Pages<Vec3>& Revision::master_nodes() const {
   return anchor ? anchor->nodes : delivery.mesh.nodes;
 }
 
-std::span<const Support> Revision::supports() const {
-  const std::vector<Support>& all = anchor ? anchor->supports : master->supports;
-  return std::span(all).first(delivery.mesh.nodes.size());
+const Pages<Support>& Revision::supports() const {
+  return anchor ? anchor->supports : master->supports;
 }
 
 Revision make_revision(const Revision* original, const ModelSource& document,

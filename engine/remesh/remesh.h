@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/base/pages.h"
 #include "engine/base/run.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/cellular/support.h"
@@ -52,10 +52,10 @@ enum class NodeOrigin : std::uint8_t { New = 0, Kept = 1, Moved = 2 };
 
 /// Where each node and tet of a mesh comes from.
 struct NodeMap {
-  std::vector<NodeOrigin> node_origin;
-  std::vector<std::int32_t> original_node;   ///< in the original mesh; -1 where New
-  std::vector<std::int32_t> node_transform;  ///< index into `transforms`; -1 where New
-  std::vector<std::int32_t> original_tet;    ///< in the original mesh; -1 where not kept
+  Pages<NodeOrigin> node_origin;
+  Pages<std::int32_t> original_node;   ///< in the original mesh; -1 where New
+  Pages<std::int32_t> node_transform;  ///< index into `transforms`; -1 where New
+  Pages<std::int32_t> original_tet;    ///< in the original mesh; -1 where not kept
   std::vector<Transform>
       transforms;  ///< of the source features; a kept node is transform(original) to the bit
   std::vector<std::string>
@@ -73,17 +73,17 @@ struct MeshFacet {
 struct MeshGroups {
   std::vector<MeshFacet> facets;
   std::vector<std::vector<std::string>>
-      facet_groups;                    ///< `hole1.wall`, latest owner on the material side first
-  std::vector<std::int32_t> tet_cell;  ///< for each tet: index into `cell_owners`
+      facet_groups;              ///< `hole1.wall`, latest owner on the material side first
+  Pages<std::int32_t> tet_cell;  ///< for each tet: index into `cell_owners`
   std::vector<std::vector<std::string>> cell_owners;  ///< feature ids in history order
 };
 
 /// Everything the delivered mesh is made of, in the order of the files and the stream.
 struct Delivery {
-  TetMesh mesh;
-  std::vector<std::uint64_t>
+  PagedMesh mesh;
+  Pages<std::uint64_t>
       node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
-  std::vector<std::uint64_t> tet_ids;
+  Pages<std::uint64_t> tet_ids;
   MeshGroups groups;
   NodeMap map;
 };
@@ -95,8 +95,8 @@ struct Master;
 struct Anchor {
   ModelSource source;
   FeatureModel model;
-  std::vector<Vec3> nodes;        ///< as delivered then
-  std::vector<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
+  Pages<Vec3> nodes;        ///< as delivered then
+  Pages<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
 };
 
 /// What wear along a chain of edits is told by: the chain's last regular mesh.
@@ -119,15 +119,15 @@ struct Revision {
   std::shared_ptr<const Master> master;  ///< made for `master_model()`
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
-  std::vector<TetMeasure> measures;  ///< of the delivered tets
+  Pages<TetMeasure> measures;  ///< of the delivered tets
   Report report;
   WearReference reference;
 
   [[nodiscard]] const FeatureModel& master_model() const;
   /// The delivered nodes as the master gave them.
-  [[nodiscard]] std::span<const Vec3> master_nodes() const;
+  [[nodiscard]] const Pages<Vec3>& master_nodes() const;
   /// Of the delivered nodes, in the boundary of `cells`.
-  [[nodiscard]] std::span<const Support> supports() const;
+  [[nodiscard]] const Pages<Support>& supports() const;
 };
 
 /// The whole road of the paper: from a model document (and, for an edit, the original revision) to

@@ -44,9 +44,20 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 7;
+constexpr std::uint32_t kFormat = 8;
 }  // namespace
 
+/// As a vector is.
+template <class A, class T>
+void save(A& a, const Pages<T>& pages) {
+  a(pages.flat());
+}
+template <class A, class T>
+void load(A& a, Pages<T>& pages) {
+  std::vector<T> values;
+  a(values);
+  pages = Pages<T>(values);
+}
 template <class A>
 void serialize(A& a, Vec3& v) {
   a(v.x, v.y, v.z);
@@ -109,7 +120,7 @@ void serialize(A& a, Master& m) {
   a(m.supports, m.tet_of_slot, m.clusters, m.next_node_id, m.next_tet_id);
 }
 template <class A>
-void serialize(A& a, TetMesh& m) {
+void serialize(A& a, PagedMesh& m) {
   a(m.nodes, m.tets);
 }
 template <class A>

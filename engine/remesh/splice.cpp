@@ -49,19 +49,12 @@ class Places {
   std::size_t used_ = 0;
 };
 
-/// Resizes without room to spare: what is spliced stays with its revision.
-template <class T>
-void resize_tightly(std::vector<T>& values, std::size_t size, const T& added = {}) {
-  values.reserve(size);
-  values.resize(size, added);
-}
-
 /// Moves the last elements into the gaps.
 template <class T>
-void close_gaps(std::vector<T>& values, const std::vector<std::int32_t>& moves) {
+void close_gaps(Pages<T>& values, const std::vector<std::int32_t>& moves) {
   const std::size_t count = values.size() - moves.size();
   for (std::size_t k = 0; k < moves.size(); ++k)
-    if (moves[k] >= 0) values[moves[k]] = std::move(values[count + k]);
+    if (moves[k] >= 0) values.set(moves[k], values[count + k]);
   values.resize(count);
 }
 
@@ -70,15 +63,25 @@ Tet renamed(Tet tet, std::span<const std::int32_t> names) {
   return tet;
 }
 
+/// Where tets stand in the order of their lowest nodes.
+std::vector<std::int32_t> places_by_node(const TetMesh& mesh) {
+  std::vector<std::int32_t> begin(mesh.nodes.size() + 1, 0);
+  for (const Tet& t : mesh.tets) ++begin[std::ranges::min(t) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::int32_t> place;
+  place.reserve(mesh.tets.size());
+  for (const Tet& t : mesh.tets) place.push_back(begin[std::ranges::min(t)]++);
+  return place;
+}
+
 class Splicer {
  public:
   Splicer(const Revision& original, const OriginalPart& cut, const PartMesh& part,
           const PointSource& source, const Run& run)
       : original_(original), cut_(cut), part_(part), source_(source), run_(run), poll_(run) {}
 
-  WholeMesh splice(std::vector<Support> supports) {
-    whole_.mesh.nodes.assign(original_.master_nodes().begin(), original_.master_nodes().end());
-    whole_.mesh.tets = original_.delivery.mesh.tets;
+  WholeMesh splice(Pages<Support> supports) {
+    whole_.mesh = {original_.master_nodes(), original_.delivery.mesh.tets};
     whole_.master = *original_.master;
     whole_.master.supports = std::move(supports);
     map_all();
@@ -94,25 +97,12 @@ class Splicer {
   /// As if everything stayed.
   void map_all() {
     NodeMap& map = whole_.map;
-    const TetMesh& then = original_.delivery.mesh;
+    map = map_to_itself(original_, whole_.mesh.nodes, source_.identity());
     map.transforms = source_.transforms();
     map.transform_features.resize(map.transforms.size());
     for (const SourceFeature& s : source_.sources())
       if (map.transform_features[s.transform].empty())
         map.transform_features[s.transform] = original_.model.features[s.original].id;
-    map.node_origin.assign(then.nodes.size(), NodeOrigin::Kept);
-    map.original_node.resize(then.nodes.size());
-    std::iota(map.original_node.begin(), map.original_node.end(), 0);
-    map.node_transform.assign(then.nodes.size(), source_.identity());
-    map.original_tet.resize(then.tets.size());
-    std::iota(map.original_tet.begin(), map.original_tet.end(), 0);
-    if (!original_.anchor) return;
-    for (std::size_t n = 0; n < then.nodes.size(); ++n)
-      if (whole_.mesh.nodes[n] != then.nodes[n]) map.node_origin[n] = NodeOrigin::Moved;
-    for (std::size_t t = 0; t < then.tets.size(); ++t)
-      if (std::ranges::any_of(
-              then.tets[t], [&](std::int32_t n) { return map.node_origin[n] != NodeOrigin::Kept; }))
-        map.original_tet[t] = -1;
   }
 
   void place_nodes() {
@@ -132,24 +122,24 @@ class Splicer {
     NodeMap& map = whole_.map;
     const std::size_t most = std::max<std::size_t>(
         whole_.mesh.nodes.size(), names_.empty() ? 0 : 1 + std::ranges::max(names_));
-    resize_tightly(whole_.mesh.nodes, most);
-    resize_tightly(whole_.master.supports, most);
-    resize_tightly(map.node_origin, most);
-    resize_tightly(map.original_node, most);
-    resize_tightly(map.node_transform, most);
-    const std::span<const Vec3> then = original_.delivery.mesh.nodes;
+    whole_.mesh.nodes.resize(most);
+    whole_.master.supports.resize(most);
+    map.node_origin.resize(most);
+    map.original_node.resize(most);
+    map.node_transform.resize(most);
+    const Pages<Vec3>& then = original_.delivery.mesh.nodes;
     for (std::size_t n = 0; n < names_.size(); ++n) {
       const std::int32_t at = names_[n];
-      whole_.mesh.nodes[at] = part_.mesh.nodes[n];
-      whole_.master.supports[at] = nodes.supports[n];
+      whole_.mesh.nodes.set(at, part_.mesh.nodes[n]);
+      whole_.master.supports.set(at, nodes.supports[n]);
       const bool copied = nodes.original[n] >= 0;
-      map.original_node[at] = copied ? at : -1;
-      map.node_transform[at] = nodes.transform[n];
-      map.node_origin[at] =
-          !copied ? NodeOrigin::New
-          : part_.mesh.nodes[n] == source_.transforms()[nodes.transform[n]].apply(then[at])
-              ? NodeOrigin::Kept
-              : NodeOrigin::Moved;
+      map.original_node.set(at, copied ? at : -1);
+      map.node_transform.set(at, nodes.transform[n]);
+      map.node_origin.set(
+          at, !copied ? NodeOrigin::New
+              : part_.mesh.nodes[n] == source_.transforms()[nodes.transform[n]].apply(then[at])
+                  ? NodeOrigin::Kept
+                  : NodeOrigin::Moved);
     }
   }
 
@@ -178,8 +168,8 @@ class Splicer {
     Places& places = tet_places_.front();
     NodeMap& map = whole_.map;
     const std::size_t end = places.end_after(std::ranges::count(was, -1));
-    resize_tightly(whole_.mesh.tets, end);
-    resize_tightly(map.original_tet, end);
+    whole_.mesh.tets.resize(end);
+    map.original_tet.resize(end);
     whole_.new_tets.reserve(tets.size());
     for (std::size_t k = 0; k < tets.size(); ++k) {
       const std::int32_t at = was[k] >= 0 ? cut_.delivered_tet[was[k]] : places.take();
@@ -189,8 +179,8 @@ class Splicer {
                           return map.node_origin[n] == NodeOrigin::Kept &&
                                  map.node_transform[n] == map.node_transform[tet[0]];
                         });
-      whole_.mesh.tets[at] = tet;
-      map.original_tet[at] = kept ? at : -1;
+      whole_.mesh.tets.set(at, tet);
+      map.original_tet.set(at, kept ? at : -1);
     }
   }
 
@@ -199,31 +189,34 @@ class Splicer {
     Master& master = whole_.master;
     const std::vector<std::int32_t> slot = master.mesh.put_back(
         part_.delaunay, cut_.cut, names_, static_cast<std::int32_t>(whole_.mesh.nodes.size()));
-    resize_tightly(master.tet_of_slot, master.mesh.slots(), Master::kOutside);
-    for (const std::int32_t s : cut_.cut.slots) master.tet_of_slot[s] = Master::kOutside;
-    for (const std::int32_t s : slot)
-      if (s >= 0) master.tet_of_slot[s] = Master::kOutside;
+    master.tet_of_slot.resize(master.mesh.slots(), Master::kOutside);
+    std::vector<std::int32_t> tet_of_slot(slot.size(), Master::kOutside);  // of the part
     const Pieces pieces =
         find_pieces(part_.peeled.tets, part_.mesh.tets, part_.same.peeled, names_.size(), run_);
     std::vector<std::int32_t> free = cut_.clusters;
     std::vector<std::int32_t> number;
-    for (const std::int32_t c : free) master.clusters[c] = {};
+    for (const std::int32_t c : free) master.clusters.edit(c) = {};
     std::ranges::sort(free, std::greater());
     for (const Cluster& cluster : pieces.clusters) {
       if (free.empty()) {
         free.push_back(static_cast<std::int32_t>(master.clusters.size()));
-        master.clusters.emplace_back();
+        master.clusters.resize(master.clusters.size() + 1);
       }
       number.push_back(free.back());
       free.pop_back();
-      Cluster& out = master.clusters[number.back()];
+      Cluster& out = master.clusters.edit(number.back());
       for (const std::int32_t k : cluster.delaunay)
         out.delaunay.push_back(slot[part_.peeled.slots[k]]);
       for (const std::int32_t k : cluster.delivered) out.delivered.push_back(whole_.new_tets[k]);
     }
     for (std::size_t k = 0; k < part_.peeled.slots.size(); ++k)
-      master.tet_of_slot[slot[part_.peeled.slots[k]]] =
+      tet_of_slot[part_.peeled.slots[k]] =
           pieces.same[k] >= 0 ? whole_.new_tets[pieces.same[k]] : -2 - number[pieces.cluster[k]];
+    for (std::size_t s = 0; s < slot.size(); ++s)
+      if (slot[s] >= 0) master.tet_of_slot.set(slot[s], tet_of_slot[s]);
+    for (std::size_t s = 0; s < cut_.cut.slots.size(); ++s)
+      if (slot[s] < 0 && !master.mesh.in_use(cut_.cut.slots[s]))
+        master.tet_of_slot.set(cut_.cut.slots[s], Master::kOutside);
     const std::size_t spare = master.mesh.slots() - master.mesh.size();
     if (static_cast<double>(spare) > kMostSpare * static_cast<double>(master.mesh.size()))
       close_slot_gaps();
@@ -235,9 +228,9 @@ class Splicer {
     std::vector<std::int32_t> tet_of_slot(master.mesh.slots());
     for (std::size_t s = 0; s < to.size(); ++s)
       if (to[s] >= 0) tet_of_slot[to[s]] = master.tet_of_slot[s];
-    master.tet_of_slot = std::move(tet_of_slot);
-    for (Cluster& cluster : master.clusters)
-      for (std::int32_t& s : cluster.delaunay) s = to[s];
+    master.tet_of_slot = Pages<std::int32_t>(tet_of_slot);
+    for (std::size_t c = 0; c < master.clusters.size(); ++c)
+      for (std::int32_t& s : master.clusters.edit(c).delaunay) s = to[s];
   }
 
   void close_node_gaps() {
@@ -245,15 +238,12 @@ class Splicer {
     if (!places.has_gaps()) return;
     const std::vector<std::int32_t> moves = places.moves();
     const std::int32_t count = places.count();
-    std::vector<std::int32_t> names(count + moves.size());
-    std::iota(names.begin(), names.end(), 0);
-    for (const std::int32_t gap : moves)
-      if (gap >= 0) names[gap] = -1;
-    std::ranges::copy(moves, names.begin() + count);
-    whole_.master.mesh.rename(names, count);
-    for (Tet& t : whole_.mesh.tets) {
-      if (std::ranges::all_of(t, [&](std::int32_t n) { return n < count; })) continue;
-      t = renamed(t, names);
+    whole_.master.mesh.rename_last(moves, count);
+    for (std::size_t t = 0; t < whole_.mesh.tets.size(); ++t) {
+      if (std::ranges::all_of(whole_.mesh.tets[t], [&](std::int32_t n) { return n < count; }))
+        continue;
+      for (std::int32_t& n : whole_.mesh.tets.edit(t))
+        if (n >= count) n = moves[n - count];
     }
     close_gaps(whole_.mesh.nodes, moves);
     close_gaps(whole_.master.supports, moves);
@@ -267,13 +257,16 @@ class Splicer {
     if (!places.has_gaps()) return;
     const std::vector<std::int32_t> moves = places.moves();
     const std::int32_t count = places.count();
-    const auto move = [&](std::int32_t& t) {
-      if (t >= count) t = moves[t - count];
-    };
-    for (std::int32_t& t : whole_.master.tet_of_slot) move(t);
-    for (Cluster& cluster : whole_.master.clusters)
-      for (std::int32_t& t : cluster.delivered) move(t);
-    for (std::int32_t& t : whole_.new_tets) move(t);
+    const auto moved = [&](std::int32_t t) { return t < count ? t : moves[t - count]; };
+    Master& master = whole_.master;
+    for (std::size_t s = 0; s < master.tet_of_slot.size(); ++s)
+      master.tet_of_slot.set(s, moved(master.tet_of_slot[s]));
+    for (std::size_t c = 0; c < master.clusters.size(); ++c) {
+      const std::vector<std::int32_t>& tets = master.clusters[c].delivered;
+      if (std::ranges::any_of(tets, [&](std::int32_t t) { return t >= count; }))
+        for (std::int32_t& t : master.clusters.edit(c).delivered) t = moved(t);
+    }
+    for (std::int32_t& t : whole_.new_tets) t = moved(t);
     close_gaps(whole_.mesh.tets, moves);
     close_gaps(whole_.map.original_tet, moves);
   }
@@ -293,26 +286,32 @@ class Splicer {
 
 WholeMesh whole_mesh(const PartMesh& part, const Run& run) {
   WholeMesh whole;
-  whole.mesh = part.mesh;
+  whole.new_tets = places_by_node(part.mesh);
+  std::vector<Tet> tets(part.mesh.tets.size());
+  for (std::size_t k = 0; k < tets.size(); ++k) tets[whole.new_tets[k]] = part.mesh.tets[k];
+  whole.mesh = {Pages(part.mesh.nodes), Pages(tets)};
   whole.map = map_to_nothing(whole.mesh);
-  whole.new_tets.resize(part.mesh.tets.size());
-  std::iota(whole.new_tets.begin(), whole.new_tets.end(), 0);
   Master& master = whole.master;
-  master.mesh = part.delaunay;
-  master.supports = part.nodes.supports;
-  master.tet_of_slot.assign(master.mesh.slots(), Master::kOutside);
+  std::vector<std::int32_t> slot;
+  master.mesh = kernel::PagedDelaunay(part.delaunay, slot);
+  master.supports = Pages<Support>(part.nodes.supports);
+  std::vector<std::int32_t> tet_of_slot(master.mesh.slots(), Master::kOutside);
   const std::vector<std::int32_t>& slots = part.peeled.slots;
   Pieces pieces =
       find_pieces(part.peeled.tets, part.mesh.tets, part.same.peeled, part.mesh.nodes.size(), run);
   for (std::size_t k = 0; k < slots.size(); ++k)
-    master.tet_of_slot[slots[k]] = pieces.same[k] >= 0 ? pieces.same[k] : -2 - pieces.cluster[k];
-  master.clusters = std::move(pieces.clusters);
-  for (Cluster& cluster : master.clusters)
-    for (std::int32_t& k : cluster.delaunay) k = slots[k];
+    tet_of_slot[slot[slots[k]]] =
+        pieces.same[k] >= 0 ? whole.new_tets[pieces.same[k]] : -2 - pieces.cluster[k];
+  master.tet_of_slot = Pages<std::int32_t>(tet_of_slot);
+  for (Cluster& cluster : pieces.clusters) {
+    for (std::int32_t& k : cluster.delaunay) k = slot[slots[k]];
+    for (std::int32_t& k : cluster.delivered) k = whole.new_tets[k];
+  }
+  master.clusters = Pages<Cluster>(pieces.clusters);
   return whole;
 }
 
-WholeMesh splice(const Revision& original, std::vector<Support> supports, const OriginalPart& cut,
+WholeMesh splice(const Revision& original, Pages<Support> supports, const OriginalPart& cut,
                  const PartMesh& part, const PointSource& source, const Run& run) {
   return Splicer(original, cut, part, source, run).splice(std::move(supports));
 }

@@ -20,13 +20,14 @@ struct PartMesh {
 
 /// A whole mesh with where it came from.
 struct WholeMesh {
-  TetMesh mesh;
+  PagedMesh mesh;
   Master master;  ///< but for permanent ids
   NodeMap map;
   std::vector<std::int32_t> new_tets;  ///< by tet of the part's mesh: its number
 };
 
-/// A mesh whose nodes and tets are all new, or all in the part: nodes and tets as they stand there.
+/// A mesh whose nodes and tets are all new: the nodes as they stand in the part, tets in the order
+/// of their lowest nodes.
 WholeMesh whole_mesh(const PartMesh& part, const Run& run);
 
 /// Puts a part's mesh back in the place of what was cut out. Copies keep the number of their
@@ -34,7 +35,7 @@ WholeMesh whole_mesh(const PartMesh& part, const Run& run);
 /// then go to the end; where more went than came, the last ones fill the gaps.
 ///
 /// `supports`: of the original's nodes, in the modified boundary; those in the part are not read.
-WholeMesh splice(const Revision& original, std::vector<Support> supports, const OriginalPart& cut,
+WholeMesh splice(const Revision& original, Pages<Support> supports, const OriginalPart& cut,
                  const PartMesh& part, const PointSource& source, const Run& run);
 
 }  // namespace remeshd

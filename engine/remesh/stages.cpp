@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/base/error.h"
+#include "engine/base/hilbert.h"
 #include "engine/boundary/control_mesh.h"
 #include "engine/extract/peel.h"
 #include "engine/nodes/active_faces.h"
@@ -25,6 +26,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
+constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for rounding
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
 constexpr int kSampledSteps = 4;        // cubes to the reach
@@ -89,32 +91,35 @@ PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const O
 std::vector<std::int32_t> nodes_to_look_at(const Revision& original, const PointSource& source,
                                            double margin, bool everything) {
   std::vector<std::int32_t> nodes;
-  const std::span<const Vec3> positions = original.master->positions();
+  const Pages<Vec3>& positions = original.master->positions();
   for (std::size_t n = 0; n < positions.size(); ++n)
     if (everything || source.in_changed(positions[n], margin))
       nodes.push_back(static_cast<std::int32_t>(n));
   return nodes;
 }
 
-/// The tets of the model at some of the nodes.
-std::vector<Tet> tets_at(const Master& master, std::span<const std::int32_t> nodes) {
+/// The tets of the model at some of the nodes. `meets`: takes the boxes that one of these may be
+/// in.
+template <class Meets>
+std::vector<Tet> tets_at(const Master& master, std::span<const std::int32_t> nodes,
+                         const Meets& meets) {
   std::vector<std::uint8_t> wanted(master.positions().size(), 0);
   for (const std::int32_t n : nodes) wanted[n] = 1;
   std::vector<Tet> tets;
-  for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s) {
-    if (!master.inside(s)) continue;
+  master.mesh.for_each_slot_near(meets, [&](std::int32_t s) {
+    if (!master.inside(s)) return;
     const Tet t = master.mesh.corners(s);
     if (wanted[t[0]] || wanted[t[1]] || wanted[t[2]] || wanted[t[3]]) tets.push_back(t);
-  }
+  });
   return tets;
 }
 
-/// Supports of the nodes that are not in the part; of the others none.
-std::vector<Support> supports_left(const Revision& original, const Site& site) {
-  const std::span<const Support> then = original.supports();
-  const std::span<const Vec3> positions = original.master->positions();
-  std::vector<Support> supports(then.size());
-  if (!site.map) return supports;
+/// Supports of the nodes that are not in the part; of the others any.
+Pages<Support> supports_left(const Revision& original, const Site& site) {
+  const Pages<Support>& then = original.supports();
+  const Pages<Vec3>& positions = original.master->positions();
+  if (!site.map) return Pages<Support>(then.size(), {});
+  Pages<Support> supports = then;
   std::size_t next = 0;
   for (std::size_t n = 0; n < then.size(); ++n) {
     if (next < site.part.nodes.size() && site.part.nodes[next] == static_cast<std::int32_t>(n)) {
@@ -123,7 +128,7 @@ std::vector<Support> supports_left(const Revision& original, const Site& site) {
     }
     const std::optional<Support> support = (*site.map)(then[n], positions[n]);
     if (!support) throw LeftPart{"naming where nodes stand"};
-    supports[n] = *support;
+    supports.set(n, *support);
   }
   return supports;
 }
@@ -168,20 +173,24 @@ std::optional<LocalNodes> initial_nodes(const Revision* original, const PointSou
   std::vector<std::int32_t> looked_at;
   if (original) {
     const Master& master = *original->master;
-    looked_at = nodes_to_look_at(*original, source, kNearChange * density.edge_length,
-                                 std::isinf(reach.length));
-    nodes = copy_nodes(
-        source, {master.positions(), original->supports(), looked_at, tets_at(master, looked_at)},
-        original->edge_length, run);
+    const double margin = kNearChange * density.edge_length;
+    const bool everything = std::isinf(reach.length);
+    looked_at = nodes_to_look_at(*original, source, margin, everything);
+    const std::vector<Tet> tets = tets_at(master, looked_at, [&](const Box& box) {
+      return everything || source.meets_changed(grown(box, kRounding * margin));
+    });
+    nodes = copy_nodes(source, {master.positions(), original->supports(), looked_at, tets},
+                       original->edge_length, run);
   }
+  // What is near in space is to be near in memory: revisions share pages.
   const std::vector<Vec3> added =
-      (start == MeshOptions::Start::Lattice ? fill_lattice : fill_random)(
+      along_hilbert_curve((start == MeshOptions::Start::Lattice ? fill_lattice : fill_random)(
           source.changed(), [&](const Vec3& p) { return source(p) == PointSource::kNew; },
           {.edge_length = density.edge_length,
            .density = density.nodes_per_volume,
            .count = density.count,
            .seed = seed},
-          run);
+          run));
   for (const Vec3& p : added) nodes.add_new(p);
   if (!original) {
     LocalNodes local;

@@ -31,9 +31,9 @@ bool has(const Array& array, std::int32_t index) {
 
 }  // namespace
 
-Inheritance inherit(const TetMesh& mesh, const VerifiedParent& parent, Polling& poll) {
+Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
   Inheritance result;
-  const std::span<const Vec3> then = parent.mesh.nodes;
+  const Pages<Vec3>& then = parent.mesh.nodes;
   std::vector<std::int32_t> image(mesh.nodes.size(), -1);
   std::vector<std::uint8_t> unmoved(mesh.nodes.size(), 0);  // where the parent has it, to the bit
   std::vector<std::uint8_t> still(mesh.nodes.size(), 0);    // and under the same number

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -18,11 +17,11 @@ struct SurfaceFacet {
 
 /// A mesh that was found valid, and what another mesh claims to have of it.
 struct VerifiedParent {
-  TetMeshView mesh;
+  PagedMesh mesh;
   std::vector<SurfaceFacet> surface;
   double volume = 0;
-  std::span<const std::int32_t> node;  ///< by node of the other: the parent's node, or -1
-  std::span<const std::int32_t> tet;   ///< by tet of the other: the parent's tet, or -1
+  Pages<std::int32_t> node;  ///< by node of the other: the parent's node, or -1
+  Pages<std::int32_t> tet;   ///< by tet of the other: the parent's tet, or -1
 };
 
 /// Which claims on a parent hold; a false one costs the inheritance and nothing else.
@@ -42,6 +41,6 @@ struct Inheritance {
   std::vector<std::int32_t> near;  ///< tets with a touched node, ascending
 };
 
-Inheritance inherit(const TetMesh& mesh, const VerifiedParent& parent, Polling& poll);
+Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll);
 
 }  // namespace remeshd

@@ -32,13 +32,13 @@ std::string text(const Vec3& p) {
 
 class Checker {
  public:
-  Checker(const TetMesh& mesh, std::span<const Support> supports, const BoundaryModel& boundary,
+  Checker(const PagedMesh& mesh, const Pages<Support>& supports, const BoundaryModel& boundary,
           const Run& run, const VerifyOptions& options)
       : mesh_(mesh),
-        supports_(supports),
+        supports_(supports.flat()),
         boundary_(boundary),
         options_(options),
-        faces_(boundary, supports),
+        faces_(boundary, supports_),
         tolerance_(kOnSupport * boundary.bounds.diagonal()),
         run_(run),
         poll_(run) {
@@ -70,7 +70,7 @@ class Checker {
     for (const std::int32_t n : mesh_.tets[t]) c += 0.25 * mesh_.nodes[n];
     return c;
   }
-  static double volume_of(const Tet& tet, std::span<const Vec3> nodes) {
+  static double volume_of(const Tet& tet, const Pages<Vec3>& nodes) {
     return tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]);
   }
 
@@ -283,7 +283,7 @@ class Checker {
       const Vec3 normal = cross(b - a, c - a);
       const double facet_area = 0.5 * norm(normal);
       result_.boundary_area += facet_area;
-      const int face = faces_.face_of(facet.nodes, mesh_.nodes);
+      const int face = faces_.face_of(facet.nodes, a, b, c);
       if (face < 0) {
         fail(MeshFailure::StrayFacet, facet.tet, centre, "a boundary facet on no model face");
         continue;
@@ -341,8 +341,8 @@ class Checker {
                std::to_string(whole) + ", the model's " + std::to_string(exact));
   }
 
-  const TetMesh& mesh_;
-  std::span<const Support> supports_;
+  const PagedMesh& mesh_;
+  const std::vector<Support> supports_;
   const BoundaryModel& boundary_;
   const VerifyOptions& options_;
   FacetFaces faces_;
@@ -360,10 +360,16 @@ class Checker {
 
 }  // namespace
 
-Verification verify(const TetMesh& mesh, std::span<const Support> supports,
+Verification verify(const PagedMesh& mesh, const Pages<Support>& supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
                     const VerifyOptions& options) {
   return Checker(mesh, supports, boundary, run, options).check(exact_volume);
+}
+
+Verification verify(const TetMesh& mesh, std::span<const Support> supports,
+                    const BoundaryModel& boundary, double exact_volume, const Run& run,
+                    const VerifyOptions& options) {
+  return verify(paged(mesh), Pages(supports), boundary, exact_volume, run, options);
 }
 
 }  // namespace remeshd

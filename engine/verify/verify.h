@@ -81,6 +81,10 @@ struct VerifyOptions {
 /// The model may be another, so the boundary is held against it whole. Says the same as without.
 ///
 /// A defect of the mesh is a value here. Throws Cancelled only.
+Verification verify(const PagedMesh& mesh, const Pages<Support>& supports,
+                    const BoundaryModel& boundary, double exact_volume, const Run& run,
+                    const VerifyOptions& options = {});
+/// The same for a mesh that is still worked on.
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
                     const VerifyOptions& options = {});

@@ -18,7 +18,7 @@ static_assert(sizeof(Vec3) == 24 && sizeof(Tet) == 16 && sizeof(MeshFacet) == 20
 constexpr std::size_t kPartBytes = (std::size_t{1} << 20) - 1024;
 
 template <typename T>
-std::string_view bytes_of(const std::vector<T>& values) {
+std::string_view bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
@@ -47,33 +47,50 @@ MeshMessages::MeshMessages(HeldRevisionPtr revision, const std::vector<v1::MeshA
   const Delivery& d = revision_->revision.delivery;
   const MeshGroups& g = d.groups;
   const NodeMap& m = d.map;
-  add(v1::NODES, d.mesh.nodes.size(), bytes_of(d.mesh.nodes));
-  add(v1::TETS, d.mesh.tets.size(), bytes_of(d.mesh.tets));
-  add(v1::NODE_IDS, d.node_ids.size(), bytes_of(d.node_ids));
-  add(v1::TET_IDS, d.tet_ids.size(), bytes_of(d.tet_ids));
-  add(v1::FACETS, g.facets.size(), bytes_of(g.facets));
+  add(v1::NODES, d.mesh.nodes);
+  add(v1::TETS, d.mesh.tets);
+  add(v1::NODE_IDS, d.node_ids);
+  add(v1::TET_IDS, d.tet_ids);
+  add(v1::FACETS, g.facets);
   add_text(v1::FACET_GROUPS, g.facet_groups.size(), lines(g.facet_groups));
-  add(v1::TET_CELLS, g.tet_cell.size(), bytes_of(g.tet_cell));
+  add(v1::TET_CELLS, g.tet_cell);
   add_text(v1::CELL_OWNERS, g.cell_owners.size(), lines(g.cell_owners));
-  add(v1::NODE_ORIGINS, m.node_origin.size(), bytes_of(m.node_origin));
-  add(v1::ORIGINAL_NODES, m.original_node.size(), bytes_of(m.original_node));
-  add(v1::NODE_TRANSFORMS, m.node_transform.size(), bytes_of(m.node_transform));
-  add(v1::TRANSFORMS, m.transforms.size(), bytes_of(m.transforms));
+  add(v1::NODE_ORIGINS, m.node_origin);
+  add(v1::ORIGINAL_NODES, m.original_node);
+  add(v1::NODE_TRANSFORMS, m.node_transform);
+  add(v1::TRANSFORMS, m.transforms);
   add_text(v1::TRANSFORM_FEATURES, m.transform_features.size(), lines(m.transform_features));
-  add(v1::ORIGINAL_TETS, m.original_tet.size(), bytes_of(m.original_tet));
+  add(v1::ORIGINAL_TETS, m.original_tet);
 }
 
 bool MeshMessages::wanted(v1::MeshArray name) const {
   return wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end();
 }
 
-void MeshMessages::add(v1::MeshArray name, std::size_t count, std::string_view bytes) {
-  if (wanted(name)) arrays_.push_back({name, bytes, static_cast<std::uint32_t>(count), {}});
+template <class T>
+void MeshMessages::add(v1::MeshArray name, const Pages<T>& values) {
+  if (!wanted(name)) return;
+  arrays_.push_back({name, static_cast<std::uint32_t>(values.size()), values.size() * sizeof(T),
+                     [&values](std::uint64_t offset) {
+                       constexpr std::size_t kPage = Pages<T>::page_bytes();
+                       return bytes_of(values.page(offset / kPage)).substr(offset % kPage);
+                     }});
+}
+
+template <class T>
+void MeshMessages::add(v1::MeshArray name, const std::vector<T>& values) {
+  if (!wanted(name)) return;
+  const std::string_view bytes = bytes_of(std::span(values));
+  arrays_.push_back({name, static_cast<std::uint32_t>(values.size()), bytes.size(),
+                     [bytes](std::uint64_t offset) { return bytes.substr(offset); }});
 }
 
 void MeshMessages::add_text(v1::MeshArray name, std::size_t count, std::string text) {
-  if (wanted(name))
-    arrays_.push_back({name, {}, static_cast<std::uint32_t>(count), std::move(text)});
+  if (!wanted(name)) return;
+  const std::uint64_t bytes = text.size();
+  arrays_.push_back({name, static_cast<std::uint32_t>(count), bytes,
+                     [text = std::make_shared<const std::string>(std::move(text))](
+                         std::uint64_t offset) { return std::string_view(*text).substr(offset); }});
 }
 
 void MeshMessages::header(v1::MeshHeader& header) const {
@@ -86,18 +103,20 @@ void MeshMessages::header(v1::MeshHeader& header) const {
   for (const Array& array : arrays_) {
     v1::MeshHeader::Array& entry = *header.add_arrays();
     entry.set_array(array.name);
-    entry.set_bytes(array.owned.empty() ? array.bytes.size() : array.owned.size());
+    entry.set_bytes(array.bytes);
     entry.set_count(array.count);
   }
 }
 
 void MeshMessages::part(v1::MeshPart& part) {
   const Array& array = arrays_[array_];
-  const std::string_view all = array.owned.empty() ? array.bytes : std::string_view(array.owned);
-  const std::string_view data = all.substr(offset_, kPartBytes);
+  std::string& data = *part.mutable_data();
+  const std::size_t size = std::min<std::uint64_t>(kPartBytes, array.bytes - offset_);
+  data.reserve(size);
+  while (data.size() < size)
+    data += array.from(offset_ + data.size()).substr(0, size - data.size());
   part.set_array(array.name);
   part.set_offset(offset_);
-  part.set_data(data.data(), data.size());
   part.set_crc32c(crc32c(data));
   sum_.update(data);
   offset_ += data.size();
@@ -112,10 +131,7 @@ bool MeshMessages::next(v1::MeshMessage& message) {
     header(*message.mutable_header());
     return true;
   }
-  const auto size = [](const Array& array) {
-    return array.owned.empty() ? array.bytes.size() : array.owned.size();
-  };
-  while (array_ < arrays_.size() && offset_ == size(arrays_[array_])) {
+  while (array_ < arrays_.size() && offset_ == arrays_[array_].bytes) {
     ++array_;
     offset_ = 0;
   }

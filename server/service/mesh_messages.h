@@ -25,12 +25,16 @@ class MeshMessages {
  private:
   struct Array {
     remesh::v1::MeshArray name;
-    std::string_view bytes;
     std::uint32_t count;
-    std::string owned;  ///< where the bytes are not the revision's own
+    std::uint64_t bytes;
+    /// The bytes from an offset on that lie together in memory: one at least.
+    std::function<std::string_view(std::uint64_t)> from;
   };
 
-  void add(remesh::v1::MeshArray name, std::size_t count, std::string_view bytes);
+  template <class T>
+  void add(remesh::v1::MeshArray name, const Pages<T>& values);
+  template <class T>
+  void add(remesh::v1::MeshArray name, const std::vector<T>& values);
   void add_text(remesh::v1::MeshArray name, std::size_t count, std::string text);
   [[nodiscard]] bool wanted(remesh::v1::MeshArray name) const;
   void header(remesh::v1::MeshHeader& header) const;

@@ -7,7 +7,7 @@
 namespace remeshd {
 
 Archive::Archive(const Engine& engine, Store& store, std::uint64_t memory)
-    : engine_(engine), store_(store), held_(memory, store.persistent()) {}
+    : engine_(engine), store_(store), held_(memory, store.persistent(), engine.memory_blocks) {}
 
 Reference Archive::resolve(const std::string& text) {
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/difference/compare.h"
+#include "engine/remesh/memory.h"
 #include "engine/remesh/remesh.h"
 
 namespace remeshd {
@@ -36,6 +37,7 @@ struct Engine {
   std::function<std::string(const Revision&)> serialise;
   std::function<Revision(const std::string&, const Run&)> deserialise;
   std::function<std::vector<FeatureTypeInfo>()> feature_types;
+  std::function<std::vector<MemoryBlock>(const Revision&)> memory_blocks;
 };
 
 }  // namespace remeshd

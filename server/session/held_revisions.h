@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
+#include "engine/remesh/memory.h"
 #include "engine/remesh/remesh.h"
 #include "server/store/records.h"
 
@@ -19,14 +23,16 @@ struct HeldRevision {
 };
 using HeldRevisionPtr = std::shared_ptr<const HeldRevision>;
 
-/// About how many bytes a revision takes in memory.
-std::uint64_t memory_of(const Revision& revision);
-
-/// Revisions in memory. Where others can be read from the store again, those used longest ago go as
-/// soon as all together pass the budget; whoever still uses one keeps it alive.
+/// Revisions in memory; what several have in common counts once. Where others can be read from the
+/// store again, those used longest ago go as soon as all together pass the budget; whoever still
+/// uses one keeps it alive.
 class HeldRevisions {
  public:
-  HeldRevisions(std::uint64_t budget, bool evict) : budget_(budget), evict_(evict) {}
+  using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
+
+  /// `blocks_of`: the memory of a revision that others may have a part of.
+  HeldRevisions(std::uint64_t budget, bool evict, MemoryBlocks blocks_of)
+      : budget_(budget), evict_(evict), blocks_of_(std::move(blocks_of)) {}
 
   HeldRevisionPtr find(const std::string& id);
   [[nodiscard]] bool contains(const std::string& id) const;
@@ -38,19 +44,17 @@ class HeldRevisions {
   [[nodiscard]] std::uint64_t budget() const { return budget_; }
 
  private:
-  struct Entry {
-    HeldRevisionPtr revision;
-    std::uint64_t bytes = 0;
-  };
-  using Order = std::list<Entry>;  ///< used last in front
+  using Order = std::list<HeldRevisionPtr>;  ///< used last in front
 
   void drop(Order::iterator entry);
 
   const std::uint64_t budget_;
   const bool evict_;
+  const MemoryBlocks blocks_of_;
   mutable std::mutex mutex_;
   Order order_;
   std::unordered_map<std::string, Order::iterator> by_id_;
+  std::unordered_map<const void*, std::size_t> blocks_;  ///< how many revisions have one
   std::uint64_t bytes_ = 0;
 };
 

@@ -25,6 +25,10 @@ class Writer {
     value(values.size());
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
+  template <typename T>
+  void list(const Pages<T>& values) {
+    list(values.flat());
+  }
   void text(const std::string& s) {
     value(s.size());
     bytes += s;
@@ -45,6 +49,12 @@ class Reader {
     value(size);
     values.resize(size);
     take(values.data(), size * sizeof(T));
+  }
+  template <typename T>
+  void list(Pages<T>& values) {
+    std::vector<T> read;
+    list(read);
+    values = Pages<T>(read);
   }
   void text(std::string& s) {
     std::size_t size = 0;
@@ -84,13 +94,22 @@ std::string serialise_fake(const Revision& r) {
   return out.bytes;
 }
 
+/// The memory of a revision's nodes.
+std::vector<MemoryBlock> blocks_of_nodes(const Revision& r) {
+  const Pages<Vec3>& nodes = r.delivery.mesh.nodes;
+  std::vector<MemoryBlock> blocks;
+  for (std::size_t k = 0; k < nodes.pages(); ++k)
+    blocks.push_back({nodes.page(k).data(), nodes.page_bytes()});
+  return blocks;
+}
+
 /// Groups and cells, which follow from the model.
 void name_parts(Revision& r) {
   MeshGroups& groups = r.delivery.groups;
   groups.facets = {{{0, 1, 2}, 0, 0}, {{1, 2, 3}, 0, 1}};
   groups.facet_groups = {{r.source.features.front().id + ".top"},
                          {r.source.features.back().id + ".wall", "plate.top"}};
-  groups.tet_cell.assign(r.delivery.mesh.tets.size(), 0);
+  groups.tet_cell = {r.delivery.mesh.tets.size(), 0};
   groups.cell_owners = {{}};
   for (const FeatureSource& feature : r.source.features)
     groups.cell_owners[0].push_back(feature.id);
@@ -228,7 +247,7 @@ FakeEngine::FakeEngine() : state_(std::make_shared<State>()) {}
 Engine FakeEngine::engine() const {
   const auto state = state_;
   return {
-      .algorithm_version = 10,
+      .algorithm_version = 11,
       .evaluate = evaluate,
       .apply = apply,
       .summarise =
@@ -257,7 +276,8 @@ Engine FakeEngine::engine() const {
             state->count([&] { ++state->loaded; });
             return deserialise_fake(bytes);
           },
-      .feature_types = [] { return feature_types(); }};
+      .feature_types = [] { return feature_types(); },
+      .memory_blocks = blocks_of_nodes};
 }
 
 void FakeEngine::close_gate() {

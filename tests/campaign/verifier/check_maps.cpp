@@ -5,8 +5,8 @@
 namespace remeshd::campaign {
 namespace {
 
-template <class Value>
-bool in_range(std::int32_t index, const std::vector<Value>& values) {
+template <class Values>
+bool in_range(std::int32_t index, const Values& values) {
   return index >= 0 && index < static_cast<std::int32_t>(values.size());
 }
 
@@ -57,7 +57,7 @@ void check_tets(const Delivery& mesh, const Revision* base, Findings& findings) 
 }
 
 /// New ids are new in the whole chain; all are there once.
-void check_ids(const std::vector<std::uint64_t>& ids, const std::vector<std::uint64_t>* base,
+void check_ids(const Pages<std::uint64_t>& ids, const Pages<std::uint64_t>* base,
                std::set<std::uint64_t>& ever, const std::string& check, Findings& findings) {
   const std::set<std::uint64_t> now(ids.begin(), ids.end());
   if (now.size() != ids.size()) findings.add(check, "an id twice");

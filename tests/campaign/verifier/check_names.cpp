@@ -4,6 +4,7 @@
 #include "tests/campaign/rays.h"
 #include "tests/campaign/verifier/mesh_surface.h"
 #include "tests/campaign/verifier/verifier.h"
+#include "tests/support/flat.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -14,7 +15,7 @@ class NameChecker {
  public:
   NameChecker(const Revision& revision, const std::vector<Triangle>& facets, Findings& findings)
       : revision_(revision),
-        mesh_(revision.delivery.mesh),
+        mesh_(test::flat(revision.delivery.mesh)),
         membership_(revision.model),
         tiny_(kOnSurface * membership_.bounds().diagonal()),
         rays_(membership_),
@@ -85,7 +86,7 @@ class NameChecker {
   }
 
   const Revision& revision_;
-  const TetMesh& mesh_;
+  const TetMesh mesh_;
   const Membership membership_;
   const double tiny_;
   const Rays rays_;
@@ -100,7 +101,7 @@ class NameChecker {
 void check_names(const Revision& revision, const std::vector<Triangle>& facets,
                  Findings& findings) {
   const MeshGroups& groups = revision.delivery.groups;
-  const TetMesh& mesh = revision.delivery.mesh;
+  const PagedMesh& mesh = revision.delivery.mesh;
   // As smallest node first, turning as before.
   const auto canonical = [](Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

@@ -8,6 +8,7 @@
 #include "tests/campaign/verifier/mesh_surface.h"
 #include "tests/campaign/verifier/tet_location.h"
 #include "tests/campaign/verifier/verifier.h"
+#include "tests/support/flat.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -28,7 +29,7 @@ class ShapeChecker {
  public:
   ShapeChecker(const Revision& revision, const std::vector<Triangle>& facets, Findings& findings)
       : revision_(revision),
-        mesh_(revision.delivery.mesh),
+        mesh_(test::flat(revision.delivery.mesh)),
         membership_(revision.model),
         rays_(membership_),
         diagonal_(membership_.bounds().diagonal()),
@@ -305,7 +306,7 @@ class ShapeChecker {
   }
 
   const Revision& revision_;
-  const TetMesh& mesh_;
+  const TetMesh mesh_;
   const Membership membership_;
   const Rays rays_;
   const double diagonal_;

@@ -64,7 +64,8 @@ TEST(Verifier, FindsNothingInGoodMeshes) {
 
 TEST(Verifier, FindsAnInvertedTet) {
   Revision r = meshes().edited;
-  std::swap(r.delivery.mesh.tets[7][0], r.delivery.mesh.tets[7][1]);
+  Tet& tet = r.delivery.mesh.tets.edit(7);
+  std::swap(tet[0], tet[1]);
   EXPECT_TRUE(verify_edited(r).has("volume sign")) << list(verify_edited(r));
 }
 
@@ -76,16 +77,17 @@ TEST(Verifier, FindsAFlatTet) {
 
 TEST(Verifier, FindsARepeatedTet) {
   Revision r = meshes().edited;
-  r.delivery.mesh.tets[8] = r.delivery.mesh.tets[7];
+  r.delivery.mesh.tets.edit(8) = r.delivery.mesh.tets[7];
   EXPECT_TRUE(verify_edited(r).has("repeated tet")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAMissingTet) {
   Revision r = meshes().edited;
-  r.delivery.mesh.tets.pop_back();
-  r.delivery.tet_ids.pop_back();
-  r.delivery.map.original_tet.pop_back();
-  r.delivery.groups.tet_cell.pop_back();
+  const std::size_t tets = r.delivery.mesh.tets.size() - 1;
+  r.delivery.mesh.tets.resize(tets);
+  r.delivery.tet_ids.resize(tets);
+  r.delivery.map.original_tet.resize(tets);
+  r.delivery.groups.tet_cell.resize(tets);
   EXPECT_TRUE(verify_edited(r).has("facets")) << list(verify_edited(r));
 }
 
@@ -124,13 +126,13 @@ TEST(Verifier, FindsTwoTetsOnOneSideOfAFacet) {
 
 TEST(Verifier, FindsABoundaryNodeOffItsSurface) {
   Revision r = meshes().edited;
-  r.delivery.mesh.nodes[some_node(r, true)] += Vec3{1e-3, 1e-3, 1e-3};
+  r.delivery.mesh.nodes.edit(some_node(r, true)) += Vec3{1e-3, 1e-3, 1e-3};
   EXPECT_TRUE(verify_edited(r).has("node on surface")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAKeptNodeThatMovedByABit) {
   Revision r = meshes().edited;
-  double& x = r.delivery.mesh.nodes[some_node(r, false)].x;
+  double& x = r.delivery.mesh.nodes.edit(some_node(r, false)).x;
   x = std::nextafter(x, 100);
   EXPECT_TRUE(verify_edited(r).has("kept node")) << list(verify_edited(r));
 }
@@ -145,15 +147,15 @@ TEST(Verifier, FindsFacetsUnderTheNameOfAnotherFace) {
 TEST(Verifier, FindsATetInTheWrongCell) {
   Revision r = meshes().edited;
   r.delivery.groups.cell_owners.push_back({"plate", "hole"});
-  r.delivery.groups.tet_cell[5] =
+  r.delivery.groups.tet_cell.edit(5) =
       static_cast<std::int32_t>(r.delivery.groups.cell_owners.size()) - 1;
   EXPECT_TRUE(verify_edited(r).has("owners")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAnIdThatIsUsedTwice) {
   Revision r = meshes().edited;
-  r.delivery.node_ids[0] = r.delivery.node_ids[1];
-  r.delivery.tet_ids[0] = r.delivery.tet_ids[1];
+  r.delivery.node_ids.edit(0) = r.delivery.node_ids[1];
+  r.delivery.tet_ids.edit(0) = r.delivery.tet_ids[1];
   EXPECT_TRUE(verify_edited(r).has("node ids")) << list(verify_edited(r));
   EXPECT_TRUE(verify_edited(r).has("tet ids")) << list(verify_edited(r));
 }
@@ -168,12 +170,12 @@ TEST(Verifier, FindsAnIdThatAnAncestorHad) {
 
 TEST(Verifier, FindsAKeptTetOfOtherNodes) {
   Revision r = meshes().edited;
-  std::vector<std::int32_t>& from = r.delivery.map.original_tet;
+  Pages<std::int32_t>& from = r.delivery.map.original_tet;
   std::size_t a = 0;
   while (from[a] < 0) ++a;
   std::size_t b = a + 1;
   while (from[b] < 0) ++b;
-  std::swap(from[a], from[b]);
+  std::swap(from.edit(a), from.edit(b));
   EXPECT_TRUE(verify_edited(r).has("tet map")) << list(verify_edited(r));
 }
 

@@ -37,8 +37,8 @@ TEST(FacetFaces, AFacetAcrossAStripBetweenTwoFacesOfNearlyTheSameNormalIsTheStri
   }
   ASSERT_EQ(nodes.size(), 4U);
   const FacetFaces faces(boundary, supports);
-  EXPECT_EQ(faces.face_of({0, 1, 2}, nodes), strip);
-  EXPECT_EQ(faces.face_of({1, 2, 3}, nodes), strip);
+  EXPECT_EQ(faces.face_of({0, 1, 2}, nodes[0], nodes[1], nodes[2]), strip);
+  EXPECT_EQ(faces.face_of({1, 2, 3}, nodes[1], nodes[2], nodes[3]), strip);
 }
 
 }  // namespace

@@ -9,37 +9,12 @@
 #include "engine/kernel/predicates.h"
 #include "engine/mesh/quality.h"
 #include "engine/mesh/tet_mesh.h"
+#include "tests/engine/kernel/clouds.h"
 
 namespace remeshd::kernel {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
-
-Box unit_box() {
-  Box box;
-  box.add(Vec3{0, 0, 0});
-  box.add(Vec3{1, 1, 1});
-  return box;
-}
-
-std::vector<std::int32_t> all(std::size_t n) {
-  std::vector<std::int32_t> nodes(n);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  return nodes;
-}
-
-std::vector<Vec3> cloud(int n, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Vec3> points(n);
-  for (Vec3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
-  return points;
-}
-
-Delaunay mesh_of(const std::vector<Vec3>& points) {
-  Delaunay mesh(unit_box());
-  mesh.insert(points, all(points.size()), kRun);
-  return mesh;
-}
+using namespace test;
 
 /// Brings the mesh to where the points are now. Returns how flips got on.
 Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
@@ -49,16 +24,6 @@ Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
   }
   EXPECT_NE(moved, Delaunay::Moved::Failed);
   return moved;
-}
-
-std::vector<Tet> sorted_tets(const Delaunay& mesh) {
-  std::vector<Tet> tets;
-  mesh.for_each_tet([&](Tet t) {
-    std::sort(t.begin(), t.end());
-    tets.push_back(t);
-  });
-  std::sort(tets.begin(), tets.end());
-  return tets;
 }
 
 /// Every node outside every circumsphere, every tet positive.
@@ -123,28 +88,6 @@ TEST(Delaunay, TakingNodesOutGivesTheMeshOfTheOthers) {
     expected.insert(points, rest, kRun);
     EXPECT_EQ(sorted_tets(mesh), sorted_tets(expected)) << count << " nodes taken out";
   }
-}
-
-TEST(Delaunay, WithoutGapsItIsTheSameMesh) {
-  const auto points = cloud(400, 9);
-  Delaunay mesh = mesh_of(points);
-  std::vector<std::int32_t> some(150);
-  std::iota(some.begin(), some.end(), 100);
-  ASSERT_TRUE(mesh.remove(some, kRun));
-  ASSERT_LT(mesh.size(), mesh.slots());
-  Delaunay tight = mesh;
-  const std::vector<std::int32_t> to = tight.close_gaps();
-  EXPECT_EQ(tight.slots(), tight.size());
-  EXPECT_EQ(tight.size(), mesh.size());
-  for (std::size_t s = 0; s < to.size(); ++s) {
-    const auto slot = static_cast<std::int32_t>(s);
-    ASSERT_EQ(to[s] >= 0, mesh.in_use(slot));
-    if (to[s] >= 0) {
-      EXPECT_EQ(tight.corners(to[s]), mesh.corners(slot));
-    }
-  }
-  tight.insert(points, some, kRun);
-  EXPECT_EQ(sorted_tets(tight), sorted_tets(mesh_of(points)));
 }
 
 TEST(Delaunay, NodesTakenOutCanBePutInAgain) {
@@ -274,110 +217,6 @@ TEST(Delaunay, AStopRequestEndsInsertion) {
   Delaunay mesh(unit_box());
   const auto points = cloud(1000, 9);
   EXPECT_ANY_THROW(mesh.insert(points, all(1000), run));
-}
-
-/// The tets at nodes within a ball, cut out of a mesh of a cloud.
-struct Part {
-  std::vector<Vec3> points = cloud(3000, 5);
-  Delaunay whole = mesh_of(points);
-  std::vector<std::int32_t> inner;  ///< nodes of the whole
-  std::vector<std::int32_t> names;  ///< by node of the whole: that of the part, or -1
-  std::vector<std::int32_t> nodes;  ///< by node of the part: that of the whole
-  Delaunay::Cut cut;
-  Delaunay part;
-
-  Part() : names(points.size(), -1) {
-    const auto near = [&](std::int32_t n) {
-      return n >= 0 && distance(points[n], {0.5, 0.5, 0.5}) < 0.3;
-    };
-    std::vector<std::int32_t> slots;
-    for (std::int32_t s = 0; s < static_cast<std::int32_t>(whole.slots()); ++s) {
-      if (!whole.in_use(s) || std::ranges::none_of(whole.corners(s), near)) continue;
-      slots.push_back(s);
-      for (const std::int32_t n : whole.corners(s)) {
-        if (n < 0 || names[n] >= 0) continue;
-        names[n] = static_cast<std::int32_t>(nodes.size());
-        nodes.push_back(n);
-        if (near(n)) inner.push_back(n);
-      }
-    }
-    part = whole.cut(slots, names, static_cast<std::int32_t>(nodes.size()), cut);
-  }
-
-  /// Moves inner nodes within a ball round the middle by up to `step`, in the cloud.
-  std::vector<std::int32_t> stir(double radius, double step) {
-    Random random(7);
-    std::vector<std::int32_t> moved;
-    for (const std::int32_t n : inner) {
-      if (distance(points[n], {0.5, 0.5, 0.5}) > radius) continue;
-      points[n] += step * Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-      moved.push_back(names[n]);
-    }
-    return moved;
-  }
-  [[nodiscard]] std::vector<Vec3> places() const {
-    std::vector<Vec3> places;
-    for (const std::int32_t n : nodes) places.push_back(points[n]);
-    return places;
-  }
-};
-
-TEST(DelaunayPart, PutBackIsTheMeshOfAllNodes) {
-  Part p;
-  const auto moved = p.stir(0.12, 0.05);
-  ASSERT_GT(moved.size(), 15U);
-  if (p.part.move(p.places(), moved, kRun) == Delaunay::Moved::TooFar)
-    ASSERT_TRUE(p.part.reinsert(p.places(), moved, kRun));
-  ASSERT_FALSE(p.part.left_part());
-  p.whole.put_back(p.part, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
-  EXPECT_EQ(sorted_tets(p.whole), sorted_tets(mesh_of(p.points)));
-}
-
-TEST(DelaunayPart, CanBeChangedAgainAfterItWasPutBack) {
-  Part p;
-  const auto moved = p.stir(0.12, 0.02);
-  ASSERT_NE(p.part.move(p.places(), moved, kRun), Delaunay::Moved::Failed);
-  p.whole.put_back(p.part, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
-  p.stir(0.3, 0.02);
-  follow(p.whole, p.points);
-  EXPECT_EQ(sorted_tets(p.whole), sorted_tets(mesh_of(p.points)));
-}
-
-TEST(DelaunayPart, TakesNewNodesAndGivesSomeUp) {
-  Part p;
-  std::vector<Vec3> places = p.places();
-  std::int32_t middle = -1;  // the node nearest to the middle goes
-  for (const std::int32_t n : p.inner)
-    if (middle < 0 ||
-        distance(p.points[n], {0.5, 0.5, 0.5}) < distance(p.points[middle], {0.5, 0.5, 0.5}))
-      middle = n;
-  ASSERT_TRUE(p.part.remove(std::vector{p.names[middle]}, kRun));
-  places.push_back({0.52, 0.5, 0.51});
-  places.push_back({0.48, 0.47, 0.5});
-  const auto count = static_cast<std::int32_t>(p.nodes.size());
-  p.part.insert(places, std::vector{count, count + 1}, kRun);
-  ASSERT_FALSE(p.part.left_part());
-  // One takes the place of the node that went, the other comes last.
-  p.nodes.push_back(middle);
-  p.nodes.push_back(static_cast<std::int32_t>(p.points.size()));
-  p.nodes[p.names[middle]] = -1;
-  p.points[middle] = places[count];
-  p.points.push_back(places[count + 1]);
-  p.whole.put_back(p.part, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
-  EXPECT_EQ(sorted_tets(p.whole), sorted_tets(mesh_of(p.points)));
-}
-
-TEST(DelaunayPart, TellsWhereAChangeGoesBeyondItsRim) {
-  Part p;
-  std::vector<Vec3> places = p.places();
-  places.push_back({0.5, 0.5, 0.95});
-  p.part.insert(places, std::vector{static_cast<std::int32_t>(p.nodes.size())}, kRun);
-  EXPECT_TRUE(p.part.left_part());
-  Part q;
-  const auto moved = q.stir(0.3, 0.1);
-  if (q.part.move(q.places(), moved, kRun) == Delaunay::Moved::TooFar)
-    ASSERT_TRUE(q.part.reinsert(q.places(), moved, kRun));
-  EXPECT_TRUE(q.part.left_part());
 }
 
 }  // namespace

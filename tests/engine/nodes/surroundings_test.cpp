@@ -61,5 +61,23 @@ TEST(Surroundings, MeetBallsWithoutACentreAndNothingBeyondTheirBox) {
   EXPECT_FALSE(Surroundings({}, 1, kEverywhere).holds({0, 0, 0}));
 }
 
+TEST(Surroundings, MayHoldSomeOfEveryBoxWithAPointThatTheyHold) {
+  const std::vector<Vec3> points = cloud(30, 1, 3);
+  // A box that leaves some of them out: what they hold does not depend on it.
+  const Surroundings around(points, 0.5, {{-1, -1, -1}, {1, 1, 0}});
+  Random random(6);
+  int may = 0, may_not = 0;
+  for (const Vec3& p : cloud(2000, 4, 7)) {
+    Box box;
+    box.add(p);
+    EXPECT_TRUE(!around.holds(p) || around.may_hold_some_of(box));
+    box.add(p + Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    EXPECT_TRUE(!around.holds(p) || around.may_hold_some_of(box));
+    ++(around.may_hold_some_of(box) ? may : may_not);
+  }
+  EXPECT_GT(may, 100);
+  EXPECT_GT(may_not, 100);
+}
+
 }  // namespace
 }  // namespace remeshd

@@ -7,6 +7,7 @@
 #include "engine/verify/verify.h"
 #include "tests/engine/verify/same_verdict.h"
 #include "tests/support/cases.h"
+#include "tests/support/flat.h"
 
 namespace remeshd {
 namespace {
@@ -22,17 +23,18 @@ struct Heir {
   std::vector<std::int32_t> node, tet;
 
   explicit Heir(const Revision& r)
-      : mesh(r.delivery.mesh),
-        node(r.delivery.map.original_node),
-        tet(r.delivery.map.original_tet) {}
+      : mesh(test::flat(r.delivery.mesh)),
+        node(r.delivery.map.original_node.flat()),
+        tet(r.delivery.map.original_tet.flat()) {}
 };
 
 Verification whole(const Heir& h, const Revision& r) {
-  return verify(h.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun);
+  return verify(paged(h.mesh), r.supports(), r.cells.boundary, r.cells.volume, kRun);
 }
 Verification inherited(const Heir& h, const Revision& r, const Revision& base) {
-  const VerifiedParent parent = verified_parent(base, h.node, h.tet);
-  return verify(h.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun, {.parent = &parent});
+  const VerifiedParent parent = verified_parent(base, Pages(h.node), Pages(h.tet));
+  return verify(paged(h.mesh), r.supports(), r.cells.boundary, r.cells.volume, kRun,
+                {.parent = &parent});
 }
 
 void expect_both_to_say_the_same(const Revision& r, const Revision& base) {

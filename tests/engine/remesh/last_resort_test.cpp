@@ -45,9 +45,10 @@ struct Ready {
 
 void expect_valid(const Candidate& c, const Ready& ready) {
   const Verification v =
-      verify(c.whole.mesh, c.nodes.supports, ready.cells.boundary, ready.cells.volume, kRun);
+      verify(c.whole.mesh, Pages(c.nodes.supports), ready.cells.boundary, ready.cells.volume, kRun);
   EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
-  EXPECT_EQ(c.nodes.positions, c.whole.mesh.nodes);
+  EXPECT_EQ(c.nodes.positions, c.whole.mesh.nodes.flat());
+  EXPECT_EQ(c.verification.surface, v.surface);
   for (const std::int32_t o : c.nodes.original) EXPECT_EQ(o, -1);
 }
 
@@ -58,7 +59,8 @@ TEST_P(TetGenMeshOf, ACaseIsValidAndOfFairQuality) {
   const Candidate c = mesh_by_tetgen(ready.input(), kRun);
   expect_valid(c, ready);
   EXPECT_NEAR(c.whole.mesh.nodes.size(), 3000, 0.25 * 3000);
-  const Quality quality = measure_quality(c.whole.mesh.nodes, c.whole.mesh.tets, kRun);
+  const Quality quality =
+      measure_quality(c.whole.mesh.nodes.flat(), c.whole.mesh.tets.flat(), kRun);
   EXPECT_GT(quality.volume_length_mean, 0.72);
   EXPECT_GT(quality.dihedral_min, 12);
 }

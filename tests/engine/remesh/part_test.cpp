@@ -50,7 +50,7 @@ void expect_delaunay(const Master& master) {
 /// What the slots of a master say of the delivered mesh.
 void expect_consistent(const Revision& r) {
   const Master& master = *r.master;
-  const std::vector<Tet>& tets = r.delivery.mesh.tets;
+  const Pages<Tet>& tets = r.delivery.mesh.tets;
   ASSERT_EQ(master.positions().size(), r.delivery.mesh.nodes.size());
   ASSERT_EQ(master.supports.size(), r.delivery.mesh.nodes.size());
   std::vector<int> stands(tets.size(), 0);
@@ -116,7 +116,7 @@ TEST(Part, CopiesKeepTheirNumberWhereTheMeshGrows) {
   const Revision original = first("tool1-a", 4000);
   const Revision remesh = edit(original, ModelEdit{{SetParameter{"pin_radius", 5.0}}});
   ASSERT_GT(remesh.report.counts.nodes, original.report.counts.nodes);
-  const std::vector<std::int32_t>& from = remesh.delivery.map.original_node;
+  const Pages<std::int32_t>& from = remesh.delivery.map.original_node;
   for (std::size_t n = 0; n < from.size(); ++n)
     if (from[n] >= 0) {
       ASSERT_EQ(from[n], static_cast<std::int32_t>(n));
@@ -128,7 +128,7 @@ TEST(Part, TheLastFillTheGapsWhereTheMeshShrinks) {
   const Revision remesh = edit(original, ModelEdit{{SetParameter{"pin_radius", 3.0}}});
   const std::uint32_t count = remesh.report.counts.nodes;
   ASSERT_LT(count, original.report.counts.nodes);
-  const std::vector<std::int32_t>& from = remesh.delivery.map.original_node;
+  const Pages<std::int32_t>& from = remesh.delivery.map.original_node;
   for (std::size_t n = 0; n < from.size(); ++n)
     if (from[n] >= 0 && from[n] != static_cast<std::int32_t>(n)) {
       EXPECT_GE(from[n], static_cast<std::int32_t>(count)) << "moved without need";

@@ -55,8 +55,7 @@ class Family {
     return verify(child, supports, parent_.boundary, volume(), {});
   }
   [[nodiscard]] Verification inherited() const {
-    const VerifiedParent parent{
-        {parent_.mesh.nodes, parent_.mesh.tets}, surface_, volume_, node, tet};
+    const VerifiedParent parent{paged(parent_.mesh), surface_, volume_, Pages(node), Pages(tet)};
     return verify(child, supports, parent_.boundary, volume(), {}, {.parent = &parent});
   }
 

@@ -308,7 +308,7 @@ TEST(Verify, AcceptsACoarseCylinderWhoseChordsCutOffMoreThanTheTolerance) {
 
 TEST(Verify, FindsEverythingMissingInAnEmptyMesh) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
-  const Verification v = verify({}, {}, s.boundary, s.volume, {});
+  const Verification v = verify(TetMesh{}, {}, s.boundary, s.volume, {});
   EXPECT_EQ(v.count(MeshFailure::MissingVertex), 8U);
   EXPECT_EQ(v.count(MeshFailure::BrokenEdge), 12U);
   EXPECT_EQ(v.count(MeshFailure::FaceArea), 6U);

@@ -8,12 +8,30 @@ namespace {
 HeldRevisionPtr revision(const std::string& id, std::size_t nodes) {
   auto held = std::make_shared<HeldRevision>();
   held->record.id = id;
-  held->revision.delivery.mesh.nodes.resize(nodes);
+  for (std::size_t n = 0; n < nodes; ++n)
+    held->revision.delivery.mesh.nodes.push_back({static_cast<double>(n), 0, 0});
   return held;
 }
 
+/// The memory of nodes.
+std::vector<MemoryBlock> blocks_of(const Revision& r) {
+  const Pages<Vec3>& nodes = r.delivery.mesh.nodes;
+  std::vector<MemoryBlock> blocks;
+  for (std::size_t k = 0; k < nodes.pages(); ++k)
+    if (k == 0 || nodes.page(k).data() != nodes.page(k - 1).data())
+      blocks.push_back({nodes.page(k).data(), nodes.page_bytes()});
+  return blocks;
+}
+
+/// What one takes.
+std::uint64_t bytes_of(const HeldRevisionPtr& revision) {
+  HeldRevisions held(1, false, blocks_of);
+  held.insert(revision);
+  return held.bytes();
+}
+
 TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
-  HeldRevisions held(3 * memory_of(revision("", 1000)->revision), true);
+  HeldRevisions held(3 * bytes_of(revision("", 1000)), true, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_TRUE(held.find("a"));  // used now, so `b` is the oldest
   held.insert(revision("d", 1000));
@@ -24,14 +42,14 @@ TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
 }
 
 TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
-  HeldRevisions held(1, false);
+  HeldRevisions held(1, false, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_EQ(held.count(), 3U);
   EXPECT_GT(held.bytes(), held.budget());
 }
 
 TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
-  HeldRevisions held(1, true);
+  HeldRevisions held(1, true, blocks_of);
   held.insert(revision("a", 10));
   held.insert(revision("b", 1000));
   EXPECT_EQ(held.count(), 1U);
@@ -39,7 +57,7 @@ TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
 }
 
 TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
-  HeldRevisions held(1, true);
+  HeldRevisions held(1, true, blocks_of);
   held.insert(revision("a", 10));
   const auto used = held.find("a");
   held.erase("a");
@@ -49,12 +67,30 @@ TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
 }
 
 TEST(HeldRevisions, InsertedAgainCountOnce) {
-  HeldRevisions held(1 << 20, true);
+  HeldRevisions held(1 << 20, true, blocks_of);
   held.insert(revision("a", 10));
   const auto bytes = held.bytes();
   held.insert(revision("a", 10));
   EXPECT_EQ(held.count(), 1U);
   EXPECT_EQ(held.bytes(), bytes);
+}
+
+TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
+  const HeldRevisionPtr parent = revision("a", 10000);
+  auto heir = std::make_shared<HeldRevision>(*parent);
+  heir->record.id = "b";
+  heir->revision.delivery.mesh.nodes.edit(17) = {1, 2, 3};
+  const std::size_t page = Pages<Vec3>::page_bytes();
+  HeldRevisions held(1 << 20, true, blocks_of);
+  held.insert(parent);
+  const std::uint64_t alone = held.bytes();
+  held.insert(heir);
+  const std::uint64_t own = bytes_of(parent) - parent->revision.delivery.mesh.nodes.pages() * page;
+  EXPECT_EQ(held.bytes(), alone + own + page);
+  held.erase("a");
+  EXPECT_EQ(held.bytes(), alone) << "what the heir has stays";
+  held.erase("b");
+  EXPECT_EQ(held.bytes(), 0U);
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+#include "engine/remesh/memory.h"
+
+#include <algorithm>
+
+#include "engine/remesh/master.h"
+
+namespace remeshd {
+
+namespace {
+
+class Blocks {
+ public:
+  template <class T>
+  void add(const Pages<T>& pages) {
+    for (std::size_t k = 0; k < pages.pages(); ++k)
+      found_.push_back({pages.page(k).data(), Pages<T>::page_bytes()});
+  }
+  void add(const Pages<Cluster>& clusters) {
+    for (std::size_t k = 0; k < clusters.pages(); ++k) {
+      std::size_t bytes = clusters.page_bytes();
+      for (const Cluster& c : clusters.page(k))
+        bytes += (c.delaunay.capacity() + c.delivered.capacity()) * sizeof(std::int32_t);
+      found_.push_back({clusters.page(k).data(), bytes});
+    }
+  }
+  template <class T>
+  void add(const std::vector<T>& values) {
+    if (!values.empty()) found_.push_back({values.data(), values.capacity() * sizeof(T)});
+  }
+  template <class... Arrays>
+  void add_all(const Arrays&... arrays) {
+    (add(arrays), ...);
+  }
+
+  /// A page of one value throughout may stand in an array many times.
+  std::vector<MemoryBlock> take() {
+    std::ranges::sort(found_, {}, &MemoryBlock::address);
+    const auto same = std::ranges::unique(found_, {}, &MemoryBlock::address);
+    found_.erase(same.begin(), same.end());
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<MemoryBlock> found_;
+};
+
+}  // namespace
+
+std::vector<MemoryBlock> memory_blocks(const Revision& revision) {
+  Blocks blocks;
+  const Delivery& d = revision.delivery;
+  blocks.add_all(d.mesh.nodes, d.mesh.tets, d.node_ids, d.tet_ids, d.groups.facets,
+                 d.groups.tet_cell, d.map.node_origin, d.map.original_node, d.map.node_transform,
+                 d.map.original_tet, revision.measures);
+  if (const Master* m = revision.master.get()) {
+    m->mesh.visit_arrays([&](const auto&... arrays) { blocks.add_all(arrays...); });
+    blocks.add_all(m->supports, m->tet_of_slot, m->clusters);
+  }
+  if (const Anchor* a = revision.anchor.get()) blocks.add_all(a->nodes, a->supports);
+  return blocks.take();
+}
+
+}  // namespace remeshd

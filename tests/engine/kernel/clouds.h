@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "engine/base/random.h"
+#include "engine/base/run.h"
+#include "engine/kernel/delaunay.h"
+#include "engine/mesh/tet_mesh.h"
+
+/// Delaunay meshes of random nodes in the unit cube.
+namespace remeshd::kernel::test {
+
+inline const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+inline Box unit_box() {
+  Box box;
+  box.add(Vec3{0, 0, 0});
+  box.add(Vec3{1, 1, 1});
+  return box;
+}
+
+inline std::vector<std::int32_t> all(std::size_t n) {
+  std::vector<std::int32_t> nodes(n);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  return nodes;
+}
+
+inline std::vector<Vec3> cloud(int n, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec3> points(n);
+  for (Vec3& p : points) p = {random.uniform(), random.uniform(), random.uniform()};
+  return points;
+}
+
+inline Delaunay mesh_of(const std::vector<Vec3>& points) {
+  Delaunay mesh(unit_box());
+  mesh.insert(points, all(points.size()), kRun);
+  return mesh;
+}
+
+inline std::vector<Tet> sorted_tets(const Delaunay& mesh) {
+  std::vector<Tet> tets;
+  mesh.for_each_tet([&](Tet t) {
+    std::sort(t.begin(), t.end());
+    tets.push_back(t);
+  });
+  std::sort(tets.begin(), tets.end());
+  return tets;
+}
+
+}  // namespace remeshd::kernel::test
