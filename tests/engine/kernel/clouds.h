@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -49,6 +51,16 @@ inline std::vector<Tet> sorted_tets(const Delaunay& mesh) {
   });
   std::sort(tets.begin(), tets.end());
   return tets;
+}
+
+/// Brings the mesh to where the points are now. Returns how flips got on.
+inline Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
+  const auto moved = mesh.move(points, all(points.size()), kRun);
+  if (moved == Delaunay::Moved::TooFar) {
+    EXPECT_TRUE(mesh.reinsert(points, all(points.size()), kRun));
+  }
+  EXPECT_NE(moved, Delaunay::Moved::Failed);
+  return moved;
 }
 
 }  // namespace remeshd::kernel::test

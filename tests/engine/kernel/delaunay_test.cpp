@@ -16,16 +16,6 @@ namespace {
 
 using namespace test;
 
-/// Brings the mesh to where the points are now. Returns how flips got on.
-Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
-  const auto moved = mesh.move(points, all(points.size()), kRun);
-  if (moved == Delaunay::Moved::TooFar) {
-    EXPECT_TRUE(mesh.reinsert(points, all(points.size()), kRun));
-  }
-  EXPECT_NE(moved, Delaunay::Moved::Failed);
-  return moved;
-}
-
 /// Every node outside every circumsphere, every tet positive.
 void expect_delaunay(const Delaunay& mesh, const std::vector<Vec3>& p,
                      const std::vector<std::int32_t>& nodes) {
