@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "engine/cellular/boundary_parts.h"
 #include "engine/cellular/match_boundary.h"

@@ -1,6 +1,7 @@
 #include "engine/remesh/memory.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/remesh/master.h"
 
@@ -35,8 +36,10 @@ class Blocks {
   /// A page of one value throughout may stand in an array many times.
   std::vector<MemoryBlock> take() {
     std::ranges::sort(found_, {}, &MemoryBlock::address);
-    const auto same = std::ranges::unique(found_, {}, &MemoryBlock::address);
-    found_.erase(same.begin(), same.end());
+    const auto same = [](const MemoryBlock& a, const MemoryBlock& b) {
+      return a.address == b.address;
+    };
+    found_.erase(std::unique(found_.begin(), found_.end(), same), found_.end());
     return std::move(found_);
   }
 

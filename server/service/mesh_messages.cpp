@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
+#include <span>
+#include <utility>
 
 #include "server/session/session_error.h"
 

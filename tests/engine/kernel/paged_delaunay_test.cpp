@@ -39,6 +39,20 @@ std::size_t pages_shared(const PagedDelaunay& a, const PagedDelaunay& b) {
   return shared;
 }
 
+/// A mesh's tets stand in another at the slots `to`.
+template <class Mesh>
+void expect_moved(const Mesh& mesh, const PagedDelaunay& other,
+                  const std::vector<std::int32_t>& to) {
+  ASSERT_EQ(to.size(), mesh.slots());
+  for (std::size_t s = 0; s < to.size(); ++s) {
+    const auto slot = static_cast<std::int32_t>(s);
+    ASSERT_EQ(to[s] >= 0, mesh.in_use(slot));
+    if (to[s] >= 0) {
+      EXPECT_EQ(other.corners(to[s]), mesh.corners(slot));
+    }
+  }
+}
+
 TEST(PagedDelaunay, HasTheTetsInTheOrderOfTheirLowestNodes) {
   const auto points = cloud(400, 9);
   Delaunay mesh = mesh_of(points);
@@ -49,14 +63,7 @@ TEST(PagedDelaunay, HasTheTetsInTheOrderOfTheirLowestNodes) {
   std::vector<std::int32_t> to;
   const PagedDelaunay at_rest(mesh, to);
   EXPECT_EQ(at_rest.slots(), mesh.size());
-  ASSERT_EQ(to.size(), mesh.slots());
-  for (std::size_t s = 0; s < to.size(); ++s) {
-    const auto slot = static_cast<std::int32_t>(s);
-    ASSERT_EQ(to[s] >= 0, mesh.in_use(slot));
-    if (to[s] >= 0) {
-      EXPECT_EQ(at_rest.corners(to[s]), mesh.corners(slot));
-    }
-  }
+  expect_moved(mesh, at_rest, to);
   const auto lowest = [&](std::int32_t slot) {
     std::uint32_t low = ~0U;
     for (const std::int32_t n : at_rest.corners(slot))
@@ -87,13 +94,7 @@ TEST(PagedDelaunay, WithoutGapsItIsTheSameMesh) {
   const std::vector<std::int32_t> to = tight.close_gaps();
   EXPECT_EQ(tight.slots(), mesh.size());
   EXPECT_EQ(tight.size(), mesh.size());
-  for (std::size_t s = 0; s < to.size(); ++s) {
-    const auto slot = static_cast<std::int32_t>(s);
-    ASSERT_EQ(to[s] >= 0, mesh.in_use(slot));
-    if (to[s] >= 0) {
-      EXPECT_EQ(tight.corners(to[s]), mesh.corners(slot));
-    }
-  }
+  expect_moved(mesh, tight, to);
   EXPECT_EQ(sorted_tets(unpaged(tight)),
             sorted_tets(mesh_of({points.begin(), points.begin() + 1500})));
 }
