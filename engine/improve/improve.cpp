@@ -65,7 +65,7 @@ class CleanUp {
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(most_stubborn(), in_vain, [&](std::int32_t t) {
+      changed |= on_stubborn(most_stubborn(), Spare::Neighbours, in_vain, [&](std::int32_t t) {
         return last_.relax(t) || last_.reconnect(t) || last_.climb(t);
       });
       if (!changed) break;
@@ -109,18 +109,34 @@ class CleanUp {
   /// By tet, what surrounded it when a means was of no help.
   using InVain = std::map<std::int32_t, LastMeans::Neighbourhood>;
 
-  /// Has a last means try the worst of the bad tets; true if it helped one.
+  /// Which tets a means is not tried on after another: what it moves are the nodes of all that have
+  /// one in common with it. Where meshes are coarse for their model such tets are bad in dozens.
+  enum class Spare : std::uint8_t {
+    Neighbours,        ///< those that have a node in common with it
+    NeighboursInVain,  ///< the same, but where it helped
+  };
+
+  /// Has a last means try the worst of the bad tets, `most` of them; true if it helped one.
   template <class Means>
-  bool on_stubborn(std::size_t most, InVain& in_vain, const Means& means) {
+  bool on_stubborn(std::size_t most, Spare spare, InVain& in_vain, const Means& means) {
     bool changed = false;
-    for (const std::int32_t t : stubborn_tets(most)) {
+    std::vector<std::uint8_t> spared(mesh_.slots(), 0);
+    const auto spare_neighbours = [&](std::int32_t t) {
+      spared.resize(mesh_.slots(), 0);
+      for (const std::int32_t n : mesh_.tet(t))
+        for (const std::int32_t s : mesh_.tets_of(n)) spared[s] = 1;
+    };
+    for (const std::int32_t t : worst_first()) {
       run_.poll();
-      if (!bad(t)) continue;
+      if (!bad(t) || spared[t] != 0) continue;
       LastMeans::Neighbourhood round = last_.neighbourhood(t);
       if (LastMeans::is_crowded(round)) continue;
       if (const auto tried = in_vain.find(t); tried != in_vain.end() && tried->second == round)
         continue;
+      if (most-- == 0) break;
+      if (spare == Spare::Neighbours) spare_neighbours(t);
       if (!means(t)) {
+        spare_neighbours(t);
         in_vain[t] = std::move(round);
         continue;
       }
@@ -138,19 +154,21 @@ class CleanUp {
   /// Has the few that are left mended; where there are many the goals are out of reach.
   void mend() {
     InVain in_vain;
+    const auto mended = [&](std::int32_t t) { return last_.mend(t); };
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_stubborn(kMostMended, in_vain, [&](std::int32_t t) { return last_.mend(t); })) break;
+      if (!on_stubborn(kMostMended, Spare::NeighboursInVain, in_vain, mended)) break;
     in_vain.clear();
-    on_stubborn(kMostTakenOut, in_vain, [&](std::int32_t t) { return last_.mend_otherwise(t); });
+    on_stubborn(kMostTakenOut, Spare::NeighboursInVain, in_vain,
+                [&](std::int32_t t) { return last_.mend_otherwise(t); });
   }
 
-  /// The worst of the bad tets: few enough for the dear treatment that they get.
-  [[nodiscard]] std::vector<std::int32_t> stubborn_tets(std::size_t most) const {
+  [[nodiscard]] std::vector<std::int32_t> worst_first() const {
     std::vector<std::pair<double, std::int32_t>> order;
     for (const std::int32_t t : bad_tets()) order.emplace_back(score_(mesh_, t), t);
     std::sort(order.begin(), order.end());
     std::vector<std::int32_t> tets;
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) tets.push_back(order[i].second);
+    tets.reserve(order.size());
+    for (const auto& [score, t] : order) tets.push_back(t);
     return tets;
   }
 
