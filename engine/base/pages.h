@@ -110,6 +110,14 @@ class Pages {
 
   void push_back(const T& value) { resize(size_ + 1, value); }
 
+  /// Calls f(i, element) for all, in order: faster than by iterators, which look a page up each
+  /// time.
+  template <class F>
+  void for_each(F&& f) const {
+    for (std::size_t k = 0, i = 0; k < pages(); ++k)
+      for (const T& value : page(k)) f(i++, value);
+  }
+
   [[nodiscard]] std::size_t pages() const { return pages_.size(); }
   /// The elements of a page.
   [[nodiscard]] std::span<const T> page(std::size_t k) const {

@@ -65,6 +65,16 @@ std::array<int, 3> Region::cube_of(const Vec3& p) const {
           axis(p.z, box_.lo.z, size_[2])};
 }
 
+bool Region::meets(const Box& box) const {
+  if (holds_.empty() || intersection(box, box_).empty()) return false;
+  const std::array<int, 3> low = cube_of(box.lo), high = cube_of(box.hi);
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x)
+        if (holds_[index(x, y, z)] != 0) return true;
+  return false;
+}
+
 std::vector<Box> Region::boxes() const {
   std::vector<Box> boxes;
   std::vector<std::uint8_t> left = holds_;

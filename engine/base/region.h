@@ -22,6 +22,8 @@ class Region {
     const auto c = cube_of(p);
     return holds_[index(c[0], c[1], c[2])] != 0;
   }
+  /// Whether one of the cubes meets the box.
+  [[nodiscard]] bool meets(const Box& box) const;
   /// Boxes round the parts that hang together, in an order of their own; they may overlap.
   [[nodiscard]] std::vector<Box> boxes() const;
 

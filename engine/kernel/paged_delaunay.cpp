@@ -56,7 +56,6 @@ void PagedDelaunay::measure_pages(std::span<const std::int32_t> slots) {
   boxes_.resize(slots_.pages());
   std::vector<std::uint8_t> done(boxes_.size(), 0);
   for (const std::int32_t s : slots) {
-    if (s < 0) continue;
     const std::size_t page = static_cast<std::size_t>(s) / Pages<Slot>::kPage;
     if (std::exchange(done[page], 1) == 0) measure_page(page);
   }
@@ -110,8 +109,13 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const Delaunay& part, const Cu
                                                   std::span<const std::int32_t> names,
                                                   std::int32_t count) {
   points_.resize(count);
-  for (std::size_t n = 0; n < names.size(); ++n)
-    if (names[n] >= 0) points_.set(names[n], part.points_[n + kFar]);
+  std::vector<std::uint8_t> moved(names.size() + kFar, 0);
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    if (names[n] < 0 || points_[names[n]] == part.points_[n + kFar]) continue;
+    points_.edit(names[n]) = part.points_[n + kFar];
+    moved[n + kFar] = 1;
+  }
+  std::vector<std::int32_t> changed;
   std::vector<std::int32_t> place(part.slots_.size(), -1);
   for (std::size_t t = 0; t < cut.slots.size(); ++t) {
     if (part.slots_[t].v[0] != Delaunay::kDead) {
@@ -120,13 +124,16 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const Delaunay& part, const Cu
     }
     slots_.edit(cut.slots[t]).v[0] = Delaunay::kDead;
     free_.push_back(cut.slots[t]);
+    changed.push_back(cut.slots[t]);
   }
   for (std::size_t t = cut.slots.size(); t < part.slots_.size(); ++t)
     if (part.slots_[t].v[0] != Delaunay::kDead) place[t] = allocate();
   for (std::size_t t = 0; t < part.slots_.size(); ++t) {
     if (place[t] < 0) continue;
     Slot s = part.slots_[t];
+    int moves = 0;
     for (int i = 0; i < 4; ++i) {
+      moves |= moved[s.v[i]];
       if (s.v[i] >= kFar) s.v[i] = names[s.v[i] - kFar] + kFar;
       if (s.n[i] >= 0) {
         s.n[i] = 4 * place[s.n[i] >> 2] + (s.n[i] & 3);
@@ -136,10 +143,11 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const Delaunay& part, const Cu
         if (slots_[outer].n[facet] != here) slots_.edit(outer).n[facet] = here;
       }
     }
-    slots_.set(place[t], s);
+    const bool same = slots_[place[t]] == s;
+    if (!same) slots_.edit(place[t]) = s;
+    if (!same || moves != 0) changed.push_back(place[t]);
   }
-  measure_pages(cut.slots);
-  measure_pages(std::span(place).subspan(cut.slots.size()));
+  measure_pages(changed);
   return place;
 }
 

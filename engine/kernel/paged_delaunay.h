@@ -101,7 +101,7 @@ class PagedDelaunay {
     return vertex < Delaunay::kFar ? far_[vertex] : points_[vertex - Delaunay::kFar];
   }
   std::int32_t allocate();
-  /// Looks at the pages of these slots again, -1 for none.
+  /// Looks at the pages of these slots again.
   void measure_pages(std::span<const std::int32_t> slots);
   void measure_page(std::size_t page);
   template <class F>

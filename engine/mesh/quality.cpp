@@ -74,6 +74,111 @@ int rank_of(float measure) {
   return static_cast<int>(std::clamp(measure * kRanks, 0.0F, kRanks - 1.0F));
 }
 
+/// A tet of a mesh.
+struct Place {
+  const MeasuredTets* part = nullptr;
+  std::size_t tet = 0;
+};
+
+template <class F>
+auto of_corners(const Place& at, F&& f) {
+  const Pages<Vec3>& p = at.part->nodes;
+  const Tet& t = at.part->tets[at.tet];
+  return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+}
+
+/// Sums and extremes of measures.
+struct Tally {
+  double sum = 0;
+  std::size_t count = 0;
+  float lowest = HUGE_VALF;
+  Place worst;
+  std::int16_t sharpest = std::numeric_limits<std::int16_t>::min();
+  std::int16_t bluntest = std::numeric_limits<std::int16_t>::max();
+  std::array<std::uint32_t, kRanks> ranks{};
+
+  void add(const Place& at, const TetMeasure& m) {
+    sum += static_cast<double>(m.volume_length);
+    ++count;
+    ++ranks[rank_of(m.volume_length)];
+    sharpest = std::max(sharpest, m.highest_cosine);
+    bluntest = std::min(bluntest, m.lowest_cosine);
+    if (m.volume_length < lowest) {
+      lowest = m.volume_length;
+      worst = at;
+    }
+  }
+  friend Tally operator+(Tally a, const Tally& b) {
+    a.sum += b.sum;
+    a.count += b.count;
+    a.sharpest = std::max(a.sharpest, b.sharpest);
+    a.bluntest = std::min(a.bluntest, b.bluntest);
+    if (b.lowest < a.lowest) {
+      a.lowest = b.lowest;
+      a.worst = b.worst;
+    }
+    for (std::size_t rank = 0; rank < a.ranks.size(); ++rank) a.ranks[rank] += b.ranks[rank];
+    return a;
+  }
+};
+
+/// What the sums leave open: the exact angles, and the first percentile.
+class Finder {
+ public:
+  explicit Finder(const Tally& tally) : tally_(tally), below_((tally.count + 99) / 100 - 1) {
+    if (tally.count == 0) return;
+    // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
+    while (tally.ranks[rank_] <= below_) below_ -= tally.ranks[rank_++];
+    // Rather wide bounds, which are compared faster than ranks.
+    low_ = rank_ == 0 ? -HUGE_VALF : (static_cast<float>(rank_) - 0.5F) / kRanks;
+    high_ = rank_ == kRanks - 1 ? HUGE_VALF : (static_cast<float>(rank_) + 1.5F) / kRanks;
+  }
+  void look_at(const Place& at, const TetMeasure& m) {
+    if (m.volume_length > low_ && m.volume_length < high_ && rank_of(m.volume_length) == rank_)
+      candidates_.emplace_back(m.volume_length, at);
+    if (m.highest_cosine < tally_.sharpest && m.lowest_cosine > tally_.bluntest) return;
+    const auto angles = of_corners(at, dihedral_angles);
+    smallest_ = std::min(smallest_, std::ranges::min(angles));
+    largest_ = std::max(largest_, std::ranges::max(angles));
+  }
+  /// Pre: all tets of the tally have been looked at.
+  Quality quality(double volume) {
+    Quality quality;
+    if (tally_.count == 0) return quality;
+    quality.volume = volume;
+    quality.volume_length_mean = tally_.sum / static_cast<double>(tally_.count);
+    quality.volume_length_min = of_corners(tally_.worst, volume_length);
+    constexpr int kRanksPerBin = kRanks / 20;
+    for (int rank = 0; rank < kRanks; ++rank)
+      quality.histogram[rank / kRanksPerBin] += tally_.ranks[rank];
+    const auto at = candidates_.begin() + static_cast<std::ptrdiff_t>(below_);
+    std::ranges::nth_element(candidates_, at, {}, [](const auto& c) {
+      return std::tuple(c.first, c.second.part, c.second.tet);
+    });
+    quality.volume_length_p01 = of_corners(at->second, volume_length);
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    quality.dihedral_min = smallest_ * kDegrees;
+    quality.dihedral_max = largest_ * kDegrees;
+    return quality;
+  }
+
+ private:
+  const Tally& tally_;
+  int rank_ = 0;
+  std::size_t below_;  ///< of the tets of this rank, how many are below the percentile
+  float low_ = 0, high_ = 0;
+  std::vector<std::pair<float, Place>> candidates_;
+  double smallest_ = std::numbers::pi, largest_ = 0;  ///< angles
+};
+
+/// Calls f(place, measure, whether it is left out) for all tets.
+template <class F>
+void for_each_measure(const MeasuredTets& tets, F&& f) {
+  tets.measures.for_each([&](std::size_t t, const TetMeasure& m) {
+    f(Place{&tets, t}, m, !tets.left_out.empty() && tets.left_out[t] != 0);
+  });
+}
+
 }  // namespace
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -97,74 +202,36 @@ Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets,
   return Pages(measures);
 }
 
-Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume) {
-  Quality quality;
-  // A tet of the mesh.
-  struct Place {
-    const MeasuredTets* part = nullptr;
-    std::size_t tet = 0;
-  };
+TwoQualities summarise_both(const MeasuredTets& first, double first_volume,
+                            const MeasuredTets& instead, double second_volume) {
+  Tally of_both, of_first, of_second;
+  for_each_measure(first, [&](const Place& at, const TetMeasure& m, bool left_out) {
+    (left_out ? of_first : of_both).add(at, m);
+  });
+  for_each_measure(instead,
+                   [&](const Place& at, const TetMeasure& m, bool) { of_second.add(at, m); });
+  const Tally all_first = of_both + of_first, all_second = of_both + of_second;
+  Finder in_first(all_first), in_second(all_second);
+  for_each_measure(first, [&](const Place& at, const TetMeasure& m, bool left_out) {
+    in_first.look_at(at, m);
+    if (!left_out) in_second.look_at(at, m);
+  });
+  for_each_measure(instead,
+                   [&](const Place& at, const TetMeasure& m, bool) { in_second.look_at(at, m); });
+  return {in_first.quality(first_volume), in_second.quality(second_volume)};
+}
+
+Quality summarise(const MeasuredTets& tets, double volume) {
+  Tally tally;
   const auto each = [&](auto&& f) {
-    for (const MeasuredTets& part : mesh) {
-      std::size_t t = 0;
-      for (std::size_t k = 0; k < part.measures.pages(); ++k)
-        for (const TetMeasure& m : part.measures.page(k)) {
-          if (part.left_out.empty() || part.left_out[t] == 0) f(part, t, m);
-          ++t;
-        }
-    }
+    for_each_measure(tets, [&](const Place& at, const TetMeasure& m, bool left_out) {
+      if (!left_out) f(at, m);
+    });
   };
-  double sum = 0;
-  std::size_t count = 0;
-  float lowest = HUGE_VALF;
-  Place worst;
-  std::int16_t sharpest = std::numeric_limits<std::int16_t>::min();
-  std::int16_t bluntest = std::numeric_limits<std::int16_t>::max();
-  std::array<std::uint32_t, kRanks> ranks{};
-  each([&](const MeasuredTets& part, std::size_t t, const TetMeasure& m) {
-    sum += static_cast<double>(m.volume_length);
-    ++count;
-    ++ranks[rank_of(m.volume_length)];
-    sharpest = std::max(sharpest, m.highest_cosine);
-    bluntest = std::min(bluntest, m.lowest_cosine);
-    if (m.volume_length < lowest) {
-      lowest = m.volume_length;
-      worst = {&part, t};
-    }
-  });
-  if (count == 0) return quality;
-  quality.volume = volume;
-  quality.volume_length_mean = sum / static_cast<double>(count);
-  constexpr int kRanksPerBin = kRanks / 20;
-  for (int rank = 0; rank < kRanks; ++rank) quality.histogram[rank / kRanksPerBin] += ranks[rank];
-  const auto of_corners = [](const Place& at, auto&& f) {
-    const Pages<Vec3>& p = at.part->nodes;
-    const Tet& t = at.part->tets[at.tet];
-    return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-  };
-  quality.volume_length_min = of_corners(worst, volume_length);
-  // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
-  std::size_t below = (count + 99) / 100 - 1;
-  int rank = 0;
-  while (ranks[rank] <= below) below -= ranks[rank++];
-  std::vector<std::pair<float, Place>> candidates;
-  double smallest = std::numbers::pi, largest = 0;  // angles
-  each([&](const MeasuredTets& part, std::size_t t, const TetMeasure& m) {
-    if (rank_of(m.volume_length) == rank) candidates.emplace_back(m.volume_length, Place{&part, t});
-    if (m.highest_cosine < sharpest && m.lowest_cosine > bluntest) return;
-    const auto angles = of_corners({&part, t}, dihedral_angles);
-    smallest = std::min(smallest, std::ranges::min(angles));
-    largest = std::max(largest, std::ranges::max(angles));
-  });
-  const auto at = candidates.begin() + static_cast<std::ptrdiff_t>(below);
-  std::ranges::nth_element(candidates, at, {}, [](const auto& c) {
-    return std::tuple(c.first, c.second.part, c.second.tet);
-  });
-  quality.volume_length_p01 = of_corners(at->second, volume_length);
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  quality.dihedral_min = smallest * kDegrees;
-  quality.dihedral_max = largest * kDegrees;
-  return quality;
+  each([&](const Place& at, const TetMeasure& m) { tally.add(at, m); });
+  Finder finder(tally);
+  each([&](const Place& at, const TetMeasure& m) { finder.look_at(at, m); });
+  return finder.quality(volume);
 }
 
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
@@ -174,7 +241,7 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, 
   const Pages<Vec3> paged_nodes(nodes);
   const Pages<Tet> paged_tets(tets);
   const Pages<TetMeasure> measures = measure_tets(paged_nodes, paged_tets, run);
-  return summarise({{paged_nodes, paged_tets, measures}}, volume);
+  return summarise({paged_nodes, paged_tets, measures}, volume);
 }
 
 }  // namespace remeshd

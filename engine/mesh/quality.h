@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -54,7 +53,15 @@ struct MeasuredTets {
 
 /// Quality of a mesh of this volume from its tets' measures: the mean to seven digits, all else
 /// exact. Post: zeros for an empty mesh.
-Quality summarise(std::initializer_list<MeasuredTets> mesh, double volume);
+Quality summarise(const MeasuredTets& tets, double volume);
+
+/// The same of two meshes: of one, and of another that has some tets, `instead`, in the place of
+/// those that are left out of the first.
+struct TwoQualities {
+  Quality first, second;
+};
+TwoQualities summarise_both(const MeasuredTets& first, double first_volume,
+                            const MeasuredTets& instead, double second_volume);
 
 /// The same, all measured. Post: zeros for an empty mesh.
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run);

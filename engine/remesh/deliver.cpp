@@ -17,51 +17,35 @@ namespace {
 
 constexpr double kSharp = 25 * std::numbers::pi / 180;
 constexpr std::size_t kBlock = 4096;
+constexpr std::size_t kPages = 16;
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 Pages<std::uint64_t> permanent_ids(const Pages<std::int32_t>& originals,
                                    const Pages<std::uint64_t>& inherited, std::uint64_t& next) {
   Pages<std::uint64_t> ids = inherited;
   ids.resize(originals.size());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-    if (const std::int32_t o = originals[k]; o != static_cast<std::int32_t>(k))
-      ids.edit(k) = o >= 0 ? inherited[o] : next++;
+  originals.for_each([&](std::size_t k, std::int32_t o) {
+    if (o != static_cast<std::int32_t>(k)) ids.edit(k) = o >= 0 ? inherited[o] : next++;
+  });
   return ids;
 }
 
-/// One bit for each side of the box that a node is beyond, by node: where all nodes of a tet have
-/// one in common, the tet misses the box.
-std::vector<std::uint8_t> sides_of(const Box& box, const Pages<Vec3>& nodes) {
-  std::vector<std::uint8_t> sides(nodes.size());
-  for (std::size_t n = 0; n < sides.size(); ++n) {
-    const Vec3& p = nodes[n];
-    const int beyond = (p.x < box.lo.x ? 1 : 0) | (p.x > box.hi.x ? 2 : 0) |
-                       (p.y < box.lo.y ? 4 : 0) | (p.y > box.hi.y ? 8 : 0) |
-                       (p.z < box.lo.z ? 16 : 0) | (p.z > box.hi.z ? 32 : 0);
-    sides[n] = static_cast<std::uint8_t>(beyond);
-  }
-  return sides;
-}
-
 /// Tets that were not remade and meet no changed box are in the cells that they were in.
-CellsBefore cells_before(const Delivery& d, const Revision* original,
+CellsBefore cells_before(const Revision& revision, const Revision* original,
                          std::span<const std::int32_t> remade, const PointSource& source,
                          const Run& run) {
   if (!original) return {};
-  Box changed;
-  for (const Box& box : source.changed()) {
-    changed.add(box.lo);
-    changed.add(box.hi);
-  }
-  const std::vector<std::uint8_t> sides = sides_of(changed, d.mesh.nodes);
+  const PagedMesh& mesh = revision.delivery.mesh;
   const std::vector<std::int32_t> at_change = collect_in_blocks<std::int32_t>(
-      d.mesh.tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end, auto& found) {
+      mesh.tets.pages(), kPages, run, [&](std::size_t begin, std::size_t end, auto& found) {
         run.poll();
-        for (std::size_t k = begin; k < end; ++k) {
-          const Tet& t = d.mesh.tets[k];
-          if ((sides[t[0]] & sides[t[1]] & sides[t[2]] & sides[t[3]]) == 0 &&
-              source.meets_changed(t, d.mesh.nodes))
-            found.push_back(static_cast<std::int32_t>(k));
+        for (std::size_t page = begin; page < end; ++page) {
+          if (!source.meets_changed(revision.boxes[page])) continue;
+          auto k = static_cast<std::int32_t>(page * mesh.tets.kPage);
+          for (const Tet& t : mesh.tets.page(page)) {
+            if (source.meets_changed(t, mesh.nodes)) found.push_back(k);
+            ++k;
+          }
         }
       });
   CellsBefore before{&original->delivery.groups, {}};
@@ -92,34 +76,37 @@ double volume_of(const Pages<Vec3>& p, const Tet& t) {
   return tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
 }
 
-/// Quality of the peeled Delaunay mesh: that of the delivered one but for what clean-up changed.
-Quality quality_before(const Master& master, const PagedMesh& delivered,
-                       const Pages<TetMeasure>& measures, double volume, const Run& run) {
+/// Quality of the delivered mesh, and of the peeled Delaunay mesh: the same but for what clean-up
+/// changed.
+TwoQualities qualities(const Revision& revision, double volume, const Run& run) {
+  const Master& master = *revision.master;
+  const PagedMesh& delivered = revision.delivery.mesh;
+  double volume_then = volume;
   const Pages<Vec3>& p = master.positions();
   std::vector<std::uint8_t> moved(p.size());
-  for (std::size_t n = 0; n < moved.size(); ++n) moved[n] = p[n] != delivered.nodes[n] ? 1 : 0;
+  for (std::size_t k = 0; k < p.pages(); ++k)
+    std::ranges::transform(p.page(k), delivered.nodes.page(k), moved.begin() + k * p.kPage,
+                           [](const Vec3& a, const Vec3& b) { return a != b ? 1 : 0; });
   std::vector<std::uint8_t> changed(delivered.tets.size(), 0);
   for (const Cluster& cluster : master.clusters)
     for (const std::int32_t t : cluster.delivered) {
       changed[t] = 1;
-      volume -= volume_of(delivered.nodes, delivered.tets[t]);
+      volume_then -= volume_of(delivered.nodes, delivered.tets[t]);
     }
   std::vector<Tet> then;
-  for (std::size_t t = 0; t < changed.size(); ++t) {
-    const Tet& tet = delivered.tets[t];
-    if (changed[t] || !(moved[tet[0]] | moved[tet[1]] | moved[tet[2]] | moved[tet[3]])) continue;
+  delivered.tets.for_each([&](std::size_t t, const Tet& tet) {
+    if (!(moved[tet[0]] | moved[tet[1]] | moved[tet[2]] | moved[tet[3]]) || changed[t]) return;
     changed[t] = 1;
-    volume -= volume_of(delivered.nodes, tet);
+    volume_then -= volume_of(delivered.nodes, tet);
     then.push_back(tet);
-  }
+  });
   for (const Cluster& cluster : master.clusters)
     for (const std::int32_t s : cluster.delaunay) then.push_back(master.mesh.corners(s));
-  for (const Tet& tet : then) volume += volume_of(p, tet);
+  for (const Tet& tet : then) volume_then += volume_of(p, tet);
   const Pages<Tet> paged_then(then);
   const Pages<TetMeasure> measures_then = measure_tets(p, paged_then, run);
-  return summarise(
-      {{delivered.nodes, delivered.tets, measures, changed}, {p, paged_then, measures_then}},
-      volume);
+  return summarise_both({delivered.nodes, delivered.tets, revision.measures, changed}, volume,
+                        {p, paged_then, measures_then}, volume_then);
 }
 
 /// Quality away from where the model is sharp.
@@ -144,26 +131,10 @@ void measure_away(Revision& revision) {
     volume -= volume_of(mesh.nodes, t);
   }
   if (report.sharp_tets > 0)
-    report.quality_away = summarise({{mesh.nodes, mesh.tets, revision.measures, left_out}}, volume);
+    report.quality_away = summarise({mesh.nodes, mesh.tets, revision.measures, left_out}, volume);
 }
 
 }  // namespace
-
-std::vector<std::int32_t> remade_tets(const Delivery& d, const Run& run) {
-  std::vector<std::uint8_t> in_place;
-  for (const Transform& t : d.map.transforms) in_place.push_back(t.is_identity() ? 1 : 0);
-  const bool any_moved = std::ranges::count(in_place, 0) > 0;
-  const auto& was = d.map.original_tet;
-  return collect_in_blocks<std::int32_t>(
-      was.size(), kBlock, run, [&](std::size_t begin, std::size_t end, auto& found) {
-        run.poll();
-        for (std::size_t k = begin; k < end; ++k) {
-          const auto tet = static_cast<std::int32_t>(k);
-          if (was[k] != tet || (any_moved && !in_place[d.map.node_transform[d.mesh.tets[k][0]]]))
-            found.push_back(tet);
-        }
-      });
-}
 
 void account(const Revision* original, std::span<const std::int32_t> remade, double volume,
              Revision& revision, const Run& run) {
@@ -172,29 +143,37 @@ void account(const Revision* original, std::span<const std::int32_t> remade, dou
   const auto size = [](const auto& v) { return static_cast<std::uint32_t>(v.size()); };
   counts.nodes = size(d.mesh.nodes);
   counts.tets = size(d.mesh.tets);
-  const auto count = [&](NodeOrigin origin) {
-    return static_cast<std::uint32_t>(
-        std::count(d.map.node_origin.begin(), d.map.node_origin.end(), origin));
-  };
-  counts.nodes_kept = count(NodeOrigin::Kept);
-  counts.nodes_moved = count(NodeOrigin::Moved);
-  counts.tets_kept = static_cast<std::uint32_t>(std::count_if(
-      d.map.original_tet.begin(), d.map.original_tet.end(), [](std::int32_t t) { return t >= 0; }));
+  counts.nodes_kept = counts.nodes_moved = counts.tets_kept = 0;
+  d.map.node_origin.for_each([&](std::size_t, NodeOrigin origin) {
+    counts.nodes_kept += origin == NodeOrigin::Kept ? 1 : 0;
+    counts.nodes_moved += origin == NodeOrigin::Moved ? 1 : 0;
+  });
+  d.map.original_tet.for_each(
+      [&](std::size_t, std::int32_t t) { counts.tets_kept += t >= 0 ? 1 : 0; });
   revision.measures = measures_of(d, original, remade, run);
-  revision.report.quality = summarise({{d.mesh.nodes, d.mesh.tets, revision.measures}}, volume);
+  Report& report = revision.report;
+  if (!original || revision.master != original->master) {
+    const TwoQualities both = qualities(revision, volume, run);
+    report.quality = both.first;
+    report.quality_before = both.second;
+  } else {
+    report.quality = summarise({d.mesh.nodes, d.mesh.tets, revision.measures}, volume);
+  }
   measure_away(revision);
-  revision.report.volume = volume;
-  revision.report.exact_volume = revision.cells.volume;
+  report.volume = volume;
+  report.exact_volume = revision.cells.volume;
 }
 
 VerificationFigures figures_of(const Verification& v) {
   return {v.tets_proved, v.tets_inherited, v.chord_error, v.volume_error};
 }
 
-void deliver_kept(const Revision& original, Pages<Vec3> nodes, Revision& revision) {
+void deliver_kept(const Revision& original, Pages<Vec3> nodes,
+                  std::span<const std::int32_t> changed_tets, Revision& revision) {
   Delivery& d = revision.delivery;
   d = original.delivery;
   d.mesh.nodes = std::move(nodes);
+  revision.boxes = boxes_round(d.mesh, original.boxes, changed_tets);
   d.map = map_kept(original, d.mesh.nodes);
   revision.master = original.master;
   revision.report.quality_before = original.report.quality_before;
@@ -231,17 +210,13 @@ void deliver(Candidate c, const Revision* original, const Revision* parent,
   d.mesh = std::move(c.whole.mesh);
   revision.master = std::make_shared<const Master>(std::move(master));
   const double volume = c.verification.volume;
-  std::vector<std::int32_t> remade;
-  if (original) remade = remade_tets(d, run);
+  const std::vector<std::int32_t> remade = std::move(c.verification.changed_tets);
+  revision.boxes = original ? boxes_round(d.mesh, original->boxes, remade) : boxes_round(d.mesh);
   const auto name = [&] {
     name_delivery(c.verification.surface, revision.master->supports, source.modified(),
-                  cells_before(d, original, remade, source, run), revision, run);
+                  cells_before(revision, original, remade, source, run), revision, run);
   };
-  const auto measure = [&] {
-    account(original, remade, volume, revision, run);
-    revision.report.quality_before =
-        quality_before(*revision.master, d.mesh, revision.measures, volume, run);
-  };
+  const auto measure = [&] { account(original, remade, volume, revision, run); };
   side_by_side({name, measure}, run);
 }
 

@@ -17,8 +17,9 @@ void deliver(Candidate candidate, const Revision* original, const Revision* pare
 VerificationFigures figures_of(const Verification& verification);
 
 /// The tets of the original over nodes that stand where `nodes` says, permanent ids and master
-/// included; groups stay as they were.
-void deliver_kept(const Revision& original, Pages<Vec3> nodes, Revision& revision);
+/// included; groups stay as they were. `changed_tets`: those that a node of moved, ascending.
+void deliver_kept(const Revision& original, Pages<Vec3> nodes,
+                  std::span<const std::int32_t> changed_tets, Revision& revision);
 
 /// Groups of the delivered mesh and their areas. `surface`: its boundary facets; `before`: cells
 /// that it still has.
@@ -26,12 +27,9 @@ void name_delivery(std::span<const SurfaceFacet> surface, const Pages<Support>& 
                    const Membership& membership, const CellsBefore& before, Revision& revision,
                    const Run& run);
 
-/// The tets, ascending, that are not the original's of the same number in place.
-std::vector<std::int32_t> remade_tets(const Delivery& delivery, const Run& run);
-
 /// Counts nodes and tets by origin and measures the delivered mesh, of this volume, into
-/// `revision.report`. `original`: where it was copied from, null if from nowhere; `remade`: all
-/// other tets are measured already.
+/// `revision.report`; what it was before clean-up too, unless that is the original's. `original`:
+/// where it was copied from, null if from nowhere; `remade`: all other tets are measured already.
 void account(const Revision* original, std::span<const std::int32_t> remade, double volume,
              Revision& revision, const Run& run);
 

@@ -54,7 +54,7 @@ std::vector<MemoryBlock> memory_blocks(const Revision& revision) {
   const Delivery& d = revision.delivery;
   blocks.add_all(d.mesh.nodes, d.mesh.tets, d.node_ids, d.tet_ids, d.groups.facets,
                  d.groups.tet_cell, d.map.node_origin, d.map.original_node, d.map.node_transform,
-                 d.map.original_tet, revision.measures);
+                 d.map.original_tet, revision.measures, revision.boxes);
   if (const Master* m = revision.master.get()) {
     m->mesh.visit_arrays([&](const auto&... arrays) { blocks.add_all(arrays...); });
     blocks.add_all(m->supports, m->tet_of_slot, m->clusters);

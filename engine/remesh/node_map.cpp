@@ -41,17 +41,18 @@ NodeMap map_to_itself(const Revision& original, const Pages<Vec3>& nodes, std::i
   count_up(map.original_node, nodes.size());
   count_up(map.original_tet, then.mesh.tets.size());
   bool moved = false;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const bool kept = nodes[n] == then.mesh.nodes[n];
+  nodes.for_each([&](std::size_t n, const Vec3& p) {
+    const bool kept = p == then.mesh.nodes[n];
     moved = moved || !kept;
     map.node_origin.set(n, kept ? NodeOrigin::Kept : NodeOrigin::Moved);
     map.node_transform.set(n, identity);
-  }
+  });
   if (!moved) return map;
-  for (std::size_t t = 0; t < then.mesh.tets.size(); ++t)
-    if (std::ranges::any_of(then.mesh.tets[t],
+  then.mesh.tets.for_each([&](std::size_t t, const Tet& tet) {
+    if (std::ranges::any_of(tet,
                             [&](std::int32_t n) { return map.node_origin[n] != NodeOrigin::Kept; }))
       map.original_tet.edit(t) = -1;
+  });
   return map;
 }
 
@@ -73,7 +74,7 @@ VerifiedParent verified_parent(const Revision& original) {
 VerifiedParent verified_parent(const Revision& original, const Pages<std::int32_t>& node,
                                const Pages<std::int32_t>& tet) {
   const Delivery& d = original.delivery;
-  VerifiedParent parent{d.mesh, {}, original.report.volume, node, tet};
+  VerifiedParent parent{d.mesh, original.boxes, {}, original.report.volume, node, tet};
   parent.surface.reserve(d.groups.facets.size());
   for (const MeshFacet& f : d.groups.facets) parent.surface.push_back({f.nodes, f.tet});
   return parent;

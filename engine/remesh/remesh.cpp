@@ -15,7 +15,7 @@ namespace {
 
 /// The same geometry as the original's: its mesh, every node and tet kept.
 void repeat(const Revision& original, Revision& revision, const Run& run) {
-  deliver_kept(original, original.delivery.mesh.nodes, revision);
+  deliver_kept(original, original.delivery.mesh.nodes, {}, revision);
   revision.anchor = original.anchor;
   revision.reference = original.reference;
   revision.meshed_source = original.meshed_source;
@@ -39,7 +39,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   auto& mesh = std::get<ContinuedMesh>(result);
   revision.report.seconds.verify += mesh.verify_seconds;
   revision.report.verification = figures_of(mesh.verification);
-  deliver_kept(original, std::move(mesh.mesh.nodes), revision);
+  deliver_kept(original, std::move(mesh.mesh.nodes), mesh.verification.changed_tets, revision);
   const Membership membership(revision.model);
   name_delivery(mesh.verification.surface, mesh.supports, membership, {}, revision, run);
   const FeatureModel& made_for = original.master_model();
@@ -50,7 +50,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   revision.report.way = Way::Continued;
   revision.report.free_share =
       mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
-  account(&original, remade_tets(revision.delivery, run), mesh.verification.volume, revision, run);
+  account(&original, mesh.verification.changed_tets, mesh.verification.volume, revision, run);
   return true;
 }
 

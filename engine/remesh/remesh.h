@@ -120,6 +120,7 @@ struct Revision {
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its master gave it
   Delivery delivery;
   Pages<TetMeasure> measures;  ///< of the delivered tets
+  Pages<Box> boxes;            ///< round the delivered tets, one for each page of them
   Report report;
   WearReference reference;
 

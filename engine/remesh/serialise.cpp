@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_parts.h"
+#include "engine/mesh/tet_boxes.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/remesh.h"
 
@@ -212,6 +213,7 @@ Revision deserialise(const std::string& bytes, const Run& run) {
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
   revision.cells = restore_cells(revision.model, std::move(parts));
+  revision.boxes = boxes_round(revision.delivery.mesh);
   revision.measures = measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
   revision.master = std::make_shared<const Master>(std::move(master));
   if (anchored) {

@@ -239,11 +239,20 @@ class Splicer {
     const std::vector<std::int32_t> moves = places.moves();
     const std::int32_t count = places.count();
     whole_.master.mesh.rename_last(moves, count);
-    for (std::size_t t = 0; t < whole_.mesh.tets.size(); ++t) {
-      if (std::ranges::all_of(whole_.mesh.tets[t], [&](std::int32_t n) { return n < count; }))
-        continue;
-      for (std::int32_t& n : whole_.mesh.tets.edit(t))
-        if (n >= count) n = moves[n - count];
+    const Pages<Tet> tets = whole_.mesh.tets;
+    const Delivery& then = original_.delivery;
+    std::vector<Vec3> last;  // where the original has those that are renamed
+    for (std::size_t n = count; n < then.mesh.nodes.size(); ++n) last.push_back(then.mesh.nodes[n]);
+    const PagesAt at_last(then.mesh.tets, original_.boxes, last);
+    for (std::size_t k = 0; k < tets.pages(); ++k) {
+      if (!at_last.may_be(tets, k)) continue;
+      std::size_t t = k * tets.kPage;
+      for (const Tet& tet : tets.page(k)) {
+        if (tet[0] >= count || tet[1] >= count || tet[2] >= count || tet[3] >= count)
+          for (std::int32_t& n : whole_.mesh.tets.edit(t))
+            if (n >= count) n = moves[n - count];
+        ++t;
+      }
     }
     close_gaps(whole_.mesh.nodes, moves);
     close_gaps(whole_.master.supports, moves);
@@ -259,8 +268,10 @@ class Splicer {
     const std::int32_t count = places.count();
     const auto moved = [&](std::int32_t t) { return t < count ? t : moves[t - count]; };
     Master& master = whole_.master;
-    for (std::size_t s = 0; s < master.tet_of_slot.size(); ++s)
-      master.tet_of_slot.set(s, moved(master.tet_of_slot[s]));
+    const Pages<std::int32_t> tet_of_slot = master.tet_of_slot;
+    tet_of_slot.for_each([&](std::size_t s, std::int32_t t) {
+      if (t >= count) master.tet_of_slot.edit(s) = moved(t);
+    });
     for (std::size_t c = 0; c < master.clusters.size(); ++c) {
       const std::vector<std::int32_t>& tets = master.clusters[c].delivered;
       if (std::ranges::any_of(tets, [&](std::int32_t t) { return t >= count; }))

@@ -120,16 +120,17 @@ Pages<Support> supports_left(const Revision& original, const Site& site) {
   const Pages<Vec3>& positions = original.master->positions();
   if (!site.map) return Pages<Support>(then.size(), {});
   Pages<Support> supports = then;
-  std::size_t next = 0;
-  for (std::size_t n = 0; n < then.size(); ++n) {
-    if (next < site.part.nodes.size() && site.part.nodes[next] == static_cast<std::int32_t>(n)) {
-      ++next;
-      continue;
-    }
-    const std::optional<Support> support = (*site.map)(then[n], positions[n]);
+  const std::vector<std::int32_t>& part = site.part.nodes;  // ascending
+  auto next = part.begin();
+  then.for_each([&](std::size_t n, const Support& was) {
+    if (was.kind == Support::Kind::Interior) return;
+    next = std::find_if(next, part.end(),
+                        [&](std::int32_t p) { return p >= static_cast<std::int32_t>(n); });
+    if (next != part.end() && *next == static_cast<std::int32_t>(n)) return;
+    const std::optional<Support> support = (*site.map)(was, positions[n]);
     if (!support) throw LeftPart{"naming where nodes stand"};
     supports.set(n, *support);
-  }
+  });
   return supports;
 }
 

@@ -1,5 +1,7 @@
 #include "engine/verify/inheritance.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace remeshd {
@@ -19,72 +21,104 @@ bool same_turn(const Tet& a, Tet b) {
   return even && a[3] == b[3];
 }
 
-/// Not as arrays, whose comparison is a call.
-bool equal(const Tet& a, const Tet& b) {
-  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
-}
-
 template <class Array>
 bool has(const Array& array, std::int32_t index) {
   return index >= 0 && static_cast<std::size_t>(index) < array.size();
 }
 
+/// Who took the parent's nodes, and whom the nodes took.
+struct Taken {
+  std::vector<std::int32_t> by_node;  ///< the parent's node, or -1
+  std::vector<std::int32_t> name;     ///< by node of the parent
+};
+
+Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const Pages<Vec3>& then,
+                 const Pages<std::int32_t>& claims) {
+  Taken taken{std::vector<std::int32_t>(unchanged.size(), -1),
+              std::vector<std::int32_t>(then.size(), -1)};
+  const auto take = [&](std::size_t n, std::int32_t o) {
+    taken.by_node[n] = o;
+    taken.name[o] = static_cast<std::int32_t>(n);
+  };
+  for (std::size_t n = 0; n < unchanged.size(); ++n)
+    if (unchanged[n] != 0) take(n, static_cast<std::int32_t>(n));
+  for (std::size_t n = 0; n < unchanged.size(); ++n)
+    if (unchanged[n] == 0 && has(then, claims[n]) && taken.name[claims[n]] < 0) take(n, claims[n]);
+  return taken;
+}
+
+/// Looks for tets with a touched node. In an unchanged page all nodes stand where the parent has
+/// them.
+void find_near(const PagedMesh& mesh, const VerifiedParent& parent, Inheritance& result,
+               Polling& poll) {
+  const std::vector<std::uint8_t>& touched = result.touched;
+  std::vector<Vec3> places;
+  for (std::size_t n = 0; n < touched.size(); ++n)
+    if (touched[n] != 0) places.push_back(mesh.nodes[n]);
+  const PagesAt at_touched(parent.mesh.tets, parent.boxes, places);
+  for (std::size_t k = 0; k < mesh.tets.pages(); ++k, poll()) {
+    if (result.unchanged.page[k] != 0 && !at_touched.may_be(mesh.tets, k)) continue;
+    auto t = static_cast<std::int32_t>(k * mesh.tets.kPage);
+    for (const Tet& tet : mesh.tets.page(k)) {
+      if ((touched[tet[0]] | touched[tet[1]] | touched[tet[2]] | touched[tet[3]]) != 0)
+        result.near.push_back(t);
+      ++t;
+    }
+  }
+}
+
 }  // namespace
 
-Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
-  Inheritance result;
-  const Pages<Vec3>& then = parent.mesh.nodes;
-  std::vector<std::int32_t> image(mesh.nodes.size(), -1);
-  std::vector<std::uint8_t> unmoved(mesh.nodes.size(), 0);  // where the parent has it, to the bit
-  std::vector<std::uint8_t> still(mesh.nodes.size(), 0);    // and under the same number
-  result.name.assign(then.size(), -1);
-  for (std::size_t n = 0; n < image.size(); ++n) {
-    const std::int32_t o = parent.node[n];
-    if (!has(then, o) || result.name[o] >= 0) continue;
-    image[n] = o;
-    result.name[o] = static_cast<std::int32_t>(n);
-    unmoved[n] = mesh.nodes[n] == then[o] ? 1 : 0;
-    still[n] = unmoved[n] != 0 && o == static_cast<std::int32_t>(n) ? 1 : 0;
+Heirs::Heirs(const Unchanged& unchanged, std::size_t tets, std::size_t then) : then_(then) {
+  constexpr std::size_t kPage = Pages<Tet>::kPage;
+  begin_.assign((then + kPage - 1) / kPage, -1);
+  for (std::size_t k = 0; k < begin_.size(); ++k) {
+    if (k < unchanged.page.size() && unchanged.page[k] != 0) continue;
+    begin_[k] = static_cast<std::int32_t>(heir_.size());
+    heir_.resize(heir_.size() + kPage);
+    std::iota(heir_.end() - kPage, heir_.end(), static_cast<std::int32_t>(k * kPage));
   }
-  const auto all = [](const std::vector<std::uint8_t>& flags, const Tet& t) {
-    return (flags[t[0]] & flags[t[1]] & flags[t[2]] & flags[t[3]]) != 0;
+  for (const std::int32_t t : unchanged.changed_tets)
+    if (static_cast<std::size_t>(t) < then) set(t, -1);
+  for (std::size_t o = tets; o < then; ++o) set(static_cast<std::int32_t>(o), -1);
+}
+
+Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
+  const Pages<Tet>& then = parent.mesh.tets;
+  Unchanged same = unchanged(mesh, parent.mesh, parent.boxes);
+  auto [image, name] = take_nodes(same.node, parent.mesh.nodes, parent.node);
+  Heirs heirs(same, mesh.tets.size(), then.size());
+  Inheritance result{std::move(same),
+                     std::move(heirs),
+                     std::move(name),
+                     std::vector<std::uint8_t>(mesh.nodes.size(), 0),
+                     {},
+                     {},
+                     {}};
+  const auto unmoved = [&](std::int32_t n) {
+    return result.unchanged.node[n] != 0 || mesh.nodes[n] == parent.mesh.nodes[image[n]];
   };
-  result.heir.assign(parent.mesh.tets.size(), -1);
-  result.touched.assign(mesh.nodes.size(), 0);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+  for (const std::int32_t t : result.unchanged.changed_tets) {
     poll();
     const Tet& tet = mesh.tets[t];
     const std::int32_t o = parent.tet[t];
-    const bool known = has(parent.mesh.tets, o) && result.heir[o] < 0;
-    const auto index = static_cast<std::int32_t>(t);
-    if (known && equal(tet, parent.mesh.tets[o]) && all(still, tet)) {
-      result.heir[o] = index;
-      continue;
-    }
-    const bool same = known && same_turn(parent.mesh.tets[o], {image[tet[0]], image[tet[1]],
-                                                               image[tet[2]], image[tet[3]]});
-    if (same)
-      result.heir[o] = index;
+    const bool heir =
+        has(then, o) && result.heir[o] < 0 &&
+        same_turn(then[o], {image[tet[0]], image[tet[1]], image[tet[2]], image[tet[3]]});
+    if (heir)
+      result.heir.set(o, t);
     else
       for (const std::int32_t n : tet) result.touched[n] = 1;
-    if (same && all(unmoved, tet)) continue;
-    result.changed.push_back(index);
-    if (same) result.gone.push_back(o);
+    if (heir && std::ranges::all_of(tet, unmoved)) continue;
+    result.changed.push_back(t);
+    if (heir) result.gone.push_back(o);
   }
-  for (std::size_t o = 0; o < parent.mesh.tets.size(); ++o) {
-    if (result.heir[o] >= 0) continue;
-    result.gone.push_back(static_cast<std::int32_t>(o));
-    for (const std::int32_t n : parent.mesh.tets[o])
+  result.heir.for_each_without([&](std::int32_t o) {
+    result.gone.push_back(o);
+    for (const std::int32_t n : then[o])
       if (result.name[n] >= 0) result.touched[result.name[n]] = 1;
-  }
-  const auto any = [&](const Tet& t) {
-    const auto& at = result.touched;
-    return (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) != 0;
-  };
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    poll();
-    if (any(mesh.tets[t])) result.near.push_back(static_cast<std::int32_t>(t));
-  }
+  });
+  find_near(mesh, parent, result, poll);
   return result;
 }
 

@@ -54,6 +54,7 @@ class Checker {
     check_volume(exact_volume);
     result_.valid = result_.failures.empty();
     result_.surface = std::move(surface_);
+    if (inherited_) result_.changed_tets = std::move(inherited_->unchanged.changed_tets);
     return std::move(result_);
   }
 

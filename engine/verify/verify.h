@@ -57,6 +57,8 @@ struct Verification {
   double volume_error = 0;           ///< relative, of the volume with the chords' share
   std::uint32_t tets_proved = 0;     ///< by themselves
   std::uint32_t tets_inherited = 0;  ///< the parent's, unchanged
+  /// With a parent: the tets that are not its own of the same number in place, ascending.
+  std::vector<std::int32_t> changed_tets;
 
   [[nodiscard]] std::uint32_t count(MeshFailure kind) const {
     return counts[static_cast<std::size_t>(kind)];

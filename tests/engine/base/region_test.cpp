@@ -39,6 +39,28 @@ TEST(Region, HoldsWhatIsInReachAndNothingMuchFurther) {
   }
 }
 
+TEST(Region, MeetsBoxesWithPointsThatItHolds) {
+  Random random(2);
+  const Region region(cloud(5, {}, random), 0.2, 1);
+  for (int k = 0; k < 200; ++k) {
+    Box box;
+    for (const Vec3& p : cloud(2, 3 * cloud(1, {}, random)[0], random)) box.add(0.5 * p);
+    bool holds_some = false;
+    for (const Vec3& p : cloud(500, {}, random)) {
+      const Vec3 half = 0.5 * (box.hi - box.lo), centre = 0.5 * (box.lo + box.hi);
+      const Vec3 q = centre + Vec3{half.x * p.x, half.y * p.y, half.z * p.z};
+      holds_some = holds_some || region.holds(q);
+    }
+    if (holds_some) {
+      EXPECT_TRUE(region.meets(box));
+    }
+  }
+  EXPECT_FALSE(region.meets({{50, 50, 50}, {51, 51, 51}}));
+  EXPECT_FALSE(Region({}, 1, 1).meets({{-1, -1, -1}, {1, 1, 1}}));
+  const std::vector<Vec3> one{{1, 2, 3}};
+  EXPECT_TRUE(Region(one, 1e-9, 1).meets({one[0], one[0]}));
+}
+
 TEST(Region, HasABoxRoundEachPart) {
   Random random(3);
   std::vector<Vec3> points = cloud(10, {}, random);

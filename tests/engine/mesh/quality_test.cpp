@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/base/random.h"
+
 namespace remeshd {
 namespace {
 
@@ -107,6 +109,56 @@ TEST(MeasureQuality, CountsInvertedTetsInTheFirstBin) {
   const Quality quality = measure_quality(nodes, tets, {});
   EXPECT_EQ(quality.histogram[0], 1U);
   EXPECT_LT(quality.volume, 0);
+}
+
+TEST(SummariseBoth, SaysWhatMeasuringEachMeshSays) {
+  Random random(5);
+  std::vector<Vec3> nodes;
+  for (int n = 0; n < 300; ++n)
+    nodes.push_back({random.uniform(), random.uniform(), random.uniform()});
+  const auto some_tet = [&] {
+    Tet t{};
+    do {
+      for (std::int32_t& n : t) n = static_cast<std::int32_t>(random.below(nodes.size()));
+    } while (tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]) < 1e-3);
+    return t;
+  };
+  // The worst ones are left out, come instead, or neither; and nothing changes at all.
+  for (const int worst : {0, 1, 2, 3}) {
+    std::vector<Tet> first, second, instead;
+    std::vector<std::uint8_t> left_out;
+    for (int k = 0; k < 2000; ++k) {
+      const Tet t = some_tet();
+      const bool bad = volume_length(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]) < 0.2;
+      if (bad && worst == 1) {
+        instead.push_back(t);
+        continue;
+      }
+      first.push_back(t);
+      left_out.push_back(worst < 3 && (k % 7 == 0 || (bad && worst == 0)) ? 1 : 0);
+      if (left_out.back() == 0) second.push_back(t);
+    }
+    second.insert(second.end(), instead.begin(), instead.end());
+    const Pages<Vec3> at(nodes);
+    const Pages<Tet> of_first(first), of_instead(instead);
+    const Pages<TetMeasure> measures = measure_tets(at, of_first, {});
+    const Pages<TetMeasure> measures_instead = measure_tets(at, of_instead, {});
+    const TwoQualities both = summarise_both({at, of_first, measures, left_out}, 3,
+                                             {at, of_instead, measures_instead}, 4);
+    const auto expect_same = [](const Quality& a, const Quality& b) {
+      EXPECT_NEAR(a.volume_length_mean, b.volume_length_mean, 1e-12);
+      EXPECT_EQ(a.volume_length_p01, b.volume_length_p01);
+      EXPECT_EQ(a.volume_length_min, b.volume_length_min);
+      EXPECT_EQ(a.dihedral_min, b.dihedral_min);
+      EXPECT_EQ(a.dihedral_max, b.dihedral_max);
+      EXPECT_EQ(a.histogram, b.histogram);
+    };
+    SCOPED_TRACE(worst);
+    expect_same(both.first, measure_quality(nodes, first, {}));
+    expect_same(both.second, measure_quality(nodes, second, {}));
+    EXPECT_EQ(both.first.volume, 3);
+    EXPECT_EQ(both.second.volume, 4);
+  }
 }
 
 }  // namespace

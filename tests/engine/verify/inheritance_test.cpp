@@ -55,7 +55,9 @@ class Family {
     return verify(child, supports, parent_.boundary, volume(), {});
   }
   [[nodiscard]] Verification inherited() const {
-    const VerifiedParent parent{paged(parent_.mesh), surface_, volume_, Pages(node), Pages(tet)};
+    const PagedMesh mesh = paged(parent_.mesh);
+    const VerifiedParent parent{mesh,    boxes_round(mesh), surface_,
+                                volume_, Pages(node),       Pages(tet)};
     return verify(child, supports, parent_.boundary, volume(), {}, {.parent = &parent});
   }
 
@@ -187,9 +189,23 @@ TEST(Inheritance, ManyBreaksAtOnceAreCountedAlike) {
   }
 }
 
+TEST(Inheritance, WhatHasNotChangedNeedsNoClaim) {
+  Family f = box();
+  std::ranges::fill(f.tet, -1);
+  std::ranges::fill(f.node, -1);
+  const Verification unclaimed = f.inherited();
+  EXPECT_TRUE(unclaimed.valid);
+  EXPECT_GT(unclaimed.tets_inherited, 0U);
+  expect_same_verdict(f.whole(), unclaimed);
+}
+
 TEST(Inheritance, AFalseClaimIsNotBelieved) {
   Family f = box();
+  const std::uint32_t unchanged = f.inherited().tets_inherited;
+  std::ranges::reverse(f.child.tets);  // under other numbers, so that claims tell
+  f.claim();
   const std::uint32_t proved = f.inherited().tets_proved;
+  EXPECT_EQ(f.inherited().tets_inherited, unchanged);
   std::rotate(f.tet.begin(), f.tet.begin() + 1, f.tet.end());
   const Verification shifted = f.inherited();
   EXPECT_TRUE(shifted.valid);
