@@ -124,7 +124,12 @@ class Delaunay {
   static constexpr std::int32_t kDead = -1;
 
   struct Slot {
-    friend bool operator==(const Slot&, const Slot&) = default;
+    /// Not as arrays, whose comparison is a call.
+    friend bool operator==(const Slot& a, const Slot& b) {
+      std::int32_t differ = 0;
+      for (int i = 0; i < 4; ++i) differ |= (a.v[i] ^ b.v[i]) | (a.n[i] ^ b.n[i]);
+      return differ == 0;
+    }
     template <class A>
     void serialize(A& archive) {
       archive(v, n);

@@ -74,12 +74,6 @@ class PagedDelaunay {
     for (std::size_t k = 0; k < boxes_.size(); ++k)
       if (!boxes_[k].empty() && meets(boxes_[k])) for_each_slot_of_page(k, f);
   }
-  /// The same for all others.
-  template <class Meets, class F>
-  void for_each_slot_afar(Meets&& meets, F&& f) const {
-    for (std::size_t k = 0; k < boxes_.size(); ++k)
-      if (boxes_[k].empty() || !meets(boxes_[k])) for_each_slot_of_page(k, f);
-  }
   /// Number of tets, those at the far corners included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 

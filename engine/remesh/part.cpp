@@ -14,24 +14,25 @@ std::vector<std::int32_t> slots_at(const Master& master, const std::vector<std::
   const auto count = static_cast<std::int32_t>(master.mesh.slots());
   std::vector<std::uint8_t> taken(count, 0);
   std::vector<std::uint8_t> clusters(master.clusters.size(), 0);
-  const auto may_be_entered = [&](const kernel::PagedDelaunay::Ball& ball) {
-    return changing->meets(ball.centre, ball.radius);
-  };
-  const auto entered = [&](std::int32_t s) {
-    return changing && master.tet_of_slot[s] == Master::kOutside &&
-           may_be_entered(master.mesh.ball(s));
-  };
   const auto near = [&](const Box& box) { return !changing || changing->may_hold_some_of(box); };
   master.mesh.for_each_slot_near(near, [&](std::int32_t s) {
     const bool wanted = std::ranges::any_of(
         master.mesh.corners(s), [&](std::int32_t n) { return n >= 0 && inner[n] != 0; });
-    if (!wanted && !entered(s)) return;
+    if (!wanted) return;
     taken[s] = 1;
     if (const std::int32_t c = master.cluster_of(s); c >= 0) clusters[c] = 1;
   });
-  master.mesh.for_each_slot_afar(near, [&](std::int32_t s) {
-    if (entered(s)) taken[s] = 1;
-  });
+  const auto may_be_entered = [&](std::int32_t s) {
+    const kernel::PagedDelaunay::Ball ball = master.mesh.ball(s);
+    return changing->meets(ball.centre, ball.radius);
+  };
+  if (changing)
+    master.tet_of_slot.for_each([&](std::size_t s, std::int32_t tet) {
+      const auto slot = static_cast<std::int32_t>(s);
+      if (tet == Master::kOutside && taken[s] == 0 && master.mesh.in_use(slot) &&
+          may_be_entered(slot))
+        taken[s] = 1;
+    });
   for (std::size_t c = 0; c < clusters.size(); ++c)
     if (clusters[c] != 0)
       for (const std::int32_t s : master.clusters[c].delaunay) taken[s] = 1;
