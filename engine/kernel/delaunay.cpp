@@ -129,6 +129,53 @@ std::int32_t Delaunay::allocate() {
   return static_cast<std::int32_t>(slots_.size()) - 1;
 }
 
+std::int32_t Delaunay::name_rim() {
+  std::vector<Scratch::Name>& names = scratch_.names;
+  if (names.size() < points_.size()) names.resize(points_.size(), {0, 0});
+  std::int32_t next = 0;
+  for (Rim& r : scratch_.rim)
+    for (int i = 0; i < 3; ++i) {
+      Scratch::Name& name = names[r.v[i]];
+      const bool fresh = name.epoch != scratch_.epoch;
+      name.name = fresh ? next : name.name;
+      name.epoch = scratch_.epoch;
+      next += fresh ? 1 : 0;
+      r.name[i] = name.name;
+    }
+  return next;
+}
+
+void Delaunay::link_few() {
+  // Each edge of the rim is in two of its facets, once in either direction.
+  std::int32_t* at = scratch_.at_edge.data();
+  const auto place = [](std::int32_t a, std::int32_t b) { return a * kRimVertices + b; };
+  for (const Rim& r : scratch_.rim) {
+    at[place(r.name[1], r.name[2])] = 4 * r.tet;
+    at[place(r.name[2], r.name[0])] = 4 * r.tet + 1;
+    at[place(r.name[0], r.name[1])] = 4 * r.tet + 2;
+  }
+  for (const Rim& r : scratch_.rim) {
+    auto& n = slots_[r.tet].n;
+    n[0] = at[place(r.name[2], r.name[1])];
+    n[1] = at[place(r.name[0], r.name[2])];
+    n[2] = at[place(r.name[1], r.name[0])];
+  }
+}
+
+void Delaunay::link_many() {
+  auto& edges = scratch_.edges;
+  if (edges.size() < 6 * scratch_.rim.size()) {
+    std::size_t size = edges.size();
+    while (size < 6 * scratch_.rim.size()) size *= 2;
+    edges.assign(size, EdgeEntry{0, 0, 0});
+  }
+  for (const Rim& r : scratch_.rim) {
+    link(4 * r.tet, r.v[1], r.v[2]);
+    link(4 * r.tet + 1, r.v[0], r.v[2]);
+    link(4 * r.tet + 2, r.v[0], r.v[1]);
+  }
+}
+
 void Delaunay::link(std::int32_t facet, std::int32_t a, std::int32_t b) {
   if (a > b) std::swap(a, b);
   const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
@@ -156,8 +203,10 @@ bool Delaunay::insert_one(std::int32_t vertex) {
   if (!conflicts(start, p)) return false;  // only a tet with a corner at p contains it in no sphere
 
   scratch_.begin(slots_.size());
-  auto& [seen, epoch, cavity, rim, edges] = scratch_;
-  const std::uint32_t within = 2 * epoch, outside = 2 * epoch + 1;
+  auto& seen = scratch_.seen;
+  auto& cavity = scratch_.cavity;
+  auto& rim = scratch_.rim;
+  const std::uint32_t within = 2 * scratch_.epoch, outside = within + 1;
   cavity.assign(1, start);
   rim.clear();
   seen[start] = within;
@@ -184,26 +233,22 @@ bool Delaunay::insert_one(std::int32_t vertex) {
       rim.push_back({across, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
     }
   }
-  if (edges.size() < 6 * rim.size()) {
-    std::size_t size = edges.size();
-    while (size < 6 * rim.size()) size *= 2;
-    edges.assign(size, EdgeEntry{0, 0, 0});
-  }
   for (const std::int32_t t : cavity) {
     slots_[t].v[0] = kDead;
     free_.push_back(t);
   }
-  for (const Rim& r : rim) {
-    const std::int32_t t = allocate();
-    Slot& s = slots_[t];
+  for (Rim& r : rim) {
+    r.tet = allocate();
+    Slot& s = slots_[r.tet];
     s.v = {r.v[0], r.v[1], r.v[2], vertex};
     s.n = {-1, -1, -1, r.outer};
-    if (r.outer >= 0) slots_[r.outer >> 2].n[r.outer & 3] = 4 * t + 3;
-    link(4 * t + 0, r.v[1], r.v[2]);
-    link(4 * t + 1, r.v[0], r.v[2]);
-    link(4 * t + 2, r.v[0], r.v[1]);
-    hint_ = t;
+    if (r.outer >= 0) slots_[r.outer >> 2].n[r.outer & 3] = 4 * r.tet + 3;
+    hint_ = r.tet;
   }
+  if (name_rim() <= kRimVertices)
+    link_few();
+  else
+    link_many();
   return true;
 }
 

@@ -139,9 +139,11 @@ class Delaunay {
     /// PagedDelaunay::Cut::beyond[k]
     std::array<std::int32_t, 4> n;
   };
-  struct Rim {                      ///< a facet of the cavity, seen from inside
-    std::int32_t outer;             ///< 4 * tet + facet beyond it, -1: none
-    std::array<std::int32_t, 3> v;  ///< oriented so that (v, new point) is positive
+  struct Rim {                           ///< a facet of the cavity, seen from inside
+    std::int32_t outer;                  ///< 4 * tet + facet beyond it, -1: none
+    std::array<std::int32_t, 3> v;       ///< oriented so that (v, new point) is positive
+    std::array<std::int32_t, 3> name{};  ///< of the vertices, among those of the rim
+    std::int32_t tet = -1;               ///< that comes to stand on it
   };
   struct EdgeEntry {
     std::uint64_t key;
@@ -150,6 +152,7 @@ class Delaunay {
   };
 
   static constexpr std::size_t kEdgeTable = 256;
+  static constexpr std::int32_t kRimVertices = 64;  ///< that have a place each by pairs
 
   /// Of one insertion, kept for its memory; copies of a mesh begin without.
   struct Scratch {
@@ -170,6 +173,14 @@ class Delaunay {
     std::uint32_t epoch = 0;
     std::vector<std::int32_t> cavity;
     std::vector<Rim> rim;
+    struct Name {
+      std::uint32_t epoch;
+      std::int32_t name;
+    };
+    std::vector<Name> names;  ///< by vertex
+    /// By pairs of names: the facet opposite the third vertex of the tet that stands on this edge.
+    std::vector<std::int32_t> at_edge =
+        std::vector<std::int32_t>(static_cast<std::size_t>(kRimVertices) * kRimVertices);
     std::vector<EdgeEntry> edges = std::vector<EdgeEntry>(kEdgeTable);
   };
 
@@ -250,6 +261,11 @@ class Delaunay {
   [[nodiscard]] std::int32_t walk(std::int32_t from, const Vec3& p) const;
   [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;
   std::int32_t allocate();
+  /// Names the vertices of the rim and returns their number.
+  std::int32_t name_rim();
+  /// Links the tets on the rim with each other, who share its edges.
+  void link_few();
+  void link_many();
   void link(std::int32_t facet, std::int32_t a, std::int32_t b);
 
   std::vector<Vec3> points_;  ///< by vertex

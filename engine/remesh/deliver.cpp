@@ -6,6 +6,8 @@
 
 #include "engine/base/parallel.h"
 #include "engine/cellular/sharp_places.h"
+#include "engine/mesh/quality.h"
+#include "engine/mesh/tet_boxes.h"
 #include "engine/remesh/group_areas.h"
 #include "engine/remesh/groups.h"
 #include "engine/remesh/master.h"
@@ -17,7 +19,7 @@ namespace {
 
 constexpr double kSharp = 25 * std::numbers::pi / 180;
 constexpr std::size_t kBlock = 4096;
-constexpr std::size_t kPages = 16;
+constexpr std::size_t kBlockPages = 16;
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 Pages<std::uint64_t> permanent_ids(const Pages<std::int32_t>& originals,
@@ -37,7 +39,7 @@ CellsBefore cells_before(const Revision& revision, const Revision* original,
   if (!original) return {};
   const PagedMesh& mesh = revision.delivery.mesh;
   const std::vector<std::int32_t> at_change = collect_in_blocks<std::int32_t>(
-      mesh.tets.pages(), kPages, run, [&](std::size_t begin, std::size_t end, auto& found) {
+      mesh.tets.pages(), kBlockPages, run, [&](std::size_t begin, std::size_t end, auto& found) {
         run.poll();
         for (std::size_t page = begin; page < end; ++page) {
           if (!source.meets_changed(revision.boxes[page])) continue;

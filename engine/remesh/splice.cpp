@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/mesh/tet_boxes.h"
 #include "engine/remesh/node_map.h"
 #include "engine/remesh/tet_index.h"
 
