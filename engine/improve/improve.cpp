@@ -109,11 +109,12 @@ class CleanUp {
   /// By tet, what surrounded it when a means was of no help.
   using InVain = std::map<std::int32_t, LastMeans::Neighbourhood>;
 
-  /// Which tets a means is not tried on after another: what it moves are the nodes of all that have
-  /// one in common with it. Where meshes are coarse for their model such tets are bad in dozens.
+  /// Which tets a means is not tried on, for it was tried on another whose neighbours they are: it
+  /// has moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad
+  /// in dozens.
   enum class Spare : std::uint8_t {
     Neighbours,        ///< those that have a node in common with it
-    NeighboursInVain,  ///< the same, but where it helped
+    NeighboursInVain,  ///< the same, unless it helped there
   };
 
   /// Has a last means try the worst of the bad tets, `most` of them; true if it helped one.

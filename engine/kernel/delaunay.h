@@ -263,8 +263,9 @@ class Delaunay {
   std::int32_t allocate();
   /// Names the vertices of the rim and returns their number.
   std::int32_t name_rim();
-  /// Links the tets on the rim with each other, who share its edges.
+  /// Links the tets on the rim, which share its edges, by pairs of names.
   void link_few();
+  /// The same for any number, by a hash of edges.
   void link_many();
   void link(std::int32_t facet, std::int32_t a, std::int32_t b);
 

@@ -58,6 +58,42 @@ TEST(Delaunay, TheOrderOfInsertionDoesNotMatter) {
   EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
 }
 
+/// Tets that are said to share a facet do.
+void expect_neighbours(const Delaunay& mesh) {
+  std::vector<Tet> tets(mesh.slots(), Tet{-1, -1, -1, -1});
+  mesh.for_each_tet_with_neighbours(
+      [&](std::int32_t slot, const Tet& t, const Tet&) { tets[slot] = t; });
+  mesh.for_each_tet_with_neighbours([&](std::int32_t, const Tet& t, const Tet& across) {
+    for (int i = 0; i < 4; ++i) {
+      if (across[i] < 0 || tets[across[i]][0] < 0) continue;  // at a far corner
+      for (const int k : kTetFacets[i])
+        EXPECT_NE(std::ranges::find(tets[across[i]], t[k]), tets[across[i]].end());
+      EXPECT_EQ(std::ranges::find(tets[across[i]], t[i]), tets[across[i]].end());
+    }
+  });
+}
+
+TEST(Delaunay, ANodeThatManyOthersSurroundIsLinkedWithAllOfThem) {
+  for (const int count : {12, 63, 64, 65, 66, 400}) {
+    SCOPED_TRACE(count);
+    std::vector<Vec3> points = cloud(count, 6);
+    const Vec3 centre{0.5, 0.5, 0.5};
+    for (Vec3& p : points) p = centre + 0.4 * normalised(p - centre);
+    points.push_back(centre);
+    const std::vector<Vec3> more = cloud(40, 7);
+    points.insert(points.end(), more.begin(), more.end());
+    const std::vector<std::int32_t> nodes = all(points.size());
+    Delaunay mesh(unit_box());
+    mesh.insert(points, {nodes.data(), static_cast<std::size_t>(count)}, kRun);
+    mesh.insert(points, {nodes.data() + count, 1}, kRun);
+    expect_neighbours(mesh);
+    expect_delaunay(mesh, points, {nodes.begin(), nodes.begin() + count + 1});
+    mesh.insert(points, {nodes.data() + count + 1, more.size()}, kRun);
+    expect_neighbours(mesh);
+    expect_delaunay(mesh, points, nodes);
+  }
+}
+
 TEST(Delaunay, ANodeAtTheVeryPlaceOfAnotherStaysOut) {
   auto points = cloud(50, 3);
   points.push_back(points[17]);
