@@ -245,6 +245,7 @@ bool Delaunay::insert_one(std::int32_t vertex) {
     if (r.outer >= 0) slots_[r.outer >> 2].n[r.outer & 3] = 4 * r.tet + 3;
     hint_ = r.tet;
   }
+  // Pairs take room by the square: a node inside of many on one sphere sees all of them.
   if (name_rim() <= kRimVertices)
     link_few();
   else

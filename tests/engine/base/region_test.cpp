@@ -42,6 +42,7 @@ TEST(Region, HoldsWhatIsInReachAndNothingMuchFurther) {
 TEST(Region, MeetsBoxesWithPointsThatItHolds) {
   Random random(2);
   const Region region(cloud(5, {}, random), 0.2, 1);
+  int held = 0, missed = 0;
   for (int k = 0; k < 200; ++k) {
     Box box;
     for (const Vec3& p : cloud(2, 3 * cloud(1, {}, random)[0], random)) box.add(0.5 * p);
@@ -54,7 +55,11 @@ TEST(Region, MeetsBoxesWithPointsThatItHolds) {
     if (holds_some) {
       EXPECT_TRUE(region.meets(box));
     }
+    held += holds_some ? 1 : 0;
+    missed += region.meets(box) ? 0 : 1;
   }
+  EXPECT_GT(held, 20);
+  EXPECT_GT(missed, 20);
   EXPECT_FALSE(region.meets({{50, 50, 50}, {51, 51, 51}}));
   EXPECT_FALSE(Region({}, 1, 1).meets({{-1, -1, -1}, {1, 1, 1}}));
   const std::vector<Vec3> one{{1, 2, 3}};
