@@ -50,6 +50,7 @@ void heed_thin_faces(SurfaceRemesher& remesher, double least) {
       // Across a face from edge to edge, or along all of an edge.
       const Kind rigid = f.edge[i] < 0 ? Kind::Edge : Kind::Vertex;
       if (mesh.supports[a].kind < rigid || mesh.supports[b].kind < rigid) continue;
+      if (rigid == Kind::Edge && mesh.supports[a] == mesh.supports[b]) continue;  // cuts a bend
       const double width = distance(mesh.nodes[a], mesh.nodes[b]);
       for (const std::int32_t n : {a, b}) remesher.shorten(n, std::max(kPerWidth * width, least));
     }
@@ -97,7 +98,10 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
     return std::min(options.edge_length, longest_on_curve(boundary, support, p, least));
   };
   SurfaceRemesher remesher(tessellated_surface(boundary), boundary, longest, run);
-  remesher.grade();
+  remesher.flip();
+  // Before anything is collapsed: chords of one side of a narrow place must not go far beyond the
+  // other, for what comes to stand between them and their curve is there to stay.
+  heed_thin_faces(remesher, least);
   // The triangulation has long slivers, whose quarters are slivers again: collapse what is short
   // between.
   for (const double limit : {64.0, 32.0, 16.0, 8.0, 4.0, 2.0}) {

@@ -111,7 +111,7 @@ class CleanUp {
 
   /// Which tets a means is not tried on, for it was tried on another whose neighbours they are: it
   /// has moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad
-  /// in dozens.
+  /// in dozens. Neighbours of a crowded one are spared always.
   enum class Spare : std::uint8_t {
     Neighbours,        ///< those that have a node in common with it
     NeighboursInVain,  ///< the same, unless it helped there
@@ -131,7 +131,10 @@ class CleanUp {
       run_.poll();
       if (!bad(t) || spared[t] != 0) continue;
       LastMeans::Neighbourhood round = last_.neighbourhood(t);
-      if (LastMeans::is_crowded(round)) continue;
+      if (LastMeans::is_crowded(round)) {  // and so are they, by thousands
+        spare_neighbours(t);
+        continue;
+      }
       if (const auto tried = in_vain.find(t); tried != in_vain.end() && tried->second == round)
         continue;
       if (most-- == 0) break;

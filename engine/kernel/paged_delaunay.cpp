@@ -116,9 +116,9 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const Delaunay& part, const Cu
     moved[n + kFar] = 1;
   }
   std::vector<std::int32_t> changed;
-  std::vector<std::int32_t> place(part.slots_.size(), -1);
+  std::vector<std::int32_t> place(std::max(part.slots_.size(), cut.slots.size()), -1);
   for (std::size_t t = 0; t < cut.slots.size(); ++t) {
-    if (part.slots_[t].v[0] != Delaunay::kDead) {
+    if (t < part.slots_.size() && part.slots_[t].v[0] != Delaunay::kDead) {
       place[t] = cut.slots[t];
       continue;
     }

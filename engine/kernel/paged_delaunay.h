@@ -34,7 +34,8 @@ class PagedDelaunay {
                              Cut& cut) const;
   /// Puts a changed part back in the place of the tets that were cut out. `names`: by node of the
   /// part, its node here, below `count`, -1 where the part does not use it. Returns for each slot
-  /// of the part its slot here, -1 for those out of use.
+  /// of the part, and each that was cut out, its slot here, -1 for those out of use: a part made
+  /// anew may have fewer.
   /// Pre: `part.left_part()` is false; tets outside of the part use nodes that keep their names.
   std::vector<std::int32_t> put_back(const Delaunay& part, const Cut& cut,
                                      std::span<const std::int32_t> names, std::int32_t count);

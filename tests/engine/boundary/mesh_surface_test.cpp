@@ -127,6 +127,18 @@ TEST(MeshSurface, AFaceBetweenAnArcAndItsChordStays) {
     EXPECT_NEAR(area[f], cells.boundary.faces[f].area, 0.3 * cells.boundary.faces[f].area);
 }
 
+TEST(MeshSurface, NoNodeStandsBetweenAnArcAndItsChord) {
+  // The boss all but touches the collar's rim from within: 0.003 of its top are left there.
+  const CellularModel cells =
+      cells_of({cylinder("collar", 2.2036, 3), placed(cylinder("boss", 1.1899, 5), 0, -1.0108, 0)});
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 2.2}, kRun);
+  expect_sound(mesh, cells.boundary);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const Vec3& p = mesh.nodes[n];
+    if (p.z == 3) EXPECT_GT(std::hypot(p.x, p.y + 1.0108), 1.1899 - 1e-9) << "node " << n;
+  }
+}
+
 TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
   // The ring leaves the block through a side and comes back: loops that `project` may confuse.
   const CellularModel cells = cells_of(

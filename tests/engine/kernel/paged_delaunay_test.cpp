@@ -99,6 +99,23 @@ TEST(PagedDelaunay, WithoutGapsItIsTheSameMesh) {
             sorted_tets(mesh_of({points.begin(), points.begin() + 1500})));
 }
 
+TEST(PagedDelaunay, AllOfItMadeAnewOfFewerTetsIsPutBack) {
+  const auto points = cloud(2000, 4);
+  PagedDelaunay mesh = paged(points);
+  std::vector<std::int32_t> slots(mesh.slots()), names = all(2000);
+  std::iota(slots.begin(), slots.end(), 0);
+  PagedDelaunay::Cut cut;
+  Delaunay part = mesh.cut(slots, names, 2000, cut).emptied();
+  part.insert(points, all(500), kRun);
+  ASSERT_LT(part.slots(), slots.size());
+  std::fill(names.begin() + 500, names.end(), -1);
+  const std::vector<std::int32_t> place = mesh.put_back(part, cut, names, 500);
+  ASSERT_EQ(place.size(), slots.size());
+  EXPECT_EQ(std::ranges::count(place, -1), static_cast<std::ptrdiff_t>(slots.size() - part.size()));
+  EXPECT_EQ(sorted_tets(unpaged(mesh)),
+            sorted_tets(mesh_of({points.begin(), points.begin() + 500})));
+}
+
 /// The tets at nodes within a ball, cut out of a mesh of a cloud.
 struct Part {
   std::vector<Vec3> points = cloud(3000, 5);

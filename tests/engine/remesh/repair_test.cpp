@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/cellular/cellular_model.h"
+#include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -56,6 +57,32 @@ TEST_F(BrokenLink, TooShortToBeHalvedGetsANodeWhereSamplesAreFarthestFromAny) {
 TEST_F(BrokenLink, IsLeftAloneWhereNothingIsMissing) {
   verification_.failures.clear();
   EXPECT_EQ(insert(), 0);
+}
+
+TEST_F(BrokenLink, IsLeftAloneWhereThePartHasNoNodes) {
+  nodes_.resize(0);
+  EXPECT_EQ(insert(), 0);
+}
+
+TEST(Repair, OfAPartThatNothingIsInGoesOnInALargerOne) {
+  // A corner of the block stands out of the ring beside the post, by so little that no sample finds
+  // it: no node is freed.
+  FeatureSource ring =
+      test::feature("ring", "revolution",
+                    {test::point(0.69, 0.0), test::point(3.1, 0.0), test::point(3.1, 1.1),
+                     test::point(1.5, 1.1), test::point(1.5, 2.8), test::point(0.69, 2.8)},
+                    {{"angle", 360.0}});
+  const FeatureSource post = test::placed(test::cylinder("post", 0.38, 1.5), -0.87, -2.1, 0.69);
+  FeatureSource block =
+      test::turned(test::placed(test::block("block", 0.71, 0.45, 0.22), -0.87, -2.1, 0.95),
+                   {-0.0517814985816592, -0.13907971379375925, 0.9889264429752517},
+                   {-0.34505289105670045, -0.9267761390913646, -0.1484065038477639});
+  block.reference = ReferenceKind::Centre;
+  const ModelSource model = test::model_of({ring, post});
+  const Revision base = make_revision(nullptr, model, {.nodes = 300, .seed = 53}, kRun);
+  const Revision edited =
+      make_revision(&base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
+  EXPECT_FALSE(edited.delivery.mesh.tets.empty());
 }
 
 }  // namespace
