@@ -17,7 +17,7 @@ ModelSummary summary_of(const FeatureModel& model, const Run& run) {
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 12,
+  return {.algorithm_version = 13,
           .evaluate = evaluate,
           .apply = apply,
           .summarise = summary_of,

@@ -78,7 +78,8 @@ PeelRim known_before(const NodeSet& nodes, const kernel::Delaunay& mesh, const O
     if (!mesh.in_use(s)) continue;
     const Tet then = part.mesh.corners(s), now = mesh.corners(s);
     const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {
-      return b < 0 ? a == b : a == nodes.original[b] && nodes.positions[b] == part.positions[a];
+      if (a < 0 || b < 0) return a == b;  // far corners
+      return a == nodes.original[b] && nodes.positions[b] == part.positions[a];
     });
     if (same && !source.meets_changed(now, nodes.positions))
       rim.tets[s] = part.inside[s] ? PeelRim::Known::Inside : PeelRim::Known::Outside;

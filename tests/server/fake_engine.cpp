@@ -247,7 +247,7 @@ FakeEngine::FakeEngine() : state_(std::make_shared<State>()) {}
 Engine FakeEngine::engine() const {
   const auto state = state_;
   return {
-      .algorithm_version = 12,
+      .algorithm_version = 13,
       .evaluate = evaluate,
       .apply = apply,
       .summarise =
