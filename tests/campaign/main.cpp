@@ -2,6 +2,7 @@
 // the tests says how to use it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <deque>
 #include <fstream>
 #include <future>
@@ -66,6 +67,10 @@ class Cases {
         next_(options.from),
         jobs_(std::max(1, options.jobs)),
         free_jobs_(static_cast<std::ptrdiff_t>(jobs_)) {}
+  Cases(const Cases&) = delete;
+  Cases& operator=(const Cases&) = delete;
+  /// Waits for the cases that are worked on; no other is begun.
+  ~Cases() { enough_ = true; }
 
   WorkedCase next() {
     constexpr std::size_t kAheadPerJob = 16;
@@ -98,6 +103,7 @@ class Cases {
     ahead_.push_back(std::async(std::launch::async, [this, number = next_++] {
       if (auto done = record_.find(options_.seed, number)) return std::move(*done);
       const Job job(free_jobs_);
+      if (enough_) return WorkedCase{};
       WorkedCase worked = have_worked(options_.seed, number, kCaseSeconds);
       worked.campaign_case.number = number;  // which a worker that ends early does not tell
       const std::lock_guard lock(writing_);
@@ -112,6 +118,7 @@ class Cases {
   std::uint64_t next_;
   std::size_t jobs_;
   Jobs free_jobs_;
+  std::atomic<bool> enough_ = false;
   std::deque<std::future<WorkedCase>> ahead_;
 };
 
