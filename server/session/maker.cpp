@@ -276,7 +276,6 @@ void Maker::compute(const ComputationPtr& computation) {
         made->record = {.id = prepared.id,
                         .parent = prepared.base ? prepared.base->record.id : "",
                         .model_name = prepared.source.name,
-                        .object = "",
                         .created_ns = nanoseconds_now(),
                         .nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size()),
                         .tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size())};
