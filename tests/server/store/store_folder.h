@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -63,9 +64,13 @@ class StoreFolderTest : public testing::Test {
     });
     RevisionRecord added = record(n, parent);
     store.put(added, place, bytes_of(n));
-    store.commit([&](Catalogue&) {
-      return Transaction{AddRevision{added}, AddPlace{design, place.number, added.id},
-                         SetHead{design, added.id}};
+    store.commit([&](Catalogue& catalogue) {
+      Transaction changes{AddRevision{added}, SetHead{design, added.id}};
+      const auto places = catalogue.places(added.id);
+      const bool there = std::any_of(places.begin(), places.end(),
+                                     [&](const PlaceRecord& p) { return p.design == design; });
+      if (!there) changes.insert(changes.begin(), AddPlace{design, place.number, added.id});
+      return changes;
     });
   }
   static void remove(Store& store, int n) {
