@@ -48,10 +48,10 @@ void File::truncate(std::uint64_t size) {
 }
 
 void make_folder(const std::filesystem::path& folder) {
-  if (::mkdir(folder.c_str(), 0700) != 0) {
-    if (errno == EEXIST && std::filesystem::is_directory(folder)) return;
+  if (::mkdir(folder.c_str(), 0700) != 0 &&
+      !(errno == EEXIST && std::filesystem::is_directory(folder)))
     throw error::store_failed("making", folder.string(), errno);
-  }
+  // One that is there may be there since a crash that came before its name was on the disk.
   sync_folder(folder.parent_path());
 }
 

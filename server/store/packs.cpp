@@ -47,8 +47,6 @@ void Packs::make_folder_of(const std::string& id) {
   const std::scoped_lock lock(mutex_);
   if (folders_.contains(name)) return;
   make_folder(folder_ / name);
-  // It may be there since a crash that came before its name was on the disk.
-  sync_folder(folder_);
   folders_.insert(name);
 }
 

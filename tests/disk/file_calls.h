@@ -48,8 +48,8 @@ class FileCalls {
 
 /// A disk that lost power after the first `count` calls: what was not synced by then may be there
 /// or not, in any combination that `keep` chooses; it is asked once for each change, in order. What
-/// was written before a sync that failed is not there, whatever was synced later. Writes the files
-/// below `folder`.
+/// was written before a sync that failed stays such a change, whatever is synced later. Writes the
+/// files below `folder`.
 void write_after_power_cut(const FileRecord& record, std::size_t count,
                            const std::function<bool()>& keep, const std::filesystem::path& folder);
 

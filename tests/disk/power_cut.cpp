@@ -113,7 +113,7 @@ class Disk {
       auto [content, fresh] = contents.try_emplace(node.get(), node->durable);
       if (fresh)
         for (const Node::Change& change : node->pending)
-          if (!change.doomed && keep()) node->apply(content->second, change);
+          if (keep()) node->apply(content->second, change);
       fs::create_directories((folder / path).parent_path());
       std::ofstream(folder / path, std::ios::binary) << content->second;
     }
