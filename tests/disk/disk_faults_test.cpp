@@ -164,12 +164,28 @@ TEST_F(StoreCalls, HalfALineOfAFailedWriteIsCutOffBeforeTheNextOne) {
   EXPECT_EQ(content(folder_ / "journal.a"), content(folder_ / "journal.b"));
 }
 
-TEST_F(StoreCalls, AfterALineThatCouldNotBeSyncedTheJournalIsWrittenAnew) {
-  calls_.decide([&](const FileCall& call, std::size_t) {
-    return call.path == "journal.a" && call.kind == FileCall::Kind::Sync ? EIO : 0;
-  });
-  EXPECT_THROW(file(store_, 8), Error);
-  calls_.decide({});
+class StoreCallsAfterAFailedSync : public StoreCalls {
+ protected:
+  StoreCallsAfterAFailedSync() {
+    calls_.decide([&](const FileCall& call, std::size_t) {
+      return call.path == "journal.a" && call.kind == FileCall::Kind::Sync ? EIO : 0;
+    });
+    EXPECT_THROW(file(store_, 8), Error);
+    calls_.decide({});
+  }
+};
+
+TEST_F(StoreCallsAfterAFailedSync, TheBytesStayAsLongAsTheDiskMayHaveTheLine) {
+  const fs::path after = folder_ / "after";
+  const FileRecord record = calls_.record();
+  write_after_power_cut(
+      record, record.calls.size(), [] { return true; }, after);
+  Store store(after);
+  EXPECT_TRUE(has(store, 8));
+  EXPECT_THAT(state_of(store).listing, testing::Not(testing::HasSubstr("cannot be read")));
+}
+
+TEST_F(StoreCallsAfterAFailedSync, TheJournalIsWrittenAnew) {
   const std::size_t before = calls_.record().calls.size();
   file(store_, 6);
   std::vector<std::string> renamed;
