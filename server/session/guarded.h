@@ -20,7 +20,7 @@ void guarded(Work&& work, Failed&& failed) {
   } catch (const std::exception& failure) {
     failed(error::internal("request", failure.what()));
   } catch (...) {
-    failed(error::internal("request", "something that is no exception was thrown"));
+    failed(error::internal("request", "an exception of unknown type"));
   }
 }
 
