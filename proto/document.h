@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <filesystem>
@@ -12,14 +13,14 @@ namespace remeshd {
 
 /// The text of a document file. A file over the limit is not read at all.
 ///
-/// Throws Error(InvalidArgument): `DocumentTooLarge`, `DocumentUnreadable`.
+/// Throws DocumentError: `DocumentTooLarge`, `DocumentUnreadable`.
 std::string read_document(const std::filesystem::path& file, const DocumentLimits& limits = {});
 
 /// A model document, `{"name": ..., "features": [...]}`, as its message. Fields, their kinds and
 /// the names of enumerators are checked here; values are looked at by the server, which checks them
 /// for every message, whoever sent it.
 ///
-/// Throws Error(InvalidArgument), stage `document`, naming the feature by its id where it has one:
+/// Throws DocumentError, naming the feature by its id where it has one:
 /// what `read_json` throws, `UnknownField`, `MissingField`, `WrongKind`.
 remesh::v1::FeatureModel parse_model(std::string_view text, const DocumentLimits& limits = {});
 

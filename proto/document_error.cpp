@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "proto/document_error.h"
 
 #include <utility>
@@ -22,11 +23,9 @@ std::string quoted(std::string_view text) {
   return out;
 }
 
-ErrorInfo at(const DocumentPlace& place, std::string reason) {
-  ErrorInfo info;
-  info.kind = ErrorKind::InvalidArgument;
+DocumentErrorInfo at(const DocumentPlace& place, std::string reason) {
+  DocumentErrorInfo info;
   info.reason = std::move(reason);
-  info.stage = "document";
   info.feature = place.feature;
   info.parameter = place.path;
   info.edit_index = place.edit_index;
@@ -43,64 +42,66 @@ std::string where(const DocumentPlace& place) {
 
 }  // namespace
 
-Error document_too_large(std::size_t bytes, std::size_t limit) {
-  ErrorInfo info = at({}, "DocumentTooLarge");
+DocumentError document_too_large(std::size_t bytes, std::size_t limit) {
+  DocumentErrorInfo info = at({}, "DocumentTooLarge");
   info.message = "the document has " + std::to_string(bytes) + " bytes, more than the limit of " +
                  std::to_string(limit);
   info.hint = "a model document describes features, not a mesh; is this the right file?";
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error document_too_deep(int limit) {
-  ErrorInfo info = at({}, "DocumentTooDeep");
+DocumentError document_too_deep(int limit) {
+  DocumentErrorInfo info = at({}, "DocumentTooDeep");
   info.message =
       "lists and objects are nested more than " + std::to_string(limit) + " deep in the document";
   info.hint = "model and edit documents need fewer than 10 levels";
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error document_malformed(std::size_t line, std::size_t column, std::string_view what) {
-  ErrorInfo info = at({}, "DocumentMalformed");
+DocumentError document_malformed(std::size_t line, std::size_t column, std::string_view what) {
+  DocumentErrorInfo info = at({}, "DocumentMalformed");
   info.message = "not a JSON document: line " + std::to_string(line) + ", column " +
                  std::to_string(column) + ": " + std::string(what);
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error document_unreadable(std::string_view file, std::string_view why) {
-  ErrorInfo info = at({}, "DocumentUnreadable");
+DocumentError document_unreadable(std::string_view file, std::string_view why) {
+  DocumentErrorInfo info = at({}, "DocumentUnreadable");
   info.message = "cannot read " + quoted(file) + ": " + std::string(why);
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error duplicate_key(std::string_view key) {
-  ErrorInfo info = at({}, "DuplicateKey");
+DocumentError duplicate_key(std::string_view key) {
+  DocumentErrorInfo info = at({}, "DuplicateKey");
   info.message = "the key " + quoted(key) + " stands twice in one object";
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error unknown_field(const DocumentPlace& place, std::string_view field, std::string_view known) {
-  ErrorInfo info = at(place, "UnknownField");
+DocumentError unknown_field(const DocumentPlace& place, std::string_view field,
+                            std::string_view known) {
+  DocumentErrorInfo info = at(place, "UnknownField");
   info.message = where(place) + "unknown field " + quoted(field);
   info.hint = "known here: " + std::string(known);
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error missing_field(const DocumentPlace& place, std::string_view field) {
-  ErrorInfo info = at(place, "MissingField");
+DocumentError missing_field(const DocumentPlace& place, std::string_view field) {
+  DocumentErrorInfo info = at(place, "MissingField");
   info.message = where(place) + "the field " + quoted(field) + " is missing";
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error wrong_kind(const DocumentPlace& place, std::string_view wanted, std::string_view found) {
-  ErrorInfo info = at(place, "WrongKind");
+DocumentError wrong_kind(const DocumentPlace& place, std::string_view wanted,
+                         std::string_view found) {
+  DocumentErrorInfo info = at(place, "WrongKind");
   info.message = where(place) + "expected " + std::string(wanted) + ", found " + std::string(found);
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
-Error not_finite(const DocumentPlace& place) {
-  ErrorInfo info = at(place, "NotFinite");
+DocumentError not_finite(const DocumentPlace& place) {
+  DocumentErrorInfo info = at(place, "NotFinite");
   info.message = where(place) + "the number is NaN or infinite";
-  return Error(std::move(info));
+  return DocumentError(std::move(info));
 }
 
 }  // namespace remeshd::error

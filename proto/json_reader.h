@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cstddef>
@@ -32,8 +33,8 @@ struct Json::Member {
 /// numbers within the range of doubles, limits kept.
 ///
 /// Takes time and memory linear in `text`, and none of either for a text over the limit.
-/// Throws Error(InvalidArgument), stage `document`: `DocumentTooLarge`, `DocumentTooDeep`,
-/// `DuplicateKey`, or `DocumentMalformed` with line and column.
+/// Throws DocumentError: `DocumentTooLarge`, `DocumentTooDeep`, `DuplicateKey`, or
+/// `DocumentMalformed` with line and column.
 Json read_json(std::string_view text, const DocumentLimits& limits = {});
 
 }  // namespace remeshd

@@ -83,4 +83,15 @@ Error to_detail(const ErrorInfo& info) {
   return error;
 }
 
+Error to_detail(const DocumentErrorInfo& info) {
+  return to_detail(ErrorInfo{.kind = ErrorKind::InvalidArgument,
+                             .reason = info.reason,
+                             .message = info.message,
+                             .stage = "document",
+                             .feature = info.feature,
+                             .parameter = info.parameter,
+                             .hint = info.hint,
+                             .edit_index = info.edit_index});
+}
+
 }  // namespace remeshd::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "proto/document_error.h"
 #include "remeshd/error.h"
 
 namespace remeshd::cli {
@@ -34,5 +35,6 @@ ExitCode exit_code(const remesh::v1::Error& error);
 
 /// An error found on this side, before a call, in the words of the protocol.
 remesh::v1::Error to_detail(const ErrorInfo& info);
+remesh::v1::Error to_detail(const DocumentErrorInfo& info);
 
 }  // namespace remeshd::cli

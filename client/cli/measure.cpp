@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/mesh/quality.h"
+#include "engine/mesh/tet_mesh.h"
 
 namespace remeshd::cli {
 namespace {
@@ -19,7 +20,7 @@ struct FacetCounts {
   std::size_t boundary = 0, bad = 0, boundary_nodes = 0;
 };
 
-FacetCounts count_facets(const TetMesh& mesh) {
+FacetCounts count_facets(const client::FileMesh& mesh) {
   std::vector<Triangle> facets;
   facets.reserve(4 * mesh.tets.size());
   for (const Tet& tet : mesh.tets) {
@@ -48,7 +49,7 @@ FacetCounts count_facets(const TetMesh& mesh) {
   return counts;
 }
 
-std::size_t used_nodes(const TetMesh& mesh) {
+std::size_t used_nodes(const client::FileMesh& mesh) {
   std::vector<std::uint8_t> used(mesh.nodes.size(), 0);
   for (const Tet& tet : mesh.tets)
     for (const std::int32_t node : tet) used[static_cast<std::size_t>(node)] = 1;
@@ -68,10 +69,13 @@ double percentile(std::vector<double> values, double share) {
 
 }  // namespace
 
-Measures measure(const TetMesh& mesh, std::optional<double> exact_volume) {
+Measures measure(const client::FileMesh& mesh, std::optional<double> exact_volume) {
   const auto corners = [&](const Tet& tet) {
     std::array<Vec3, 4> p;
-    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.nodes[static_cast<std::size_t>(tet[k])];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& [x, y, z] = mesh.nodes[static_cast<std::size_t>(tet[k])];
+      p[k] = {x, y, z};
+    }
     return p;
   };
   Measures out;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/mesh/tet_mesh.h"
+#include "client/formats/read_mesh.h"
 
 namespace remeshd::cli {
 
@@ -28,7 +28,7 @@ struct Measures {
 };
 
 /// Throws nothing; pre: `mesh` has a tet, and its indices are in range.
-Measures measure(const TetMesh& mesh, std::optional<double> exact_volume);
+Measures measure(const client::FileMesh& mesh, std::optional<double> exact_volume);
 
 /// As one JSON object, a line each.
 std::string to_json(const Measures& measures);

@@ -110,6 +110,8 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     return kInterrupted;
   } catch (const client::CallError& e) {
     return fail(console, e.detail(), line.options);
+  } catch (const DocumentError& e) {
+    return fail(console, to_detail(e.info()), line.options);
   } catch (const Error& e) {
     return fail(console, to_detail(e.info()), line.options);
   } catch (const client::FileError& e) {

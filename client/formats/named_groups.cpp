@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "client/formats/named_groups.h"
 
 #include <map>

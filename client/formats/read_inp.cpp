@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -39,8 +40,8 @@ Block block_of(const std::string& keyword) {
 
 }  // namespace
 
-TetMesh parse_inp(std::string_view bytes) {
-  TetMesh mesh;
+FileMesh parse_inp(std::string_view bytes) {
+  FileMesh mesh;
   std::map<std::int64_t, std::int32_t> place;  // of each node number
   Block block = Block::Other;
   Scanner scanner(bytes);
@@ -62,7 +63,7 @@ TetMesh parse_inp(std::string_view bytes) {
                             Scanner::to_number<double>(parts[2]),
                             Scanner::to_number<double>(parts[3])});
     } else {
-      Tet tet{};
+      std::array<std::int32_t, 4> tet{};
       for (std::size_t k = 0; k < 4; ++k) {
         const auto node = place.find(Scanner::to_number<std::int64_t>(parts[k + 1]));
         if (node == place.end()) throw FileError("an element refers to a node that is not there");

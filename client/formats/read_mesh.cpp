@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "client/formats/read_mesh.h"
 
 #include <fstream>
@@ -18,7 +19,7 @@ std::string read_file(const std::filesystem::path& path) {
   return bytes;
 }
 
-TetMesh parse(const std::filesystem::path& path) {
+FileMesh parse(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
   if (ending == ".vtu") return parse_vtu(read_file(path));
   if (ending == ".msh") return parse_msh(read_file(path));
@@ -28,11 +29,11 @@ TetMesh parse(const std::filesystem::path& path) {
 
 }  // namespace
 
-TetMesh read_mesh(const std::filesystem::path& path) {
+FileMesh read_mesh(const std::filesystem::path& path) {
   try {
-    TetMesh mesh = parse(path);
+    FileMesh mesh = parse(path);
     const auto nodes = static_cast<std::int64_t>(mesh.nodes.size());
-    for (const Tet& tet : mesh.tets)
+    for (const auto& tet : mesh.tets)
       for (const std::int32_t node : tet)
         if (node < 0 || node >= nodes) throw FileError("a tet refers to a node that is not there");
     if (mesh.tets.empty()) throw FileError("it has no linear tets");

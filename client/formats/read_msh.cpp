@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <limits>
 #include <unordered_map>
 
@@ -32,7 +33,7 @@ class Values {
 /// Nodes by tag.
 using Places = std::unordered_map<std::uint64_t, std::int32_t>;
 
-void read_nodes(Values values, TetMesh& mesh, Places& places) {
+void read_nodes(Values values, FileMesh& mesh, Places& places) {
   const std::uint64_t blocks = values.size();
   for (int skipped = 0; skipped < 3; ++skipped) values.size();  // count, first and last tag
   std::vector<std::uint64_t> tags;
@@ -46,10 +47,7 @@ void read_nodes(Values values, TetMesh& mesh, Places& places) {
     for (auto& tag : tags) tag = values.size();
     for (const std::uint64_t tag : tags) {
       places[tag] = static_cast<std::int32_t>(mesh.nodes.size());
-      auto& node = mesh.nodes.emplace_back();
-      node.x = values.real();
-      node.y = values.real();
-      node.z = values.real();
+      for (double& coordinate : mesh.nodes.emplace_back()) coordinate = values.real();
       for (int k = 0; parametric != 0 && k < dimension; ++k) values.real();
     }
   }
@@ -82,7 +80,7 @@ int nodes_of(int type) {
   }
 }
 
-void read_elements(Values values, TetMesh& mesh, const Places& places) {
+void read_elements(Values values, FileMesh& mesh, const Places& places) {
   const std::uint64_t blocks = values.size();
   for (int skipped = 0; skipped < 3; ++skipped) values.size();
   for (std::uint64_t block = 0; block < blocks; ++block) {
@@ -95,7 +93,7 @@ void read_elements(Values values, TetMesh& mesh, const Places& places) {
     values.expect(count, static_cast<std::size_t>(corners + 1) * values.least_bytes());
     for (std::uint64_t element = 0; element < count; ++element) {
       values.size();  // tag
-      Tet tet{};
+      std::array<std::int32_t, 4> tet{};
       for (int k = 0; k < corners; ++k) {
         const std::uint64_t tag = values.size();
         if (type != kGmshTetrahedron) continue;
@@ -121,9 +119,9 @@ bool read_format(Scanner& scanner) {
 
 }  // namespace
 
-TetMesh parse_msh(std::string_view bytes) {
+FileMesh parse_msh(std::string_view bytes) {
   Scanner scanner(bytes);
-  TetMesh mesh;
+  FileMesh mesh;
   Places places;
   bool binary = false;
   while (scanner.skip_blanks()) {

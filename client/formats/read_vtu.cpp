@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <openssl/evp.h>
 #include <zlib.h>
 
@@ -149,7 +150,7 @@ std::vector<To> values_of(pugi::xml_node array, const Storage& storage) {
   throw FileError("arrays of type '" + std::string(type) + "' are unknown");
 }
 
-void read_piece(pugi::xml_node piece, const Storage& storage, TetMesh& mesh) {
+void read_piece(pugi::xml_node piece, const Storage& storage, FileMesh& mesh) {
   const auto points = values_of<double>(piece.child("Points").child("DataArray"), storage);
   const std::size_t first = mesh.nodes.size();
   for (std::size_t k = 0; k + 2 < points.size(); k += 3)
@@ -168,7 +169,7 @@ void read_piece(pugi::xml_node piece, const Storage& storage, TetMesh& mesh) {
     if (types[c] != kVtkTetra) continue;
     if (offsets[c] < 4 || static_cast<std::size_t>(offsets[c]) > connectivity.size())
       throw FileError("its cells are damaged");
-    Tet tet{};
+    std::array<std::int32_t, 4> tet{};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::int64_t node = connectivity[static_cast<std::size_t>(offsets[c]) - 4 + k];
       const std::int64_t place = node + static_cast<std::int64_t>(first);
@@ -182,7 +183,7 @@ void read_piece(pugi::xml_node piece, const Storage& storage, TetMesh& mesh) {
 
 }  // namespace
 
-TetMesh parse_vtu(std::string_view bytes) {
+FileMesh parse_vtu(std::string_view bytes) {
   // Raw appended data are no XML: the document is what stands before them.
   Storage storage;
   const std::size_t cut = bytes.find("<AppendedData");
@@ -210,7 +211,7 @@ TetMesh parse_vtu(std::string_view bytes) {
   if (!compressor.empty() && !storage.zlib)
     throw FileError("compressor " + std::string(compressor) + " is unknown");
 
-  TetMesh mesh;
+  FileMesh mesh;
   for (const pugi::xml_node piece : file.child("UnstructuredGrid").children("Piece"))
     read_piece(piece, storage, mesh);
   return mesh;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "remeshd/edit_stream.h"
 
 #include <stdexcept>

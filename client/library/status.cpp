@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "client/library/status.h"
 
 #include "remesh/v1/rpc_status.pb.h"

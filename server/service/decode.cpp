@@ -212,14 +212,7 @@ Edit edit(const v1::Edit& message, DocumentPlace place) {
   }
 }
 
-int threads(std::uint32_t wanted) {
-  constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
-  return static_cast<int>(std::min(wanted, kMost));
-}
-
-}  // namespace
-
-ModelSource decode(const v1::FeatureModel& message) {
+ModelSource model(const v1::FeatureModel& message) {
   ModelSource out;
   out.name = text_of(message.name(), {.feature = "", .path = "name"});
   out.unit = text_of(message.unit(), {.feature = "", .path = "unit"});
@@ -231,11 +224,44 @@ ModelSource decode(const v1::FeatureModel& message) {
   return out;
 }
 
-ModelEdit decode(const v1::ModelEdit& message) {
+ModelEdit edits(const v1::ModelEdit& message) {
   ModelEdit out;
   for (int i = 0; i < message.edits_size(); ++i)
     out.edits.push_back(edit(message.edits(i), {.feature = "", .path = "", .edit_index = i}));
   return out;
+}
+
+/// What `read` makes; what it finds wrong comes out as an Error of the server.
+template <typename Read>
+auto checked(Read read) {
+  try {
+    return read();
+  } catch (const DocumentError& failure) {
+    const DocumentErrorInfo& info = failure.info();
+    throw Error({.kind = ErrorKind::InvalidArgument,
+                 .reason = info.reason,
+                 .message = info.message,
+                 .stage = "document",
+                 .feature = info.feature,
+                 .parameter = info.parameter,
+                 .hint = info.hint,
+                 .edit_index = info.edit_index});
+  }
+}
+
+int threads(std::uint32_t wanted) {
+  constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(std::min(wanted, kMost));
+}
+
+}  // namespace
+
+ModelSource decode(const v1::FeatureModel& message) {
+  return checked([&] { return model(message); });
+}
+
+ModelEdit decode(const v1::ModelEdit& message) {
+  return checked([&] { return edits(message); });
 }
 
 OptionsPatch decode(const v1::MeshOptions& message) {
@@ -281,7 +307,9 @@ HeadRule decode(const v1::HeadUpdate& message) {
 }
 
 CreateCommand decode(const v1::CreateRevisionRequest& message) {
-  if (!message.has_model()) throw error::missing_field({}, "model");
+  checked([&] {
+    if (!message.has_model()) throw error::missing_field({}, "model");
+  });
   return {.source = decode(message.model()),
           .options = decode(message.options()),
           .design = message.design(),
@@ -290,7 +318,9 @@ CreateCommand decode(const v1::CreateRevisionRequest& message) {
 }
 
 EditCommand decode(const v1::EditRevisionRequest& message) {
-  if (!message.has_edit()) throw error::missing_field({}, "edit");
+  checked([&] {
+    if (!message.has_edit()) throw error::missing_field({}, "edit");
+  });
   return {.base = message.base(),
           .edit = decode(message.edit()),
           .options = decode(message.options()),

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "engine/base/error.h"
 #include "engine/base/random.h"
 #include "proto/document.h"
+#include "proto/document_error.h"
 #include "proto/json_writer.h"
 
 namespace remeshd {
@@ -49,8 +49,7 @@ TEST(Document, HoweverDamagedIsReadOrRefusedInWords) {
             },
             parse_document(damaged));
         ++taken;
-      } catch (const Error& error) {
-        EXPECT_EQ(error.info().kind, ErrorKind::InvalidArgument);
+      } catch (const DocumentError& error) {
         EXPECT_FALSE(error.info().reason.empty());
         EXPECT_LT(error.info().message.size(), 1000U);
         ++refused;

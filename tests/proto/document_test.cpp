@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/base/error.h"
+#include "proto/document_error.h"
 #include "proto/json_writer.h"
 
 namespace remeshd {
@@ -19,20 +19,19 @@ using testing::HasSubstr;
 
 /// The error that a text is refused with; fails the test where it is taken.
 template <typename Parse>
-ErrorInfo refusal(Parse parse) {
+DocumentErrorInfo refusal(Parse parse) {
   try {
     parse();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.info().kind, ErrorKind::InvalidArgument);
+  } catch (const DocumentError& error) {
     return error.info();
   }
   ADD_FAILURE() << "the text was taken";
   return {};
 }
-ErrorInfo model_refusal(const std::string& text) {
+DocumentErrorInfo model_refusal(const std::string& text) {
   return refusal([&] { parse_model(text); });
 }
-ErrorInfo edit_refusal(const std::string& text) {
+DocumentErrorInfo edit_refusal(const std::string& text) {
   return refusal([&] { parse_edit(text); });
 }
 

@@ -8,6 +8,10 @@ from pathlib import Path
 
 STATIONS = ("base mesh kernel model cellular difference plan boundary nodes optimise extract "
             "improve verify remesh").split()  # the road the data travels
+# What programs under any licence may be built from (deploy/LICENSING.md).
+APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
+APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
+APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt"}
 SERVER_LAYERS = "transport service session store".split()  # each sees those after it, and engine
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -25,7 +29,7 @@ def files(root, folder=".", suffixes=None):
     for where, folders, names in os.walk(Path(root) / folder):
         folders[:] = sorted(f for f in folders if not f.startswith(("build", ".git", ".cache"))
                             and f != "__pycache__")
-        for name in sorted(names):
+        for name in sorted(set(names) - {".git"}):  # a file in a linked work tree
             path = Path(where) / name
             if suffixes is None or path.suffix in suffixes:
                 yield path.relative_to(root)
@@ -92,6 +96,26 @@ def server_layers_look_inwards(root):
                 yield f"{path}:{number}: {layer} may not include {other}, which lies outside it"
 
 
+def apache_folders_say_so(root):
+    """Every source there names its licence in its first line (in the second after `#!`)."""
+    for folder in APACHE_FOLDERS:
+        for path in files(root, folder, APACHE_SOURCES):
+            head = [line for _, line in lines(root, path)][:2]
+            if head and head[0].startswith("#!"):
+                head = head[1:]
+            if not head or APACHE_MARK not in head[0]:
+                yield f"{path}:1: lacks the line `{APACHE_MARK}`"
+
+
+def apache_folders_include_nothing_else_of_ours(root):
+    """Else a program that is built from them would come under the AGPL."""
+    for folder in APACHE_FOLDERS:
+        for path, number, _, header in includes(root, folder):
+            ours = header.startswith(("engine/", "server/", "client/", "tests/"))
+            if ours and not header.startswith(tuple(f + "/" for f in APACHE_FOLDERS)):
+                yield f"{path}:{number}: {folder} is Apache-2.0 and may not include {header}"
+
+
 def no_path_of_one_machine(root):
     for path in files(root):
         if path.suffix in TEXT:
@@ -102,4 +126,5 @@ def no_path_of_one_machine(root):
 
 
 RULES = [stations_include_only_earlier_ones, geometry_kernels_stay_in_kernel,
-         protocol_stays_in_service, server_layers_look_inwards, no_path_of_one_machine]
+         protocol_stays_in_service, server_layers_look_inwards, apache_folders_say_so,
+         apache_folders_include_nothing_else_of_ours, no_path_of_one_machine]

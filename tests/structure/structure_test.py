@@ -79,6 +79,30 @@ class Rule(unittest.TestCase):
         self.forbids(rule, "server/store/a.cpp", '#include "server/session/b.h"')
         self.forbids(rule, "server/store/a.cpp", '#include "client/library/b.h"')
 
+    def test_sources_that_any_program_may_use_name_their_licence_first(self):
+        rule = structure.apache_folders_say_so
+        self.allows(rule, "proto/a.h", "// SPDX-License-Identifier: Apache-2.0")
+        self.allows(rule, "client/python/a.py", "#!/usr/bin/python3\n# SPDX-License-Identifier: Apache-2.0")
+        self.allows(rule, "client/cli/a.h", "#pragma once")
+        self.allows(rule, "proto/README.md", "# Protocol")
+        for path in ("proto/a.proto", "client/library/a.cpp", "client/include/remeshd/a.h",
+                     "client/formats/a.h", "proto/CMakeLists.txt"):
+            self.forbids(rule, path, "#pragma once")
+        self.forbids(rule, "proto/a.h", "#pragma once\n// SPDX-License-Identifier: Apache-2.0")
+        self.forbids(rule, "proto/a.h", "// SPDX-License-Identifier: AGPL-3.0-or-later")
+        self.forbids(rule, "proto/a.h", "")
+
+    def test_sources_that_any_program_may_use_include_nothing_under_the_agpl(self):
+        rule = structure.apache_folders_include_nothing_else_of_ours
+        for header in ('"proto/document.h"', '"remeshd/mesh.h"', '"client/library/status.h"',
+                       '"client/formats/text.h"', '"remesh/v1/remesh.pb.h"', "<vector>"):
+            self.allows(rule, "client/formats/a.h", "#include " + header)
+        for path in ("proto/a.h", "client/library/a.cpp", "client/include/remeshd/a.h",
+                     "client/formats/a.cpp"):
+            for header in ("engine/base/error.h", "server/daemon.h", "client/cli/run.h"):
+                self.forbids(rule, path, f'#include "{header}"')
+        self.allows(rule, "client/cli/a.cpp", '#include "engine/base/error.h"')
+
     def test_no_file_names_a_path_of_one_machine(self):
         rule = structure.no_path_of_one_machine
         self.allows(rule, "README.md", "client/" + "work/a, $HOME/" + "work/b, https://a.b/" + "work/")

@@ -30,7 +30,7 @@ void add_quality_command(CLI::App& app, Action& action) {
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
       try {
-        const TetMesh mesh = client::read_mesh(arguments->mesh);
+        const client::FileMesh mesh = client::read_mesh(arguments->mesh);
         session.out() << to_json(measure(mesh, arguments->exact_volume)) << std::flush;
       } catch (const client::FileError& e) {
         session.console().error(e.what());

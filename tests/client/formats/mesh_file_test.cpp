@@ -72,15 +72,12 @@ TEST_P(MeshFile, IsReadBackToTheBitByIndependentLibraries) {
 TEST_P(MeshFile, IsReadBackToTheBitByOurOwnReader) {
   const Mesh mesh = sample_mesh(2);
   write_mesh(file_, mesh);
-  const TetMesh back = read_mesh(file_);
+  const FileMesh back = read_mesh(file_);
   ASSERT_EQ(back.nodes.size(), mesh.nodes.size());
   for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(back.nodes[k].x),
-              std::bit_cast<std::uint64_t>(mesh.nodes[k][0]));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(back.nodes[k].y),
-              std::bit_cast<std::uint64_t>(mesh.nodes[k][1]));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(back.nodes[k].z),
-              std::bit_cast<std::uint64_t>(mesh.nodes[k][2]));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(back.nodes[k][axis]),
+                std::bit_cast<std::uint64_t>(mesh.nodes[k][axis]));
   }
   EXPECT_EQ(back.tets, mesh.tets);
 }
