@@ -1,11 +1,15 @@
 #include "engine/difference/compare.h"
+#include "engine/remesh/node_limit.h"
+#include "engine/remesh/stages.h"
 #include "server/daemon.h"
 
 namespace remeshd {
 namespace {
 
-ModelSummary summary_of(const FeatureModel& model, const Run& run) {
+ModelSummary summary_of(const Revision* base, const FeatureModel& model, const MeshOptions& options,
+                        const Run& run) {
   const CellularModel cells = build_cells(model, run);
+  static_cast<void>(resolve_density(base, options, cells, run));  // for what it refuses
   return {.volume = cells.volume,
           .area = cells.area,
           .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
@@ -20,6 +24,9 @@ Engine production_engine() {
   return {.algorithm_version = 13,
           .evaluate = evaluate,
           .apply = apply,
+          .check_node_limit = [](const Revision* base, const FeatureModel& model,
+                                 const MeshOptions& options,
+                                 const Run& run) { check_node_limit(base, model, options, run); },
           .summarise = summary_of,
           .make_revision = make_revision,
           .compare = compare,

@@ -24,6 +24,17 @@ std::string number(double value) {
   return {digits.data(), end};
 }
 
+/// A count without decimals; three digits where it is too large to be read.
+std::string whole_number(double value) {
+  std::array<char, 32> digits{};
+  const bool readable = value < 1e9;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                 readable ? std::chars_format::fixed : std::chars_format::general,
+                                 readable ? 0 : 3)
+                       .ptr;
+  return {digits.data(), end};
+}
+
 /// Nine digits: a place is there to be looked for, not to be computed with.
 std::string at(const Vec3& p) {
   std::string text = " at (";
@@ -303,6 +314,18 @@ Error options_invalid(std::string_view option, std::string_view why) {
                 .message = "option " + std::string(option) + ": " + std::string(why),
                 .stage = "request",
                 .parameter = std::string(option)});
+}
+
+Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
+                     std::string_view option, std::string_view feature, std::string_view hint) {
+  return Error({.kind = ErrorKind::InvalidArgument,
+                .reason = "MeshTooLarge",
+                .message = std::string(what) + " " + whole_number(nodes) +
+                           " nodes, more than the limit of " + std::to_string(limit),
+                .stage = "request",
+                .feature = clip(feature),
+                .parameter = std::string(option),
+                .hint = std::string(hint)});
 }
 
 Error boundary_not_recovered(std::string_view what, std::string_view features) {

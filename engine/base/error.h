@@ -126,6 +126,11 @@ Error tetgen_missing(std::string_view path, std::string_view why);
 
 /// `option`: `nodes`, `size`, `iterations`.
 Error options_invalid(std::string_view option, std::string_view why);
+/// `what`: a clause that ends before the number, `an edge length of 0.1 needs about`; `option`:
+/// `nodes` or `size`, empty where neither was given; `feature`: the one that is too large, empty
+/// where no one alone is.
+Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
+                     std::string_view option, std::string_view feature, std::string_view hint);
 /// `what`: what is missing or wrong, and where; `features`: ids of those at that place, joined by
 /// commas, empty where the whole mesh is wrong.
 Error boundary_not_recovered(std::string_view what, std::string_view features);

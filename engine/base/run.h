@@ -16,13 +16,18 @@ struct Progress {
   double fraction = 0;  ///< of the whole run, 0..1, never decreasing
 };
 
-/// What surrounds one computation: the stop request, the listener, the number of threads and the
-/// folder for dumps. It never changes a result.
+/// Nodes that a mesh may need where nobody sets another limit.
+inline constexpr std::uint32_t kDefaultMaxNodes = 5'000'000;
+
+/// What surrounds one computation: the stop request, the listener, the number of threads, the
+/// folder for dumps and the limit on nodes. It may end a computation; it never changes a result.
 struct Run {
   std::stop_token stop;
   std::function<void(const Progress&)> on_progress;  ///< may be empty
   int threads = 1;
   std::filesystem::path dumps;  ///< empty: no dumps
+  /// A mesh that would need more nodes is refused (`MeshTooLarge`) before any of them is made.
+  std::uint32_t max_nodes = kDefaultMaxNodes;
 
   /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.
   void poll() const;

@@ -74,16 +74,18 @@ class Wanted {
 
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
                  const Membership& membership, double spacing, double jitter, const Wanted& wanted,
-                 Random random, std::vector<Sample>& out) {
+                 Random random, const Run& run, std::vector<Sample>& out) {
   const BoundaryFace& face = boundary.faces[index];
   const Support support{Support::Kind::Face, index};
   const double probe = kProbe * boundary.bounds.diagonal();
   const Box box = face_box(face);
   const std::size_t begin = out.size();
   bool reached = false;
+  Polling poll(run);
   wanted.for_each_part(box, [&](const Box& part, std::size_t number) {
     reached = true;
     visit_lattice(face.surface, part, spacing, jitter, random, [&](const Vec3& p) {
+      poll();
       if (!box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
       const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
       if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
@@ -155,7 +157,8 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
         run.poll();
         const int f = static_cast<int>(begin);
         sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
-                    options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), found);
+                    options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), run,
+                    found);
       });
   samples.edges_begin = samples.points.size();
   for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)

@@ -6,6 +6,19 @@ namespace remeshd {
 /// A / (sqrt(3) l^2) for the half cells at the boundary.
 double expected_nodes(double volume, double area, double edge_length);
 
+/// What there is to be meshed.
+struct Extent {
+  double volume = 0;
+  double area = 0;    ///< of the boundary
+  double length = 0;  ///< of the boundary's edges, or across all of its faces
+};
+
+/// Nodes that a mesh of this edge length cannot do without: those expected in the volume and on
+/// its boundary, or one for each edge length along its edges and faces, where these are so thin
+/// that volume and area come to nothing. Bounds whatever is made for the mesh: nodes, samples,
+/// tets.
+double nodes_needed(const Extent& extent, double edge_length);
+
 /// The edge length for which `expected_nodes` is `nodes`, to 12 digits.
 double edge_length_for(double volume, double area, double nodes);
 

@@ -92,7 +92,9 @@ std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& b
     const auto found = collect_in_blocks<Vec3>(
         cubes.layers(), 1, run, [&](std::size_t layer, std::size_t, std::vector<Vec3>& in_layer) {
           run.poll();
+          Polling poll(run);  // a layer of a thin body's box may hold millions of places
           lattice.for_each_in(cubes, layer, [&](const Vec3& p) {
+            poll();
             const auto holds = [&](const Box& box) { return box.contains(p); };
             if (!holds(boxes[b]) ||
                 std::any_of(boxes.begin(), boxes.begin() + static_cast<long>(b), holds))

@@ -25,12 +25,13 @@ std::vector<Vec3> cells_inside(const std::vector<Box>& boxes, double h,
     const long y0 = first(boxes[b].lo.y), y1 = first(boxes[b].hi.y);
     const long z0 = first(boxes[b].lo.z), z1 = first(boxes[b].hi.z);
     bool y_up = true, x_up = true;
+    Polling poll(run);
     for (long z = z0; z <= z1; ++z) {
-      run.poll();
       for (long j = 0; j <= y1 - y0; ++j) {
         const long y = y_up ? y0 + j : y1 - j;
         for (long i = 0; i <= x1 - x0; ++i) {
           const long x = x_up ? x0 + i : x1 - i;
+          poll();
           const Vec3 c{(x + 0.5) * h, (y + 0.5) * h, (z + 0.5) * h};
           const auto seen_in = [&](const Box& box) {
             return x >= first(box.lo.x) && x <= first(box.hi.x) && y >= first(box.lo.y) &&

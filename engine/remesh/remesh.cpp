@@ -111,7 +111,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.cells = original ? build_cells(revision.model, original->model, original->cells, run)
                             : build_cells(revision.model, run);
   const CellularModel& cells = revision.cells;
-  const Density density = resolve_density(original, options, cells.volume, cells.area);
+  const Density density = resolve_density(original, options, cells, run);
   revision.edge_length = report.edge_length = density.edge_length;
   watch.lap(seconds.setup);
 

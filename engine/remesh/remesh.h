@@ -20,7 +20,7 @@ namespace remeshd {
 struct MeshOptions {
   /// Exactly one of the two targets is set in a resolved option; both empty in an edit means: the
   /// base's density.
-  std::optional<std::uint32_t> nodes;  ///< target count of nodes, 20 .. 5,000,000
+  std::optional<std::uint32_t> nodes;  ///< target count of nodes, from 20 to `Run::max_nodes`
   std::optional<double> size;          ///< target edge length, model's unit, > 0
   std::uint32_t iterations =
       0;  ///< of the optimisation loop, at most 1000; 0: until quality stops improving
@@ -141,7 +141,8 @@ struct Revision {
 /// mesh is never made anew for that.
 ///
 /// The result depends on the arguments alone, not on `run.threads` or the clock.
-/// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `BoundaryNotRecovered`
+/// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `MeshTooLarge` where
+/// more nodes than `run.max_nodes` would be needed, before any is made; `BoundaryNotRecovered`
 /// where no valid mesh could be made, naming the place and the features there; Cancelled within 100
 /// ms of a stop request.
 Revision make_revision(const Revision* original, const ModelSource& source,

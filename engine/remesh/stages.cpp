@@ -18,6 +18,7 @@
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/carry_over.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/node_limit.h"
 #include "engine/remesh/node_map.h"
 #include "engine/remesh/stopwatch.h"
 
@@ -30,7 +31,7 @@ constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for 
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
 constexpr int kSampledSteps = 4;        // cubes to the reach
-constexpr std::uint32_t kMinNodes = 20, kMaxNodes = 5'000'000;
+constexpr std::uint32_t kMinNodes = 20;
 
 /// Leaves out the nodes that no tet uses, but for those at the rim, and renumbers the tets and the
 /// Delaunay mesh.
@@ -137,21 +138,19 @@ Pages<Support> supports_left(const Revision& original, const Site& site) {
 
 }  // namespace
 
-Density resolve_density(const Revision* original, const MeshOptions& options, double volume,
-                        double area) {
+Density resolve_density(const Revision* original, const MeshOptions& options,
+                        const CellularModel& cells, const Run& run) {
   if (options.nodes && options.size)
     throw error::options_invalid("nodes", "give a number of nodes or an edge length, not both");
-  if (options.nodes && (*options.nodes < kMinNodes || *options.nodes > kMaxNodes))
-    throw error::options_invalid("nodes", "between 20 and 5000000 nodes can be asked for");
+  if (options.nodes && *options.nodes < kMinNodes)
+    throw error::options_invalid("nodes", "at least 20 nodes have to be asked for");
   if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
     throw error::options_invalid("size", "the edge length has to be a positive number");
+  const double volume = cells.volume, area = cells.area;
   Density density;
   if (options.size) {
     density.edge_length = *options.size;
-    const double nodes = expected_nodes(volume, area, density.edge_length);
-    if (nodes > kMaxNodes)
-      throw error::options_invalid("size", "this edge length would need more than 5000000 nodes");
-    density.nodes_per_volume = nodes / volume;
+    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
   } else if (options.nodes || !original) {
     const std::uint32_t nodes = options.nodes.value_or(kDefaultNodes);
     density.edge_length = edge_length_for(volume, area, nodes);
@@ -165,6 +164,7 @@ Density resolve_density(const Revision* original, const MeshOptions& options, do
     density.inherited = true;
   }
   if (original) density.edge_length = std::fmin(density.edge_length, original->edge_length);
+  check_node_limit(original, extent_of(cells), density.edge_length, options, run);
   return density;
 }
 

@@ -25,9 +25,10 @@ struct Density {
   bool inherited = false;              ///< an edit keeps its base's density
 };
 
-/// Throws Error(InvalidArgument) `OptionsInvalid`.
-Density resolve_density(const Revision* original, const MeshOptions& options, double volume,
-                        double area);
+/// Throws Error(InvalidArgument): `OptionsInvalid`; `MeshTooLarge` where a mesh of this density
+/// would need more nodes than `run.max_nodes`.
+Density resolve_density(const Revision* original, const MeshOptions& options,
+                        const CellularModel& cells, const Run& run);
 
 /// How far from what changes an edit cuts the original open, and how it places boundary nodes.
 struct Reach {

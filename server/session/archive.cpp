@@ -20,7 +20,15 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   if (!record) return nullptr;
   auto held = std::make_shared<HeldRevision>();
   held->record = *record;
-  held->revision = engine_.deserialise(store_.get(*record), run);
+  try {
+    held->revision = engine_.deserialise(store_.get(*record), run);
+  } catch (const Error& failure) {
+    if (failure.info().kind == ErrorKind::Internal) {
+      const std::scoped_lock lock(filing_);
+      damaged_.insert(id);
+    }
+    throw;
+  }
   held_.insert(held);
   return held;
 }
@@ -42,7 +50,7 @@ void Archive::drop_unfiled(const std::string& id) {
 }
 
 Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
-                    const HeadRule& rule, bool rewrite) {
+                    const HeadRule& rule) {
   const std::scoped_lock lock(filing_);
   const std::string& id = revision->record.id;
   Filed filed;
@@ -52,7 +60,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     return catalogue.revision(id);
   });
   filed.record = known.value_or(revision->record);
-  const bool write = !known || rewrite;
+  const bool write = !known || damaged_.contains(id);
   if (write && store_.persistent())
     store_.put(filed.record, filed.place, engine_.serialise(revision->revision));
 
@@ -80,6 +88,9 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     if (filed.head != head) changes.emplace_back(SetHead{design, id});
     return changes;
   });
+  if (write) damaged_.erase(id);
+  // It may have been dropped, unfiled or deleted, since the caller found it.
+  if (!held_.contains(id)) held_.insert(revision);
   return filed;
 }
 
@@ -107,7 +118,10 @@ Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
     if (!elsewhere) changes.emplace_back(RemoveRevision{reference.id});
     return changes;
   });
-  if (removed.mesh_deleted) held_.erase(removed.id);
+  if (removed.mesh_deleted) {
+    held_.erase(removed.id);
+    damaged_.erase(removed.id);
+  }
   return removed;
 }
 

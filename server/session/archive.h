@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,15 +34,15 @@ class Archive {
 
   /// Throws Error(`MemoryFull`) where no more revisions can be held.
   void check_room() const;
-  /// Keeps a revision just made in memory.
+  /// Keeps a revision just made in memory, for those who ask for it before it is filed.
   void hold(HeldRevisionPtr revision) { held_.insert(std::move(revision)); }
   /// Lets go of it where it was filed nowhere.
   void drop_unfiled(const std::string& id);
 
-  /// Enters a revision in a design: bytes on the disk first (again, if `rewrite`), then number and
-  /// head at once. It keeps the number that it has in the design.
-  Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
-             bool rewrite);
+  /// Enters a revision in a design: bytes on the disk first (again, if `find` met a damaged copy),
+  /// then number and head at once. It keeps the number that it has in the design.
+  /// Post: the revision is in memory too, whatever was dropped in the meantime.
+  Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule);
 
   /// Takes a revision out of a design (out of all where it is named by its id), and deletes it once
   /// none has it. The design's head becomes its greatest number left.
@@ -55,7 +56,8 @@ class Archive {
   const Engine& engine_;
   Store& store_;
   HeldRevisions held_;
-  std::mutex filing_;  ///< bytes and catalogue change together
+  std::mutex filing_;              ///< bytes, catalogue and memory change together
+  std::set<std::string> damaged_;  ///< ids whose copy in the store cannot be read; under filing_
 };
 
 }  // namespace remeshd

@@ -26,7 +26,14 @@ struct Engine {
   std::uint32_t algorithm_version = 1;
   std::function<FeatureModel(const ModelSource&)> evaluate;
   std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
-  std::function<ModelSummary(const FeatureModel&, const Run&)> summarise;
+  /// What can be told of `Run::max_nodes` before anything is computed; `base`: null for a first
+  /// mesh. Throws Error(`MeshTooLarge`).
+  std::function<void(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
+      check_node_limit;
+  /// Throws what `make_revision` throws before it meshes.
+  std::function<ModelSummary(const Revision* base, const FeatureModel&, const MeshOptions&,
+                             const Run&)>
+      summarise;
   std::function<Revision(const Revision* original, const ModelSource&, const MeshOptions&,
                          const Run&)>
       make_revision;

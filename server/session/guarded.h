@@ -19,6 +19,18 @@ void guarded(Work&& work, Failed&& failed) {
     failed(error::out_of_memory());
   } catch (const std::exception& failure) {
     failed(error::internal("request", failure.what()));
+  } catch (...) {
+    failed(error::internal("request", "an exception of unknown type"));
+  }
+}
+
+/// Calls what must not throw, a client's listener or a job: whatever it throws all the same ends
+/// here, so that the thread and everybody else's requests live on.
+template <typename Work>
+void contained(Work&& work) {
+  try {
+    work();
+  } catch (...) {
   }
 }
 

@@ -19,17 +19,21 @@ std::int64_t nanoseconds_now() {
       .count();
 }
 
-void check_options(const OptionsPatch& patch, std::uint32_t max_nodes) {
+void check_options(const OptionsPatch& patch) {
   if (patch.nodes && patch.size)
     throw error::option_invalid("nodes", "and `size` exclude each other");
   if (patch.nodes && *patch.nodes < 20) throw error::option_invalid("nodes", "is less than 20");
-  if (patch.nodes && *patch.nodes > max_nodes) throw error::mesh_too_large(*patch.nodes, max_nodes);
   if (patch.size && !(std::isfinite(*patch.size) && *patch.size > 0))
     throw error::option_invalid("size", "is not a positive length");
   if (patch.iterations && *patch.iterations > 1000)
     throw error::option_invalid("iterations", "is more than 1000");
   if (patch.threshold && !(*patch.threshold >= 0 && *patch.threshold <= 0.8))
     throw error::option_invalid("threshold", "is not between 0 and 0.8");
+}
+
+/// Tells a listener of progress, if it wants to hear of it.
+void report(const Listener& listener, const Progress& progress) {
+  if (listener.progress) contained([&] { listener.progress(progress); });
 }
 
 }  // namespace
@@ -65,7 +69,6 @@ struct Maker::Request : MakeRequest {
 
 struct Maker::Computation {
   Prepared prepared;
-  bool rewrite = false;  ///< the store's copy is damaged
   std::stop_source stop;
   Pool::JobId job = 0;
   std::vector<RequestPtr> requests;  ///< guarded by the maker's mutex
@@ -80,8 +83,8 @@ Maker::Maker(const Engine& engine, Archive& archive, Pool& quick, Pool& workers,
 
 Maker::~Maker() { stop(); }
 
-MeshOptions Maker::first_options(const OptionsPatch& patch) const {
-  check_options(patch, limits_.max_nodes);
+MeshOptions Maker::first_options(const OptionsPatch& patch) {
+  check_options(patch);
   constexpr std::uint32_t kDefaultNodes = 15000;
   MeshOptions options;
   options.nodes = patch.nodes;
@@ -96,8 +99,8 @@ MeshOptions Maker::first_options(const OptionsPatch& patch) const {
   return options;
 }
 
-MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& base) const {
-  check_options(patch, limits_.max_nodes);
+MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& base) {
+  check_options(patch);
   MeshOptions options;
   // Both left out means the base's density.
   options.nodes = patch.nodes;
@@ -114,8 +117,8 @@ MeshOptions Maker::edit_options(const OptionsPatch& patch, const MeshOptions& ba
 MakeRequestPtr Maker::create(CreateCommand command, Listener listener) {
   auto request = std::make_shared<Request>();
   request->listener = std::move(listener);
-  return start(request, [this, command = std::move(command)](const Run&) {
-    return prepare_create(command);
+  return start(request, [this, command = std::move(command)](const Run& run) {
+    return prepare_create(command, run);
   });
 }
 
@@ -139,9 +142,13 @@ MakeRequestPtr Maker::start(const RequestPtr& request,
       [&] {
         quick_.submit(
             [this, request, prepare = std::move(prepare)] {
-              const Run run{.stop = request->stop.get_token(), .on_progress = {}, .dumps = {}};
-              guarded([&] { proceed(request, prepare(run), run); },
-                      [&](const Error& why) { fail(request, why); });
+              const Run run = run_of(*request);
+              guarded(
+                  [&] {
+                    run.poll();  // it may have been cancelled while it waited
+                    proceed(request, prepare(run), run);
+                  },
+                  [&](const Error& why) { fail(request, why); });
             },
             [this, request](const Error& why) { fail(request, why); });
       },
@@ -149,13 +156,20 @@ MakeRequestPtr Maker::start(const RequestPtr& request,
   return request;
 }
 
-Maker::Prepared Maker::prepare_create(const CreateCommand& command) const {
+Run Maker::run_of(const Request& request) const {
+  return {.stop = request.stop.get_token(),
+          .on_progress = {},
+          .dumps = {},
+          .max_nodes = limits_.max_nodes};
+}
+
+Maker::Prepared Maker::prepare_create(const CreateCommand& command, const Run& run) const {
   Prepared prepared;
   prepared.options = first_options(command.options);
   prepared.design = command.design.empty() ? command.source.name : command.design;
   if (prepared.design.empty()) prepared.design = "model";
   check_design_name(prepared.design);
-  engine_.evaluate(command.source);
+  engine_.check_node_limit(nullptr, engine_.evaluate(command.source), prepared.options, run);
   prepared.source = command.source;
   prepared.head = command.head;
   prepared.threads = std::clamp(command.threads, 1, limits_.threads);
@@ -175,9 +189,11 @@ Maker::Prepared Maker::prepare_edit(const EditCommand& command, const Run& run) 
   }
   check_design_name(prepared.design);
   prepared.base = archive_.get(base.id, run);
-  prepared.source = engine_.apply(prepared.base->revision.source, command.edit);
-  engine_.evaluate(prepared.source);
-  prepared.options = edit_options(command.options, prepared.base->revision.options);
+  run.poll();  // reading the base takes a while
+  const Revision& original = prepared.base->revision;
+  prepared.source = engine_.apply(original.source, command.edit);
+  prepared.options = edit_options(command.options, original.options);
+  engine_.check_node_limit(&original, engine_.evaluate(prepared.source), prepared.options, run);
   prepared.head = command.head;
   if (prepared.head.expected.empty()) prepared.head.expected = base.id;
   prepared.threads = std::clamp(command.threads, 1, limits_.threads);
@@ -185,13 +201,12 @@ Maker::Prepared Maker::prepare_edit(const EditCommand& command, const Run& run) 
   return prepared;
 }
 
-HeldRevisionPtr Maker::find_or_mend(const std::string& id, bool& damaged, const Run& run) const {
+HeldRevisionPtr Maker::find_intact(const std::string& id, const Run& run) const {
   try {
     return archive_.find(id, run);
   } catch (const Error& failure) {
     // A damaged copy in the store is made anew: the request tells everything that it takes.
     if (failure.info().kind != ErrorKind::Internal) throw;
-    damaged = true;
     return nullptr;
   }
 }
@@ -200,17 +215,15 @@ void Maker::proceed(const RequestPtr& request, const Prepared& prepared, const R
   run.poll();
   request->design = prepared.design;
   request->head = prepared.head;
-  bool damaged = false;
-  if (const auto revision = find_or_mend(prepared.id, damaged, run)) {
-    hand_out(request, revision, true, false);
+  if (const auto revision = find_intact(prepared.id, run)) {
+    hand_out(request, revision, true);
   } else {
-    launch(request, prepared, damaged);
+    launch(request, prepared);
   }
 }
 
-void Maker::launch(const RequestPtr& request, const Prepared& prepared, bool damaged) {
-  if (request->listener.progress && !request->answered)
-    request->listener.progress({.stage = "queued"});
+void Maker::launch(const RequestPtr& request, const Prepared& prepared) {
+  if (!request->answered) report(request->listener, {.stage = "queued"});
   bool late = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -227,7 +240,6 @@ void Maker::launch(const RequestPtr& request, const Prepared& prepared, bool dam
       archive_.check_room();
       auto computation = std::make_shared<Computation>();
       computation->prepared = prepared;
-      computation->rewrite = damaged;
       computation->requests.push_back(request);
       computation->job = workers_.submit([this, computation] { compute(computation); },
                                          [this, computation](const Error& why) {
@@ -239,11 +251,9 @@ void Maker::launch(const RequestPtr& request, const Prepared& prepared, bool dam
     }
   }
   if (late) {
-    bool gone = false;
-    const Run run{.stop = request->stop.get_token(), .on_progress = {}, .dumps = {}};
-    if (const auto revision = find_or_mend(prepared.id, gone, run))
-      return hand_out(request, revision, true, false);
-    return launch(request, prepared, gone);
+    if (const auto revision = find_intact(prepared.id, run_of(*request)))
+      return hand_out(request, revision, true);
+    return launch(request, prepared);
   }
 }
 
@@ -258,11 +268,11 @@ void Maker::compute(const ComputationPtr& computation) {
                         listening = computation->requests;
                       }
                       for (const RequestPtr& request : listening)
-                        if (request->listener.progress && !request->answered)
-                          request->listener.progress(progress);
+                        if (!request->answered) report(request->listener, progress);
                     },
                 .threads = prepared.threads,
-                .dumps = limits_.dumps.empty() ? limits_.dumps : limits_.dumps / prepared.id};
+                .dumps = limits_.dumps.empty() ? limits_.dumps : limits_.dumps / prepared.id,
+                .max_nodes = limits_.max_nodes};
   guarded(
       [&] {
         run.poll();
@@ -276,7 +286,6 @@ void Maker::compute(const ComputationPtr& computation) {
         made->record = {.id = prepared.id,
                         .parent = prepared.base ? prepared.base->record.id : "",
                         .model_name = prepared.source.name,
-                        .object = "",
                         .created_ns = nanoseconds_now(),
                         .nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size()),
                         .tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size())};
@@ -284,7 +293,7 @@ void Maker::compute(const ComputationPtr& computation) {
         archive_.hold(made);
         bool first = true;
         for (const RequestPtr& request : retire(computation)) {
-          hand_out(request, made, !first, computation->rewrite && first);
+          hand_out(request, made, !first);
           first = false;
         }
         archive_.drop_unfiled(prepared.id);
@@ -294,15 +303,19 @@ void Maker::compute(const ComputationPtr& computation) {
       });
 }
 
-void Maker::hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached,
-                     bool rewrite) {
+void Maker::hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached) {
+  if (request->answered) return;
   guarded(
       [&] {
-        if (request->answered) return;
-        const Filed filed = archive_.file(revision, request->design, request->head, rewrite);
-        finish(request, [&](const Listener& listener) {
-          listener.made({revision, filed, cached});
-        });
+        const Filed filed = archive_.file(revision, request->design, request->head);
+        if (!close(request)) return;
+        const Listener& listener = request->listener;
+        // It is answered: `fail` would do nothing any more.
+        guarded(
+            [&] {
+              listener.made({revision, filed, cached});
+            },
+            [&](const Error& why) { contained([&] { listener.failed(why); }); });
       },
       [&](const Error& why) { fail(request, why); });
 }
@@ -331,14 +344,22 @@ void Maker::leave(const RequestPtr& request) {
   if (entry != computing_.end() && entry->second == computation) computing_.erase(entry);
 }
 
-void Maker::finish(const RequestPtr& request, const std::function<void(const Listener&)>& tell) {
-  if (request->answered.exchange(true)) return;
+/// Marks a request as answered; false if it was.
+bool Maker::close(const RequestPtr& request) {
+  if (request->answered.exchange(true)) return false;
   leave(request);
-  tell(request->listener);
+  return true;
 }
 
 void Maker::fail(const RequestPtr& request, const Error& why) {
-  finish(request, [&](const Listener& listener) { listener.failed(why); });
+  if (close(request)) contained([&] { request->listener.failed(why); });
+}
+
+std::size_t Maker::waiting() const {
+  const std::scoped_lock lock(mutex_);
+  std::size_t waiting = 0;
+  for (const auto& [id, computation] : computing_) waiting += computation->requests.size();
+  return waiting;
 }
 
 void Maker::stop() {

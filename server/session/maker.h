@@ -32,8 +32,8 @@ using MakeRequestPtr = std::shared_ptr<MakeRequest>;
 class Maker {
  public:
   struct Limits {
-    int threads = 1;                    ///< at most, for one computation
-    std::uint32_t max_nodes = 5000000;  ///< that may be asked for
+    int threads = 1;                             ///< at most, for one computation
+    std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
     /// Folder in which a computation leaves its stages, in one of its own by its revision's id;
     /// empty: none.
     std::filesystem::path dumps;
@@ -46,17 +46,21 @@ class Maker {
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
 
-  /// Never throws; what is wrong goes to the listener, maybe before these return.
+  /// Never throws; what is wrong goes to the listener, maybe before these return. A listener that
+  /// throws from `made` hears `failed` next; what it throws from the others is dropped.
   MakeRequestPtr create(CreateCommand command, Listener listener);
   MakeRequestPtr edit(EditCommand command, Listener listener);
 
   /// Ends every request with Unavailable and asks the computations to stop.
   void stop();
 
-  /// Options of a first mesh; throws Error(`OptionsInvalid`, `MeshTooLarge`).
-  [[nodiscard]] MeshOptions first_options(const OptionsPatch& patch) const;
-  /// Options of an edit of a revision that has `base`.
-  [[nodiscard]] MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base) const;
+  /// Requests that wait for a computation.
+  [[nodiscard]] std::size_t waiting() const;
+
+  /// Options of a first mesh; throws Error(`OptionsInvalid`).
+  [[nodiscard]] static MeshOptions first_options(const OptionsPatch& patch);
+  /// Options of an edit of a revision that has `base`; throws Error(`OptionsInvalid`).
+  [[nodiscard]] static MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
 
  private:
   struct Computation;
@@ -66,17 +70,17 @@ class Maker {
   using ComputationPtr = std::shared_ptr<Computation>;
 
   MakeRequestPtr start(const RequestPtr& request, std::function<Prepared(const Run&)> prepare);
-  Prepared prepare_create(const CreateCommand& command) const;
+  Prepared prepare_create(const CreateCommand& command, const Run& run) const;
   Prepared prepare_edit(const EditCommand& command, const Run& run) const;
+  [[nodiscard]] Run run_of(const Request& request) const;
   void proceed(const RequestPtr& request, const Prepared& prepared, const Run& run);
-  HeldRevisionPtr find_or_mend(const std::string& id, bool& damaged, const Run& run) const;
-  void launch(const RequestPtr& request, const Prepared& prepared, bool damaged);
+  HeldRevisionPtr find_intact(const std::string& id, const Run& run) const;
+  void launch(const RequestPtr& request, const Prepared& prepared);
   void compute(const ComputationPtr& computation);
-  void hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached,
-                bool rewrite);
+  void hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached);
   std::vector<RequestPtr> retire(const ComputationPtr& computation);
   void leave(const RequestPtr& request);
-  void finish(const RequestPtr& request, const std::function<void(const Listener&)>& tell);
+  bool close(const RequestPtr& request);
   void fail(const RequestPtr& request, const Error& why);
 
   const Engine& engine_;
@@ -85,7 +89,7 @@ class Maker {
   Pool& workers_;
   const Limits limits_;
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   bool stopped_ = false;
   std::map<std::string, ComputationPtr> computing_;  ///< by id
   std::set<RequestPtr> requests_;                    ///< not answered yet

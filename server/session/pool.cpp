@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/session/guarded.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -51,7 +52,7 @@ void Pool::shutdown() {
     wake_.notify_all();
     wake_watch_.notify_all();
   }
-  for (const Job& job : left) job.refused(error::shutting_down());
+  for (const Job& job : left) contained([&] { job.refused(error::shutting_down()); });
   for (std::thread& thread : threads) thread.join();
 }
 
@@ -65,7 +66,7 @@ void Pool::work() {
     ++running_;
     lock.unlock();
     const auto start = Clock::now();
-    job.run();
+    contained(job.run);
     // What the job holds is let go of before the pool says that it is done with it.
     job = {};
     const std::chrono::duration<double> spent = Clock::now() - start;
@@ -92,7 +93,7 @@ void Pool::watch() {
     queue_.pop_front();
     const double delay = retry_delay();
     lock.unlock();
-    job.refused(error::waited_too_long(limits_.wait, delay));
+    contained([&] { job.refused(error::waited_too_long(limits_.wait, delay)); });
     lock.lock();
   }
 }

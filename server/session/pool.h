@@ -32,7 +32,8 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Neither function may throw. `refused` gets `WaitedTooLong` or `ShuttingDown`.
+  /// `refused` gets `WaitedTooLong` or `ShuttingDown`. What either throws is dropped: whoever waits
+  /// for an answer has to be told by the job itself.
   /// Throws Error(`Busy`) with a retry delay where the queue is full, `ShuttingDown` after
   /// shutdown.
   JobId submit(std::function<void()> run, std::function<void(const Error&)> refused);

@@ -82,8 +82,15 @@ ModelComparison Session::compare(const ComparisonSide& original, const Compariso
 
 Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
                             const Run& run) {
-  static_cast<void>(maker_.first_options(options));  // for what it refuses
-  return {source, engine_.summarise(engine_.evaluate(source), run)};
+  return validated(nullptr, source, maker_.first_options(options), run);
+}
+
+Validated Session::validated(const Revision* base, const ModelSource& source,
+                             const MeshOptions& options, Run run) {
+  run.max_nodes = limits_.max_nodes;
+  const FeatureModel model = engine_.evaluate(source);
+  engine_.check_node_limit(base, model, options, run);
+  return {source, engine_.summarise(base, model, options, run)};
 }
 
 Validated Session::validate_edit(const std::variant<std::string, ModelSource>& base,
@@ -93,7 +100,10 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
   if (model != nullptr) return validate(engine_.apply(*model, edit), options, run);
   const auto& reference = std::get<std::string>(base);
   if (reference.empty()) throw error::reference_missing("base");
-  return validate(engine_.apply(get(reference, run)->revision.source, edit), options, run);
+  const HeldRevisionPtr held = get(reference, run);
+  const Revision& revision = held->revision;
+  return validated(&revision, engine_.apply(revision.source, edit),
+                   maker_.edit_options(options, revision.options), run);
 }
 
 std::vector<ListedRevision> Session::list(const std::string& design,
@@ -112,6 +122,7 @@ std::vector<DesignRecord> Session::designs(const std::string& after, int limit) 
 Load Session::load() {
   Load load{.running = workers_.running(),
             .queued = workers_.queued(),
+            .waiting = maker_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
   store_->read([&](Catalogue& catalogue) {

@@ -17,13 +17,13 @@
 namespace remeshd {
 
 struct SessionLimits {
-  int workers = 1;                    ///< computations at a time
-  int threads = 1;                    ///< at most, for one computation
-  std::size_t queue = 64;             ///< computations that may wait
-  double wait = 60;                   ///< s that one may wait
-  std::uint64_t memory = 1ULL << 30;  ///< bytes of revisions held
-  std::uint32_t max_nodes = 5000000;  ///< that may be asked for
-  std::filesystem::path dumps;        ///< as Maker::Limits
+  int workers = 1;                             ///< computations at a time
+  int threads = 1;                             ///< at most, for one computation
+  std::size_t queue = 64;                      ///< computations that may wait
+  double wait = 60;                            ///< s that one may wait
+  std::uint64_t memory = 1ULL << 30;           ///< bytes of revisions held
+  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
+  std::filesystem::path dumps;                 ///< as Maker::Limits
 };
 
 /// A revision with all that is known of it.
@@ -43,6 +43,7 @@ struct Validated {
 
 struct Load {
   std::size_t running = 0, queued = 0;
+  std::size_t waiting = 0;  ///< requests that wait for these; several may wait for the same
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
@@ -74,7 +75,7 @@ class Session {
   Description describe(const std::string& reference, const Run& run);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
-  /// Everything that is checked before a mesh is made.
+  /// Everything that is checked before a mesh is made, the limit on nodes too.
   Validated validate(const ModelSource& source, const OptionsPatch& options, const Run& run);
   /// The same for the model that the edit makes of a revision or a model.
   Validated validate_edit(const std::variant<std::string, ModelSource>& base, const ModelEdit& edit,
@@ -99,6 +100,9 @@ class Session {
   void stop();
 
  private:
+  Validated validated(const Revision* base, const ModelSource& source, const MeshOptions& options,
+                      Run run);
+
   const Engine engine_;
   const SessionLimits limits_;
   const std::unique_ptr<Store> store_;

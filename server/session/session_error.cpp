@@ -88,15 +88,6 @@ Error side_invalid(std::string_view side, std::string_view why) {
   return Error(std::move(info));
 }
 
-Error mesh_too_large(std::uint64_t nodes, std::uint64_t limit) {
-  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MeshTooLarge",
-                                std::to_string(nodes) + " nodes are more than the " +
-                                    std::to_string(limit) + " that this daemon meshes");
-  info.parameter = "nodes";
-  info.hint = "ask for fewer nodes, or start remeshd with a larger --max-nodes";
-  return Error(std::move(info));
-}
-
 Error busy(std::size_t waiting, double retry_after) {
   ErrorInfo info =
       request_info(ErrorKind::ResourceExhausted, "Busy",

@@ -16,7 +16,6 @@ Error design_name_invalid(std::string_view why);
 Error head_protected(std::string_view design, std::uint32_t number);
 Error option_invalid(std::string_view option, std::string_view why);
 Error side_invalid(std::string_view side, std::string_view why);
-Error mesh_too_large(std::uint64_t nodes, std::uint64_t limit);
 Error busy(std::size_t waiting, double retry_after);
 Error waited_too_long(double seconds, double retry_after);
 Error memory_full(std::uint64_t used, std::uint64_t budget);

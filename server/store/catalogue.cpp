@@ -1,39 +1,37 @@
 #include "server/store/catalogue.h"
 
+#include <set>
+
 #include "engine/base/error.h"
 
 namespace remeshd {
 namespace {
 
 constexpr const char* kSchema = R"(
-CREATE TABLE IF NOT EXISTS meta(key TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS revisions(
-  id TEXT PRIMARY KEY, parent TEXT NOT NULL, model_name TEXT NOT NULL, object TEXT NOT NULL,
+CREATE TABLE revisions(
+  id TEXT PRIMARY KEY, parent TEXT NOT NULL, model_name TEXT NOT NULL,
   created_ns INTEGER NOT NULL, nodes INTEGER NOT NULL, tets INTEGER NOT NULL,
   bytes INTEGER NOT NULL) WITHOUT ROWID;
-CREATE INDEX IF NOT EXISTS revisions_by_parent ON revisions(parent, id);
-CREATE INDEX IF NOT EXISTS revisions_by_object ON revisions(object);
-CREATE TABLE IF NOT EXISTS designs(
+CREATE INDEX revisions_by_parent ON revisions(parent, id);
+CREATE TABLE designs(
   name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS places(
+CREATE TABLE places(
   entry INTEGER PRIMARY KEY AUTOINCREMENT, design TEXT NOT NULL, number INTEGER NOT NULL,
   id TEXT NOT NULL, UNIQUE(design, number), UNIQUE(design, id));
-CREATE INDEX IF NOT EXISTS places_by_id ON places(id);
+CREATE INDEX places_by_id ON places(id);
 )";
-constexpr std::int64_t kLayout = 1;
 
 constexpr const char* kRevisionColumns =
-    "r.id, r.parent, r.model_name, r.object, r.created_ns, r.nodes, r.tets, r.bytes";
+    "r.id, r.parent, r.model_name, r.created_ns, r.nodes, r.tets, r.bytes";
 
 RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
   return {.id = row.text(first),
           .parent = row.text(first + 1),
           .model_name = row.text(first + 2),
-          .object = row.text(first + 3),
-          .created_ns = row.number(first + 4),
-          .nodes = static_cast<std::uint32_t>(row.number(first + 5)),
-          .tets = static_cast<std::uint32_t>(row.number(first + 6)),
-          .bytes = static_cast<std::uint64_t>(row.number(first + 7))};
+          .created_ns = row.number(first + 3),
+          .nodes = static_cast<std::uint32_t>(row.number(first + 4)),
+          .tets = static_cast<std::uint32_t>(row.number(first + 5)),
+          .bytes = static_cast<std::uint64_t>(row.number(first + 6))};
 }
 
 constexpr const char* kSelectDesigns =
@@ -51,63 +49,75 @@ DesignRecord read_design(const Sqlite::Statement& row) {
 
 }  // namespace
 
-Catalogue::Catalogue(const std::string& file) : database_(file) {
-  // The journal is what must survive; after a crash the index may be behind it, but not torn.
-  database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-  {
-    auto check = database_.prepare("PRAGMA quick_check(1)");
-    if (!check.step() || check.text(0) != "ok")
-      throw error::internal("store", "the index is damaged: " + check.text(0));
-  }
-  database_.execute(kSchema);
-  if (const std::int64_t layout = meta("layout"); layout != 0 && layout != kLayout)
-    throw error::internal("store", "the index has layout " + std::to_string(layout));
-  database_.prepare("INSERT OR IGNORE INTO meta VALUES('layout', ?)").bind(kLayout).run();
-}
+Catalogue::Catalogue() : database_(":memory:") { database_.execute(kSchema); }
 
-std::int64_t Catalogue::meta(const char* key) {
-  auto row = database_.prepare("SELECT value FROM meta WHERE key = ?");
-  row.bind(key);
-  return row.step() ? row.number(0) : 0;
-}
-std::uint64_t Catalogue::journal_size() { return static_cast<std::uint64_t>(meta("journal_size")); }
-std::uint32_t Catalogue::journal_mark() { return static_cast<std::uint32_t>(meta("journal_mark")); }
-
-void Catalogue::apply(const Transaction& transaction, std::uint64_t journal_size,
-                      std::uint32_t journal_mark) {
-  database_.execute("BEGIN IMMEDIATE");
+void Catalogue::apply(const Transaction& transaction, const std::function<void()>& confirm) {
+  database_.execute("SAVEPOINT change");
   try {
     for (const Operation& operation : transaction) apply_one(operation);
-    database_.prepare("INSERT OR REPLACE INTO meta VALUES('journal_size', ?), ('journal_mark', ?)")
-        .bind(static_cast<std::int64_t>(journal_size))
-        .bind(std::int64_t{journal_mark})
-        .run();
-    database_.execute("COMMIT");
+    if (confirm) confirm();
   } catch (...) {
-    database_.execute("ROLLBACK");
+    // Out of memory, SQLite may have rolled back by itself.
+    database_.try_execute("ROLLBACK TO change; RELEASE change");
     throw;
   }
+  database_.execute("RELEASE change");
+}
+
+std::size_t Catalogue::apply_all(const std::vector<Transaction>& transactions) {
+  std::size_t failed = 0;
+  database_.execute("BEGIN");
+  for (const Transaction& transaction : transactions) {
+    try {
+      apply(transaction);
+    } catch (const Error&) {
+      ++failed;
+    }
+  }
+  database_.execute("COMMIT");
+  return failed;
+}
+
+std::vector<Transaction> Catalogue::snapshot() {
+  std::vector<Transaction> all{{StartAnew{}}};
+  std::vector<DesignRecord> found = designs("", -1);
+  for (const DesignRecord& design : found)
+    all.push_back({AddDesign{design.name, design.next_number}});
+  std::set<std::string> told;
+  auto place =
+      database_.prepare("SELECT p.design, p.number, p.id, " + std::string(kRevisionColumns) +
+                        " FROM places p JOIN revisions r ON r.id = p.id ORDER BY p.entry");
+  while (place.step()) {
+    Transaction& next = all.emplace_back();
+    if (told.insert(place.text(2)).second) next.emplace_back(AddRevision{read_revision(place, 3)});
+    next.emplace_back(
+        AddPlace{place.text(0), static_cast<std::uint32_t>(place.number(1)), place.text(2)});
+  }
+  auto unplaced = database_.prepare("SELECT " + std::string(kRevisionColumns) +
+                                    " FROM revisions r WHERE r.id NOT IN (SELECT id FROM places)");
+  while (unplaced.step()) all.push_back({AddRevision{read_revision(unplaced, 0)}});
+  for (const DesignRecord& design : found)
+    if (!design.head.empty()) all.push_back({SetHead{design.name, design.head}});
+  return all;
 }
 
 void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
-    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?)")
+    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
         .bind(r.model_name)
-        .bind(r.object)
         .bind(r.created_ns)
         .bind(std::int64_t{r.nodes})
         .bind(std::int64_t{r.tets})
         .bind(static_cast<std::int64_t>(r.bytes))
         .run();
+  } else if (const auto* design = std::get_if<AddDesign>(&operation)) {
+    grow_numbers(design->name, design->next_number);
   } else if (const auto* place = std::get_if<AddPlace>(&operation)) {
-    database_.prepare("INSERT OR IGNORE INTO designs VALUES(?, 1, '')").bind(place->design).run();
-    database_.prepare("UPDATE designs SET next_number = max(next_number, ?) WHERE name = ?")
-        .bind(std::int64_t{place->number} + 1)
-        .bind(place->design)
-        .run();
+    grow_numbers(place->design, std::int64_t{place->number} + 1);
+    if (at(place->design, place->number) == place->id) return;
     database_.prepare("INSERT INTO places(design, number, id) VALUES(?, ?, ?)")
         .bind(place->design)
         .bind(std::int64_t{place->number})
@@ -123,11 +133,21 @@ void Catalogue::apply_one(const Operation& operation) {
         .bind(gone->design)
         .bind(std::int64_t{gone->number})
         .run();
+  } else if (const auto* removed = std::get_if<RemoveRevision>(&operation)) {
+    database_.prepare("DELETE FROM revisions WHERE id = ?").bind(removed->id).run();
   } else {
-    database_.prepare("DELETE FROM revisions WHERE id = ?")
-        .bind(std::get<RemoveRevision>(operation).id)
-        .run();
+    database_.execute("DELETE FROM revisions; DELETE FROM places; DELETE FROM designs;");
   }
+}
+
+void Catalogue::grow_numbers(const std::string& design, std::int64_t next_number) {
+  database_
+      .prepare(
+          "INSERT INTO designs VALUES(?1, ?2, '') "
+          "ON CONFLICT(name) DO UPDATE SET next_number = max(next_number, ?2)")
+      .bind(design)
+      .bind(next_number)
+      .run();
 }
 
 std::optional<RevisionRecord> Catalogue::revision(const std::string& id) {
@@ -227,12 +247,6 @@ std::uint32_t Catalogue::count_designs() {
   auto row = database_.prepare("SELECT count(*) FROM designs");
   row.step();
   return static_cast<std::uint32_t>(row.number(0));
-}
-
-bool Catalogue::has_object(const std::string& object) {
-  auto row = database_.prepare("SELECT 1 FROM revisions WHERE object = ? LIMIT 1");
-  row.bind(object);
-  return row.step();
 }
 
 }  // namespace remeshd

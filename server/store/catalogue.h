@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,20 +18,20 @@ struct ListedRevision {
   RevisionRecord record;
 };
 
-/// What revisions and designs there are: an index over the transactions applied to it, which can be
-/// made again from them.
+/// What revisions and designs there are: an index, in memory, over the transactions applied to it.
 class Catalogue {
  public:
-  /// Opens or makes the database `file` (":memory:" for none). Throws Error(Internal) on one that
-  /// is damaged or of another layout.
-  explicit Catalogue(const std::string& file);
+  Catalogue();
 
-  /// All or nothing. `journal_size` and `journal_mark` say up to where in the journal the index
-  /// goes then.
-  void apply(const Transaction& transaction, std::uint64_t journal_size,
-             std::uint32_t journal_mark);
-  [[nodiscard]] std::uint64_t journal_size();
-  [[nodiscard]] std::uint32_t journal_mark();
+  /// All or nothing; what is there already is left as it is, so that a transaction may be applied
+  /// again. `confirm` is called once everything is applied; where it throws, nothing is.
+  /// Throws Error(`IndexFailed`), also where a design's number is another revision's, before
+  /// `confirm` is called.
+  void apply(const Transaction& transaction, const std::function<void()>& confirm = {});
+  /// Applies many, leaving out those that fail; how many did.
+  std::size_t apply_all(const std::vector<Transaction>& transactions);
+  /// Transactions that make an empty catalogue this one.
+  std::vector<Transaction> snapshot();
 
   std::optional<RevisionRecord> revision(const std::string& id);
   /// Ids that begin with `prefix` (hexadecimal digits), at most `limit`, sorted.
@@ -47,11 +49,10 @@ class Catalogue {
   std::vector<std::string> children(const std::string& id, int limit);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();
-  bool has_object(const std::string& object);
 
  private:
   void apply_one(const Operation& operation);
-  std::int64_t meta(const char* key);
+  void grow_numbers(const std::string& design, std::int64_t next_number);
 
   Sqlite database_;
 };

@@ -1,11 +1,13 @@
 #include "server/store/files.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <random>
 #include <utility>
 
 #include "server/store/store_error.h"
@@ -13,7 +15,7 @@
 namespace remeshd {
 
 File::File(const std::filesystem::path& path, int flags)
-    : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0644)), path_(path) {
+    : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0600)), path_(path) {
   if (descriptor_ < 0) throw error::store_failed("opening", path.string(), errno);
 }
 File::~File() {
@@ -40,21 +42,45 @@ void File::sync() {
   if (::fsync(descriptor_) != 0) throw error::store_failed("syncing", path_.string(), errno);
 }
 
+void File::truncate(std::uint64_t size) {
+  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0)
+    throw error::store_failed("cutting off", path_.string(), errno);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  if (::mkdir(folder.c_str(), 0700) != 0 &&
+      !(errno == EEXIST && std::filesystem::is_directory(folder)))
+    throw error::store_failed("making", folder.string(), errno);
+  // One that is there may be there since a crash that came before its name was on the disk.
+  sync_folder(folder.parent_path());
+}
+
 void sync_folder(const std::filesystem::path& folder) {
   File(folder, O_RDONLY | O_DIRECTORY).sync();
 }
 
+void rename_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    throw error::store_failed("renaming", from.string(), errno);
+}
+
+void remove_file(const std::filesystem::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT)
+    throw error::store_failed("removing", file.string(), errno);
+}
+
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
                    const std::filesystem::path& scratch) {
+  // What an earlier process left in `scratch` may have had this one's number.
+  static const std::string process =
+      std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
   static std::atomic<unsigned> counter{0};
-  const std::filesystem::path temporary =
-      scratch / (std::to_string(::getpid()) + "-" + std::to_string(counter++));
+  const std::filesystem::path temporary = scratch / (process + "-" + std::to_string(counter++));
   try {
     File out(temporary, O_WRONLY | O_CREAT | O_EXCL);
     out.write(bytes);
     out.sync();
-    if (std::rename(temporary.c_str(), file.c_str()) != 0)
-      throw error::store_failed("renaming", file.string(), errno);
+    rename_file(temporary, file);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
@@ -62,11 +88,9 @@ void write_durably(const std::filesystem::path& file, std::string_view bytes,
   sync_folder(file.parent_path());
 }
 
-std::string read_whole(const std::filesystem::path& file) {
+std::string read_start(const std::filesystem::path& file, std::size_t limit) {
   const File in(file, O_RDONLY);
-  std::error_code failure;
-  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(file, failure)), '\0');
-  if (failure) throw error::store_failed("measuring", file.string(), failure.value());
+  std::string bytes(limit, '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(in.descriptor(), bytes.data() + done, bytes.size() - done);
@@ -77,6 +101,13 @@ std::string read_whole(const std::filesystem::path& file) {
   }
   bytes.resize(done);
   return bytes;
+}
+
+std::string read_whole(const std::filesystem::path& file) {
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(file, failure);
+  if (failure) throw error::store_failed("measuring", file.string(), failure.value());
+  return read_start(file, static_cast<std::size_t>(size));
 }
 
 }  // namespace remeshd

@@ -2,38 +2,70 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "server/store/files.h"
 #include "server/store/records.h"
 
 namespace remeshd {
 
-/// The transactions of a store in their order, one a line: CRC-32C, a space, JSON. A transaction is
-/// in the store once its line is on the disk.
+/// The transactions of a store in their order. One a line, numbered, with a version and a checksum;
+/// in two files of the same content, so that damage to either loses none. A transaction is in the
+/// store once its line is on the disk in the first file, `journal.a`; the second, `journal.b`, is
+/// written after it and not waited for.
+///
+/// Opening changes no file.
 class Journal {
  public:
-  /// Opens or makes the file; cuts off an unfinished last line, which is what a crash leaves.
-  explicit Journal(std::filesystem::path file);
+  /// Reads both files, which may be missing, damaged, cut off anywhere or of different age.
+  /// Scratch files go to `scratch`.
+  Journal(const std::filesystem::path& folder, std::filesystem::path scratch);
 
-  /// Throws Error(StoreFailed, StoreFull); the journal is then as before.
+  /// What was in the files, in order. Given once.
+  std::vector<Transaction> take_transactions() { return std::move(transactions_); }
+  /// Lines of which neither copy could be read; those of an operation that this version does not
+  /// know count.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+  /// Every line that could not be read, as it stands in the files.
+  [[nodiscard]] const std::string& unreadable() const { return unreadable_; }
+  /// Files that are there and that the disk does not give: `rewrite` would replace them.
+  [[nodiscard]] const std::vector<std::filesystem::path>& failed_files() const {
+    return failed_files_;
+  }
+  /// Whether the files are what this version writes, both whole. Else they are to be rewritten.
+  [[nodiscard]] bool whole() const { return whole_; }
+  [[nodiscard]] std::uint64_t lines() const { return lines_; }
+
+  /// Throws Error(StoreFailed, StoreFull); the transaction is then not in the journal, unless
+  /// `uncertain`: then it may be there after a crash, until `rewrite` has succeeded.
   void append(const Transaction& transaction);
-  /// Calls `visit` for each whole line from byte `from` on, which must be a line's start. Lines
-  /// whose checksum is wrong are left out. Returns how many.
-  std::uint64_t replay(std::uint64_t from,
-                       const std::function<void(const Transaction&)>& visit) const;
+  /// Whether the journal has to be rewritten before a line can be appended: a write to it failed,
+  /// and what the disk has of it is not known.
+  [[nodiscard]] bool uncertain() const { return uncertain_; }
 
-  [[nodiscard]] std::uint64_t size() const { return size_; }  ///< bytes
-  /// Checksum of the last line that ends at or before `end` (0 for none): tells whether an index
-  /// was made from this journal.
-  [[nodiscard]] std::uint32_t mark(std::uint64_t end) const;
+  /// Replaces all there is by `transactions`. Throws Error(StoreFailed, StoreFull); the journal is
+  /// then as before, or holds all of them.
+  void rewrite(const std::vector<Transaction>& transactions);
 
  private:
-  std::filesystem::path file_;
-  File out_;
-  std::uint64_t size_ = 0;
-  std::uint32_t last_mark_ = 0;
-  bool torn_ = false;  ///< bytes beyond `size_` may stand in the file
+  std::string read_file(const std::filesystem::path& file);
+  void read_both();
+  void append_to_copy(std::string_view line);
+
+  const std::filesystem::path file_, copy_, scratch_;
+  std::vector<Transaction> transactions_;
+  std::string unreadable_;
+  std::vector<std::filesystem::path> failed_files_;
+  std::uint64_t lost_ = 0;
+  std::uint64_t lines_ = 0;
+  std::uint64_t last_number_ = 0;
+  std::uint64_t size_ = 0;  ///< bytes of the first file
+  bool whole_ = true;
+  bool uncertain_ = false;
+  std::optional<File> out_, copy_out_;  ///< open once something was appended
 };
 
 }  // namespace remeshd

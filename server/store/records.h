@@ -12,10 +12,9 @@ struct RevisionRecord {
   std::string id;      ///< 64 hexadecimal digits
   std::string parent;  ///< id; empty for a first mesh
   std::string model_name;
-  std::string object;           ///< hash of the stored bytes; empty without a store
   std::int64_t created_ns = 0;  ///< since 1970, UTC
   std::uint32_t nodes = 0, tets = 0;
-  std::uint64_t bytes = 0;  ///< stored
+  std::uint64_t bytes = 0;  ///< of its file
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 
@@ -57,8 +56,16 @@ struct RemovePlace {
 struct RemoveRevision {
   std::string id;
 };
+/// A design and the number that its next revision gets, or more where it has come further.
+struct AddDesign {
+  std::string name;
+  std::uint32_t next_number = 1;
+};
+/// Forgets everything: what follows tells it anew.
+struct StartAnew {};
 
-using Operation = std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision>;
+using Operation =
+    std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision, AddDesign, StartAnew>;
 
 /// What happens to the catalogue at once, or not at all.
 using Transaction = std::vector<Operation>;

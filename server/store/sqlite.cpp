@@ -30,6 +30,10 @@ void Sqlite::execute(const char* sql) {
   if (sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail();
 }
 
+void Sqlite::try_execute(const char* sql) noexcept {
+  sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
+}
+
 Sqlite::Statement::Statement(Sqlite& database, std::string_view sql) : database_(database) {
   if (sqlite3_prepare_v2(database.database_.get(), sql.data(), static_cast<int>(sql.size()),
                          &statement_, nullptr) != SQLITE_OK)

@@ -40,6 +40,8 @@ class Sqlite {
   explicit Sqlite(const std::string& file);
 
   void execute(const char* sql);
+  /// The same; a failure is passed over.
+  void try_execute(const char* sql) noexcept;
   Statement prepare(std::string_view sql) { return {*this, sql}; }
 
  private:

@@ -6,78 +6,101 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <thread>
+#include <tuple>
 
+#include "engine/base/error.h"
+#include "server/store/first_layout.h"
+#include "server/store/quarantine.h"
 #include "server/store/store_error.h"
+#include "server/store/store_format.h"
 
 namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
-using nlohmann::json;
+// A journal is rewritten when most of its lines tell of what is no more.
+constexpr std::uint64_t kFewLines = 1000;
+constexpr std::uint64_t kMostLinesPerRevision = 4;
 
-// A stored revision is one line that says whose bytes follow, and the bytes.
-constexpr const char* kMagic = "remeshd-revision-1";
-
-std::string seal(const RevisionRecord& record, const PlaceRecord& first, std::string_view bytes) {
-  const json head = {{"format", kMagic},
-                     {"id", record.id},
-                     {"parent", record.parent},
-                     {"model_name", record.model_name},
-                     {"created_ns", record.created_ns},
-                     {"nodes", record.nodes},
-                     {"tets", record.tets},
-                     {"design", first.design},
-                     {"number", first.number}};
-  std::string sealed = head.dump() + "\n";
-  sealed += bytes;
-  return sealed;
+void make_folders(const fs::path& folder) {
+  if (fs::is_directory(folder)) return;
+  if (folder.has_parent_path() && folder.parent_path() != folder)
+    make_folders(folder.parent_path());
+  make_folder(folder);
 }
 
-struct Unsealed {
-  RevisionRecord record;
-  PlaceRecord first;
-};
-
-std::optional<Unsealed> read_seal(const std::string& object, const std::string& sealed) {
-  const json head = json::parse(sealed.substr(0, sealed.find('\n')), nullptr, false);
-  if (head.is_discarded() || head.value("format", "") != kMagic) return std::nullopt;
-  Unsealed out;
-  out.record = {.id = head.at("id"),
-                .parent = head.at("parent"),
-                .model_name = head.at("model_name"),
-                .object = object,
-                .created_ns = head.at("created_ns"),
-                .nodes = head.at("nodes"),
-                .tets = head.at("tets"),
-                .bytes = sealed.size()};
-  out.first = {.design = head.at("design"), .number = head.at("number"), .id = out.record.id};
-  return out;
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  return files;
 }
 
 }  // namespace
 
-Store::Store() : catalogue_(std::make_unique<Catalogue>(":memory:")) {}
+Store::Store() : catalogue_(std::make_unique<Catalogue>()) {}
 
 Store::~Store() = default;
 
-Store::Store(const fs::path& folder, double wait) : folder_(fs::absolute(folder)) {
-  std::error_code failure;
-  fs::create_directories(folder_, failure);
-  if (failure) throw error::store_failed("making", folder_.string(), failure.value());
-  lock_folder(wait);
-  objects_ = std::make_unique<Objects>(folder_ / "objects");
-  const bool journal_lost = !fs::exists(folder_ / "journal");
-  journal_ = std::make_unique<Journal>(folder_ / "journal");
-  open_index(folder_ / "index.sqlite");
-  if (journal_lost) {
-    adopt_objects();
-  } else {
-    drop_orphans();
+Store::Store(const fs::path& folder, double wait)
+    : folder_(fs::absolute(folder)), catalogue_(std::make_unique<Catalogue>()) {
+  try {
+    open(wait);
+  } catch (const Error& failure) {
+    ErrorInfo info = failure.info();
+    if (info.message.find(folder_.string()) == std::string::npos)
+      info.message += " (store " + folder_.string() + ")";
+    throw Error(std::move(info));
+  } catch (const fs::filesystem_error& failure) {
+    throw error::store_failed("reading", folder_.string(), failure.code().value());
   }
+}
+
+void Store::open(double wait) {
+  make_folders(folder_);
+  look_at_folder(folder_);  // before `lock` is made in what may be anything
+  lock_folder(wait);
+  const FolderKind kind = look_at_folder(folder_);
+  for (const char* name : {"tmp", "packs"}) make_folder(folder_ / name);
+  const fs::path scratch = folder_ / "tmp";
+  old_scratch_ = files_in(scratch);
+  Quarantine quarantine(folder_ / "quarantine", scratch);
+  if (kind != FolderKind::Store) {
+    if (fs::exists(folder_ / "FORMAT")) quarantine.take(folder_ / "FORMAT", "it was damaged");
+    write_format(folder_, scratch);
+  }
+
+  packs_ = std::make_unique<Packs>(folder_ / "packs", scratch);
+  journal_ = std::make_unique<Journal>(folder_, scratch);
+  journal_behind_ = !journal_->whole();
+  std::vector<Transaction> transactions = journal_->take_transactions();
+  const FirstLayout first_layout(folder_);
+  const bool older = first_layout.present();
+  if (older) {
+    if (transactions.empty()) transactions = first_layout.transactions();
+    first_layout.bring_in(*packs_, quarantine);
+  }
+  load(std::move(transactions));
+  for (const fs::path& stranger : packs_->strangers())
+    quarantine.take(stranger, "it is no revision");
+  adopt_unknown_packs(quarantine);
+
+  if (!journal_->unreadable().empty())
+    quarantine.keep("journal", journal_->unreadable(), "lines of the journal that are damaged");
+  if (journal_->lost() > 0)
+    notes_.push_back(std::to_string(journal_->lost()) + " lines of the journal are lost");
+  for (const fs::path& file : journal_->failed_files()) quarantine.take(file, "it cannot be read");
+  if (journal_behind_) {
+    try {
+      rewrite_journal();
+    } catch (const Error& failure) {
+      // Nothing is lost by it: the next opening finds what this one found.
+      notes_.push_back(std::string("the journal could not be rewritten: ") + failure.what());
+    }
+  }
+  if (older && !journal_behind_) first_layout.put_away(quarantine);
+  notes_.insert(notes_.end(), quarantine.notes().begin(), quarantine.notes().end());
 }
 
 void Store::lock_folder(double wait) {
@@ -92,104 +115,127 @@ void Store::lock_folder(double wait) {
   }
 }
 
-void Store::open_index(const fs::path& file) {
-  const auto discard = [&](const std::string& why) {
-    notes_.push_back("index made again from the journal: " + why);
-    catalogue_.reset();
-    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(file.string() + ending);
-    catalogue_ = std::make_unique<Catalogue>(file.string());
-  };
-  const bool had_index = fs::exists(file);
-  try {
-    catalogue_ = std::make_unique<Catalogue>(file.string());
-    const std::uint64_t covered = catalogue_->journal_size();
-    if (covered > journal_->size() || catalogue_->journal_mark() != journal_->mark(covered))
-      discard("it belongs to another journal");
-    else if (!had_index && journal_->size() > 0)
-      notes_.emplace_back("index made again from the journal: it was missing");
-  } catch (const Error& failure) {
-    discard(failure.what());
-  }
-  const std::uint64_t end = journal_->size();
-  if (catalogue_->journal_size() == end) return;
-  Transaction all;
-  const std::uint64_t bad =
-      journal_->replay(catalogue_->journal_size(), [&](const Transaction& transaction) {
-        all.insert(all.end(), transaction.begin(), transaction.end());
-      });
-  catalogue_->apply(all, end, journal_->mark(end));
-  if (bad > 0) notes_.push_back(std::to_string(bad) + " damaged lines of the journal left out");
+void Store::load(std::vector<Transaction> transactions) {
+  for (const Transaction& transaction : transactions)
+    for (const Operation& operation : transaction) {
+      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+      if (const auto* added = std::get_if<AddRevision>(&operation))
+        leftovers_.erase(added->record.id);
+    }
+  if (const std::size_t failed = catalogue_->apply_all(transactions); failed > 0)
+    notes_.push_back(std::to_string(failed) + " lines of the journal contradict those before them");
 }
 
-void Store::adopt_objects() {
-  std::map<std::pair<std::string, std::uint32_t>, Unsealed> found;
-  for (const std::string& object : objects_->list()) {
-    try {
-      if (auto unsealed = read_seal(object, objects_->get(object)))
-        found.insert_or_assign({unsealed->first.design, unsealed->first.number}, *unsealed);
-    } catch (const Error& failure) {
-      notes_.emplace_back(failure.what());
+void Store::adopt_unknown_packs(Quarantine& quarantine) {
+  std::vector<PackHead> found;
+  std::set<std::string> gone;
+  for (const std::string& id : packs_->list()) {
+    if (catalogue_->revision(id)) continue;
+    if (leftovers_.contains(id)) {
+      gone.insert(id);
+      continue;
+    }
+    auto head = packs_->head(id);
+    if (!head || head->record.id != id) {
+      quarantine.take(packs_->path_of(id), "its head cannot be read");
+    } else {
+      found.push_back(std::move(*head));
     }
   }
-  if (found.empty()) return;
-  Transaction transaction;
-  for (const auto& [key, revision] : found) {
-    transaction.emplace_back(AddRevision{revision.record});
-    transaction.emplace_back(AddPlace{key.first, key.second, revision.record.id});
-    transaction.emplace_back(SetHead{key.first, revision.record.id});
+  leftovers_ = std::move(gone);
+  const auto by_number = [](const PackHead& a, const PackHead& b) {
+    return std::tie(a.first.design, a.first.number, a.record.id) <
+           std::tie(b.first.design, b.first.number, b.record.id);
+  };
+  std::sort(found.begin(), found.end(), by_number);
+  for (const PackHead& head : found) {
+    const std::string& design = head.first.design;
+    const auto now = catalogue_->design(design);
+    const bool taken = catalogue_->at(design, head.first.number).has_value();
+    Transaction adopt{
+        AddRevision{head.record},
+        AddPlace{design, taken ? now->next_number : head.first.number, head.record.id}};
+    // As the edit that made it did, unless it asked for something else.
+    if (!now || now->head.empty() || now->head == head.record.parent)
+      adopt.emplace_back(SetHead{design, head.record.id});
+    catalogue_->apply(adopt);
   }
-  commit([&](Catalogue&) { return transaction; });
-  notes_.push_back("journal made again from " + std::to_string(found.size()) + " revisions");
-}
-
-void Store::drop_orphans() {
-  for (const std::string& object : objects_->list())
-    if (!catalogue_->has_object(object)) objects_->remove(object);
+  if (found.empty()) return;
+  journal_behind_ = true;
+  notes_.push_back(std::to_string(found.size()) +
+                   " revisions that the journal does not name were entered again");
 }
 
 void Store::put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes) {
   if (!persistent()) return;
-  const std::string sealed = seal(record, first, bytes);
-  record.object = objects_->put(sealed);
-  record.bytes = sealed.size();
+  {
+    const std::scoped_lock lock(mutex_);
+    leftovers_.erase(record.id);
+  }
+  record.bytes = packs_->put(record, first, bytes);
 }
 
-std::string Store::get(const RevisionRecord& record) {
-  const std::string sealed = objects_->get(record.object);
-  const auto unsealed = read_seal(record.object, sealed);
-  if (!unsealed || unsealed->record.id != record.id)
-    throw error::store_corrupted(objects_->path_of(record.object).string(),
-                                 "it is not the revision it should be");
-  return sealed.substr(sealed.find('\n') + 1);
-}
+std::string Store::get(const RevisionRecord& record) { return packs_->get(record); }
 
 void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
   const std::scoped_lock lock(mutex_);
   const Transaction transaction = make(*catalogue_);
   if (transaction.empty()) return;
-  std::vector<std::string> objects;
-  for (const Operation& operation : transaction) {
-    const auto* gone = std::get_if<RemoveRevision>(&operation);
-    if (gone == nullptr) continue;
-    if (const auto record = catalogue_->revision(gone->id)) objects.push_back(record->object);
+  try {
+    catalogue_->apply(transaction, [&] { enter(transaction); });
+  } catch (...) {
+    drop_added(transaction);
+    throw;
   }
-  std::uint64_t size = 0;
-  std::uint32_t mark = 0;
-  if (journal_) {
-    journal_->append(transaction);
-    size = journal_->size();
-    mark = journal_->mark(size);
-  }
-  catalogue_->apply(transaction, size, mark);
   if (!persistent()) return;
-  for (const std::string& object : objects) {
-    if (object.empty() || catalogue_->has_object(object)) continue;
-    try {
-      objects_->remove(object);
-    } catch (const Error&) {
-      // The transaction has happened all the same; the next opening drops the orphan.
-    }
+  for (const Operation& operation : transaction)
+    if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+  tidy();
+}
+
+void Store::enter(const Transaction& transaction) {
+  if (!persistent()) return;
+  const std::uint64_t many = kFewLines + kMostLinesPerRevision * catalogue_->count_revisions();
+  if (journal_behind_ || journal_->uncertain() || journal_->lines() > many) {
+    rewrite_journal();
+  } else {
+    journal_->append(transaction);
   }
+}
+
+void Store::rewrite_journal() {
+  std::vector<Transaction> all = catalogue_->snapshot();
+  for (const std::string& id : leftovers_)
+    if (!catalogue_->revision(id)) all.push_back({RemoveRevision{id}});
+  journal_->rewrite(all);
+  journal_behind_ = false;
+}
+
+void Store::drop_added(const Transaction& transaction) {
+  if (!persistent()) return;
+  for (const Operation& operation : transaction) {
+    const auto* added = std::get_if<AddRevision>(&operation);
+    if (added == nullptr || catalogue_->revision(added->record.id)) continue;
+    leftovers_.insert(added->record.id);
+  }
+  // Where the disk may have the line all the same, the bytes stay until the journal is rewritten.
+  if (!journal_->uncertain()) tidy();
+}
+
+void Store::tidy() {
+  const auto removed = [](const auto& remove) {
+    try {
+      remove();
+      return true;
+    } catch (const Error&) {
+      return false;  // the next commit tries again
+    }
+  };
+  std::erase_if(leftovers_, [&](const std::string& id) {
+    return catalogue_->revision(id) || removed([&] { packs_->remove(id); });
+  });
+  std::erase_if(old_scratch_,
+                [&](const fs::path& file) { return removed([&] { remove_file(file); }); });
 }
 
 }  // namespace remeshd

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,40 +12,48 @@
 #include "server/store/catalogue.h"
 #include "server/store/files.h"
 #include "server/store/journal.h"
-#include "server/store/objects.h"
+#include "server/store/packs.h"
 #include "server/store/records.h"
 
 namespace remeshd {
 
 /// Revisions and designs, in a folder or in memory only.
 ///
-/// A folder holds `objects/` (revisions, named by the hash of their bytes), `journal` (what
-/// happened to the catalogue) and `index.sqlite`, which is made again from the journal, or the
-/// journal itself from the objects, where it is missing or damaged. One process at a time has it.
-/// Inv: what `commit` returned from survives a crash.
+/// A folder holds `FORMAT` (what it is, and of which version), `packs/` (the bytes of revisions),
+/// `journal.a` and `journal.b` (what happened to the catalogue, twice), `tmp/` (files being
+/// written), `quarantine/` (what was found and is not known) and `lock`: one process at a time has
+/// the store. The catalogue itself is in memory, made from the journal; what the journal lost is
+/// made from the heads of the packs.
+///
+/// Inv: what `commit` returned from survives a crash. Opening deletes nothing; the first commit
+/// after it deletes what an earlier process left half-written, and packs that were deleted from the
+/// catalogue.
 class Store {
  public:
   /// In memory only: holds the catalogue, no bytes.
   Store();
   /// Waits up to `wait` seconds for another process to let go.
-  /// Throws Error: `StoreLocked`, `StoreFailed`.
+  /// Throws Error: `StoreForeign`, `StoreNewer` (both change nothing in the folder), `StoreLocked`,
+  /// `StoreFailed`, `StoreFull`.
   explicit Store(const std::filesystem::path& folder, double wait = 0);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  [[nodiscard]] bool persistent() const { return objects_ != nullptr; }
+  [[nodiscard]] bool persistent() const { return packs_ != nullptr; }
   /// What was mended or could not be used on opening; one line each.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Writes a revision's bytes; `record` gets `object` and `bytes`. `first` is written beside them,
-  /// for the case that the journal is lost.
+  /// Writes a revision's bytes, in place of those that are there; `record` gets `bytes`. `first` is
+  /// written beside them, for the case that the journal is lost. May not overlap with a `commit`
+  /// that removes the revision.
   void put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
   /// The bytes of a revision. Throws Error(StoreCorrupted).
   std::string get(const RevisionRecord& record);
 
   /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.
-  /// An empty one changes nothing. Objects that no revision has any more are deleted.
+  /// An empty one changes nothing. The packs of removed revisions are deleted, and where it throws,
+  /// those of revisions that it would have added.
   void commit(const std::function<Transaction(Catalogue&)>& make);
   /// Reads the catalogue with nothing in between.
   template <typename Read>
@@ -54,17 +63,26 @@ class Store {
   }
 
  private:
+  void open(double wait);
   void lock_folder(double wait);
-  void open_index(const std::filesystem::path& file);
-  void adopt_objects();
-  void drop_orphans();
+  void load(std::vector<Transaction> transactions);
+  void adopt_unknown_packs(class Quarantine& quarantine);
+  void enter(const Transaction& transaction);
+  void rewrite_journal();
+  void drop_added(const Transaction& transaction);
+  void tidy();
 
   std::mutex mutex_;
   std::filesystem::path folder_;
   File lock_;
-  std::unique_ptr<Objects> objects_;
+  std::unique_ptr<Packs> packs_;
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<Catalogue> catalogue_;
+  bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
+  /// Revisions that the journal says were removed, or that could not be added, and that may have a
+  /// pack.
+  std::set<std::string> leftovers_;
+  std::vector<std::filesystem::path> old_scratch_;  ///< of earlier processes
   std::vector<std::string> notes_;
 };
 

@@ -190,6 +190,52 @@ TEST_F(RealEngine, RefusesEmptyAndDisconnectedModelsByName) {
   EXPECT_TRUE(serves());
 }
 
+TEST_F(RealEngine, RefusesAnEditFarTooLargeBeforeAnythingIsComputed) {
+  create(create_request(plate(), 1000));
+  v1::ModelEdit longer;
+  auto& change = *longer.add_edits()->mutable_set_feature_parameter();
+  change.set_feature("plate");
+  change.set_name("dx");
+  change.mutable_value()->set_number_value(1e9);
+  v1::RevisionReply made;
+  const auto expect_refused = [&](const grpc::Status& status) {
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_EQ(detail(status).reason(), "MeshTooLarge");
+    // Only the closed formulas of the features tell which one it is.
+    EXPECT_EQ(detail(status).feature(), "plate");
+  };
+  expect_refused(try_edit(edit_request("plate", longer), &made));
+  grpc::ClientContext context;
+  v1::ValidateEditRequest request;
+  request.set_base("plate");
+  *request.mutable_edit() = longer;
+  v1::ValidateReply reply;
+  expect_refused(stub().ValidateEdit(&context, request, &reply));
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(RealEngine, ValidatesTheNodesThatAModelNeedsByItsExactVolume) {
+  options_.max_nodes = 2000;
+  // Blocks in one place: by their volumes alone they might be six times as large.
+  auto same = plate();
+  for (int k = 0; k < 5; ++k) {
+    *same.add_features() = same.features(0);
+    same.mutable_features(2 + k)->set_id("again" + std::to_string(k));
+  }
+  const auto validate = [&](double size) {
+    grpc::ClientContext context;
+    v1::ValidateModelRequest request;
+    *request.mutable_model() = same;
+    request.mutable_options()->set_size(size);
+    v1::ValidateReply reply;
+    return stub().ValidateModel(&context, request, &reply);
+  };
+  EXPECT_TRUE(validate(4).ok());
+  const auto status = validate(2.5);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(detail(status).reason(), "MeshTooLarge");
+}
+
 TEST_F(RealEngine, WorksOnTheControlMeshOfThePaperToo) {
   auto request = coarse("simple-a");
   request.mutable_options()->set_inside(v1::INSIDE_TEST_CONTROL_MESH);

@@ -201,16 +201,16 @@ TEST_F(Errors, AModelThatIsEmptyAfterTheEditIsRefusedAndNothingIsLeftOfIt) {
 }
 
 TEST_F(Errors, OptionsOutOfRangeAreNamed) {
-  const auto option = [&](auto&& change, StatusCode code = StatusCode::INVALID_ARGUMENT) {
+  const auto option = [&](auto&& change) {
     auto request = create_request(plate());
     change(*request.mutable_options());
     v1::RevisionReply reply;
     const auto status = try_create(request, &reply);
-    EXPECT_EQ(status.error_code(), code);
+    EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
     return detail(status).parameter();
   };
   EXPECT_EQ(option([](auto& o) { o.set_nodes(19); }), "nodes");
-  EXPECT_EQ(option([](auto& o) { o.set_nodes(5000001); }, StatusCode::RESOURCE_EXHAUSTED), "nodes");
+  EXPECT_EQ(option([](auto& o) { o.set_nodes(5000001); }), "nodes");
   EXPECT_EQ(option([](auto& o) { o.set_size(0); }), "size");
   EXPECT_EQ(option([](auto& o) { o.set_size(-1); }), "size");
   EXPECT_EQ(option([](auto& o) { o.set_size(std::nan("")); }), "size");
@@ -220,6 +220,21 @@ TEST_F(Errors, OptionsOutOfRangeAreNamed) {
   EXPECT_EQ(option([](auto& o) { o.set_start(static_cast<v1::Start>(7)); }), "start");
   EXPECT_EQ(option([](auto& o) { o.set_threshold(0.9); }), "threshold");
   EXPECT_EQ(option([](auto& o) { o.set_threshold(std::nan("")); }), "threshold");
+}
+
+TEST_F(Errors, AMeshThatCanNeverFitIsInvalidAndNotToBeTriedAgain) {
+  v1::ModelEdit changes;
+  auto& change = *changes.add_edits()->mutable_set_feature_parameter();
+  change.set_feature("plate");
+  change.set_name("dx");
+  change.mutable_value()->set_number_value(1e9);
+  const auto error = refused_edit(changes);
+  EXPECT_EQ(error.reason(), "MeshTooLarge");
+  EXPECT_EQ(error.feature(), "plate");
+  EXPECT_THAT(error.message(), HasSubstr("5000000"));
+  EXPECT_FALSE(error.hint().empty());
+  EXPECT_EQ(error.retry_after(), 0);
+  EXPECT_EQ(engine_.started(), 1) << "the plate itself";
 }
 
 TEST_F(Errors, MissingPartsOfRequestsAreNamed) {

@@ -5,6 +5,7 @@
 
 #include "engine/base/error.h"
 #include "engine/base/random.h"
+#include "engine/model/solid.h"
 #include "server/service/decode.h"
 #include "server/service/encode.h"
 
@@ -115,6 +116,21 @@ void name_parts(Revision& r) {
     groups.cell_owners[0].push_back(feature.id);
   r.delivery.map.transforms = {Transform{}, Transform::translation({0, 0, 3})};
   r.delivery.map.transform_features = {"plate", "rib"};
+}
+
+/// The rule of the real one without its geometry: a node for each cube of the edge length.
+void check_node_limit_fake(const Revision* base, const FeatureModel& model,
+                           const MeshOptions& options, const Run& run) {
+  double nodes = options.nodes.value_or(0);
+  if (!options.nodes) {
+    const double edge_length = base != nullptr ? base->edge_length : *options.size;
+    for (const Feature& feature : model.features)
+      if (feature.nature == Nature::Additive)
+        nodes += volume_of(feature.shape) / (edge_length * edge_length * edge_length);
+  }
+  if (nodes > run.max_nodes)
+    throw error::mesh_too_large("this needs", nodes, run.max_nodes, options.nodes ? "nodes" : "",
+                                model.features.front().id, "ask for less");
 }
 
 Revision deserialise_fake(const std::string& bytes) {
@@ -250,8 +266,9 @@ Engine FakeEngine::engine() const {
       .algorithm_version = 13,
       .evaluate = evaluate,
       .apply = apply,
+      .check_node_limit = check_node_limit_fake,
       .summarise =
-          [](const FeatureModel& model, const Run&) {
+          [](const Revision*, const FeatureModel& model, const MeshOptions&, const Run&) {
             ModelSummary summary;
             summary.volume = 1000.0 * static_cast<double>(model.features.size());
             summary.cells = static_cast<std::uint32_t>(model.features.size());

@@ -21,7 +21,7 @@ WorkedCase work() {
   w.model = test::case_features("tool1-a");
   w.cells = build_cells(w.model, run);
   w.membership = std::make_unique<const Membership>(w.model);
-  const Density density = resolve_density(nullptr, options, w.cells.volume, w.cells.area);
+  const Density density = resolve_density(nullptr, options, w.cells, run);
   w.edge_length = density.edge_length;
   const PointSource source(nullptr, w.model, w.edge_length, run);
   LocalNodes local = *initial_nodes(nullptr, source, density, options.start, kSeed, {}, run);

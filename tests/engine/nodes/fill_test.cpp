@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/base/error.h"
 #include "engine/nodes/density.h"
 
 namespace remeshd {
@@ -81,6 +82,21 @@ TEST(FillLattice, NeighboursKeepTheirDistance) {
       {.edge_length = 1, .density = 2}, kRun);
   for (std::size_t a = 0; a < nodes.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) ASSERT_GT(distance(nodes[a], nodes[b]), 0.68);
+}
+
+TEST_P(Filling, EndsSoonAfterAStopHoweverManyPlacesALayerHas) {
+  std::stop_source stop;
+  remeshd::Run run;
+  run.stop = stop.get_token();
+  std::size_t asked_since = 0;
+  const auto inside = [&](const Vec3&) {
+    asked_since += stop.request_stop() ? 0 : 1;
+    return true;
+  };
+  EXPECT_THROW(GetParam()({box({0, 0, 0}, {1500, 1500, 1500})}, inside,
+                          {.edge_length = 1, .density = 2}, run),
+               Error);
+  EXPECT_LT(asked_since, 10000U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <future>
 #include <latch>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace remeshd {
@@ -119,6 +120,30 @@ TEST(Pool, ShutdownRefusesWhatWaitsAndLetsFinishWhatRuns) {
   EXPECT_EQ(reason, "ShuttingDown");
   EXPECT_EQ(pool.running(), 0U);
   EXPECT_THROW(pool.submit([] {}, kNoRefusal), Error);
+}
+
+TEST(Pool, RunsOnWhateverAJobThrows) {
+  Pool pool({.workers = 1, .queue = 10, .wait = 60});
+  pool.submit([] { throw std::runtime_error("a job"); }, kNoRefusal);
+  pool.submit([] { throw 1; }, kNoRefusal);
+  std::promise<void> ran;
+  pool.submit([&] { ran.set_value(); }, kNoRefusal);
+  ran.get_future().wait();
+}
+
+TEST(Pool, RefusesOnWhateverARefusalThrows) {
+  Pool pool({.workers = 1, .queue = 10, .wait = 0.02});
+  Blocker blocker(pool);
+  std::promise<void> refused;
+  pool.submit([] {}, [](const Error&) { throw std::runtime_error("a refusal"); });
+  pool.submit([] {}, [&](const Error&) { refused.set_value(); });
+  refused.get_future().wait();
+  pool.submit([] {},
+              [&](const Error&) {
+                blocker.open();
+                throw std::runtime_error("a refusal at the end");
+              });
+  pool.shutdown();
 }
 
 }  // namespace

@@ -1,139 +1,248 @@
 #include "server/store/store.h"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
+#include <gmock/gmock.h>
 
 #include "engine/base/error.h"
-#include "proto/checksum.h"
+#include "server/store/checked_line.h"
+#include "tests/server/store/store_folder.h"
 
-namespace remeshd {
+namespace remeshd::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
 
-class StoreTest : public testing::Test {
+class StoreTest : public StoreFolderTest {
  protected:
-  StoreTest()
-      : folder_(fs::temp_directory_path() / ("remeshd-store-test-" + std::to_string(::getpid()))) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  fs::path pack(int n) const { return folder_ / "packs" / id(n).substr(0, 2) / id(n).substr(2); }
+  void make(int revisions) {
+    Store store(folder_);
+    for (int n = 1; n <= revisions; ++n) file(store, n);
   }
-  ~StoreTest() override { fs::remove_all(folder_); }
-
-  static RevisionRecord record(const std::string& id) {
-    return {.id = id,
-            .parent = "",
-            .model_name = "m\n\"\xC3\xA4",
-            .object = "o",
-            .created_ns = 5,
-            .nodes = 7,
-            .tets = 8,
-            .bytes = 9};
+  void damage_both_journals(const std::function<std::string(std::string)>& damage) {
+    for (const char* name : {"journal.a", "journal.b"})
+      write(folder_ / name, damage(content(folder_ / name)));
   }
-
-  const fs::path folder_;
+  bool quarantined(const std::string& bytes) {
+    for (const auto& [name, found] : files())
+      if (name.starts_with("quarantine/") && found == bytes) return true;
+    return false;
+  }
+  static std::string without_line(const std::string& text, int line) {
+    std::size_t start = 0;
+    for (int i = 0; i < line; ++i) start = text.find('\n', start) + 1;
+    return text.substr(0, start) + text.substr(text.find('\n', start) + 1);
+  }
 };
 
-TEST_F(StoreTest, ObjectsAreNamedByTheirHashAndReadBack) {
-  Objects objects(folder_);
-  const std::string bytes("abc\0def", 7);
-  const std::string hash = objects.put(bytes);
-  EXPECT_EQ(hash, sha256_hex(bytes));
-  EXPECT_EQ(objects.get(hash), bytes);
-  EXPECT_EQ(objects.put(bytes), hash);
-  EXPECT_EQ(objects.list(), std::vector<std::string>{hash});
-  objects.remove(hash);
-  objects.remove(hash);
-  EXPECT_TRUE(objects.list().empty());
-  EXPECT_THROW(static_cast<void>(objects.get(hash)), Error);
+constexpr const char* kThree = "d@1 = 1\nd@2 = 2\nd@3 = 3 head\n";
+
+TEST_F(StoreTest, WhatWasCommittedIsThereAfterAnotherOpening) {
+  make(3);
+  Store store(folder_);
+  EXPECT_TRUE(store.notes().empty());
+  EXPECT_EQ(listing(store), kThree);
+  for (int n = 1; n <= 3; ++n) EXPECT_EQ(read(store, n), bytes_of(n));
 }
 
-TEST_F(StoreTest, ADamagedObjectIsNoticedAndWrittenAnew) {
-  Objects objects(folder_);
-  const std::string hash = objects.put("abc");
-  std::ofstream(objects.path_of(hash)) << "abd";
-  EXPECT_THROW(static_cast<void>(objects.get(hash)), Error);
-  objects.put("abc");
-  EXPECT_EQ(objects.get(hash), "abc");
+TEST_F(StoreTest, OpeningAWholeStoreChangesNoFile) {
+  make(3);
+  const auto before = files();
+  { const Store store(folder_); }
+  EXPECT_EQ(files(), before);
 }
 
-TEST_F(StoreTest, WhatACrashLeftHalfWrittenIsCleared) {
-  { Objects objects(folder_); }
-  std::ofstream(folder_ / "tmp" / "123-0") << "half";
-  Objects objects(folder_);
+TEST_F(StoreTest, OpeningDeletesNothing) {
+  make(3);
+  {
+    Store store(folder_);
+    remove(store, 3);
+  }
+  // What a crash may leave, and what others may have put there.
+  write(folder_ / "tmp" / "123-0", "half a pack");
+  write(pack(3), "the pack of a revision that was deleted");
+  write(folder_ / "packs" / "README", "a note");
+  write(folder_ / "packs" / "zz" / "file", "a file");
+  write(folder_ / "README", "a note of the administrator");
+  write(pack(9), "no pack");
+  std::ofstream(folder_ / "journal.a", std::ios::app) << "no line";
+  std::multiset<std::string> before;
+  for (const auto& [name, bytes] : files())
+    if (!name.starts_with("journal")) before.insert(bytes);
+  { const Store store(folder_); }
+  std::multiset<std::string> after;
+  for (const auto& [name, bytes] : files())
+    if (!name.starts_with("journal")) after.insert(bytes);
+  after.erase("no line\n");
+  EXPECT_EQ(after, before);
+  EXPECT_TRUE(quarantined("no pack"));
+  EXPECT_TRUE(quarantined("a note"));
+  EXPECT_TRUE(quarantined("no line\n"));
+  EXPECT_EQ(content(folder_ / "README"), "a note of the administrator");
+}
+
+TEST_F(StoreTest, TheFirstCommitDeletesWhatACrashLeft) {
+  make(3);
+  {
+    Store store(folder_);
+    remove(store, 3);
+  }
+  write(folder_ / "tmp" / "123-0", "half a pack");
+  write(pack(3), "the pack of a revision that was deleted");
+  Store store(folder_);
+  file(store, 4);
+  EXPECT_FALSE(fs::exists(pack(3)));
   EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
-  EXPECT_TRUE(objects.list().empty());
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2\nd@4 = 4 head\n");
 }
 
-TEST_F(StoreTest, TheJournalGivesItsTransactionsBack) {
+TEST_F(StoreTest, ADeletedRevisionStaysDeletedThoughItsPackAndARewrittenJournalAreThere) {
+  make(2);
+  const std::string bytes = content(pack(2));
   {
-    Journal journal(folder_ / "journal");
-    journal.append({AddRevision{record("aa")}, AddPlace{"d", 1, "aa"}, SetHead{"d", "aa"}});
-    journal.append({RemovePlace{"d", 1}, RemoveRevision{"aa"}});
+    Store store(folder_);
+    remove(store, 2);
   }
-  const Journal journal(folder_ / "journal");
-  std::vector<Transaction> seen;
-  EXPECT_EQ(journal.replay(0, [&](const Transaction& t) { seen.push_back(t); }), 0U);
-  ASSERT_EQ(seen.size(), 2U);
-  EXPECT_EQ(std::get<AddRevision>(seen[0][0]).record, record("aa"));
-  EXPECT_EQ(std::get<AddPlace>(seen[0][1]).number, 1U);
-  EXPECT_EQ(std::get<SetHead>(seen[0][2]).id, "aa");
-  EXPECT_EQ(std::get<RemovePlace>(seen[1][0]).design, "d");
-  EXPECT_EQ(std::get<RemoveRevision>(seen[1][1]).id, "aa");
+  write(pack(2), bytes);
+  fs::remove(folder_ / "journal.b");  // so that the next opening rewrites both
+  { const Store store(folder_); }
+  Store store(folder_);
+  EXPECT_FALSE(has(store, 2));
 }
 
-TEST_F(StoreTest, ATornLastLineIsCutOffAndADamagedOneLeftOut) {
-  const fs::path file = folder_ / "journal";
+TEST_F(StoreTest, ADeletedRevisionMayBeStoredAgain) {
+  make(2);
+  Store store(folder_);
+  remove(store, 2);
+  EXPECT_FALSE(fs::exists(pack(2)));
+  file(store, 2);
+  EXPECT_EQ(read(store, 2), bytes_of(2));
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@3 = 2 head\n");
+}
+
+TEST_F(StoreTest, WithoutItsJournalTheStoreIsMadeAgainFromThePacks) {
+  for (const char* journal : {"missing", "empty"}) {
+    fs::remove_all(folder_);
+    make(3);
+    for (const char* name : {"journal.a", "journal.b"}) {
+      if (journal == std::string("empty")) {
+        write(folder_ / name, "");
+      } else {
+        fs::remove(folder_ / name);
+      }
+    }
+    {
+      Store store(folder_);
+      EXPECT_EQ(listing(store), kThree) << journal;
+      EXPECT_EQ(read(store, 2), bytes_of(2));
+      EXPECT_THAT(store.notes(), Contains(HasSubstr("3 revisions")));
+    }
+    Store again(folder_);
+    EXPECT_EQ(listing(again), kThree);
+    EXPECT_TRUE(again.notes().empty());
+  }
+}
+
+TEST_F(StoreTest, ALineLostInBothJournalsIsReadOutOfThePack) {
+  for (int line = 1; line <= 3; ++line) {  // line 0 starts anew
+    fs::remove_all(folder_);
+    make(3);
+    damage_both_journals([&](const std::string& text) { return without_line(text, line); });
+    Store store(folder_);
+    EXPECT_EQ(listing(store), kThree) << "without line " << line;
+    for (int n = 1; n <= 3; ++n) EXPECT_EQ(read(store, n), bytes_of(n));
+  }
+}
+
+TEST_F(StoreTest, AJournalOfBeforeThatWasPutBackLosesNoRevision) {
+  make(1);
+  const std::string first = content(folder_ / "journal.a");
   {
-    Journal journal(file);
-    for (const char* id : {"aa", "bb", "cc"}) journal.append({RemoveRevision{id}});
+    Store store(folder_);
+    file(store, 2);
+    file(store, 3);
   }
-  const auto whole = fs::file_size(file);
-  std::ofstream(file, std::ios::app) << "0123abcd [{\"remove_rev";
+  damage_both_journals([&](const std::string&) { return first; });
+  Store store(folder_);
+  EXPECT_EQ(listing(store), kThree);
+}
+
+TEST_F(StoreTest, LinesThatAreNotKnownAreKept) {
+  make(1);
+  const std::string newer = checked_line(R"({"version":3,"number":77,"operations":[]})");
+  damage_both_journals([&](const std::string& text) { return text + newer; });
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@1 = 1 head\n");
+  EXPECT_TRUE(quarantined(newer));
+}
+
+TEST_F(StoreTest, AnAdoptedRevisionWhoseNumberIsTakenGetsTheNextOne) {
+  make(2);
   {
-    std::fstream f(file, std::ios::in | std::ios::out | std::ios::binary);
-    f.seekp(static_cast<std::int64_t>(whole / 2));  // in the second line
-    f.put('~');
+    Store store(folder_);
+    RevisionRecord same = record(5, "elsewhere");
+    store.put(same, {.design = "d", .number = 2, .id = id(5)}, bytes_of(5));
   }
-  Journal journal(file);
-  EXPECT_EQ(journal.size(), whole);
-  EXPECT_EQ(fs::file_size(file), whole);
-  std::vector<std::string> ids;
-  const auto bad = journal.replay(
-      0, [&](const Transaction& t) { ids.push_back(std::get<RemoveRevision>(t[0]).id); });
-  EXPECT_EQ(bad, 1U);
-  EXPECT_EQ(ids, (std::vector<std::string>{"aa", "cc"}));
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
 }
 
-TEST_F(StoreTest, ATransactionHappensAsAWholeOrNotAtAll) {
-  Catalogue catalogue(":memory:");
-  catalogue.apply({AddRevision{record("aa")}, AddPlace{"d", 1, "aa"}, SetHead{"d", "aa"}}, 10, 3);
-  // The number is taken: the revision before it must not stay.
-  EXPECT_THROW(catalogue.apply({AddRevision{record("bb")}, AddPlace{"d", 1, "bb"}}, 20, 4), Error);
-  EXPECT_FALSE(catalogue.revision("bb"));
-  EXPECT_EQ(catalogue.journal_size(), 10U);
-  EXPECT_EQ(catalogue.journal_mark(), 3U);
-  EXPECT_EQ(catalogue.revision("aa"), record("aa"));
+TEST_F(StoreTest, APackOfAnUnfinishedRequestDoesNotTakeTheHeadOfAnotherBranch) {
+  make(2);
+  {
+    Store store(folder_);
+    RevisionRecord child = record(5, id(1));
+    store.put(child, {.design = "d", .number = 3, .id = id(5)}, bytes_of(5));
+  }
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
 }
 
-TEST_F(StoreTest, NextNumbersOnlyGrow) {
-  Catalogue catalogue(":memory:");
-  catalogue.apply({AddPlace{"d", 5, "aa"}, AddPlace{"d", 2, "bb"}}, 1, 1);
-  EXPECT_EQ(catalogue.design("d")->next_number, 6U);
-  catalogue.apply({RemovePlace{"d", 5}, RemovePlace{"d", 2}}, 2, 2);
-  EXPECT_EQ(catalogue.design("d")->next_number, 6U);
-  EXPECT_EQ(catalogue.design("d")->revisions, 0U);
+TEST_F(StoreTest, APackUnderAnotherIdIsNotAdopted) {
+  make(2);
+  fs::create_directories(pack(7).parent_path());
+  fs::copy_file(pack(1), pack(7));
+  Store store(folder_);
+  EXPECT_FALSE(has(store, 7));
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
 }
 
-TEST_F(StoreTest, PrefixesFindEveryIdThatBeginsWithThem) {
-  Catalogue catalogue(":memory:");
-  for (const char* id : {"abc0", "abcf", "abd0", "ab"})
-    catalogue.apply({AddRevision{record(id)}}, 1, 1);
-  EXPECT_EQ(catalogue.with_prefix("abc", 9), (std::vector<std::string>{"abc0", "abcf"}));
-  EXPECT_EQ(catalogue.with_prefix("abcf", 9), std::vector<std::string>{"abcf"});
-  EXPECT_TRUE(catalogue.with_prefix("ac", 9).empty());
+TEST_F(StoreTest, AMissingOrDamagedPackIsToldAndCanBeStoredAgain) {
+  make(2);
+  fs::remove(pack(1));
+  flip_bit(pack(2), fs::file_size(pack(2)) - 1);
+  Store store(folder_);
+  for (int n = 1; n <= 2; ++n) {
+    try {
+      read(store, n);
+      ADD_FAILURE() << "damaged bytes were served";
+    } catch (const Error& failure) {
+      EXPECT_EQ(failure.info().reason, "StoreCorrupted");
+      EXPECT_THAT(failure.info().message, Not(HasSubstr(folder_.string())));
+    }
+    RevisionRecord again = record(n);
+    store.put(again, {.design = "d", .number = 1, .id = id(n)}, bytes_of(n));
+    EXPECT_EQ(read(store, n), bytes_of(n));
+  }
+}
+
+TEST_F(StoreTest, TheJournalDoesNotGrowWithWhatIsNoMore) {
+  Store store(folder_);
+  for (int i = 0; i < 3000; ++i)
+    store.commit([&](Catalogue&) {
+      return Transaction{SetHead{"d", ""}, AddDesign{"d", static_cast<std::uint32_t>(i)}};
+    });
+  EXPECT_LT(fs::file_size(folder_ / "journal.a"), 200000U);
+  EXPECT_EQ(store.read([](Catalogue& c) { return c.design("d")->next_number; }), 2999U);
+}
+
+TEST_F(StoreTest, InMemoryTheCatalogueIsTheSame) {
+  Store store;
+  file(store, 1);
+  file(store, 2);
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
+  EXPECT_FALSE(store.persistent());
 }
 
 TEST_F(StoreTest, AFullDiskIsAnErrorThatSaysSo) {
@@ -149,4 +258,4 @@ TEST_F(StoreTest, AFullDiskIsAnErrorThatSaysSo) {
 }
 
 }  // namespace
-}  // namespace remeshd
+}  // namespace remeshd::test

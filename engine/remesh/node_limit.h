@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/cellular/cellular_model.h"
+#include "engine/nodes/density.h"
+#include "engine/remesh/remesh.h"
+
+namespace remeshd {
+
+/// The limit on nodes (`Run::max_nodes`), the same whether a request gives their number or an edge
+/// length, or inherits its base's. An edit never has a larger edge length than its base.
+
+/// What a model's boundary tells of a mesh.
+Extent extent_of(const CellularModel& cells);
+
+/// Before anything is computed, as far as closed formulas tell: what passes may still be refused
+/// once the model's cells are known. `original`: null for a first mesh.
+///
+/// Throws Error(InvalidArgument) `MeshTooLarge`, naming the feature where one alone is too large.
+void check_node_limit(const Revision* original, const FeatureModel& model,
+                      const MeshOptions& options, const Run& run);
+
+/// Exactly. `edge_length`: as resolved.
+///
+/// Throws Error(InvalidArgument) `MeshTooLarge`.
+void check_node_limit(const Revision* original, const Extent& extent, double edge_length,
+                      const MeshOptions& options, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,88 @@
+#include "server/store/journal_line.h"
+
+#include <nlohmann/json.hpp>
+
+#include "server/store/checked_line.h"
+
+namespace remeshd {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 2;
+
+struct ToJson {
+  json operator()(const AddRevision& op) const {
+    const RevisionRecord& r = op.record;
+    return {{"add_revision", r.id},
+            {"parent", r.parent},
+            {"model_name", r.model_name},
+            {"created_ns", r.created_ns},
+            {"nodes", r.nodes},
+            {"tets", r.tets},
+            {"bytes", r.bytes}};
+  }
+  json operator()(const AddPlace& op) const {
+    return {{"add_place", op.design}, {"number", op.number}, {"id", op.id}};
+  }
+  json operator()(const SetHead& op) const { return {{"set_head", op.design}, {"id", op.id}}; }
+  json operator()(const RemovePlace& op) const {
+    return {{"remove_place", op.design}, {"number", op.number}};
+  }
+  json operator()(const RemoveRevision& op) const { return {{"remove_revision", op.id}}; }
+  json operator()(const AddDesign& op) const {
+    return {{"add_design", op.name}, {"next_number", op.next_number}};
+  }
+  json operator()(const StartAnew&) const { return {{"start_anew", true}}; }
+};
+
+/// Throws json::exception for an operation that is not known.
+Operation from_json(const json& j) {
+  if (j.contains("add_revision")) {
+    RevisionRecord r;
+    j.at("add_revision").get_to(r.id);
+    j.at("parent").get_to(r.parent);
+    j.at("model_name").get_to(r.model_name);
+    j.at("created_ns").get_to(r.created_ns);
+    j.at("nodes").get_to(r.nodes);
+    j.at("tets").get_to(r.tets);
+    j.at("bytes").get_to(r.bytes);
+    return AddRevision{r};
+  }
+  if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};
+  if (j.contains("set_head")) return SetHead{j.at("set_head"), j.at("id")};
+  if (j.contains("remove_place")) return RemovePlace{j.at("remove_place"), j.at("number")};
+  if (j.contains("add_design")) return AddDesign{j.at("add_design"), j.at("next_number")};
+  if (j.contains("start_anew")) return StartAnew{};
+  return RemoveRevision{j.at("remove_revision")};
+}
+
+}  // namespace
+
+std::string write_journal_line(const JournalLine& line) {
+  json operations = json::array();
+  for (const Operation& operation : line.transaction)
+    operations.push_back(std::visit(ToJson{}, operation));
+  return checked_line(
+      json{{"version", kVersion}, {"number", line.number}, {"operations", std::move(operations)}}
+          .dump());
+}
+
+std::optional<JournalLine> read_journal_line(std::string_view line) {
+  const auto text = checked_text(line);
+  if (!text) return std::nullopt;
+  try {
+    const json content = json::parse(*text);
+    const bool first_version = content.is_array();
+    if (!first_version && content.at("version") != kVersion) return std::nullopt;
+    JournalLine out;
+    if (!first_version) content.at("number").get_to(out.number);
+    for (const json& operation : first_version ? content : content.at("operations"))
+      out.transaction.push_back(from_json(operation));
+    return out;
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace remeshd

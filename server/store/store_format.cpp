@@ -1,0 +1,124 @@
+#include "server/store/store_format.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "engine/base/error.h"
+#include "server/store/checked_line.h"
+#include "server/store/files.h"
+#include "server/store/journal_line.h"
+#include "server/store/pack_head.h"
+#include "server/store/store_error.h"
+
+namespace remeshd {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kMark = "remeshd";
+
+// What stores of any version up to this one have in their folder. `lost+found` is a file system's.
+const std::set<std::string> kOurs{
+    "FORMAT",  "journal.a",    "journal.b",        "lock",
+    "packs",   "tmp",          "quarantine",       "journal",
+    "objects", "index.sqlite", "index.sqlite-wal", "index.sqlite-shm"};
+
+std::optional<int> read_format(const fs::path& file) {
+  if (!fs::is_regular_file(file)) return std::nullopt;
+  const std::string start = read_start(file, kMostHeadBytes);
+  const auto text = checked_text(start);
+  if (!text) return std::nullopt;
+  const json content = json::parse(*text, nullptr, false);
+  if (!content.is_object() || content.value("store", "") != kMark) return std::nullopt;
+  const auto version = content.find("version");
+  if (version == content.end() || !version->is_number_integer()) return std::nullopt;
+  return version->get<int>();
+}
+
+std::string start_of(const fs::path& file) {
+  try {
+    return read_start(file, kMostHeadBytes);
+  } catch (const Error&) {
+    return {};  // no evidence
+  }
+}
+
+/// The newest version that a pack in the folder names; nothing where none does.
+std::optional<int> version_of_packs(const fs::path& folder) {
+  std::optional<int> newest;
+  for (const char* name : {"packs", "objects"}) {
+    if (!fs::is_directory(folder / name)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(
+             folder / name, fs::directory_options::skip_permission_denied)) {
+      if (!entry.is_regular_file()) continue;
+      const auto version = store_version_of(start_of(entry.path()));
+      if (version) newest = std::max(newest.value_or(0), *version);
+    }
+  }
+  return newest;
+}
+
+bool has_journal(const fs::path& folder) {
+  for (const char* name : {"journal.a", "journal.b", "journal"}) {
+    if (!fs::is_regular_file(folder / name)) continue;
+    const std::string text = read_whole(folder / name);
+    for (std::size_t start = 0, end = 0; start < text.size(); start = end + 1) {
+      end = std::min(text.find('\n', start), text.size());
+      if (read_journal_line(std::string_view(text).substr(start, end - start))) return true;
+    }
+  }
+  return false;
+}
+
+bool has_files(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return false;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (!entry.is_directory()) return true;
+  return false;
+}
+
+/// A store in which nothing was stored: names of ours, and nothing in them.
+bool is_bare(const fs::path& folder, const std::set<std::string>& names) {
+  if (!std::includes(kOurs.begin(), kOurs.end(), names.begin(), names.end())) return false;
+  for (const char* journal : {"journal", "journal.a", "journal.b"})
+    if (names.contains(journal) && fs::file_size(folder / journal) > 0) return false;
+  return !has_files(folder / "packs") && !has_files(folder / "objects");
+}
+
+}  // namespace
+
+FolderKind look_at_folder(const fs::path& folder) {
+  try {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.insert(entry.path().filename().string());
+    names.erase("lost+found");
+    names.erase("lock");
+    if (names.empty()) return FolderKind::Empty;
+    if (const auto version = read_format(folder / "FORMAT")) {
+      if (*version > kStoreVersion)
+        throw error::store_newer(folder.string(), *version, kStoreVersion);
+      return FolderKind::Store;
+    }
+    if (const auto version = version_of_packs(folder)) {
+      if (*version > kStoreVersion)
+        throw error::store_newer(folder.string(), *version, kStoreVersion);
+      return FolderKind::Unmarked;
+    }
+    if (has_journal(folder) || is_bare(folder, names)) return FolderKind::Unmarked;
+    throw error::store_foreign(folder.string(), *names.begin());
+  } catch (const fs::filesystem_error& failure) {
+    throw error::store_failed("reading", folder.string(), failure.code().value());
+  }
+}
+
+void write_format(const fs::path& folder, const fs::path& scratch) {
+  write_durably(folder / "FORMAT",
+                checked_line(json{{"store", kMark}, {"version", kStoreVersion}}.dump()), scratch);
+}
+
+}  // namespace remeshd

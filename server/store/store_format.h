@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+namespace remeshd {
+
+/// Version of the layout of stores that this program writes.
+inline constexpr int kStoreVersion = 1;
+
+/// What a folder that is to be a store is.
+enum class FolderKind {
+  Empty,     ///< a store may be made there
+  Store,     ///< of this version, with an intact FORMAT
+  Unmarked,  ///< a store of this version or an older one, whose FORMAT is missing or damaged
+};
+
+/// Looks at a folder, and changes nothing there. FORMAT decides where it is intact; else the heads
+/// of the packs do, then what else there is.
+///
+/// Throws Error: `StoreForeign` for a folder that holds something else, `StoreNewer` for a store of
+/// a newer version, `StoreFailed`.
+FolderKind look_at_folder(const std::filesystem::path& folder);
+
+/// Writes FORMAT. Throws Error(StoreFailed, StoreFull).
+void write_format(const std::filesystem::path& folder, const std::filesystem::path& scratch);
+
+}  // namespace remeshd

@@ -1,0 +1,200 @@
+#include <gmock/gmock.h>
+
+#include <cerrno>
+
+#include "engine/base/error.h"
+#include "tests/disk/file_calls.h"
+#include "tests/disk/store_work.h"
+
+namespace remeshd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a fault does to one call, and maybe to all after it.
+struct Fault {
+  const char* name;
+  int error;  ///< as FileCalls::Decide returns it
+  bool lasting;
+};
+
+class DiskFaults : public StoreOnDisk, public testing::WithParamInterface<Fault> {
+ protected:
+  DiskFaults() : work_(folder_ / "work"), after_(folder_ / "after") { fs::create_directory(work_); }
+
+  /// Runs the steps with the fault at call `at`; false if there are fewer calls.
+  bool run_with_fault(std::size_t at) {
+    fs::remove_all(work_);
+    fs::create_directory(work_);
+    std::optional<FileCalls> calls(work_);
+    bool reached = false;
+    std::size_t short_write = 0;
+    calls->decide([&](const FileCall& call, std::size_t index) {
+      if (index < at) return 0;
+      // After half a write the rest fails.
+      if (index == short_write && short_write > 0) return std::abs(GetParam().error);
+      if (index > at && !GetParam().lasting) return 0;
+      reached = true;
+      if (GetParam().error < 0 && call.kind == FileCall::Kind::Write) short_write = index + 1;
+      return GetParam().error;
+    });
+    std::set<int> expected, given_up;
+    try {
+      Store store(work_);
+      for (const StoreStep& step : steps()) {
+        const StoreState before = state_of(store);
+        try {
+          step.run(store);
+        } catch (const Error& failure) {
+          EXPECT_THAT(failure.info().reason, testing::AnyOf("StoreFailed", "StoreFull"));
+          // What failed did not happen.
+          EXPECT_EQ(state_of(store).listing, before.listing) << step.name;
+        }
+      }
+      acknowledged_ = state_of(store);
+      calls->decide({});
+      // The fault is gone: the store takes revisions again, in this process too.
+      if (reached) {
+        file(store, 9);
+        acknowledged_ = state_of(store);
+        EXPECT_TRUE(acknowledged_.revisions.contains(9));
+      }
+    } catch (const Error& failure) {
+      EXPECT_THAT(failure.info().reason, testing::AnyOf("StoreFailed", "StoreFull"));
+      acknowledged_ = {};
+    }
+    record_ = calls->record();
+    return reached;
+  }
+
+  const fs::path work_, after_;
+  StoreState acknowledged_;
+  FileRecord record_;
+};
+
+TEST_P(DiskFaults, NoAcknowledgedRevisionIsLostWhereverTheyStrike) {
+  std::size_t at = 0;
+  for (; run_with_fault(at); ++at) {
+    SCOPED_TRACE("fault at call " + std::to_string(at));
+    {
+      Store store(work_);
+      const StoreState found = state_of(store);
+      for (const int n : acknowledged_.revisions)
+        EXPECT_TRUE(found.revisions.contains(n)) << n << " in\n" << found.listing;
+      EXPECT_THAT(found.listing, testing::Not(testing::HasSubstr("cannot be read")));
+    }
+    // And the power goes at the end, with all, nothing or some of what was not synced.
+    for (int attempt = 0; attempt < 2 + tries(1); ++attempt) {
+      std::mt19937 random(static_cast<unsigned>(1000 * at) + static_cast<unsigned>(attempt));
+      const auto keep = [&] { return attempt < 2 ? attempt == 1 : random() % 2 == 0; };
+      fs::remove_all(after_);
+      write_after_power_cut(record_, record_.calls.size(), keep, after_);
+      Store store(after_);
+      const StoreState found = state_of(store);
+      for (const int n : acknowledged_.revisions)
+        EXPECT_TRUE(found.revisions.contains(n)) << n << " after a power cut, in\n"
+                                                 << found.listing;
+      EXPECT_THAT(found.listing, testing::Not(testing::HasSubstr("cannot be read")));
+    }
+    if (HasFailure()) break;
+  }
+  EXPECT_GT(at, 40U);
+}
+
+INSTANTIATE_TEST_SUITE_P(, DiskFaults,
+                         testing::Values(Fault{"OneInputOutputError", EIO, false},
+                                         Fault{"OneFullDisk", ENOSPC, false},
+                                         Fault{"OneShortWrite", -ENOSPC, false},
+                                         Fault{"InputOutputErrorsFromThen", EIO, true},
+                                         Fault{"FullDiskFromThen", -ENOSPC, true}),
+                         [](const auto& test) { return test.param.name; });
+
+class StoreCalls : public StoreOnDisk {
+ protected:
+  StoreCalls() { file(store_, 7); }
+
+  FileCalls calls_{folder_};  // before the store opens its files
+  Store store_{folder_};
+};
+
+TEST_F(StoreCalls, APackAndItsNameAreSyncedBeforeTheJournalAndItsLineBeforeTheReturn) {
+  using Kind = FileCall::Kind;
+  const std::size_t before = calls_.record().calls.size();
+  file(store_, 8);
+  std::vector<FileCall> calls = calls_.record().calls;
+  calls.erase(calls.begin(), calls.begin() + static_cast<std::ptrdiff_t>(before));
+  std::vector<std::string> order;
+  for (const FileCall& call : calls) {
+    const std::string where = call.path.substr(0, call.path.find('/'));
+    if (call.kind == Kind::Write) order.push_back("write " + where);
+    if (call.kind == Kind::Sync) order.push_back("sync " + where);
+    if (call.kind == Kind::Rename) order.push_back("rename to " + call.to.substr(0, 5));
+  }
+  const std::vector<std::string> last(order.end() - 4, order.end());
+  EXPECT_THAT(last, testing::ElementsAre("sync packs", "write journal.a", "sync journal.a",
+                                         "write journal.b"));
+  EXPECT_THAT(order, testing::IsSupersetOf({"write tmp", "sync tmp", "rename to packs"}));
+  EXPECT_LT(std::find(order.begin(), order.end(), "sync tmp"),
+            std::find(order.begin(), order.end(), "rename to packs"));
+}
+
+TEST_F(StoreCalls, AFileThatCannotBeWrittenLeavesNoScratchFile) {
+  for (const auto kind : {FileCall::Kind::Write, FileCall::Kind::Sync, FileCall::Kind::Rename}) {
+    calls_.decide([&](const FileCall& call, std::size_t) { return call.kind == kind ? EIO : 0; });
+    EXPECT_THROW(file(store_, 8), Error);
+    calls_.decide({});
+    EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+  }
+}
+
+TEST_F(StoreCalls, HalfALineOfAFailedWriteIsCutOffBeforeTheNextOne) {
+  const std::string before = content(folder_ / "journal.a");
+  int seen = 0;
+  calls_.decide([&](const FileCall& call, std::size_t) {
+    if (call.path != "journal.a" || call.kind != FileCall::Kind::Write) return 0;
+    return ++seen == 1 ? -ENOSPC : ENOSPC;
+  });
+  EXPECT_THROW(file(store_, 8), Error);
+  EXPECT_EQ(seen, 2);
+  EXPECT_EQ(content(folder_ / "journal.a"), before);
+  EXPECT_FALSE(fs::exists(folder_ / "packs" / id(8).substr(0, 2) / id(8).substr(2)));
+  calls_.decide({});
+  file(store_, 6);
+  EXPECT_TRUE(content(folder_ / "journal.a").starts_with(before));
+  EXPECT_EQ(content(folder_ / "journal.a"), content(folder_ / "journal.b"));
+}
+
+class StoreCallsAfterAFailedSync : public StoreCalls {
+ protected:
+  StoreCallsAfterAFailedSync() {
+    calls_.decide([&](const FileCall& call, std::size_t) {
+      return call.path == "journal.a" && call.kind == FileCall::Kind::Sync ? EIO : 0;
+    });
+    EXPECT_THROW(file(store_, 8), Error);
+    calls_.decide({});
+  }
+};
+
+TEST_F(StoreCallsAfterAFailedSync, TheBytesStayAsLongAsTheDiskMayHaveTheLine) {
+  const fs::path after = folder_ / "after";
+  const FileRecord record = calls_.record();
+  write_after_power_cut(
+      record, record.calls.size(), [] { return true; }, after);
+  Store store(after);
+  EXPECT_TRUE(has(store, 8));
+  EXPECT_THAT(state_of(store).listing, testing::Not(testing::HasSubstr("cannot be read")));
+}
+
+TEST_F(StoreCallsAfterAFailedSync, TheJournalIsWrittenAnew) {
+  const std::size_t before = calls_.record().calls.size();
+  file(store_, 6);
+  std::vector<std::string> renamed;
+  const FileRecord record = calls_.record();
+  for (std::size_t i = before; i < record.calls.size(); ++i)
+    if (record.calls[i].kind == FileCall::Kind::Rename) renamed.push_back(record.calls[i].to);
+  EXPECT_THAT(renamed, testing::IsSupersetOf({"journal.a", "journal.b"}));
+  EXPECT_FALSE(has(store_, 8));
+}
+
+}  // namespace
+}  // namespace remeshd::test

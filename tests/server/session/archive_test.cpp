@@ -1,0 +1,91 @@
+#include "server/session/archive.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/server/fake_engine.h"
+#include "tests/server/session/store_folder.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd::test {
+namespace {
+
+const remeshd::Run kRun;
+
+class ArchiveTest : public testing::Test {
+ protected:
+  /// A revision as a computation ends with it.
+  HeldRevisionPtr computed() {
+    auto held = std::make_shared<HeldRevision>();
+    held->revision = engine_.make_revision(nullptr, model_of({block("plate", 80, 40, 10)}),
+                                           MeshOptions{.nodes = 100}, kRun);
+    held->record.id = std::string(64, 'a');
+    return held;
+  }
+
+  FakeEngine fake_;
+  const Engine engine_ = fake_.engine();
+  Store store_;
+  Archive archive_{engine_, store_, 1 << 30};
+  const HeldRevisionPtr revision_ = computed();
+  const std::string& id_ = revision_->record.id;
+};
+
+TEST_F(ArchiveTest, WhatIsFiledStaysInMemoryAndWhatIsNotGoes) {
+  archive_.hold(revision_);
+  archive_.drop_unfiled(id_);
+  EXPECT_EQ(archive_.held().count(), 0U);
+  EXPECT_EQ(archive_.held().bytes(), 0U);
+
+  archive_.hold(revision_);
+  archive_.file(revision_, "plate", {});
+  archive_.drop_unfiled(id_);
+  EXPECT_EQ(archive_.get(id_, kRun), revision_);
+}
+
+TEST_F(ArchiveTest, ARevisionThatWasDroppedBeforeItIsFiledIsThereOnceItIs) {
+  archive_.hold(revision_);
+  const HeldRevisionPtr found = archive_.find(id_, kRun);  // by another request for it
+  archive_.drop_unfiled(id_);                              // the one that computed it has left
+  archive_.file(found, "plate", {});
+  EXPECT_EQ(archive_.get(archive_.resolve("plate").id, kRun), revision_);
+}
+
+TEST_F(ArchiveTest, ARevisionThatWasDeletedBeforeItIsFiledAgainIsThereOnceItIs) {
+  archive_.hold(revision_);
+  archive_.file(revision_, "plate", {});
+  const HeldRevisionPtr found = archive_.find(id_, kRun);
+  archive_.remove("plate@1", true);
+  EXPECT_EQ(archive_.held().count(), 0U);
+  EXPECT_EQ(archive_.file(found, "plate", {}).place.number, 2U);
+  EXPECT_EQ(archive_.get(archive_.resolve("plate").id, kRun), revision_);
+}
+
+TEST_F(ArchiveTest, WhatIsFiledTwiceCountsOnceInMemory) {
+  archive_.file(revision_, "plate", {});
+  const std::uint64_t bytes = archive_.held().bytes();
+  archive_.file(revision_, "another", {});
+  EXPECT_EQ(archive_.held().count(), 1U);
+  EXPECT_EQ(archive_.held().bytes(), bytes);
+}
+
+TEST_F(ArchiveTest, WhoeverFilesNextWritesADamagedCopyAgain) {
+  const StoreFolder folder;
+  {
+    const auto store = folder.open();
+    Archive(engine_, *store, 1 << 30).file(revision_, "plate", {});
+  }
+  folder.damage_objects();
+  const auto store = folder.open();
+  Archive archive(engine_, *store, 1 << 30);
+  EXPECT_EQ(error_of([&] { archive.find(id_, kRun); }).reason, "StoreCorrupted");
+  archive.file(revision_, "another", {});
+  Archive reader(engine_, *store, 1 << 30);
+  EXPECT_EQ(reader.get(id_, kRun)->revision.delivery.mesh.nodes.size(), 100U);
+}
+
+}  // namespace
+}  // namespace remeshd::test

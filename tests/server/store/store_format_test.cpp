@@ -1,0 +1,127 @@
+#include "server/store/store_format.h"
+
+#include <gmock/gmock.h>
+
+#include "engine/base/error.h"
+#include "server/store/checked_line.h"
+#include "tests/server/store/store_folder.h"
+
+namespace remeshd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StoreFormat : public StoreFolderTest {
+ protected:
+  void make_store(int revisions) {
+    Store store(folder_);
+    for (int n = 1; n <= revisions; ++n) file(store, n);
+  }
+  /// Opening must fail for that reason and change nothing.
+  void expect_refused(const std::string& reason) {
+    const auto before = files();
+    try {
+      const Store store(folder_);
+      ADD_FAILURE() << "the folder was opened";
+    } catch (const Error& failure) {
+      EXPECT_EQ(failure.info().reason, reason);
+      EXPECT_EQ(failure.info().kind, ErrorKind::FailedPrecondition);
+      EXPECT_THAT(failure.info().message, testing::HasSubstr(folder_.string()));
+      EXPECT_FALSE(failure.info().hint.empty());
+    }
+    EXPECT_EQ(files(), before);
+  }
+  static std::string format_line(int version) {
+    return checked_line(R"({"store":"remeshd","version":)" + std::to_string(version) + "}");
+  }
+};
+
+TEST_F(StoreFormat, AnEmptyFolderBecomesAStore) {
+  fs::create_directory(folder_ / "lost+found");  // of a freshly made file system
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Empty);
+  const Store store(folder_);
+  EXPECT_TRUE(store.notes().empty());
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
+  EXPECT_EQ(content(folder_ / "FORMAT"), format_line(1));
+}
+
+TEST_F(StoreFormat, AFolderThatDoesNotExistIsMade) {
+  const Store store(folder_ / "a" / "b");
+  EXPECT_TRUE(fs::exists(folder_ / "a" / "b" / "FORMAT"));
+}
+
+TEST_F(StoreFormat, AGitRepositoryIsRefusedAndLeftAsItIs) {
+  write(folder_ / "HEAD", "ref: refs/heads/main\n");
+  write(folder_ / "objects" / "ab" / std::string(38, '1'), "x\x01zlib");
+  write(folder_ / "objects" / "pack" / "pack-1.idx", "idx");
+  write(folder_ / "refs" / "heads" / "main", std::string(40, 'a'));
+  expect_refused("StoreForeign");
+  expect_refused("StoreForeign");  // the second start is the one that deleted everything
+}
+
+TEST_F(StoreFormat, AFolderWithObjectsAloneIsRefused) {
+  write(folder_ / "objects" / "ab" / std::string(62, '1'), "somebody's");
+  expect_refused("StoreForeign");
+}
+
+TEST_F(StoreFormat, AFolderWithAFileIsRefused) {
+  write(folder_ / "thesis.tex", "x");
+  expect_refused("StoreForeign");
+}
+
+TEST_F(StoreFormat, AFolderWithAJournalOfAnotherProgramIsRefused) {
+  write(folder_ / "journal", "Dear diary\n");
+  expect_refused("StoreForeign");
+}
+
+TEST_F(StoreFormat, ANewerStoreIsRefused) {
+  make_store(1);
+  write(folder_ / "FORMAT", format_line(2));
+  expect_refused("StoreNewer");
+}
+
+TEST_F(StoreFormat, ANewerStoreWithoutItsFormatIsToldByItsPacks) {
+  make_store(1);
+  write(folder_ / "packs" / "ab" / std::string(62, 'c'),
+        checked_line(R"({"format":"remeshd-pack","store":2,"what":"is not known"})") + "bytes");
+  for (const char* format : {"", "damaged"}) {
+    write(folder_ / "FORMAT", format);
+    expect_refused("StoreNewer");
+  }
+}
+
+TEST_F(StoreFormat, ADamagedOrMissingFormatIsWrittenAnew) {
+  make_store(2);
+  const std::string format = content(folder_ / "FORMAT");
+  for (std::size_t byte = 0; byte < format.size(); ++byte) {
+    flip_bit(folder_ / "FORMAT", byte, byte % 8);
+    {
+      Store store(folder_);
+      EXPECT_EQ(read(store, 2), bytes_of(2)) << "byte " << byte;
+    }
+    EXPECT_EQ(content(folder_ / "FORMAT"), format);
+  }
+  fs::remove(folder_ / "FORMAT");
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
+  EXPECT_EQ(content(folder_ / "FORMAT"), format);
+}
+
+TEST_F(StoreFormat, AStoreInWhichNothingWasStoredIsKnownWithoutItsFormat) {
+  make_store(0);
+  write(folder_ / "FORMAT", "damaged");
+  write(folder_ / "journal.a", "");
+  write(folder_ / "journal.b", "");
+  const Store store(folder_);
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
+}
+
+TEST_F(StoreFormat, AStoreInUseIsRefusedAndAnotherMayWaitForIt) {
+  auto store = std::make_unique<Store>(folder_);
+  expect_refused("StoreLocked");
+  store.reset();
+  EXPECT_NO_THROW(Store(folder_, 5));
+}
+
+}  // namespace
+}  // namespace remeshd::test
