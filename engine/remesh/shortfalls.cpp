@@ -9,9 +9,11 @@ namespace remeshd {
 namespace {
 
 constexpr double kFarFromTarget = 0.1;  // of the nodes asked for
-constexpr double kRounding = 1e-6;      // of a measure
-// x edge length. Eight edges on a circle are 0.10 of an edge from it, twelve 0.07, six 0.13.
-constexpr double kCoarseChord = 0.15;
+// Of the aim: what lacks less is not worth a word.
+constexpr double kNearlyReached = 0.98;
+// x edge length. A circle of six edges is 0.13 of one from them, one of four 0.21, one of three
+// 0.29; facets have edges half as long again.
+constexpr double kCoarseChord = 0.25;
 
 std::string digits(double value, int count) {
   std::array<char, 40> text{};
@@ -37,7 +39,7 @@ std::vector<Warning> shortfalls(const Revision& made) {
                                      " were asked for"));
   }
   const double least = report.quality_away.volume_length_min;
-  if (made.options.clean_up && least < made.options.threshold - kRounding)
+  if (made.options.clean_up && least < kNearlyReached * made.options.threshold)
     warnings.push_back(warning(WarningCode::QualityLow,
                                "the least volume-length away from sharp places of the model is " +
                                    digits(least, 3) + ", where the clean-up aims at " +
