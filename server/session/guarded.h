@@ -19,6 +19,8 @@ void guarded(Work&& work, Failed&& failed) {
     failed(error::out_of_memory());
   } catch (const std::exception& failure) {
     failed(error::internal("request", failure.what()));
+  } catch (...) {
+    failed(error::internal("request", "an exception of unknown type"));
   }
 }
 
