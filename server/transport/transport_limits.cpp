@@ -10,8 +10,11 @@ namespace {
 
 /// A message of up to 8 MiB is refused in words; gRPC refuses one beyond this itself.
 constexpr int kMostReceived = 16 << 20;
-/// Of all messages being received together.
-constexpr std::size_t kReceiveMemory = std::size_t{1} << 30;
+/// Of all messages being received together. gRPC 1.51 receives a message whole before it asks for
+/// its size, so that this alone bounds messages beyond `kMostReceived`. Where it is reached, gRPC
+/// ends streams, and not always those of the connection that is to blame: it must stay out of reach
+/// of clients that keep to the rules.
+constexpr std::size_t kReceiveMemory = std::size_t{256} << 20;
 /// Calls at a time on one connection; a client's further calls wait at the client.
 constexpr int kMostStreams = 256;
 /// ms until a connection must have said what HTTP/2 begins with.
