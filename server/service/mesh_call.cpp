@@ -2,9 +2,6 @@
 
 #include <utility>
 
-#include "server/service/status.h"
-#include "server/session/session_error.h"
-
 namespace remeshd {
 
 namespace v1 = remesh::v1;
@@ -13,23 +10,16 @@ MeshCall* MeshCall::start(Session& session, const grpc::ByteBuffer& request,
                           std::size_t message_limit, std::shared_ptr<CallRecord> record) {
   auto call = std::make_shared<MeshCall>(std::move(record));
   call->self_ = call;
-  const auto failed = [call](const Error& why) { call->end(to_status(why), why.info().reason); };
-  try {
+  answering(*call, [&] {
     session.later(
-        [call, &session, request, message_limit, failed] {
-          try {
+        [call, &session, request, message_limit] {
+          answering(*call, [&] {
             call->prepare(session, request, message_limit);
-          } catch (const Error& failure) {
-            return failed(failure);
-          } catch (const std::exception& failure) {
-            return failed(error::internal("request", failure.what()));
-          }
-          call->write_next();
+            call->write_next();
+          });
         },
-        failed);
-  } catch (const Error& failure) {
-    failed(failure);
-  }
+        [call](const Error& why) { call->fail(why); });
+  });
   return call.get();
 }
 
@@ -54,10 +44,13 @@ void MeshCall::write_next() {
 
 void MeshCall::OnWriteDone(bool ok) {
   if (!ok || stop_.stop_requested()) return end(grpc::Status::CANCELLED);
-  write_next();
+  answering(*this, [&] { write_next(); });
 }
 
-void MeshCall::end(const grpc::Status& status, const std::string& reason) {
+void MeshCall::fail(const Error& why) noexcept { end(to_status(why), why.info().reason); }
+
+void MeshCall::end(const grpc::Status& status, const std::string& reason) noexcept {
+  if (ended_.exchange(true)) return;
   record_->set_status(status, reason);
   Finish(status);
 }

@@ -10,7 +10,7 @@
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
 #include "server/service/mesh_call.h"
-#include "server/session/guarded.h"
+#include "server/service/request_id.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -160,24 +160,24 @@ class RemeshService final : public RawService {
   template <typename Request, typename Start>
   Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out, Start start) {
     const auto call = UnaryCall::start(out, record(method, context));
-    guarded(
-        [&] {
-          Request request;
-          from_bytes(*in, options_.message_bytes, request);
-          const std::string id = request.request_id();
-          call->record().set_request_id(id);
-          const MakeRequestPtr under_way =
-              start(request, Listener{.progress = {},
-                                      .made =
-                                          [call, id](const Made& made) {
-                                            call->record().set_note(
-                                                "revision=" + made.filed.record.id.substr(0, 12));
-                                            call->reply(encode(made, id));
-                                          },
-                                      .failed = [call](const Error& why) { call->fail(why); }});
-          call->on_cancel([under_way] { under_way->cancel(); });
-        },
-        [&](const Error& why) { call->fail(why); });
+    answering(*call, [&] {
+      Request request;
+      from_bytes(*in, options_.message_bytes, request);
+      const std::string id = request.request_id();
+      call->record().set_request_id(id);
+      check_request_id(id);
+      const auto answer = [call, id](const Made& made) {
+        answering(*call, [&] {
+          call->record().set_note("revision=" + made.filed.record.id.substr(0, 12));
+          call->reply(encode(made, id));
+        });
+      };
+      const MakeRequestPtr under_way = start(
+          request, Listener{.progress = {}, .made = answer, .failed = [call](const Error& why) {
+                              call->fail(why);
+                            }});
+      call->on_cancel([under_way] { under_way->cancel(); });
+    });
     return call.get();
   }
 
@@ -185,24 +185,18 @@ class RemeshService final : public RawService {
   template <typename Request, typename Answer>
   Reply* query(const char* method, Context* context, const Bytes* in, Bytes* out, Answer answer) {
     const auto call = UnaryCall::start(out, record(method, context));
-    const auto failed = [call](const Error& why) { call->fail(why); };
-    guarded(
-        [&] {
-          session_.later(
-              [this, call, in, answer, failed] {
-                guarded(
-                    [&] {
-                      Request request;
-                      from_bytes(*in, options_.message_bytes, request);
-                      call->reply(
-                          answer(request,
-                                 Run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}}));
-                    },
-                    failed);
-              },
-              failed);
-        },
-        failed);
+    answering(*call, [&] {
+      session_.later(
+          [this, call, in, answer] {
+            answering(*call, [&] {
+              Request request;
+              from_bytes(*in, options_.message_bytes, request);
+              const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+              call->reply(answer(request, run));
+            });
+          },
+          [call](const Error& why) { call->fail(why); });
+    });
     return call.get();
   }
 

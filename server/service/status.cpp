@@ -4,6 +4,7 @@
 #include <string>
 
 #include "remesh/v1/rpc_status.pb.h"
+#include "server/service/fitting.h"
 
 namespace remeshd {
 namespace {
@@ -38,38 +39,6 @@ grpc::StatusCode code_of(ErrorKind kind) {
   return grpc::StatusCode::INTERNAL;
 }
 
-/// Length of the UTF-8 character that begins at `at`; 0 for a byte that begins none.
-std::size_t character(const std::string& text, std::size_t at) {
-  const auto byte = static_cast<unsigned char>(text[at]);
-  const std::size_t length = byte < 0x80   ? 1
-                             : byte < 0xC2 ? 0
-                             : byte < 0xE0 ? 2
-                             : byte < 0xF0 ? 3
-                             : byte < 0xF5 ? 4
-                                           : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[at + i]) & 0xC0U) != 0x80U) return 0;
-  return length;
-}
-
-/// At most `limit` bytes of a text, cut between characters; what is no UTF-8 becomes `?`.
-std::string fitting(const std::string& text, std::size_t limit) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = character(text, at);
-    if (out.size() + std::max<std::size_t>(length, 1) > limit) return out + "...";
-    if (length == 0) {
-      out += '?';
-      ++at;
-    } else {
-      out.append(text, at, length);
-      at += length;
-    }
-  }
-  return out;
-}
-
 template <typename Message>
 void pack(const Message& message, const char* published_name, v1::RpcStatus& status) {
   google::protobuf::Any& any = *status.add_details();
@@ -94,7 +63,9 @@ v1::Error to_message(const Error& error) {
   return out;
 }
 
-grpc::Status to_status(const Error& error) {
+namespace {
+
+grpc::Status full_status(const Error& error) {
   const v1::Error message = to_message(error);
   v1::RpcStatus status;
   status.set_code(message.code());
@@ -114,6 +85,16 @@ grpc::Status to_status(const Error& error) {
   }
   return {static_cast<grpc::StatusCode>(message.code()), message.message(),
           status.SerializeAsString()};
+}
+
+}  // namespace
+
+grpc::Status to_status(const Error& error) noexcept {
+  try {
+    return full_status(error);
+  } catch (...) {
+    return {code_of(error.info().kind), ""};  // no memory left for words
+  }
 }
 
 }  // namespace remeshd

@@ -11,7 +11,12 @@ namespace remeshd {
 remesh::v1::Error to_message(const Error& error);
 
 /// The status that ends a call, with the message above, a google.rpc.ErrorInfo and, where there is
-/// a delay to keep, a google.rpc.RetryInfo in its details.
-grpc::Status to_status(const Error& error);
+/// a delay to keep, a google.rpc.RetryInfo in its details. Without memory for them, the code alone.
+grpc::Status to_status(const Error& error) noexcept;
+
+/// The status where memory does not even suffice for an Error.
+inline grpc::Status out_of_memory_status() noexcept {
+  return {grpc::StatusCode::RESOURCE_EXHAUSTED, ""};
+}
 
 }  // namespace remeshd
