@@ -49,6 +49,7 @@ struct CreateCommand {
 struct EditCommand {
   std::string base;  ///< as `resolve` takes it
   ModelEdit edit;
+  std::string document;  ///< of the edit, as it is kept with the revision
   OptionsPatch options;
   std::string design;  ///< empty: the base's
   HeadRule head;       ///< expected: empty means the base
