@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a developer runs before committing: format, lint, tests, and the tests again under
+# What a developer runs before committing: format, protocol, lint, tests, and the tests again under
 # AddressSanitizer and UBSan. Stops at the first that fails.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -10,8 +10,11 @@ step() { printf '\n== %s\n' "$1"; }
 "$here/install-deps.sh"
 
 step "format"
-find engine proto server client tests \( -name '*.cpp' -o -name '*.h' \) -print0 |
+find engine proto server client tests \( -name '*.cpp' -o -name '*.h' -o -name '*.proto' \) -print0 |
   xargs -0 -n 32 -P "$(nproc)" clang-format --dry-run -Werror
+
+step "protocol"
+"$here/check-protocol.sh"
 
 step "build"
 "$here/build.sh" release # also generates the sources that lint reads

@@ -61,7 +61,8 @@ std::size_t max_connections(const DaemonOptions& options) {
 struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
   Session session;
-  std::unique_ptr<grpc::Service> service;
+  std::size_t max_connections;
+  std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
   std::unique_ptr<AcceptLoop> connections;  ///< null where nothing is listened on
   std::once_flag ended;
@@ -69,7 +70,15 @@ struct Daemon::Parts {
   Parts(const DaemonOptions& options, Engine engine)
       : log(options.log),
         session(std::move(engine), open_store(options), session_limits(options)),
-        service(make_remesh_service(session, {.version = REMESHD_VERSION, .log = options.log})) {}
+        max_connections(remeshd::max_connections(options)),
+        service(make_remesh_service(session, {.facts = facts(), .log = options.log})),
+        cache_service(make_cache_service(options.log)) {}
+
+  [[nodiscard]] ServerFacts facts() const {
+    return {.version = REMESHD_VERSION,
+            .connections = static_cast<std::uint32_t>(max_connections),
+            .streams = kMostStreams};
+  }
 };
 
 Daemon::Daemon(const DaemonOptions& options, Engine engine) {
@@ -89,10 +98,11 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
     acceptor = builder.experimental().AddExternalConnectionAcceptor(
         Experimental::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(parts_->service.get());
+  builder.RegisterService(parts_->cache_service.get());
   parts_->server = builder.BuildAndStart();
   if (!parts_->server) throw std::runtime_error("gRPC does not start");
   if (auto* health = parts_->server->GetHealthCheckService())
-    health->SetServingStatus("remesh.v1.Remesh", true);
+    health->SetServingStatus("remesh.v1.RemeshService", true);
   if (!sockets) return;
   const auto hand_over = [acceptor](int listener, Descriptor connection) {
     grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
@@ -100,7 +110,7 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
     parameters.fd = connection.release();
     acceptor->HandleNewConnection(&parameters);
   };
-  parts_->connections = std::make_unique<AcceptLoop>(std::move(*sockets), max_connections(options),
+  parts_->connections = std::make_unique<AcceptLoop>(std::move(*sockets), parts_->max_connections,
                                                      hand_over, options.log);
 }
 

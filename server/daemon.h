@@ -37,8 +37,8 @@ struct DaemonOptions {
 /// remeshd as an object: the service over a session over a store, on a port or in this process.
 class Daemon {
  public:
-  /// Serves from when this returns. Throws Error: `ListenInvalid` before anything else, what Store
-  /// throws, `ListenFailed`.
+  /// Serves from when this returns. Throws Error: `LISTEN_INVALID` before anything else, what Store
+  /// throws, `LISTEN_FAILED`.
   Daemon(const DaemonOptions& options, Engine engine);
   /// As `shutdown`.
   ~Daemon();

@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/base/warning.h"
 
 namespace remeshd {
 
@@ -22,20 +24,27 @@ enum class ErrorKind {
   Cancelled,
   Unavailable,  ///< the daemon is going away
   Internal,
+  DataLoss,          ///< what was made or sent cannot be had again as it was
+  Unimplemented,     ///< this build does not do it
+  PermissionDenied,  ///< known, but not allowed
+  Unauthenticated,
 };
 
 /// A failure a user can act on: what, where in the run, which feature and parameter, what to do.
 struct ErrorInfo {
   ErrorKind kind = ErrorKind::Internal;
-  std::string reason{};     ///< stable CamelCase name, e.g. `DegenerateFeature`
-  std::string message{};    ///< one sentence
-  std::string stage{};      ///< station of the engine or `request`
-  std::string feature{};    ///< feature id, several joined by commas, empty if none
+  /// Stable name, one of Error.Reason in proto/remesh/v1/error.proto: `DEGENERATE_FEATURE`.
+  std::string reason{};
+  std::string message{};                ///< one sentence
+  std::string stage{};                  ///< station of the engine or `request`
+  std::vector<std::string> features{};  ///< ids of those at fault, the first foremost
   std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
   std::string hint{};       ///< what would help; empty if nothing sensible can be said
   std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
   std::optional<double> retry_after{};  ///< s, with ResourceExhausted
   std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
+  std::optional<int> line{}, column{};  ///< of a document, from 1
+  std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
 };
 
 class Error : public std::runtime_error {
@@ -48,11 +57,16 @@ class Error : public std::runtime_error {
   ErrorInfo info_;
 };
 
+/// Ids of features.
+using FeatureIds = std::vector<std::string>;
+
 /// One function per failure; each returns the Error to throw.
 namespace error {
 
 Error cancelled();
 Error internal(std::string_view stage, std::string_view what);
+/// A call, a field or a value of one, `what`, that this build does not do.
+Error unsupported(std::string_view what);
 
 // Stage `model`. `feature` is empty where the model itself is at fault; `parameter` spells the
 // place: `radius`, `profile[3].through`, `placement.zAxis`, or the model parameter's name.
@@ -60,6 +74,7 @@ Error internal(std::string_view stage, std::string_view what);
 Error invalid_name(std::string_view feature, std::string_view parameter, std::string_view name,
                    std::string_view why);
 Error duplicate_feature(std::string_view feature);
+Error duplicate_parameter(std::string_view parameter);
 Error unknown_feature_type(std::string_view feature, std::string_view type,
                            std::string_view known_types);
 Error missing_parameter(std::string_view feature, std::string_view parameter,
@@ -73,6 +88,13 @@ Error non_finite_value(std::string_view feature, std::string_view parameter,
                        std::string_view value);
 Error value_out_of_range(std::string_view feature, std::string_view parameter, double value,
                          std::string_view range);
+/// A value outside the bounds of the model's parameter; those that it has.
+Error out_of_bounds(std::string_view parameter, double value, const std::optional<double>& lower,
+                    const std::optional<double>& upper);
+/// A value of an `integer` parameter of the model that is not whole.
+Error not_whole(std::string_view parameter, double value);
+/// `why`: what is wrong with the bounds of the model's parameter.
+Error bounds_invalid(std::string_view parameter, std::string_view why);
 Error degenerate_feature(std::string_view feature, std::string_view parameter, double value,
                          std::string_view why);
 Error degenerate_frame(std::string_view feature, std::string_view parameter, std::string_view why);
@@ -104,14 +126,14 @@ Error unknown_model_parameter(std::string_view name);
 Error empty_model();
 /// The material falls into `pieces` that do not hang together by faces.
 /// `place`, `features`: of the smallest piece.
-Error disconnected_model(int pieces, const Vec3& place, std::string_view features);
-/// The boundary touches itself, `what`: along an edge or at a point; `features`: ids of those that
-/// meet there, joined by commas.
-Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features);
+Error disconnected_model(int pieces, const Vec3& place, const FeatureIds& features);
+/// The boundary touches itself, `what`: along an edge or at a point; `features`: those that meet
+/// there.
+Error non_manifold_model(std::string_view what, const Vec3& place, const FeatureIds& features);
 /// The CAD kernel failed, or a check of its result did. Who catches it and knows the features adds
 /// those at the place.
 Error kernel_failure(std::string_view what, const std::optional<Vec3>& place = {},
-                     std::string_view features = {});
+                     const FeatureIds& features = {});
 
 // Stage `control mesh`: TetGen in its own process.
 
@@ -131,9 +153,10 @@ Error options_invalid(std::string_view option, std::string_view why);
 /// where no one alone is.
 Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
                      std::string_view option, std::string_view feature, std::string_view hint);
-/// `what`: what is missing or wrong, and where; `features`: ids of those at that place, joined by
-/// commas, empty where the whole mesh is wrong.
-Error boundary_not_recovered(std::string_view what, std::string_view features);
+/// `what`: what is missing or wrong, and where; `place`, `features`: of it, none where the whole
+/// mesh is wrong.
+Error boundary_not_recovered(std::string_view what, const std::optional<Vec3>& place,
+                             const FeatureIds& features);
 
 }  // namespace error
 }  // namespace remeshd

@@ -44,7 +44,7 @@ Error unreadable(std::string reason, std::string message, std::string hint) {
 }
 
 Error damaged() {
-  return unreadable("MessageUnreadable",
+  return unreadable("MESSAGE_UNREADABLE",
                     "the message cannot be read: it is cut off, has a text that is not UTF-8, or "
                     "its values are nested too deep",
                     "lists and objects may be nested at most 40 deep");
@@ -80,7 +80,7 @@ grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
 
 void check_size(std::size_t bytes, std::size_t limit) {
   if (bytes > limit)
-    throw unreadable("MessageTooLarge",
+    throw unreadable("MESSAGE_TOO_LARGE",
                      "the message has " + std::to_string(bytes) +
                          " bytes, more than the limit of " + std::to_string(limit),
                      "send a smaller document");
@@ -138,9 +138,10 @@ void CallRecord::end() const noexcept try {
 } catch (...) {
 }
 
-std::shared_ptr<UnaryCall> UnaryCall::start(grpc::ByteBuffer* reply,
+std::shared_ptr<UnaryCall> UnaryCall::start(grpc::CallbackServerContext* context,
+                                            grpc::ByteBuffer* reply,
                                             std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<UnaryCall>(reply, std::move(record));
+  auto call = std::make_shared<UnaryCall>(context, reply, std::move(record));
   call->self_ = call;
   return call;
 }
@@ -153,12 +154,17 @@ void UnaryCall::reply(const google::protobuf::Message& message) {
   Finish(grpc::Status::OK);
 }
 
-void UnaryCall::fail(const Error& error) noexcept { end(to_status(error), error.info().reason); }
-
-void UnaryCall::give_up() noexcept { end(out_of_memory_status()); }
-
-void UnaryCall::end(const grpc::Status& status, const std::string& reason) noexcept {
+void UnaryCall::fail(const Error& error) noexcept {
   if (ended_.exchange(true)) return;
+  add_pushback(error, *context_);
+  finish(to_status(error), error.info().reason);
+}
+
+void UnaryCall::give_up() noexcept {
+  if (!ended_.exchange(true)) finish(out_of_memory_status());
+}
+
+void UnaryCall::finish(const grpc::Status& status, const std::string& reason) noexcept {
   record_->set_status(status, reason);
   Finish(status);
 }

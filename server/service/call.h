@@ -25,8 +25,8 @@ namespace remeshd {
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message);
 
 /// Reads a message of at most `limit` bytes.
-/// Throws Error(InvalidArgument): `MessageTooLarge`, `MessageUnreadable` (which gRPC itself would
-/// turn into UNIMPLEMENTED without a word, for values nested too deep above all).
+/// Throws Error(InvalidArgument): `MESSAGE_TOO_LARGE`, `MESSAGE_UNREADABLE` (which gRPC itself
+/// would turn into UNIMPLEMENTED without a word, for values nested too deep above all).
 void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
                 google::protobuf::Message& message);
 void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Message& message);
@@ -73,11 +73,13 @@ void answering(Call& call, Work&& work) noexcept {
 class UnaryCall final : public grpc::ServerUnaryReactor,
                         public std::enable_shared_from_this<UnaryCall> {
  public:
-  static std::shared_ptr<UnaryCall> start(grpc::ByteBuffer* reply,
+  static std::shared_ptr<UnaryCall> start(grpc::CallbackServerContext* context,
+                                          grpc::ByteBuffer* reply,
                                           std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  UnaryCall(grpc::ByteBuffer* reply, std::shared_ptr<CallRecord> record)
-      : reply_(reply), record_(std::move(record)) {}
+  UnaryCall(grpc::CallbackServerContext* context, grpc::ByteBuffer* reply,
+            std::shared_ptr<CallRecord> record)
+      : context_(context), reply_(reply), record_(std::move(record)) {}
 
   /// Ends the call; only the first of these has an effect.
   void reply(const google::protobuf::Message& message);
@@ -95,8 +97,10 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   void OnDone() override;
 
  private:
-  void end(const grpc::Status& status, const std::string& reason = {}) noexcept;
+  /// Pre: `ended_` was set by the caller.
+  void finish(const grpc::Status& status, const std::string& reason = {}) noexcept;
 
+  grpc::CallbackServerContext* context_;
   grpc::ByteBuffer* reply_;
   std::shared_ptr<CallRecord> record_;
   std::stop_source stop_;

@@ -30,13 +30,13 @@ void release(std::string& bytes) { std::string().swap(bytes); }
 
 }  // namespace
 
-EditStream::EditStream(Session& session, std::size_t message_limit,
+EditStream::EditStream(Session& session, const RequestLimits& limits,
                        std::shared_ptr<CallRecord> record)
-    : session_(session), message_limit_(message_limit), record_(std::move(record)) {}
+    : session_(session), limits_(limits), record_(std::move(record)) {}
 
-EditStream* EditStream::start(Session& session, std::size_t message_limit,
+EditStream* EditStream::start(Session& session, const RequestLimits& limits,
                               std::shared_ptr<CallRecord> record) {
-  const auto stream = std::make_shared<EditStream>(session, message_limit, std::move(record));
+  const auto stream = std::make_shared<EditStream>(session, limits, std::move(record));
   stream->self_ = stream;
   stream->advance();
   return stream.get();
@@ -98,11 +98,11 @@ bool EditStream::read(Request& request) {
   request.bytes = copy_of(incoming_);
   const StreamRequestHead head = read_head(request.bytes);
   request.id = echoed_request_id(head.request_id);
-  check_size(request.bytes.size(), message_limit_);
+  check_size(request.bytes.size(), limits_.message_bytes);
   check_request_id(head.request_id);
   if (!head.is_cancel) return true;
   v1::EditStreamRequest message;
-  from_bytes(request.bytes, message_limit_, message);
+  from_bytes(request.bytes, limits_.message_bytes, message);
   cancel_by_id(message.cancel().request_id());
   return false;
 }
@@ -137,16 +137,18 @@ void EditStream::hand_over(Request& request) {
   if (request.cancelled) throw error::cancelled();
   if (request.refused) throw Error(*request.refused);
   v1::EditStreamRequest message;
-  from_bytes(request.bytes, message_limit_, message);
+  from_bytes(request.bytes, limits_.message_bytes, message);
   release(request.bytes);
+  if (message.has_mesh()) throw error::unsupported("mesh");
   MakeRequestPtr started;
   if (message.has_create()) {
-    started = session_.create(decode(message.create()), listener(request.turn, request.id));
+    started = session_.create(decode(message.create(), limits_.document),
+                              listener(request.turn, request.id));
   } else if (message.has_edit()) {
-    EditCommand edit = decode(message.edit());
+    EditCommand edit = decode(message.edit(), limits_.document);
     if (edit.base.empty()) {
       const std::scoped_lock lock(mutex_);
-      edit.base = edit.design.empty() ? design_ : edit.design;
+      edit.base = edit.design.empty() ? next_base_ : edit.design;
     }
     started = session_.edit(std::move(edit), listener(request.turn, request.id));
   } else {
@@ -173,11 +175,12 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
                 self->answering(turn, [&] {
                   guarded(
                       [&] {
-                        v1::EditStreamReply reply;
-                        *reply.mutable_revision() = encode(made, id);
+                        v1::EditStreamResponse reply;
+                        *reply.mutable_result() = encode(made, id);
                         {
                           const std::scoped_lock lock(self->mutex_);
-                          self->design_ = made.filed.place.design;
+                          const std::string& design = made.filed.place.design;
+                          self->next_base_ = design.empty() ? made.filed.record.id : design;
                         }
                         self->answer(turn, id, std::move(reply));
                       },
@@ -191,12 +194,12 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
 }
 
 void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& why) {
-  v1::EditStreamReply reply;
+  v1::EditStreamResponse reply;
   *reply.mutable_error() = to_message(why);
   answer(turn, id, std::move(reply));
 }
 
-void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamReply reply) {
+void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply) {
   reply.set_request_id(id);
   grpc::ByteBuffer bytes = to_bytes(reply);
   {
@@ -209,7 +212,7 @@ void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStrea
 }
 
 void EditStream::progress(std::uint64_t turn, const std::string& id, const Progress& event) {
-  v1::EditStreamReply reply;
+  v1::EditStreamResponse reply;
   reply.set_request_id(id);
   *reply.mutable_progress() = encode(event);
   grpc::ByteBuffer bytes = to_bytes(reply);

@@ -9,6 +9,7 @@
 
 #include "remesh/v1/remesh.pb.h"
 #include "server/service/call.h"
+#include "server/service/request_limits.h"
 #include "server/service/stream_queue.h"
 #include "server/session/session.h"
 
@@ -25,10 +26,10 @@ namespace remeshd {
 class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public std::enable_shared_from_this<EditStream> {
  public:
-  static EditStream* start(Session& session, std::size_t message_limit,
+  static EditStream* start(Session& session, const RequestLimits& limits,
                            std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  EditStream(Session& session, std::size_t message_limit, std::shared_ptr<CallRecord> record);
+  EditStream(Session& session, const RequestLimits& limits, std::shared_ptr<CallRecord> record);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -48,7 +49,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void begin();
   void hand_over(Request& request);
   Listener listener(std::uint64_t turn, const std::string& id);
-  void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamReply reply);
+  void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply);
   void fail(std::uint64_t turn, const std::string& id, const Error& why);
   void progress(std::uint64_t turn, const std::string& id, const Progress& event);
 
@@ -68,7 +69,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void answering(std::uint64_t turn, Work&& work) noexcept;
 
   Session& session_;
-  const std::size_t message_limit_;
+  const RequestLimits limits_;
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<EditStream> self_;
 
@@ -79,8 +80,10 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   StreamQueue queue_;
   MakeRequestPtr request_;  ///< at work; null until the session has returned it
   bool cancel_at_work_ = false;
-  std::string design_;  ///< of the last request that named or found one
-  int acting_ = 0;      ///< actions under way that `advance` decided on
+  /// What an edit without a base is made of: the design of the last result, or that where it is in
+  /// none.
+  std::string next_base_;
+  int acting_ = 0;  ///< actions under way that `advance` decided on
   bool beginning_ = false;
   bool writing_ = false;
   bool reading_ = false;

@@ -6,9 +6,10 @@ namespace remeshd {
 
 namespace v1 = remesh::v1;
 
-MeshCall* MeshCall::start(Session& session, const grpc::ByteBuffer& request,
-                          std::size_t message_limit, std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<MeshCall>(std::move(record));
+MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context,
+                          const grpc::ByteBuffer& request, std::size_t message_limit,
+                          std::shared_ptr<CallRecord> record) {
+  auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
     session.later(
@@ -27,18 +28,17 @@ void MeshCall::prepare(Session& session, const grpc::ByteBuffer& request,
                        std::size_t message_limit) {
   v1::GetMeshRequest message;
   from_bytes(request, message_limit, message);
-  std::vector<v1::MeshArray> arrays;
-  for (const int array : message.arrays()) arrays.push_back(static_cast<v1::MeshArray>(array));
+  if (message.has_resume_from()) throw error::unsupported("resume_from");
   const HeldRevisionPtr revision = session.get(
       message.revision(), Run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}});
   record_->set_note("revision=" + revision->record.id.substr(0, 12));
-  messages_.emplace(revision, arrays);
+  messages_.emplace(revision, message.selection());
 }
 
 void MeshCall::write_next() {
-  v1::MeshMessage message;
-  if (!messages_->next(message)) return end(grpc::Status::OK);
-  outgoing_ = to_bytes(message);
+  v1::GetMeshResponse response;
+  if (!messages_->next(*response.mutable_mesh())) return end(grpc::Status::OK);
+  outgoing_ = to_bytes(response);
   StartWrite(&outgoing_);
 }
 
@@ -47,7 +47,11 @@ void MeshCall::OnWriteDone(bool ok) {
   answering(*this, [&] { write_next(); });
 }
 
-void MeshCall::fail(const Error& why) noexcept { end(to_status(why), why.info().reason); }
+void MeshCall::fail(const Error& why) noexcept {
+  if (ended_) return;
+  add_pushback(why, *context_);
+  end(to_status(why), why.info().reason);
+}
 
 void MeshCall::end(const grpc::Status& status, const std::string& reason) noexcept {
   if (ended_.exchange(true)) return;

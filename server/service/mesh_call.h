@@ -21,10 +21,12 @@ namespace remeshd {
 class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                        public std::enable_shared_from_this<MeshCall> {
  public:
-  static MeshCall* start(Session& session, const grpc::ByteBuffer& request,
-                         std::size_t message_limit, std::shared_ptr<CallRecord> record);
+  static MeshCall* start(Session& session, grpc::CallbackServerContext* context,
+                         const grpc::ByteBuffer& request, std::size_t message_limit,
+                         std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  explicit MeshCall(std::shared_ptr<CallRecord> record) : record_(std::move(record)) {}
+  MeshCall(grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record)
+      : context_(context), record_(std::move(record)) {}
 
   void fail(const Error& why) noexcept;
   /// Without the memory for an Error.
@@ -40,6 +42,7 @@ class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   /// Ends the call; only the first end has an effect.
   void end(const grpc::Status& status, const std::string& reason = {}) noexcept;
 
+  grpc::CallbackServerContext* const context_;
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<MeshCall> self_;
   std::stop_source stop_;

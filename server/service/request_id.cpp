@@ -14,7 +14,7 @@ void check_request_id(const std::string& id) {
   if (id.size() <= kMostBytes) return;
   ErrorInfo info;
   info.kind = ErrorKind::InvalidArgument;
-  info.reason = "RequestIdTooLong";
+  info.reason = "REQUEST_ID_TOO_LONG";
   info.message = "the request id has " + std::to_string(id.size()) + " bytes, more than " +
                  std::to_string(kMostBytes);
   info.stage = "request";

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "remesh/v1/rpc_status.pb.h"
+#include "server/service/encode_report.h"
 #include "server/service/fitting.h"
 
 namespace remeshd {
@@ -12,8 +14,9 @@ namespace {
 namespace v1 = remesh::v1;
 
 // Together below the 4 KB that an error may have; beyond 7 KB gRPC drops it altogether.
-constexpr std::size_t kLongText = 600;
+constexpr std::size_t kLongText = 500;
 constexpr std::size_t kShortText = 160;
+constexpr std::size_t kAllNames = 400;  // of a list of names
 
 grpc::StatusCode code_of(ErrorKind kind) {
   switch (kind) {
@@ -35,8 +38,44 @@ grpc::StatusCode code_of(ErrorKind kind) {
       return grpc::StatusCode::UNAVAILABLE;
     case ErrorKind::Internal:
       return grpc::StatusCode::INTERNAL;
+    case ErrorKind::DataLoss:
+      return grpc::StatusCode::DATA_LOSS;
+    case ErrorKind::Unimplemented:
+      return grpc::StatusCode::UNIMPLEMENTED;
+    case ErrorKind::PermissionDenied:
+      return grpc::StatusCode::PERMISSION_DENIED;
+    case ErrorKind::Unauthenticated:
+      return grpc::StatusCode::UNAUTHENTICATED;
   }
   return grpc::StatusCode::INTERNAL;
+}
+
+v1::Error::Reason reason_of(const ErrorInfo& info) {
+  v1::Error::Reason reason = v1::Error::REASON_UNSPECIFIED;
+  v1::Error::Reason_Parse(info.reason, &reason);
+  return reason;
+}
+
+/// The first of the names, as many as there is room for.
+template <typename Repeated>
+void put_fitting(const std::vector<std::string>& names, Repeated& out) {
+  std::size_t bytes = 0;
+  for (const std::string& name : names) {
+    std::string text = fitting(name, kShortText);
+    bytes += text.size() + 2;  // on the wire
+    if (bytes > kAllNames) return;
+    out.Add(std::move(text));
+  }
+}
+
+void put_warning(const Warning& warning, v1::Warning& out) {
+  Warning rest = warning;
+  rest.features.clear();
+  rest.groups.clear();
+  out = encode(rest);
+  out.set_message(fitting(warning.message, kLongText));
+  put_fitting(warning.features, *out.mutable_features());
+  put_fitting(warning.groups, *out.mutable_groups());
 }
 
 template <typename Message>
@@ -52,14 +91,19 @@ v1::Error to_message(const Error& error) {
   const ErrorInfo& info = error.info();
   v1::Error out;
   out.set_code(static_cast<v1::Error::Code>(code_of(info.kind)));
-  out.set_reason(fitting(info.reason, kShortText));
+  out.set_reason(reason_of(info));
   out.set_message(fitting(info.message, kLongText));
-  out.set_stage(fitting(info.stage, kShortText));
-  out.set_feature(fitting(info.feature, kShortText));
-  out.set_parameter(fitting(info.parameter, kShortText));
   out.set_hint(fitting(info.hint, kLongText));
+  out.set_stage(fitting(info.stage, kShortText));
+  put_fitting(info.features, *out.mutable_features());
+  out.set_parameter(fitting(info.parameter, kShortText));
+  if (info.place)
+    for (const double c : {info.place->x, info.place->y, info.place->z}) out.add_point(c);
   if (info.edit_index) out.set_edit_index(static_cast<std::uint32_t>(*info.edit_index));
+  if (info.line) out.set_line(static_cast<std::uint32_t>(*info.line));
+  if (info.column) out.set_column(static_cast<std::uint32_t>(*info.column));
   if (info.retry_after) out.set_retry_after(*info.retry_after);
+  if (info.warning) put_warning(*info.warning, *out.mutable_warning());
   return out;
 }
 
@@ -72,7 +116,7 @@ grpc::Status full_status(const Error& error) {
   status.set_message(message.message());
   pack(message, "remesh.v1.Error", status);
   v1::RpcErrorInfo info;
-  info.set_reason(message.reason());
+  info.set_reason(v1::Error::Reason_Name(message.reason()));
   info.set_domain("remesh.v1");
   pack(info, "google.rpc.ErrorInfo", status);
   if (message.has_retry_after()) {
@@ -88,6 +132,15 @@ grpc::Status full_status(const Error& error) {
 }
 
 }  // namespace
+
+void add_pushback(const Error& error, grpc::ServerContextBase& context) noexcept {
+  if (!error.info().retry_after) return;
+  try {
+    const double ms = std::ceil(1000 * *error.info().retry_after);
+    context.AddTrailingMetadata("grpc-retry-pushback-ms", std::to_string(std::lround(ms)));
+  } catch (...) {  // without memory for it, the client waits for as long as it likes
+  }
+}
 
 grpc::Status to_status(const Error& error) noexcept {
   try {

@@ -51,6 +51,7 @@ Description Session::describe(const std::string& text, const Run& run) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
     description.children = catalogue.children(reference.id, kMostChildren);
+    description.durable = store_->persistent() && catalogue.revision(reference.id).has_value();
   });
   if (!description.places.empty()) description.place = description.places.front();
   for (const PlaceRecord& place : description.places)
@@ -106,17 +107,16 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
                    maker_.edit_options(options, revision.options), run);
 }
 
-std::vector<ListedRevision> Session::list(const std::string& design,
-                                          const std::string& after_design,
-                                          std::uint32_t after_number, int limit) {
+std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const RevisionPage& page) {
   return store_->read([&](Catalogue& catalogue) {
-    if (!design.empty() && !catalogue.design(design)) throw error::design_not_found(design);
-    return catalogue.list(design, after_design, after_number, limit);
+    if (!filter.design.empty() && !catalogue.design(filter.design))
+      throw error::design_not_found(filter.design);
+    return catalogue.list(filter, page);
   });
 }
 
-std::vector<DesignRecord> Session::designs(const std::string& after, int limit) {
-  return store_->read([&](Catalogue& catalogue) { return catalogue.designs(after, limit); });
+std::vector<DesignRecord> Session::designs(const DesignFilter& filter, const DesignPage& page) {
+  return store_->read([&](Catalogue& catalogue) { return catalogue.designs(filter, page); });
 }
 
 Load Session::load() {
@@ -128,6 +128,7 @@ Load Session::load() {
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();
     load.designs = catalogue.count_designs();
+    load.disk_bytes = catalogue.count_bytes();
   });
   return load;
 }

@@ -33,6 +33,7 @@ struct Description {
   PlaceRecord place;  ///< by which it was named, else its first
   std::vector<PlaceRecord> places;
   std::vector<std::string> children;
+  bool durable = false;  ///< it survives the end of the daemon
 };
 
 /// A model that was found fit for meshing.
@@ -47,6 +48,7 @@ struct Load {
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
+  std::uint64_t disk_bytes = 0;
 };
 
 /// Everything that clients may do, in the engine's terms. All functions may be called by any thread
@@ -84,9 +86,21 @@ class Session {
     return archive_.remove(reference, allow_head);
   }
 
-  std::vector<ListedRevision> list(const std::string& design, const std::string& after_design,
-                                   std::uint32_t after_number, int limit);
-  std::vector<DesignRecord> designs(const std::string& after, int limit);
+  /// Makes a revision the head of a design that has it. Throws Error: what `resolve` throws,
+  /// DESIGN_NOT_FOUND, REVISION_NOT_FOUND where the design has it not, HEAD_CONFLICT.
+  Archive::HeadSet set_head(const std::string& reference, const std::string& design,
+                            const std::string& expected) {
+    return archive_.set_head(reference, design, expected);
+  }
+  /// Takes all revisions out of a design, and the design off the list.
+  /// Throws Error: DESIGN_NOT_FOUND, HEAD_CONFLICT.
+  Archive::DesignRemoved remove_design(const std::string& design, const std::string& expected) {
+    return archive_.remove_design(design, expected);
+  }
+
+  /// Throws Error: DESIGN_NOT_FOUND.
+  std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
+  std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   [[nodiscard]] std::vector<FeatureTypeInfo> feature_types() const {
     return engine_.feature_types();
   }

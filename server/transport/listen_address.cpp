@@ -23,7 +23,7 @@ constexpr std::string_view kUnix = "unix:";
 Error invalid(const std::string& text, std::string_view why) {
   ErrorInfo info;
   info.kind = ErrorKind::InvalidArgument;
-  info.reason = "ListenInvalid";
+  info.reason = "LISTEN_INVALID";
   info.message = "cannot listen on `" + text + "`: ";
   info.message += why;
   info.stage = "request";

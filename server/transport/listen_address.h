@@ -31,7 +31,7 @@ struct ListenAddress {
 /// alone, 0 to 65535; PATH is absolute. Nothing is guessed: what would be another address than it
 /// seems (`0`, `:80`, `127.1:80`, `dns:///x`) is refused.
 ///
-/// Throws Error(InvalidArgument) `ListenInvalid`.
+/// Throws Error(InvalidArgument) `LISTEN_INVALID`.
 ListenAddress parse_listen_address(const std::string& text);
 
 }  // namespace remeshd

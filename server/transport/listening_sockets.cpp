@@ -15,7 +15,7 @@ namespace {
 Error listen_failed(const std::string& name, const std::string& why) {
   ErrorInfo info;
   info.kind = ErrorKind::FailedPrecondition;
-  info.reason = "ListenFailed";
+  info.reason = "LISTEN_FAILED";
   info.message = "cannot listen on " + name + ": " + why;
   info.stage = "request";
   info.hint = "is another daemon listening there?";

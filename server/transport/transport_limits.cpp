@@ -15,8 +15,6 @@ constexpr int kMostReceived = 16 << 20;
 /// ends streams, and not always those of the connection that is to blame: it must stay out of reach
 /// of clients that keep to the rules.
 constexpr std::size_t kReceiveMemory = std::size_t{256} << 20;
-/// Calls at a time on one connection; a client's further calls wait at the client.
-constexpr int kMostStreams = 256;
 /// ms until a connection must have said what HTTP/2 begins with.
 constexpr int kHandshakeTimeoutMs = 20'000;
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/server/fake_engine.h"
+#include "tests/server/session/answer.h"
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
@@ -22,48 +23,6 @@ namespace remeshd::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// What a listener has heard. The listener may outlive it.
-class Answer {
- public:
-  [[nodiscard]] Listener listener() const {
-    return {.progress = {},
-            .made =
-                [heard = heard_](const Made& made) {
-                  heard->made = made;
-                  ++heard->answers;
-                },
-            .failed =
-                [heard = heard_](const Error& why) {
-                  heard->error = why.info();
-                  ++heard->answers;
-                }};
-  }
-  /// Whether an answer came within 10 s.
-  [[nodiscard]] bool came() const {
-    for (int k = 0; k < 10000 && answers() == 0; ++k) std::this_thread::sleep_for(1ms);
-    return answers() > 0;
-  }
-  /// Waits for it; fails the test where it is no revision.
-  [[nodiscard]] Made made() const {
-    EXPECT_EQ(error().reason, "");
-    return heard_->made;
-  }
-  /// Waits for it; without a reason where it is a revision.
-  [[nodiscard]] ErrorInfo error() const {
-    EXPECT_TRUE(came());
-    return heard_->error;
-  }
-  [[nodiscard]] int answers() const { return heard_->answers; }
-
- private:
-  struct Heard {
-    Made made;
-    ErrorInfo error;
-    std::atomic<int> answers = 0;
-  };
-  std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
-};
 
 CreateCommand command() {
   return {.source = model_of({block("plate", 80, 40, 10)}),
@@ -127,7 +86,7 @@ TEST_F(SessionTest, WhatIsCancelledWhileItWaitsForItsPreparationIsNotPrepared) {
   Answer answer;
   const MakeRequestPtr request = session.create(command(), answer.listener());
   request->cancel();
-  EXPECT_EQ(answer.error().reason, "Cancelled");
+  EXPECT_EQ(answer.error().reason, "CANCELLED");
   free.count_down();
   session.later([&] { done.count_down(); }, no_refusal);
   done.wait();
@@ -183,7 +142,7 @@ TEST_F(SessionTest, ARevisionThatEverybodyGaveUpAtTheLastMomentLeavesMemory) {
   Answer answer;
   request = session.create(command(), answer.listener());
   given = true;
-  EXPECT_EQ(answer.error().reason, "Cancelled");
+  EXPECT_EQ(answer.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   EXPECT_EQ(fake_.made(), 1);
   EXPECT_EQ(session.load().held, 0U);
@@ -256,7 +215,7 @@ TEST_F(DamagedCopy, IsHealedFromMemoryWhereWhoeverHadItMadeAnewGaveUp) {
   Answer first, second;
   request = session.create(command(), first.listener());
   given = true;
-  EXPECT_EQ(first.error().reason, "Cancelled");
+  EXPECT_EQ(first.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   ASSERT_EQ(session.load().held, 1U);
   session.create(command(), second.listener());
@@ -305,7 +264,7 @@ TEST_F(NodeLimit, HoldsForACountASizeAndAnInheritedEdgeLengthBeforeAnythingIsCom
       error_of([&] { session_->validate_edit("plate", longer(1e9), {}, {}); }),
       error_of([&] { session_->validate_edit(plate, longer(1e9), {.size = 2.5}, {}); })};
   for (const ErrorInfo& error : errors) {
-    EXPECT_EQ(error.reason, "MeshTooLarge");
+    EXPECT_EQ(error.reason, "MESH_TOO_LARGE");
     EXPECT_EQ(error.kind, ErrorKind::InvalidArgument);
     EXPECT_THAT(error.message, testing::HasSubstr("limit of 1000"));
     EXPECT_FALSE(error.retry_after);

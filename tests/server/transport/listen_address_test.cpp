@@ -98,7 +98,7 @@ TEST(ListenAddress, RefusesWhatIsNone) {
       ADD_FAILURE() << '`' << text << "` is taken for an address";
     } catch (const Error& error) {
       EXPECT_EQ(error.info().kind, ErrorKind::InvalidArgument);
-      EXPECT_EQ(error.info().reason, "ListenInvalid");
+      EXPECT_EQ(error.info().reason, "LISTEN_INVALID");
       EXPECT_NE(error.info().message.find('`' + text + '`'), std::string::npos);
       EXPECT_FALSE(error.info().hint.empty());
     }

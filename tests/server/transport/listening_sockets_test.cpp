@@ -23,7 +23,7 @@ void expect_failure(const std::string& text) {
     const ListeningSockets sockets = listen(text);
     ADD_FAILURE() << "listens on " << text;
   } catch (const Error& error) {
-    EXPECT_EQ(error.info().reason, "ListenFailed");
+    EXPECT_EQ(error.info().reason, "LISTEN_FAILED");
     EXPECT_EQ(error.info().kind, ErrorKind::FailedPrecondition);
     EXPECT_THAT(error.info().message, testing::HasSubstr(text));
   }
