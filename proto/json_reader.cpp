@@ -1,18 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proto/json_reader.h"
 
+#include <cstddef>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
-
-#include "proto/document_error.h"
 
 namespace remeshd {
 namespace {
 
+/// The text as nlohmann's parser takes it, which tells how far the parser has come.
+class Counted {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Counted(const char* at, const char** reached) : at_(at), reached_(reached) {}
+  reference operator*() const { return *at_; }
+  Counted& operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+  Counted operator++(int) {
+    const Counted before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(const Counted& a, const Counted& b) { return a.at_ == b.at_; }
+  friend bool operator!=(const Counted& a, const Counted& b) { return a.at_ != b.at_; }
+
+ private:
+  const char* at_;
+  const char** reached_;
+};
+
+/// Line and column while a text is gone through once. Columns count characters, not bytes.
+class Position {
+ public:
+  explicit Position(const char* at) : at_(at) {}
+  TextPosition advance(const char* to) {
+    for (; at_ < to; ++at_) {
+      if (*at_ == '\n') {
+        ++now_.line;
+        now_.column = 1;
+      } else if ((static_cast<unsigned char>(*at_) & 0xC0U) != 0x80U) {
+        ++now_.column;
+      }
+    }
+    return now_;
+  }
+
+ private:
+  const char* at_;
+  TextPosition now_{1, 1};
+};
+
 /// Builds the tree from the events of nlohmann's parser, and stops it by throwing.
 class TreeBuilder {
  public:
-  TreeBuilder(std::string_view text, const DocumentLimits& limits) : text_(text), limits_(limits) {}
+  TreeBuilder(std::string_view text, const char* const& reached, const DocumentLimits& limits)
+      : text_(text), reached_(reached), limits_(limits), end_(text.data()), position_(end_) {}
 
   Json take() { return std::move(root_); }
 
@@ -30,24 +80,18 @@ class TreeBuilder {
   bool end_array() { return close(); }
 
   bool key(std::string& name) {
-    if (!open_.back().keys.insert(name).second) throw error::duplicate_key(name);
+    key_at_ = begin_token();
+    if (!open_.back().keys.insert(name).second) throw error::duplicate_key(key_at_, name);
     key_ = std::move(name);
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string& /*token*/,
                    const nlohmann::json::exception& why) {
-    const std::size_t end = std::min(position, text_.size());
-    std::size_t line = 1;
-    std::size_t column = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      ++column;
-      if (text_[i] == '\n') {
-        ++line;
-        column = 0;
-      }
-    }
-    throw error::document_malformed(line, column, cause(why.what()));
+    // The position is one past the character that does not fit.
+    const std::size_t at = std::min(std::max<std::size_t>(position, 1) - 1, text_.size());
+    throw error::document_malformed(Position(text_.data()).advance(text_.data() + at),
+                                    cause(why.what()));
   }
 
  private:
@@ -69,7 +113,19 @@ class TreeBuilder {
     return std::string(what.substr(0, 200));
   }
 
+  /// Where the token begins that the parser has just read. Between two tokens stand white space,
+  /// commas and colons alone, or the parser would have stopped.
+  TextPosition begin_token() {
+    const char* const limit = text_.data() + text_.size();
+    while (end_ < limit && std::string_view(" \t\r\n,:").find(*end_) != std::string_view::npos)
+      ++end_;
+    const TextPosition at = position_.advance(end_);
+    end_ = reached_;
+    return at;
+  }
+
   Json* place(Json&& value) {
+    value.at = begin_token();
     if (open_.empty()) {
       root_ = std::move(value);
       return &root_;
@@ -80,7 +136,7 @@ class TreeBuilder {
       return &list->back();
     }
     auto& object = std::get<Json::Object>(container);
-    object.push_back({std::move(key_), std::move(value)});
+    object.push_back({std::move(key_), key_at_, std::move(value)});
     return &object.back().value;
   }
   bool put(Json&& value) {
@@ -89,21 +145,26 @@ class TreeBuilder {
   }
   /// The container opened stays where it is until it is closed: only its last child grows.
   bool open(Json&& value) {
-    if (static_cast<int>(open_.size()) >= limits_.depth)
-      throw error::document_too_deep(limits_.depth);
+    const bool too_deep = static_cast<int>(open_.size()) >= limits_.depth;
     Json* container = place(std::move(value));
+    if (too_deep) throw error::document_too_deep(container->at, limits_.depth);
     open_.push_back({container, {}});
     return true;
   }
   bool close() {
+    end_ = reached_;
     open_.pop_back();
     return true;
   }
 
   std::string_view text_;
+  const char* const& reached_;  ///< one past what the parser has read
   DocumentLimits limits_;
+  const char* end_;  ///< of the token before; a number's may lie one further
+  Position position_;
   Json root_;
   std::string key_;
+  TextPosition key_at_;
   std::vector<Open> open_;
 };
 
@@ -111,8 +172,10 @@ class TreeBuilder {
 
 Json read_json(std::string_view text, const DocumentLimits& limits) {
   if (text.size() > limits.bytes) throw error::document_too_large(text.size(), limits.bytes);
-  TreeBuilder builder(text, limits);
-  nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  const char* reached = text.data();
+  TreeBuilder builder(text, reached, limits);
+  nlohmann::json::sax_parse(Counted(text.data(), &reached),
+                            Counted(text.data() + text.size(), &reached), &builder);
   return builder.take();
 }
 

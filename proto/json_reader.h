@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "proto/document_error.h"
+
 namespace remeshd {
 
 /// What a document may be at most; beyond it, it is refused before anything is made of it.
@@ -23,9 +25,11 @@ struct Json {
   using List = std::vector<Json>;
   using Object = std::vector<Member>;
   std::variant<Null, bool, double, std::string, List, Object> value;
+  TextPosition at{};  ///< of its first character
 };
 struct Json::Member {
   std::string name;
+  TextPosition at;  ///< of the name
   Json value;
 };
 
@@ -33,8 +37,8 @@ struct Json::Member {
 /// numbers within the range of doubles, limits kept.
 ///
 /// Takes time and memory linear in `text`, and none of either for a text over the limit.
-/// Throws DocumentError: `DocumentTooLarge`, `DocumentTooDeep`, `DuplicateKey`, or
-/// `DocumentMalformed` with line and column.
+/// Throws DocumentError: `DOCUMENT_TOO_LARGE`, or with line and column `DOCUMENT_TOO_DEEP`,
+/// `DUPLICATE_KEY`, `DOCUMENT_MALFORMED`.
 Json read_json(std::string_view text, const DocumentLimits& limits = {});
 
 }  // namespace remeshd

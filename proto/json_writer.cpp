@@ -160,6 +160,36 @@ Piece map_piece(const Message& message, const FieldDescriptor* field, const Json
   return piece;
 }
 
+/// The field that an element of a keyed list is written as where it has no other beside its name;
+/// null for messages that are not written by name.
+const FieldDescriptor* sole_field(const google::protobuf::Descriptor* element) {
+  const std::string& type = element->full_name();
+  if (type == "remesh.v1.Parameter" || type == "remesh.v1.FeatureParameter")
+    return element->FindFieldByName("value");
+  return type == "remesh.v1.Group" ? element->FindFieldByName("on") : nullptr;
+}
+
+/// A list of things that have names, as an object.
+Piece keyed_piece(const Message& message, const FieldDescriptor* list, const JsonStyle& style) {
+  const FieldDescriptor* name = list->message_type()->FindFieldByName("name");
+  const FieldDescriptor* sole = sole_field(list->message_type());
+  const std::string sole_label = quote(sole->json_name()) + ": ";
+  Piece piece{"{", true, {}};
+  for (int i = 0; i < message.GetReflection()->FieldSize(message, list); ++i) {
+    const Message& element = message.GetReflection()->GetRepeatedMessage(message, list, i);
+    Piece value = message_piece(element, style);
+    const std::string name_label = quote(name->json_name()) + ": ";
+    std::erase_if(value.items, [&](const Item& item) { return item.label == name_label; });
+    if (value.items.size() == 1 && value.items.front().label == sole_label) {
+      Piece alone = std::move(value.items.front().piece);
+      value = std::move(alone);
+    }
+    const std::string label = quote(element.GetReflection()->GetString(element, name)) + ": ";
+    piece.items.push_back({label, std::move(value)});
+  }
+  return piece;
+}
+
 Piece message_piece(const Message& message, const JsonStyle& style) {
   if (const auto* value = dynamic_cast<const Value*>(&message)) return value_piece(*value);
   if (const auto* list = dynamic_cast<const ListValue*>(&message)) return list_piece(*list);
@@ -177,6 +207,9 @@ Piece message_piece(const Message& message, const JsonStyle& style) {
     const std::string label = quote(style.camel_case ? field->json_name() : field->name()) + ": ";
     if (field->is_map()) {
       piece.items.push_back({label, map_piece(message, field, style)});
+    } else if (style.short_forms && field->is_repeated() && field->message_type() != nullptr &&
+               sole_field(field->message_type()) != nullptr) {
+      piece.items.push_back({label, keyed_piece(message, field, style)});
     } else if (field->is_repeated()) {
       Piece list{"[", true, {}};
       for (int k = 0; k < r->FieldSize(message, field); ++k)
@@ -246,7 +279,7 @@ std::string write_json(const Message& message, const JsonStyle& style) {
 }
 
 std::string write_document(const Message& message) {
-  return write_json(message, {.camel_case = true, .write_zeros = false});
+  return write_json(message, {.camel_case = true, .write_zeros = false, .short_forms = true});
 }
 
 }  // namespace remeshd

@@ -10,7 +10,10 @@ namespace remeshd {
 struct JsonStyle {
   bool camel_case = false;  ///< names as in documents (`zAxis`), else as in the .proto (`z_axis`)
   bool write_zeros = true;  ///< fields that have their default, and empty lists and maps
-  int width = 100;          ///< columns; lists and objects that fit stay on one line
+  /// Parameters and groups as objects by name, in their order, each as its value or selector alone
+  /// where it has no more.
+  bool short_forms = false;
+  int width = 100;  ///< columns; lists and objects that fit stay on one line
 };
 
 /// The canonical JSON of a message: fields in the order of their numbers, map keys sorted, every
@@ -19,7 +22,8 @@ struct JsonStyle {
 /// newline. Non-finite numbers, which no checked message has, come out as null.
 std::string write_json(const google::protobuf::Message& message, const JsonStyle& style = {});
 
-/// A model or edit message as a document: `parse_model` and `parse_edit` give it back.
+/// A model or edit message as a document: `parse_model` and `parse_edit` give it back, order
+/// included.
 std::string write_document(const google::protobuf::Message& message);
 
 }  // namespace remeshd

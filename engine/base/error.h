@@ -5,8 +5,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/base/warning.h"
 
 namespace remeshd {
 
@@ -22,20 +24,27 @@ enum class ErrorKind {
   Cancelled,
   Unavailable,  ///< the daemon is going away
   Internal,
+  DataLoss,          ///< what was made or sent cannot be had again as it was
+  Unimplemented,     ///< this build does not do it
+  PermissionDenied,  ///< known, but not allowed
+  Unauthenticated,
 };
 
 /// A failure a user can act on: what, where in the run, which feature and parameter, what to do.
 struct ErrorInfo {
   ErrorKind kind = ErrorKind::Internal;
-  std::string reason{};     ///< stable CamelCase name, e.g. `DegenerateFeature`
-  std::string message{};    ///< one sentence
-  std::string stage{};      ///< station of the engine or `request`
-  std::string feature{};    ///< feature id, several joined by commas, empty if none
+  /// Stable name, one of Error.Reason in proto/remesh/v1/error.proto: `DEGENERATE_FEATURE`.
+  std::string reason{};
+  std::string message{};                ///< one sentence
+  std::string stage{};                  ///< station of the engine or `request`
+  std::vector<std::string> features{};  ///< ids of those at fault, the first foremost
   std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
   std::string hint{};       ///< what would help; empty if nothing sensible can be said
   std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
   std::optional<double> retry_after{};  ///< s, with ResourceExhausted
   std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
+  std::optional<int> line{}, column{};  ///< of a document, from 1
+  std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
 };
 
 class Error : public std::runtime_error {
@@ -53,6 +62,8 @@ namespace error {
 
 Error cancelled();
 Error internal(std::string_view stage, std::string_view what);
+/// A call, a field or a value of one, `what`, that this build does not do.
+Error unsupported(std::string_view what);
 
 // Stage `model`. `feature` is empty where the model itself is at fault; `parameter` spells the
 // place: `radius`, `profile[3].through`, `placement.zAxis`, or the model parameter's name.

@@ -44,12 +44,23 @@ struct FeatureSource {
   friend bool operator==(const FeatureSource&, const FeatureSource&) = default;
 };
 
+/// A named scalar of the model, and what its value may be.
+struct ParameterSource {
+  std::string name;
+  Scalar value;
+  std::optional<double> lower, upper;  ///< its value lies within them, also after an edit
+  bool integer = false;                ///< its value is whole
+  std::string unit;                    ///< a label
+  std::string description;             ///< for people; no part of a revision's id
+  friend bool operator==(const ParameterSource&, const ParameterSource&) = default;
+};
+
 /// A model document: what users write, edit and get back. Nothing is evaluated yet.
 struct ModelSource {
   std::string name;
-  std::string unit;  ///< a label; scales nothing
-  std::map<std::string, Scalar> parameters;
-  std::vector<FeatureSource> features;  ///< in history order
+  std::string unit;                         ///< a label; scales nothing
+  std::vector<ParameterSource> parameters;  ///< in the order written, which is kept
+  std::vector<FeatureSource> features;      ///< in history order
   friend bool operator==(const ModelSource&, const ModelSource&) = default;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/warning.h"
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
@@ -33,12 +34,12 @@ struct Counts {
 /// Which way led to the mesh; a later one is taken where the earlier gave no valid mesh.
 enum class Way : std::uint8_t {
   Unchanged,  ///< no surface moved: the base's mesh
-  Continued,  ///< the base's connectivity; nodes near moved surfaces follow them
+  Morphed,    ///< the base's connectivity; nodes near moved surfaces follow them
   Local,      ///< what changed was meshed anew; of a first mesh, everything
   Full,       ///< every node was optimised anew, copied ones included
   Fresh,      ///< a regular mesh from new nodes
   TetGen,     ///< TetGen's mesh of the conforming surface
-  Rebased,    ///< a regular mesh, valid as the remesh was: edits had worn it
+  Renewed,    ///< a regular mesh, valid as the remesh was: edits had worn it
 };
 
 /// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
@@ -74,7 +75,9 @@ struct Report {
   std::uint32_t sharp_tets = 0;  ///< the others
   VerificationFigures verification;
   std::vector<GroupArea> groups;
-  std::vector<std::string> warnings;
+  /// Of the tets: 1 where a last resort (TetGen) made the mesh, else 0.
+  double last_resort_share = 0;
+  std::vector<Warning> warnings;
 };
 
 }  // namespace remeshd

@@ -21,6 +21,14 @@ class Archive {
     std::vector<PlaceRecord> places;
     bool mesh_deleted = false;
   };
+  struct HeadSet {
+    DesignRecord design;   ///< afterwards
+    std::string previous;  ///< id of the head before; empty if there was none
+  };
+  struct DesignRemoved {
+    std::uint32_t revisions = 0;       ///< taken out
+    std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
+  };
 
   /// `memory` in bytes; both references must outlive the archive.
   Archive(const Engine& engine, Store& store, std::uint64_t memory);
@@ -48,6 +56,16 @@ class Archive {
   /// none has it. The design's head becomes its greatest number left.
   /// Throws Error(`HeadProtected`) for a head, unless `allow_head`.
   Removed remove(const std::string& text, bool allow_head);
+
+  /// Makes the revision the head of `design`, or where that is empty of the one that `text` names.
+  /// Throws Error: NotFound, REVISION_MISSING where no design is named, HEAD_CONFLICT where the
+  /// head is not `expected` (empty: any).
+  HeadSet set_head(const std::string& text, const std::string& design, const std::string& expected);
+
+  /// Takes all revisions out of a design, deletes those that no other has, and takes the design off
+  /// the list. Its numbers go on where one of the same name is made later.
+  /// Throws Error: DESIGN_NOT_FOUND, HEAD_CONFLICT.
+  DesignRemoved remove_design(const std::string& design, const std::string& expected);
 
   Store& store() { return store_; }
   [[nodiscard]] const HeldRevisions& held() const { return held_; }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "engine/base/run.h"
@@ -28,10 +29,12 @@ struct OptionsPatch {
 
 /// Whether the revision made is to become the head of its design.
 struct HeadRule {
-  bool advance = true;
-  /// Id that the head must have for it to move; empty: any, but then only a revision that is new to
-  /// the design becomes the head.
-  std::string expected;
+  /// Whether it becomes the head, if that still is `expected`. Left out: yes, but for two kinds of
+  /// first mesh: one that the design has already, and one whose model is not that of the design's
+  /// first revision (warning HeadKept). A design without a head always gets one.
+  std::optional<bool> advance;
+  std::string expected;  ///< id that the head must have for it to move; empty: any
+  bool require = false;  ///< where it has another one, the command fails and files nothing
 };
 
 struct CreateCommand {
@@ -39,6 +42,7 @@ struct CreateCommand {
   OptionsPatch options;
   std::string design;  ///< empty: the model's name, or `model`
   HeadRule head;
+  std::vector<WarningCode> fail_on;  ///< warnings that are errors; then nothing is filed
   int threads = 1;
 };
 
@@ -48,6 +52,7 @@ struct EditCommand {
   OptionsPatch options;
   std::string design;  ///< empty: the base's
   HeadRule head;       ///< expected: empty means the base
+  std::vector<WarningCode> fail_on;
   int threads = 1;
 };
 
@@ -55,16 +60,18 @@ struct EditCommand {
 struct Filed {
   RevisionRecord record;
   PlaceRecord place;
-  bool head_moved = false;  ///< the head was another one than expected, and stayed
-  std::string head;         ///< id after the request
+  bool head_conflict = false;  ///< the head was to move, was not the expected one, and stayed
+  std::string head;            ///< id after the request
   std::uint32_t head_number = 0;
+  bool durable = false;  ///< it survives the end of the daemon
 };
 
 /// The answer to a command.
 struct Made {
   HeldRevisionPtr revision;
   Filed filed;
-  bool cached = false;  ///< nothing was computed for this answer
+  bool cached = false;            ///< nothing was computed for this answer
+  std::vector<Warning> warnings;  ///< of this answer, beside those of the report
 };
 
 /// Hears of a command: any number of progress calls, then exactly one of the others. Called by any

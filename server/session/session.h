@@ -84,9 +84,21 @@ class Session {
     return archive_.remove(reference, allow_head);
   }
 
-  std::vector<ListedRevision> list(const std::string& design, const std::string& after_design,
-                                   std::uint32_t after_number, int limit);
-  std::vector<DesignRecord> designs(const std::string& after, int limit);
+  /// Makes a revision the head of a design that has it. Throws Error: what `resolve` throws,
+  /// DESIGN_NOT_FOUND, REVISION_NOT_FOUND where the design has it not, HEAD_CONFLICT.
+  Archive::HeadSet set_head(const std::string& reference, const std::string& design,
+                            const std::string& expected) {
+    return archive_.set_head(reference, design, expected);
+  }
+  /// Takes all revisions out of a design, and the design off the list.
+  /// Throws Error: DESIGN_NOT_FOUND, HEAD_CONFLICT.
+  Archive::DesignRemoved remove_design(const std::string& design, const std::string& expected) {
+    return archive_.remove_design(design, expected);
+  }
+
+  /// Throws Error: DESIGN_NOT_FOUND.
+  std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
+  std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   [[nodiscard]] std::vector<FeatureTypeInfo> feature_types() const {
     return engine_.feature_types();
   }

@@ -7,16 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "server/store/listing.h"
 #include "server/store/records.h"
 #include "server/store/sqlite.h"
 
 namespace remeshd {
-
-/// A row of a list of revisions.
-struct ListedRevision {
-  PlaceRecord place;
-  RevisionRecord record;
-};
 
 /// What revisions and designs there are: an index, in memory, over the transactions applied to it.
 class Catalogue {
@@ -42,10 +37,10 @@ class Catalogue {
   std::vector<PlaceRecord> places(const std::string& id);
   /// The greatest number of a design that is not that of `except`.
   std::optional<PlaceRecord> last_place(const std::string& design, const std::string& except);
-  /// By design and number, after the given ones; of one design, or of all if `design` is empty.
-  std::vector<ListedRevision> list(const std::string& design, const std::string& after_design,
-                                   std::uint32_t after_number, int limit);
-  std::vector<DesignRecord> designs(const std::string& after, int limit);
+  /// A row for each place in a design, or for each revision in none.
+  std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
+  /// Designs that have revisions or a head to come back to: not those that were deleted.
+  std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   std::vector<std::string> children(const std::string& id, int limit);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();

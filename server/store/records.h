@@ -11,10 +11,12 @@ namespace remeshd {
 struct RevisionRecord {
   std::string id;      ///< 64 hexadecimal digits
   std::string parent;  ///< id; empty for a first mesh
+  std::string root;    ///< id of the first mesh of its chain; empty where that is not known
   std::string model_name;
   std::int64_t created_ns = 0;  ///< since 1970, UTC
   std::uint32_t nodes = 0, tets = 0;
-  std::uint64_t bytes = 0;  ///< of its file
+  std::uint64_t bytes = 0;              ///< of its file
+  std::uint32_t algorithm_version = 0;  ///< 0 where it is not known
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 
@@ -33,6 +35,7 @@ struct DesignRecord {
   std::uint32_t head_number = 0;
   std::uint32_t next_number = 1;
   std::uint32_t revisions = 0;
+  std::int64_t changed_ns = 0;  ///< its head or its list; since 1970, UTC
   friend bool operator==(const DesignRecord&, const DesignRecord&) = default;
 };
 
@@ -56,10 +59,12 @@ struct RemovePlace {
 struct RemoveRevision {
   std::string id;
 };
-/// A design and the number that its next revision gets, or more where it has come further.
+/// A design and the number that its next revision gets, or more where it has come further; likewise
+/// the time of its last change.
 struct AddDesign {
   std::string name;
   std::uint32_t next_number = 1;
+  std::int64_t changed_ns = 0;
 };
 /// Forgets everything: what follows tells it anew.
 struct StartAnew {};

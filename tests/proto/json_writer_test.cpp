@@ -59,14 +59,15 @@ TEST(JsonWriter, MapsAreSorted) {
 
 TEST(JsonWriter, ControlCharactersAndQuotesAreEscaped) {
   v1::Report report;
-  report.add_warnings("a \"b\"\\\n\x01 \xC3\xA9");
-  EXPECT_EQ(nlohmann::json::parse(write_json(report))["warnings"][0], "a \"b\"\\\n\x01 \xC3\xA9");
+  const std::string text = "a \"b\"\\\n\x01 \xC3\xA9";
+  report.add_warnings()->set_message(text);
+  EXPECT_EQ(nlohmann::json::parse(write_json(report))["warnings"][0]["message"], text);
 }
 
 TEST(JsonWriter, LinesKeepToTheWidthWhereTheirValuesAllow) {
-  v1::Report report;
-  for (std::uint32_t i = 0; i < 200; ++i) report.add_free_per_iteration(i);
-  const std::string text = write_json(report);
+  v1::Diagnostics diagnostics;
+  for (std::uint32_t i = 0; i < 200; ++i) diagnostics.add_free_per_iteration(i);
+  const std::string text = write_json(diagnostics);
   std::size_t start = 0;
   for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1)
     EXPECT_LE(end - start, 100U) << text.substr(start, end - start);

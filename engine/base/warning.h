@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// Kinds of warnings: those of Warning.Code in proto/remesh/v1/error.proto, which tells what each
+/// means.
+enum class WarningCode : std::uint8_t {
+  GroupEmptied,
+  FaceLost,
+  FeatureWithoutEffect,
+  ChordsCoarse,
+  DetailNotResolved,
+  Fallback,
+  NodesFarFromTarget,
+  QualityLow,
+  Renewed,
+  HeadKept,
+  NodesInserted,
+  NotDurable,
+  EdgesStraight,
+};
+
+/// Their names in the protocol, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 13> kWarningNames{"GROUP_EMPTIED",
+                                                                "FACE_LOST",
+                                                                "FEATURE_WITHOUT_EFFECT",
+                                                                "CHORDS_COARSE",
+                                                                "DETAIL_NOT_RESOLVED",
+                                                                "FALLBACK",
+                                                                "NODES_FAR_FROM_TARGET",
+                                                                "QUALITY_LOW",
+                                                                "RENEWED",
+                                                                "HEAD_KEPT",
+                                                                "NODES_INSERTED",
+                                                                "NOT_DURABLE",
+                                                                "EDGES_STRAIGHT"};
+
+constexpr std::string_view name_of(WarningCode code) {
+  return kWarningNames[static_cast<std::size_t>(code)];
+}
+
+/// A result that is valid, yet not what its reader may think.
+struct Warning {
+  WarningCode code{};
+  std::string message;                ///< one sentence
+  std::vector<std::string> features;  ///< ids, the first foremost
+  std::vector<std::string> groups;    ///< `hole.wall`
+  std::optional<Vec3> point;          ///< model's unit
+};
+
+}  // namespace remeshd
