@@ -11,13 +11,14 @@ namespace remeshd::client {
 
 /// What of a mesh to send, and how.
 struct MeshWanted {
-  std::vector<remesh::v1::MeshArray> arrays;  ///< none: all; what is left out is empty in the Mesh
+  std::vector<remesh::v1::MeshArray>
+      arrays{};  ///< none: all; what is left out is empty in the Mesh
   /// Send what differs from the mesh of the revision's parent, where that is shorter. The Mesh is
   /// the same, to the bit.
   bool delta = false;
   /// With `delta`: the parent's mesh, with the same arrays. In a stream null stands for the last
   /// mesh that the stream brought to a request with `delta`, which it keeps for that.
-  std::shared_ptr<const Mesh> base;
+  std::shared_ptr<const Mesh> base{};
 };
 
 }  // namespace remeshd::client
