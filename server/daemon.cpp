@@ -7,11 +7,18 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <optional>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
 #include "server/service/remesh_service.h"
 #include "server/session/session.h"
+#include "server/transport/accept_loop.h"
+#include "server/transport/descriptor_limit.h"
+#include "server/transport/listen_address.h"
+#include "server/transport/listening_sockets.h"
+#include "server/transport/transport_limits.h"
 
 #ifndef REMESHD_VERSION
 #error "the build gives the version"
@@ -19,21 +26,6 @@
 
 namespace remeshd {
 namespace {
-
-/// gRPC reads a message whole before we can refuse it in words; beyond this it refuses it itself.
-constexpr int kMostReceived = 256 << 20;
-/// Of all messages being received together.
-constexpr std::size_t kReceiveMemory = std::size_t{1} << 30;
-
-Error listen_failed(const std::string& address) {
-  ErrorInfo info;
-  info.kind = ErrorKind::FailedPrecondition;
-  info.reason = "ListenFailed";
-  info.message = "cannot listen on " + address;
-  info.stage = "request";
-  info.hint = "is another daemon using the port, or is the address not of the form HOST:PORT?";
-  return Error(std::move(info));
-}
 
 int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
@@ -55,20 +47,13 @@ std::unique_ptr<Store> open_store(const DaemonOptions& options) {
   return store;
 }
 
-void set_transport(grpc::ServerBuilder& builder) {
-  constexpr int kSecond = 1000;
-  // The keepalive timeout is TCP_USER_TIMEOUT too: shorter, and slow readers that live are cut.
-  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 60 * kSecond);
-  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 30 * kSecond);
-  builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
-  builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, 5 * kSecond);
-  builder.AddChannelArgument(GRPC_ARG_HTTP2_MAX_PING_STRIKES, 0);
-  // Otherwise a second daemon on the same port would take half of the calls.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
-  builder.SetMaxReceiveMessageSize(kMostReceived);
-  grpc::ResourceQuota quota("remeshd");
-  quota.Resize(kReceiveMemory);
-  builder.SetResourceQuota(quota);
+/// The connections that there may be, told where they are fewer than asked for.
+std::size_t max_connections(const DaemonOptions& options) {
+  const std::size_t most = connections_within_descriptors(options.max_connections);
+  if (options.log && most < options.max_connections)
+    options.log->warn("at most {} connections at a time, not {}: the limit of open files is low",
+                      most, options.max_connections);
+  return most;
 }
 
 }  // namespace
@@ -76,31 +61,57 @@ void set_transport(grpc::ServerBuilder& builder) {
 struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
   Session session;
-  std::unique_ptr<grpc::Service> service;
+  std::size_t max_connections;
+  std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
-  int port = 0;
+  std::unique_ptr<AcceptLoop> connections;  ///< null where nothing is listened on
   std::once_flag ended;
 
   Parts(const DaemonOptions& options, Engine engine)
       : log(options.log),
         session(std::move(engine), open_store(options), session_limits(options)),
-        service(make_remesh_service(session, {.version = REMESHD_VERSION, .log = options.log})) {}
+        max_connections(remeshd::max_connections(options)),
+        service(make_remesh_service(session, {.facts = facts(), .log = options.log})),
+        cache_service(make_cache_service(options.log)) {}
+
+  [[nodiscard]] ServerFacts facts() const {
+    return {.version = REMESHD_VERSION,
+            .connections = static_cast<std::uint32_t>(max_connections),
+            .streams = kMostStreams};
+  }
 };
 
-Daemon::Daemon(const DaemonOptions& options, Engine engine)
-    : parts_(std::make_unique<Parts>(options, std::move(engine))) {
+Daemon::Daemon(const DaemonOptions& options, Engine engine) {
+  std::optional<ListenAddress> address;
+  if (!options.listen.empty()) address = parse_listen_address(options.listen);
+  parts_ = std::make_unique<Parts>(options, std::move(engine));
+  std::optional<ListeningSockets> sockets;
+  if (address) sockets.emplace(*address);
+
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
-  set_transport(builder);
-  if (!options.listen.empty())
-    builder.AddListeningPort(options.listen, grpc::InsecureServerCredentials(), &parts_->port);
+  set_transport_limits(builder);
+  using Experimental = grpc::ServerBuilder::experimental_type;
+  std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor;
+  if (sockets)
+    acceptor = builder.experimental().AddExternalConnectionAcceptor(
+        Experimental::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(parts_->service.get());
+  builder.RegisterService(parts_->cache_service.get());
   parts_->server = builder.BuildAndStart();
-  if (!parts_->server || (!options.listen.empty() && parts_->port == 0))
-    throw listen_failed(options.listen);
+  if (!parts_->server) throw std::runtime_error("gRPC does not start");
   if (auto* health = parts_->server->GetHealthCheckService())
-    health->SetServingStatus("remesh.v1.Remesh", true);
+    health->SetServingStatus("remesh.v1.RemeshService", true);
+  if (!sockets) return;
+  const auto hand_over = [acceptor](int listener, Descriptor connection) {
+    grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
+    parameters.listener_fd = listener;
+    parameters.fd = connection.release();
+    acceptor->HandleNewConnection(&parameters);
+  };
+  parts_->connections = std::make_unique<AcceptLoop>(std::move(*sockets), parts_->max_connections,
+                                                     hand_over, options.log);
 }
 
 Daemon::~Daemon() { shutdown(); }
@@ -111,10 +122,15 @@ std::shared_ptr<grpc::Channel> Daemon::in_process_channel() {
   return parts_->server->InProcessChannel(arguments);
 }
 
-int Daemon::port() const { return parts_->port; }
+int Daemon::port() const { return parts_->connections ? parts_->connections->sockets().port() : 0; }
+
+std::string Daemon::address() const {
+  return parts_->connections ? parts_->connections->sockets().name() : "";
+}
 
 void Daemon::shutdown() {
   std::call_once(parts_->ended, [this] {
+    if (parts_->connections) parts_->connections->stop();
     if (!parts_->server) return;
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
     // First the session: its answers still reach their clients. What then is left are idle streams.

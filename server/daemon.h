@@ -18,8 +18,10 @@ class logger;
 namespace remeshd {
 
 struct DaemonOptions {
-  /// HOST:PORT; port 0 takes a free one. Empty: no port, `in_process_channel` only.
+  /// As `parse_listen_address` takes it; port 0 takes a free one. Empty: nothing is listened on,
+  /// `in_process_channel` only.
   std::string listen = "127.0.0.1:50051";
+  std::size_t max_connections = 1024;   ///< at a time; fewer where descriptors do not suffice
   std::filesystem::path store;          ///< empty: revisions live in memory and end with the daemon
   double store_wait = 0;                ///< s to wait for another process to let go of the store
   int workers = 0;                      ///< computations at a time; 0: one per processor
@@ -35,7 +37,8 @@ struct DaemonOptions {
 /// remeshd as an object: the service over a session over a store, on a port or in this process.
 class Daemon {
  public:
-  /// Serves from when this returns. Throws Error: what Store throws, `ListenFailed`.
+  /// Serves from when this returns. Throws Error: `LISTEN_INVALID` before anything else, what Store
+  /// throws, `LISTEN_FAILED`.
   Daemon(const DaemonOptions& options, Engine engine);
   /// As `shutdown`.
   ~Daemon();
@@ -46,6 +49,8 @@ class Daemon {
   std::shared_ptr<grpc::Channel> in_process_channel();
   /// The port it listens on; 0 where it does not.
   [[nodiscard]] int port() const;
+  /// Where it listens, as a client takes it: `127.0.0.1:50051`, `unix:/run/remeshd.sock`; or empty.
+  [[nodiscard]] std::string address() const;
   /// Answers what is under way with UNAVAILABLE, stops every computation and returns when all is at
   /// rest. A second call does nothing.
   void shutdown();

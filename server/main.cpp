@@ -10,6 +10,8 @@
 
 #include "engine/base/error.h"
 #include "server/daemon.h"
+#include "server/transport/descriptor_limit.h"
+#include "server/transport/listen_address.h"
 
 namespace {
 
@@ -38,11 +40,6 @@ std::shared_ptr<spdlog::logger> make_log(const std::string& level, const std::st
   return log;
 }
 
-bool is_loopback(const std::string& address) {
-  return address.starts_with("127.") || address.starts_with("localhost:") ||
-         address.starts_with("[::1]:") || address.starts_with("unix:");
-}
-
 /// A computation that does not hear of its end must not keep the process: what is stored is whole
 /// at any moment.
 void leave_within(std::chrono::seconds limit) {
@@ -58,6 +55,7 @@ int main(int argc, char** argv) {
   const sigset_t signals = end_signals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
+  remeshd::raise_descriptor_limit();
 
   DaemonOptions options;
   std::string level = "info";
@@ -65,8 +63,12 @@ int main(int argc, char** argv) {
   std::uint64_t cache_mib = options.memory >> 20U;
   CLI::App app("Serves remesh.v1: tetrahedral meshes of feature models and of their edits.");
   app.set_version_flag("--version", std::string("remeshd " REMESHD_VERSION));
-  app.add_option("--listen", options.listen, "HOST:PORT to serve on; port 0 takes a free one")
+  app.add_option("--listen", options.listen,
+                 "HOST:PORT to serve on; port 0 takes a free one; or unix:/PATH, a Unix socket")
       ->capture_default_str();
+  app.add_option("--max-connections", options.max_connections, "connections at a time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
   app.add_option("--store", options.store,
                  "folder that keeps the revisions; without it they live in memory only");
   app.add_option("--workers", options.workers, "computations at a time; 0: one per processor")
@@ -99,12 +101,12 @@ int main(int argc, char** argv) {
   try {
     options.log = make_log(level, log_file);
     const auto log = options.log;
-    if (!is_loopback(options.listen))
+    // An empty address is none: a daemon that nothing can reach is no daemon.
+    if (!remeshd::parse_listen_address(options.listen).is_loopback())
       log->warn("{} can be reached from elsewhere, and neither encrypts nor authenticates",
                 options.listen);
     remeshd::Daemon daemon(options, remeshd::production_engine());
-    const std::string host = options.listen.substr(0, options.listen.rfind(':'));
-    log->info("serving remesh.v1 on {}:{}, {}", host, daemon.port(),
+    log->info("serving remesh.v1 on {}, {}", daemon.address(),
               options.store.empty() ? "in memory" : "store " + options.store.string());
     int signal = 0;
     sigwait(&signals, &signal);

@@ -57,6 +57,9 @@ class Error : public std::runtime_error {
   ErrorInfo info_;
 };
 
+/// Ids of features.
+using FeatureIds = std::vector<std::string>;
+
 /// One function per failure; each returns the Error to throw.
 namespace error {
 
@@ -71,6 +74,7 @@ Error unsupported(std::string_view what);
 Error invalid_name(std::string_view feature, std::string_view parameter, std::string_view name,
                    std::string_view why);
 Error duplicate_feature(std::string_view feature);
+Error duplicate_parameter(std::string_view parameter);
 Error unknown_feature_type(std::string_view feature, std::string_view type,
                            std::string_view known_types);
 Error missing_parameter(std::string_view feature, std::string_view parameter,
@@ -84,6 +88,13 @@ Error non_finite_value(std::string_view feature, std::string_view parameter,
                        std::string_view value);
 Error value_out_of_range(std::string_view feature, std::string_view parameter, double value,
                          std::string_view range);
+/// A value outside the bounds of the model's parameter; those that it has.
+Error out_of_bounds(std::string_view parameter, double value, const std::optional<double>& lower,
+                    const std::optional<double>& upper);
+/// A value of an `integer` parameter of the model that is not whole.
+Error not_whole(std::string_view parameter, double value);
+/// `why`: what is wrong with the bounds of the model's parameter.
+Error bounds_invalid(std::string_view parameter, std::string_view why);
 Error degenerate_feature(std::string_view feature, std::string_view parameter, double value,
                          std::string_view why);
 Error degenerate_frame(std::string_view feature, std::string_view parameter, std::string_view why);
@@ -115,14 +126,14 @@ Error unknown_model_parameter(std::string_view name);
 Error empty_model();
 /// The material falls into `pieces` that do not hang together by faces.
 /// `place`, `features`: of the smallest piece.
-Error disconnected_model(int pieces, const Vec3& place, std::string_view features);
-/// The boundary touches itself, `what`: along an edge or at a point; `features`: ids of those that
-/// meet there, joined by commas.
-Error non_manifold_model(std::string_view what, const Vec3& place, std::string_view features);
+Error disconnected_model(int pieces, const Vec3& place, const FeatureIds& features);
+/// The boundary touches itself, `what`: along an edge or at a point; `features`: those that meet
+/// there.
+Error non_manifold_model(std::string_view what, const Vec3& place, const FeatureIds& features);
 /// The CAD kernel failed, or a check of its result did. Who catches it and knows the features adds
 /// those at the place.
 Error kernel_failure(std::string_view what, const std::optional<Vec3>& place = {},
-                     std::string_view features = {});
+                     const FeatureIds& features = {});
 
 // Stage `control mesh`: TetGen in its own process.
 
@@ -142,9 +153,10 @@ Error options_invalid(std::string_view option, std::string_view why);
 /// where no one alone is.
 Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
                      std::string_view option, std::string_view feature, std::string_view hint);
-/// `what`: what is missing or wrong, and where; `features`: ids of those at that place, joined by
-/// commas, empty where the whole mesh is wrong.
-Error boundary_not_recovered(std::string_view what, std::string_view features);
+/// `what`: what is missing or wrong, and where; `place`, `features`: of it, none where the whole
+/// mesh is wrong.
+Error boundary_not_recovered(std::string_view what, const std::optional<Vec3>& place,
+                             const FeatureIds& features);
 
 }  // namespace error
 }  // namespace remeshd

@@ -26,7 +26,7 @@ struct Run {
   std::function<void(const Progress&)> on_progress;  ///< may be empty
   int threads = 1;
   std::filesystem::path dumps;  ///< empty: no dumps
-  /// A mesh that would need more nodes is refused (`MeshTooLarge`) before any of them is made.
+  /// A mesh that would need more nodes is refused (`MESH_TOO_LARGE`) before any of them is made.
   std::uint32_t max_nodes = kDefaultMaxNodes;
 
   /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.

@@ -18,7 +18,8 @@ namespace remeshd {
 /// Source: Sect. 3.1.
 class ControlMesh {
  public:
-  /// Throws what run_tetgen throws; Error(TetGenRefused) where the mesh does not fill the boundary.
+  /// Throws what run_tetgen throws; Error(TETGEN_REFUSED) where the mesh does not fill the
+  /// boundary.
   static ControlMesh build(const BoundaryModel& boundary, const Run& run,
                            const kernel::TetGenLimits& limits = {});
 

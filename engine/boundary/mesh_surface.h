@@ -22,7 +22,7 @@ struct SurfaceMeshOptions {
 /// would cut others; lengths vary gradually.
 ///
 /// Post: what SurfaceMesh promises. Facets that cut each other may be left where rounds run out.
-/// Throws what tessellated_surface throws; Error(TetGenRefused) above `most_facets`; Cancelled.
+/// Throws what tessellated_surface throws; Error(TETGEN_REFUSED) above `most_facets`; Cancelled.
 SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions& options,
                          const Run& run);
 

@@ -26,7 +26,7 @@ struct SurfaceMesh {
 
 /// The triangulations of all faces as one surface mesh.
 ///
-/// Throws Error(KernelFailure) where they do not meet along the model's edges.
+/// Throws Error(KERNEL_FAILURE) where they do not meet along the model's edges.
 SurfaceMesh tessellated_surface(const BoundaryModel& boundary);
 
 }  // namespace remeshd

@@ -18,7 +18,7 @@ namespace remeshd {
 BoundaryModel build_boundary(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
                              const Skeleton& skeleton);
 
-/// Throws Error(NonManifoldModel) where the boundary touches itself along an edge or at a vertex,
+/// Throws Error(NON_MANIFOLD_MODEL) where the boundary touches itself along an edge or at a vertex,
 /// with the place but without the features.
 void require_manifold(const kernel::Brep& brep, const Skeleton& skeleton);
 

@@ -49,7 +49,7 @@ struct Piece {
   std::vector<int> features;  ///< owners of its cells
 };
 
-/// Throws Error(EmptyModel, DisconnectedModel); the latter names the smallest piece.
+/// Throws Error(EMPTY_MODEL, DISCONNECTED_MODEL); the latter names the smallest piece.
 void require_one_piece(const CellComplex& model, const FeatureModel& features) {
   std::vector<int> piece(model.cells.size());
   std::iota(piece.begin(), piece.end(), 0);
@@ -74,11 +74,9 @@ void require_one_piece(const CellComplex& model, const FeatureModel& features) {
   if (pieces.size() == 1) return;
   const Piece& smallest =
       std::ranges::min_element(pieces, {}, [](const auto& p) { return p.second.volume; })->second;
-  std::string names;
-  for (const int f : smallest.features)
-    names += (names.empty() ? "" : ", ") + features.features[f].id;
   throw error::disconnected_model(static_cast<int>(pieces.size()),
-                                  model.cells[smallest.largest].inside, names);
+                                  model.cells[smallest.largest].inside,
+                                  ids_of(features, smallest.features));
 }
 
 /// Of the boundary's faces, or of all.
@@ -115,7 +113,7 @@ void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const Skeleton&
 
 /// Joins the boundary of a model from its parts.
 ///
-/// Throws Error(NonManifoldModel).
+/// Throws Error(NON_MANIFOLD_MODEL).
 CellularModel join_boundary(BoundaryParts parts, const Membership& membership) {
   CellularModel out;
   const Brep& brep = parts.brep;

@@ -24,15 +24,15 @@ struct CellularModel {
 
   /// The cells (Sect. 4.1). Any number of threads may ask.
   ///
-  /// Throws Error(KernelFailure), Error(Cancelled) where they have to be made.
+  /// Throws Error(KERNEL_FAILURE), Error(Cancelled) where they have to be made.
   [[nodiscard]] const CellComplex& complex(const Run& run = {}) const;
 };
 
 /// General fuse of all features (Sect. 4.1).
 ///
-/// Throws Error(FailedPrecondition): `EmptyModel` where no cell is positive, `DisconnectedModel`
-/// where the positive cells do not hang together by faces, `NonManifoldModel` where one body
-/// touches itself along an edge, at a vertex or, where a sphere does, at a point, `KernelFailure`
+/// Throws Error(FailedPrecondition): `EMPTY_MODEL` where no cell is positive, `DISCONNECTED_MODEL`
+/// where the positive cells do not hang together by faces, `NON_MANIFOLD_MODEL` where one body
+/// touches itself along an edge, at a vertex or, where a sphere does, at a point, `KERNEL_FAILURE`
 /// where the CAD kernel raised an alert or a membership sample disagrees with its result; the last
 /// two name the features and the place.
 CellularModel build_cells(const FeatureModel& model, const Run& run);

@@ -117,7 +117,8 @@ void check_cells(CellComplex& cells, const kernel::Brep& brep, const FeatureMode
     const double exact = membership.solids()[f].volume();
     if (std::fabs(volume - exact) > kVolumeTolerance * exact)
       throw error::kernel_failure("the cells of a feature do not add up to its volume",
-                                  centre_of(membership.solids()[f].bounds()), model.features[f].id);
+                                  centre_of(membership.solids()[f].bounds()),
+                                  {model.features[f].id});
   }
 }
 

@@ -9,7 +9,7 @@ namespace remeshd {
 /// Checks the CAD kernel's cells against the features' closed formulas, because it can fail without
 /// a word: owners at points inside each cell, and the volume of each feature. Sets Cell::inside.
 ///
-/// Throws Error(KernelFailure) with the features and a place.
+/// Throws Error(KERNEL_FAILURE) with the features and a place.
 void check_cells(CellComplex& cells, const kernel::Brep& brep, const FeatureModel& model,
                  const Membership& membership);
 

@@ -7,7 +7,7 @@ namespace remeshd {
 
 /// The solid of a feature in its own frame, its faces labelled with the names of DESIGN's table.
 ///
-/// Throws Error(KernelFailure) where the CAD kernel cannot build it.
+/// Throws Error(KERNEL_FAILURE) where the CAD kernel cannot build it.
 kernel::Brep feature_brep(const Feature& feature, double scale);
 
 }  // namespace remeshd

@@ -19,14 +19,13 @@ bool passes(const Solid& solid, const Vec3& centre, double radius) {
 
 }  // namespace
 
-std::string ids_of(const FeatureModel& model, const std::vector<int>& features) {
-  std::string ids;
-  for (const int f : features) ids += (ids.empty() ? "" : ",") + model.features[f].id;
+FeatureIds ids_of(const FeatureModel& model, const std::vector<int>& features) {
+  FeatureIds ids;
+  for (const int f : features) ids.push_back(model.features[f].id);
   return ids;
 }
 
-std::string features_at(const FeatureModel& model, const Membership& membership,
-                        const Vec3& place) {
+FeatureIds features_at(const FeatureModel& model, const Membership& membership, const Vec3& place) {
   Box box;
   for (const Solid& solid : membership.solids()) box.add(solid.bounds());
   std::vector<int> features;

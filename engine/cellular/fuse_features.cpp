@@ -211,9 +211,9 @@ void fuse_features(const FeatureModel& model, const Membership& membership, cons
       return use(std::move(out));
     } catch (Error& failure) {
       const ErrorInfo& info = failure.info();
-      if (info.place && info.feature.empty())
-        failure.info().feature = features_at(model, membership, *info.place);
-      if (info.reason != "KernelFailure") throw;
+      if (info.place && info.features.empty())
+        failure.info().features = features_at(model, membership, *info.place);
+      if (info.reason != "KERNEL_FAILURE") throw;
       if (!first) first = failure;
     }
   }

@@ -25,9 +25,9 @@ struct FusedFeatures {
 };
 
 /// Fuses all features of a model and hands the result to `use`; again, in another way, where the
-/// kernel or `use` fail with a KernelFailure. What comes out does not depend on the way.
+/// kernel or `use` fail with a KERNEL_FAILURE. What comes out does not depend on the way.
 ///
-/// Throws Error(KernelFailure) with features and place, what `use` throws, Error(Cancelled).
+/// Throws Error(KERNEL_FAILURE) with features and place, what `use` throws, Error(Cancelled).
 void fuse_features(const FeatureModel& model, const Membership& membership, const FuseFrame& frame,
                    const Run& run, const std::function<void(FusedFeatures)>& use);
 

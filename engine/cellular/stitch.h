@@ -25,7 +25,7 @@ struct StitchBase {
 /// come as a whole, so all features near them are fused too.
 ///
 /// Returns nothing where the kernel would have to fuse the whole model, or what comes out does not
-/// fit together, or the material is in more than one piece. Throws Error(KernelFailure) where the
+/// fit together, or the material is in more than one piece. Throws Error(KERNEL_FAILURE) where the
 /// CAD kernel does.
 std::optional<BoundaryParts> stitch(const EditedModel& edited, const StitchBase& base,
                                     const Run& run);

@@ -41,7 +41,7 @@ struct CombinedModel {
   double copycell_volume = 0, newcell_volume = 0;  ///< combined modified model only
 };
 
-/// Throw Error(KernelFailure), as feature_difference does.
+/// Throw Error(KERNEL_FAILURE), as feature_difference does.
 CombinedModel combined_modified_model(const ModelView& original, const ModelView& modified,
                                       const Run& run);
 CombinedModel combined_original_model(const ModelView& original, const ModelView& modified,

@@ -36,7 +36,7 @@ struct ModelView {
 /// and classifies every element by Tables 1 and 2. A feature of one model only is all old or all
 /// new.
 ///
-/// Throws Error(KernelFailure): right for changes of 1e-4 of the model's diagonal and more.
+/// Throws Error(KERNEL_FAILURE): right for changes of 1e-4 of the model's diagonal and more.
 FeatureDifference feature_difference(const std::string& id, const ModelView& original,
                                      const ModelView& modified, const Run& run);
 

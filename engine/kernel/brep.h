@@ -100,7 +100,7 @@ struct Fusion {
 ///
 /// `reference` becomes the result's own; without one that is a vertex.
 ///
-/// Throws Error(KernelFailure) where the CAD kernel raises an alert, with the place unless it is
+/// Throws Error(KERNEL_FAILURE) where the CAD kernel raises an alert, with the place unless it is
 /// unknown, Error(Cancelled).
 /// Source: BOPAlgo_PaveFiller and BOPAlgo_Builder of OpenCASCADE, with no glue, no fuzzy value.
 Fusion general_fuse(std::span<const Part> parts, const Run& run,

@@ -19,7 +19,7 @@ namespace remeshd::kernel {
 /// Reads every element of a CAD shape, measures and triangulates it, and orders all of it by
 /// geometry. The shape is the Brep's own from then on: triangulating changes it.
 ///
-/// Throws Error(KernelFailure) with the place where the shape holds no solid or anything dangling,
+/// Throws Error(KERNEL_FAILURE) with the place where the shape holds no solid or anything dangling,
 /// or a face cannot be triangulated, Error(Cancelled).
 Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
               const std::optional<Vec3>& reference);
@@ -61,7 +61,7 @@ bool mend_faces(Brep& brep, EdgeChains& chains, const std::vector<int>& bad);
 
 /// Fills in points and triangles, kernel units.
 ///
-/// Throws Error(KernelFailure) with the place, in the model's unit by `scale`.
+/// Throws Error(KERNEL_FAILURE) with the place, in the model's unit by `scale`.
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run);
 
 /// Lets a stop request break off what the CAD kernel does in `work`.

@@ -18,7 +18,7 @@ struct ProfileCurve {
 };
 
 // Solids of one cell in their local frames, with labelled faces; lengths in the model's unit,
-// `scale` from unit_scale. Each throws Error(KernelFailure) where the CAD kernel cannot build it.
+// `scale` from unit_scale. Each throws Error(KERNEL_FAILURE) where the CAD kernel cannot build it.
 
 /// Profile in xy, extruded along z; faces by the sides' labels, `bottom`, `top`.
 Brep make_prism(std::span<const ProfileCurve> profile, double height, double scale);

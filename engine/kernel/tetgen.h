@@ -63,13 +63,13 @@ struct TetGenLimits {
 /// of the surface keep their coordinates; TetGen may add points on it.
 ///
 /// Post: all indices are in range; no process, thread or file descriptor outlives the call.
-/// Throws Error(TetGenRefused, TetGenCrashed, TetGenTooSlow, TetGenOutOfMemory, TetGenMissing);
-/// Error(Cancelled) within 20 ms of a stop request.
-/// Source: Si 2015, TetGen; Sect. 3.1 for its use.
+/// Throws Error(TETGEN_REFUSED, TETGEN_CRASHED, TETGEN_TOO_SLOW, TETGEN_OUT_OF_MEMORY,
+/// TETGEN_MISSING); Error(Cancelled) within 20 ms of a stop request. Source: Si 2015, TetGen;
+/// Sect. 3.1 for its use.
 TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run);
 
 /// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`) in the same
-/// way. Where the surface has to stay as it is (Y) TetGen aborts on some: Error(TetGenCrashed).
+/// way. Where the surface has to stay as it is (Y) TetGen aborts on some: Error(TETGEN_CRASHED).
 ///
 /// Post: all indices are in range. Throws what run_tetgen throws.
 QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,

@@ -26,9 +26,9 @@ struct Editor {
   ModelSource& model;
 
   void operator()(const SetParameter& edit) const {
-    const auto found = model.parameters.find(edit.name);
+    const auto found = std::ranges::find(model.parameters, edit.name, &ParameterSource::name);
     if (found == model.parameters.end()) throw error::unknown_model_parameter(edit.name);
-    found->second = edit.value;
+    found->value = edit.value;
   }
 
   void operator()(const SetFeatureParameter& edit) const {
@@ -75,6 +75,26 @@ struct Editor {
   }
 };
 
+bool is_bounded(const ParameterSource& parameter) {
+  return parameter.lower || parameter.upper || parameter.integer;
+}
+
+/// Values that parameters may not have, be they set or follow from others that are. Tells the last
+/// edit that set the one at fault.
+void check_bounds(const ModelSource& model, const ModelEdit& edit) {
+  if (std::ranges::none_of(model.parameters, is_bounded)) return;
+  try {
+    const Scope checked(model.parameters);
+  } catch (Error& failure) {
+    for (std::size_t k = 0; k < edit.edits.size(); ++k) {
+      const auto* set = std::get_if<SetParameter>(&edit.edits[k]);
+      if (set != nullptr && set->name == failure.info().parameter)
+        failure.info().edit_index = static_cast<int>(k);
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 ModelSource apply(const ModelSource& source, const ModelEdit& edit) {
@@ -87,6 +107,7 @@ ModelSource apply(const ModelSource& source, const ModelEdit& edit) {
       throw;
     }
   }
+  check_bounds(result, edit);
   return result;
 }
 

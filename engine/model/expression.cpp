@@ -3,6 +3,7 @@
 #include <muParser.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -55,15 +56,42 @@ std::string objection(const std::string& text) {
   return blank ? "the expression is empty" : "";
 }
 
-/// `a -> b -> a` for the names from the first appearance of `back` on the path.
-std::string spell_cycle(const std::vector<std::string>& path, const std::string& back) {
+/// `a -> b -> a` for the parameters from the first appearance of `back` on the path.
+std::string spell_cycle(const std::vector<ParameterSource>& parameters,
+                        const std::vector<std::size_t>& path, std::size_t back) {
   std::string text;
   bool inside = false;
-  for (const std::string& name : path) {
-    inside = inside || name == back;
-    if (inside) text += name + " -> ";
+  for (const std::size_t k : path) {
+    inside = inside || k == back;
+    if (inside) text += parameters[k].name + " -> ";
   }
-  return text + back;
+  return text + parameters[back].name;
+}
+
+using Index = std::map<std::string_view, std::size_t>;
+
+/// What can be told of parameters before they are evaluated; their places by name.
+Index check_parameters(const std::vector<ParameterSource>& parameters) {
+  if (parameters.size() > kMaxParameters)
+    throw error::limit_exceeded("", "", "parameters", parameters.size(), kMaxParameters);
+  Index index;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto& [name, value, lower, upper, integer, unit, description] = parameters[k];
+    check_name(name, "", name);
+    if (!index.emplace(name, k).second) throw error::duplicate_parameter(name);
+    for (const auto& bound : {lower, upper})
+      if (bound && !std::isfinite(*bound)) throw error::bounds_invalid(name, "are not finite");
+    if (lower && upper && *lower > *upper)
+      throw error::bounds_invalid(name, "leave no value: lower lies above upper");
+  }
+  return index;
+}
+
+void check_value(const ParameterSource& parameter, double value) {
+  const auto& [name, scalar, lower, upper, integer, unit, description] = parameter;
+  if ((lower && value < *lower) || (upper && value > *upper))
+    throw error::out_of_bounds(name, value, lower, upper);
+  if (integer && value != std::floor(value)) throw error::not_whole(name, value);
 }
 
 }  // namespace
@@ -117,39 +145,37 @@ struct Scope::Parser {
   }
 };
 
-Scope::Scope(const std::map<std::string, Scalar>& parameters)
-    : parser_(std::make_unique<Parser>()) {
-  if (parameters.size() > kMaxParameters)
-    throw error::limit_exceeded("", "", "parameters", parameters.size(), kMaxParameters);
-  for (const auto& [name, scalar] : parameters) check_name(name, "", name);
-
-  std::map<std::string, std::vector<std::string>> uses;
-  for (const auto& [name, scalar] : parameters) {
-    auto& used = uses[name];
-    const auto* text = std::get_if<std::string>(&scalar);
+Scope::Scope(const std::vector<ParameterSource>& parameters) : parser_(std::make_unique<Parser>()) {
+  const Index index = check_parameters(parameters);
+  std::vector<std::vector<std::size_t>> uses(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const ParameterSource& parameter = parameters[k];
+    const auto* text = std::get_if<std::string>(&parameter.value);
     if (text == nullptr) continue;
-    used = parser_->unknowns(*text, "", name);
-    for (const std::string& other : used)
-      if (!parameters.contains(other)) throw error::unknown_name("", name, other, *text);
+    for (const std::string& other : parser_->unknowns(*text, "", parameter.name)) {
+      const auto found = index.find(other);
+      if (found == index.end()) throw error::unknown_name("", parameter.name, other, *text);
+      uses[k].push_back(found->second);
+    }
   }
 
   // Depth first with a path of our own: a chain of 10,000 parameters must not use up the stack.
   enum class Mark { New, OnPath, Done };
-  std::map<std::string, Mark> marks;
-  std::vector<std::string> path;
+  std::vector<Mark> marks(parameters.size(), Mark::New);
+  std::vector<std::size_t> path;
   std::vector<std::size_t> next;
-  for (const auto& [root, unused] : parameters) {
+  for (std::size_t root = 0; root < parameters.size(); ++root) {
     if (marks[root] == Mark::Done) continue;
     path = {root};
     next = {0};
     marks[root] = Mark::OnPath;
     while (!path.empty()) {
-      const std::string name = path.back();
-      const auto& used = uses[name];
-      if (next.back() < used.size()) {
-        const std::string& other = used[next.back()++];
+      const std::size_t k = path.back();
+      if (next.back() < uses[k].size()) {
+        const std::size_t other = uses[k][next.back()++];
         if (marks[other] == Mark::OnPath)
-          throw error::cyclic_parameters(other, spell_cycle(path, other));
+          throw error::cyclic_parameters(parameters[other].name,
+                                         spell_cycle(parameters, path, other));
         if (marks[other] == Mark::New) {
           marks[other] = Mark::OnPath;
           path.push_back(other);
@@ -157,8 +183,11 @@ Scope::Scope(const std::map<std::string, Scalar>& parameters)
         }
         continue;
       }
-      parser_->mu.DefineConst(name, value(parameters.at(name), "", name));
-      marks[name] = Mark::Done;
+      const ParameterSource& parameter = parameters[k];
+      const double number = value(parameter.value, "", parameter.name);
+      check_value(parameter, number);
+      parser_->mu.DefineConst(parameter.name, number);
+      marks[k] = Mark::Done;
       path.pop_back();
       next.pop_back();
     }

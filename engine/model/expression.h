@@ -1,9 +1,9 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/model/source.h"
 
@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxExpressionLength = 4096;
 /// Most parameters of one model.
 inline constexpr std::size_t kMaxParameters = 10000;
 
-/// Throws Error(InvalidName) unless `name` is `[A-Za-z_][A-Za-z0-9_]{0,63}` and neither `pi`, `deg`
-/// nor the name of a function. `feature` and `parameter` say whose name it is.
+/// Throws Error(INVALID_NAME) unless `name` is `[A-Za-z_][A-Za-z0-9_]{0,63}` and neither `pi`,
+/// `deg` nor the name of a function. `feature` and `parameter` say whose name it is.
 void check_name(std::string_view name, std::string_view feature, std::string_view parameter);
 
 /// The parameters of a model, evaluated, and what is needed to evaluate expressions over them.
@@ -27,9 +27,10 @@ class Scope {
  public:
   /// Evaluates all parameters; they may be expressions over each other in any order.
   ///
-  /// Throws Error(InvalidArgument) naming the parameter: bad names, expressions that cannot be
-  /// read, unknown names, circles, values that are not finite.
-  explicit Scope(const std::map<std::string, Scalar>& parameters);
+  /// Throws Error(InvalidArgument) naming the parameter: bad names, names that stand twice,
+  /// expressions that cannot be read, unknown names, circles, values that are not finite, bounds
+  /// that no value meets, values outside their bounds.
+  explicit Scope(const std::vector<ParameterSource>& parameters);
   ~Scope();
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;

@@ -11,11 +11,11 @@ inline constexpr double kMaxLength = 1e9;
 /// Sizes are at least this, in the model's unit.
 inline constexpr double kMinSize = 1e-9;
 
-/// The value itself. Throws Error(ValueOutOfRange) unless |value| <= kMaxLength.
+/// The value itself. Throws Error(VALUE_OUT_OF_RANGE) unless |value| <= kMaxLength.
 double checked_coordinate(double value, std::string_view feature, std::string_view parameter);
 
-/// The value itself. Throws Error(DegenerateFeature) unless positive, or zero where `may_be_zero`;
-/// Error(ValueOutOfRange) unless in [kMinSize, kMaxLength] or zero.
+/// The value itself. Throws Error(DEGENERATE_FEATURE) unless positive, or zero where `may_be_zero`;
+/// Error(VALUE_OUT_OF_RANGE) unless in [kMinSize, kMaxLength] or zero.
 double checked_size(double value, bool may_be_zero, std::string_view feature,
                     std::string_view parameter);
 

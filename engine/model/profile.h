@@ -34,8 +34,9 @@ std::vector<ProfileSide> evaluate_profile(const std::vector<ProfileEntry>& entri
 /// As `evaluate_profile` for a profile of the half-plane x >= 0 that is turned about x = 0.
 ///
 /// Coordinates within rounding of the axis are put on it. Beyond the above, throws
-/// Error(ProfileCrossesAxis) where a side reaches x < 0, where an arc touches the axis between its
-/// ends, and, for a full turn, where a corner alone touches it: the solid would pinch to a point.
+/// Error(PROFILE_CROSSES_AXIS) where a side reaches x < 0, where an arc touches the axis between
+/// its ends, and, for a full turn, where a corner alone touches it: the solid would pinch to a
+/// point.
 std::vector<ProfileSide> evaluate_half_profile(const std::vector<ProfileEntry>& entries,
                                                bool full_turn, const Scope& scope,
                                                const std::string& feature);
@@ -43,8 +44,8 @@ std::vector<ProfileSide> evaluate_half_profile(const std::vector<ProfileEntry>& 
 /// Length below which two points of a profile count as one: 1e-9 x its extent.
 double profile_tolerance(const std::vector<ProfileSide>& sides);
 
-/// Throws Error(SelfIntersectingProfile) where two sides meet anywhere but at their common end, or
-/// leave it in the same direction.
+/// Throws Error(SELF_INTERSECTING_PROFILE) where two sides meet anywhere but at their common end,
+/// or leave it in the same direction.
 void check_simple(const std::vector<ProfileSide>& sides, const std::string& feature);
 
 Box2 side_bounds(const ProfileSide& side);

@@ -48,10 +48,10 @@ struct FeatureSource {
 struct ParameterSource {
   std::string name;
   Scalar value;
-  std::optional<double> lower, upper;  ///< its value lies within them, also after an edit
-  bool integer = false;                ///< its value is whole
-  std::string unit;                    ///< a label
-  std::string description;             ///< for people; no part of a revision's id
+  std::optional<double> lower{}, upper{};  ///< its value lies within them, also after an edit
+  bool integer = false;                    ///< its value is whole
+  std::string unit{};                      ///< a label
+  std::string description{};               ///< for people; no part of a revision's id
   friend bool operator==(const ParameterSource&, const ParameterSource&) = default;
 };
 

@@ -173,18 +173,18 @@ bool is_flat_only(const Candidate& c) {
 }
 
 Error not_recovered(const LastResort& input, const Verification& failed, const std::string& also) {
-  if (failed.failures.empty()) return error::boundary_not_recovered(also, {});
+  if (failed.failures.empty()) return error::boundary_not_recovered(also, {}, {});
   const MeshDefect& defect = failed.failures.front();
   const FailurePlace place =
       find_failure(defect, input.model, input.membership, input.cells.boundary, input.edge_length);
-  std::string features;
-  for (const std::string& id : place.features) features += (features.empty() ? "" : ", ") + id;
+  std::optional<Vec3> at;
+  if (!place.faces.empty()) at = defect.place;
   return error::boundary_not_recovered(describe(defect, place) + (also.empty() ? "" : "; " + also),
-                                       features);
+                                       at, place.features);
 }
 
 bool tetgen_failed(const Error& e) {
-  return e.info().reason.starts_with("TetGen") && e.info().reason != "TetGenMissing";
+  return e.info().reason.starts_with("TETGEN_") && e.info().reason != "TETGEN_MISSING";
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ Candidate mesh_by_tetgen(const LastResort& input, const Run& run) {
       failure = not_recovered(input, c.verification, {});
       if (!attempt.split_surface && is_flat_only(c)) break;
     } catch (const Error& e) {
-      if (e.info().reason == "TetGenTooSlow") throw error::tetgen_too_slow(input.limits.seconds);
+      if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
       if (!tetgen_failed(e)) throw;
       failure = e;
     }
@@ -219,7 +219,7 @@ Candidate last_resort(const LastResort& input, const Verification& failed, const
     return mesh_by_tetgen(input, run);
   } catch (const Error& e) {
     const std::string& reason = e.info().reason;
-    if (tetgen_failed(e) || reason == "KernelFailure")
+    if (tetgen_failed(e) || reason == "KERNEL_FAILURE")
       throw not_recovered(input, failed, e.info().message);
     throw;
   }

@@ -25,15 +25,16 @@ struct LastResort {
 ///
 /// Post: a valid candidate. Its `loop.mesh` is the Delaunay mesh of the delivered mesh's nodes, its
 /// `delaunay` what peeling leaves of that: it may lack parts of the boundary.
-/// Throws what mesh_surface and run_tetgen throw; Error(BoundaryNotRecovered) where no mesh was
-/// valid. TetGenTooSlow is not followed by another try: a clock decides on errors, never on meshes.
+/// Throws what mesh_surface and run_tetgen throw; Error(BOUNDARY_NOT_RECOVERED) where no mesh was
+/// valid. TETGEN_TOO_SLOW is not followed by another try: a clock decides on errors, never on
+/// meshes.
 Candidate mesh_by_tetgen(const LastResort& input, const Run& run);
 
 /// The same after other ways to a mesh have failed.
 ///
-/// Throws Error(BoundaryNotRecovered) where TetGen fails too: it names the place and the features
+/// Throws Error(BOUNDARY_NOT_RECOVERED) where TetGen fails too: it names the place and the features
 /// of the first defect of TetGen's mesh; where there is none, of `failed`, and what was wrong with
-/// TetGen. Cancelled, TetGenMissing as they are.
+/// TetGen. Cancelled, TETGEN_MISSING as they are.
 Candidate last_resort(const LastResort& input, const Verification& failed, const Run& run);
 
 }  // namespace remeshd

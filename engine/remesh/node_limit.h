@@ -15,13 +15,13 @@ Extent extent_of(const CellularModel& cells);
 /// Before anything is computed, as far as closed formulas tell: what passes may still be refused
 /// once the model's cells are known. `original`: null for a first mesh.
 ///
-/// Throws Error(InvalidArgument) `MeshTooLarge`, naming the feature where one alone is too large.
+/// Throws Error(InvalidArgument) `MESH_TOO_LARGE`, naming the feature where one alone is too large.
 void check_node_limit(const Revision* original, const FeatureModel& model,
                       const MeshOptions& options, const Run& run);
 
 /// Exactly. `edge_length`: as resolved.
 ///
-/// Throws Error(InvalidArgument) `MeshTooLarge`.
+/// Throws Error(InvalidArgument) `MESH_TOO_LARGE`.
 void check_node_limit(const Revision* original, const Extent& extent, double edge_length,
                       const MeshOptions& options, const Run& run);
 

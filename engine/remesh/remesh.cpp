@@ -4,7 +4,9 @@
 
 #include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
+#include "engine/remesh/lost_names.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/shortfalls.h"
 #include "engine/remesh/stopwatch.h"
 #include "engine/remesh/ways.h"
 #include "engine/remesh/wear.h"
@@ -33,7 +35,9 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
   auto result = continue_mesh(original, revision, run);
   if (const auto* why = std::get_if<NotContinued>(&result)) {
     if (!why->empty())
-      revision.report.warnings.push_back("the connectivity could not be kept: " + *why);
+      revision.report.warnings.push_back(
+          {.code = WarningCode::Fallback,
+           .message = "the connectivity could not be kept: " + *why});
     return false;
   }
   auto& mesh = std::get<ContinuedMesh>(result);
@@ -47,7 +51,7 @@ bool continue_with(const Revision& original, Revision& revision, const Run& run)
       Anchor{original.anchor ? original.anchor->source : original.meshed_source, made_for,
              original.master_nodes(), std::move(mesh.supports)});
   revision.reference = original.reference;
-  revision.report.way = Way::Continued;
+  revision.report.way = Way::Morphed;
   revision.report.free_share =
       mesh.nodes_moved / static_cast<double>(revision.delivery.mesh.nodes.size());
   account(&original, mesh.verification.changed_tets, mesh.verification.volume, revision, run);
@@ -72,16 +76,24 @@ void renew_if_worn(const Revision& original, Ways& ways, Revision& revision, con
   anew.reference = wear_reference(anew);
   if (valid && worn(now, anew.reference)) {
     revision = std::move(anew);
-    revision.report.way = Way::Rebased;
-    revision.report.warnings.push_back("the mesh had worn (" + describe(now) +
-                                       ") and was made anew (" + describe(revision.reference) +
-                                       ")");
+    revision.report.way = Way::Renewed;
+    revision.report.warnings.push_back({.code = WarningCode::Renewed,
+                                        .message = "the mesh had worn (" + describe(now) +
+                                                   ") and was made anew (" +
+                                                   describe(revision.reference) + ")"});
     return;
   }
   const PhaseSeconds spent = revision.report.seconds;
   revision.report = as_remeshed;
   revision.report.seconds = spent;
   revision.reference = now;
+}
+
+/// What a finished mesh lacks, beside what was told on the way.
+void add_warnings(const Revision* original, Revision& revision) {
+  std::vector<Warning>& warnings = revision.report.warnings;
+  for (auto& found : {lost_names(original, revision), shortfalls(revision)})
+    warnings.insert(warnings.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -120,6 +132,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     const bool same = same_geometry(original->meshed_model, revision.model);
     if (same) repeat(*original, revision, run);
     if (same || continue_with(*original, revision, run)) {
+      add_warnings(original, revision);
       watch.lap(seconds.copy);
       seconds.total = watch.total();
       return revision;
@@ -133,6 +146,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.reference =
       by_rule && report.way != Way::Fresh ? original->reference : wear_reference(revision);
   if (by_rule && made.copied_from) renew_if_worn(*original, ways, revision, run);
+  report.last_resort_share = report.way == Way::TetGen ? 1 : 0;
+  add_warnings(original, revision);
   watch.lap(seconds.extract);
   seconds.total = watch.total();
   return revision;

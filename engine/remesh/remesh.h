@@ -141,8 +141,8 @@ struct Revision {
 /// mesh is never made anew for that.
 ///
 /// The result depends on the arguments alone, not on `run.threads` or the clock.
-/// Throws Error: what `evaluate` and `build_cells` throw; `OptionsInvalid`; `MeshTooLarge` where
-/// more nodes than `run.max_nodes` would be needed, before any is made; `BoundaryNotRecovered`
+/// Throws Error: what `evaluate` and `build_cells` throw; `OPTIONS_INVALID`; `MESH_TOO_LARGE` where
+/// more nodes than `run.max_nodes` would be needed, before any is made; `BOUNDARY_NOT_RECOVERED`
 /// where no valid mesh could be made, naming the place and the features there; Cancelled within 100
 /// ms of a stop request.
 Revision make_revision(const Revision* original, const ModelSource& source,

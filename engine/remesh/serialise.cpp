@@ -45,7 +45,7 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 8;
+constexpr std::uint32_t kFormat = 9;
 }  // namespace
 
 /// As a vector is.
@@ -78,6 +78,10 @@ void serialize(A& a, PlacementSource& p) {
 template <class A>
 void serialize(A& a, FeatureSource& f) {
   a(f.id, f.nature, f.type, f.parameters, f.profile, f.placement, f.reference);
+}
+template <class A>
+void serialize(A& a, ParameterSource& p) {
+  a(p.name, p.value, p.lower, p.upper, p.integer, p.unit, p.description);
 }
 template <class A>
 void serialize(A& a, ModelSource& m) {
@@ -169,10 +173,14 @@ void serialize(A& a, VerificationFigures& v) {
   a(v.tets_proved, v.tets_inherited, v.chord_error, v.volume_error);
 }
 template <class A>
+void serialize(A& a, Warning& w) {
+  a(w.code, w.message, w.features, w.groups, w.point);
+}
+template <class A>
 void serialize(A& a, Report& r) {
   a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
     r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.verification,
-    r.groups, r.warnings);
+    r.groups, r.last_resort_share, r.warnings);
 }
 
 std::string serialise(const Revision& revision) {

@@ -25,7 +25,7 @@ struct Density {
   bool inherited = false;              ///< an edit keeps its base's density
 };
 
-/// Throws Error(InvalidArgument): `OptionsInvalid`; `MeshTooLarge` where a mesh of this density
+/// Throws Error(InvalidArgument): `OPTIONS_INVALID`; `MESH_TOO_LARGE` where a mesh of this density
 /// would need more nodes than `run.max_nodes`.
 Density resolve_density(const Revision* original, const MeshOptions& options,
                         const CellularModel& cells, const Run& run);

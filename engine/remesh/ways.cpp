@@ -10,6 +10,7 @@
 #include "engine/nodes/density.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/remesh/failure_place.h"
 #include "engine/remesh/last_resort.h"
 #include "engine/remesh/repair.h"
 
@@ -39,10 +40,6 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   return std::fmin(1.0, sum / static_cast<double>(loop.free_per_iteration.size()) / nodes);
 }
 
-std::string first_failure(const Verification& v) {
-  return v.failures.empty() ? "the mesh did not pass verification" : v.failures.front().what;
-}
-
 std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) {
   return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
 }
@@ -65,16 +62,16 @@ NewMesh Ways::first_valid() {
   const auto failed = [&] { return !candidate.verification.valid; };
   // New places for all nodes would lose the boundary again that the original has by its many.
   if (failed() && original_ && !candidate.too_fine && !is_finer_than_asked(*original_)) {
-    next(Way::Full, candidate, "all nodes were optimised anew");
+    next(Way::Full, made, "all nodes were optimised anew");
     setting.all_free = true;
     candidate = attempt(setting);
   }
   if (failed() && !candidate.too_fine) {
-    next(Way::Fresh, candidate, "meshed from another seed");
+    next(Way::Fresh, made, "meshed from another seed");
     made = regular(revision_.options.seed + kOtherSeed);
   }
   if (failed()) {
-    next(Way::TetGen, candidate, "meshed by TetGen");
+    next(Way::TetGen, made, "meshed by TetGen");
     made.copied_from = nullptr;
     made.source = points_of(nullptr);
     candidate =
@@ -102,10 +99,23 @@ std::shared_ptr<const PointSource> Ways::points_of(const Revision* original) {
                                              revision_.model, density_.edge_length, run_);
 }
 
-/// Tells that a mesh has failed and what is done about it.
-void Ways::next(Way way, const Candidate& failed, const char* what) {
+/// Tells that a mesh has failed, where, and what is done about it.
+void Ways::next(Way way, const NewMesh& failed, const char* what) {
   revision_.report.way = way;
-  revision_.report.warnings.push_back(first_failure(failed.verification) + "; " + what);
+  Warning warning{.code = WarningCode::Fallback};
+  const auto& failures = failed.candidate.verification.failures;
+  if (failures.empty()) {
+    warning.message = "the mesh did not pass verification";
+  } else {
+    const MeshDefect& defect = failures.front();
+    FailurePlace place = find_failure(defect, revision_.model, failed.source->modified(),
+                                      revision_.cells.boundary, density_.edge_length);
+    warning.message = describe(defect, place);
+    if (!place.faces.empty()) warning.point = defect.place;
+    warning.features = std::move(place.features);
+  }
+  warning.message += std::string("; ") + what;
+  revision_.report.warnings.push_back(std::move(warning));
 }
 
 /// Within the part of the original that what changes reaches; where that does not do, gives no
@@ -119,7 +129,7 @@ Candidate Ways::attempt(const Setting& s) {
   if (local) {
     const BoundaryModel& boundary = target.cells.boundary;
     map.emplace(target.original->cells.boundary, boundary, kOnEntity * boundary.bounds.diagonal());
-    std::vector<std::string>& warnings = revision_.report.warnings;
+    std::vector<Warning>& warnings = revision_.report.warnings;
     const std::size_t before = warnings.size();
     for (const double reach : kReaches) {
       try {
@@ -188,8 +198,9 @@ std::optional<Candidate> Ways::attempt_within(const Setting& s, const Reach& rea
       extract(std::move(nodes), std::move(loop), local->part, source, cells, inside, run_);
   counts.nodes_inserted = finish_repaired(candidate, s, site, samples, inside);
   if (counts.nodes_inserted > 0)
-    report.warnings.push_back(std::to_string(counts.nodes_inserted) +
-                              " nodes were inserted to make the boundary complete");
+    report.warnings.push_back({.code = WarningCode::NodesInserted,
+                               .message = std::to_string(counts.nodes_inserted) +
+                                          " nodes were inserted to make the boundary complete"});
   watch_.lap(report.seconds.extract);
   report.seconds.verify += candidate.verify_seconds;
   return candidate;

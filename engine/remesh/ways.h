@@ -29,7 +29,7 @@ class Ways {
   /// made it valid: placing nodes anew would be in vain. Where the original's boundary took so
   /// many, not all of them are freed.
   ///
-  /// Throws Error(BoundaryNotRecovered) where TetGen fails too.
+  /// Throws Error(BOUNDARY_NOT_RECOVERED) where TetGen fails too.
   NewMesh first_valid();
 
   /// From new nodes throughout; may be invalid.
@@ -49,7 +49,7 @@ class Ways {
   std::uint32_t finish_repaired(Candidate& c, const Setting& s, const Site& site,
                                 const Samples& samples, const InsideTest& inside);
   std::shared_ptr<const PointSource> points_of(const Revision* original);
-  void next(Way way, const Candidate& failed, const char* what);
+  void next(Way way, const NewMesh& failed, const char* what);
 
   const Revision* original_;
   Revision& revision_;

@@ -43,6 +43,19 @@ Error unreadable(std::string reason, std::string message, std::string hint) {
   return Error(std::move(info));
 }
 
+Error damaged() {
+  return unreadable("MESSAGE_UNREADABLE",
+                    "the message cannot be read: it is cut off, has a text that is not UTF-8, or "
+                    "its values are nested too deep",
+                    "lists and objects may be nested at most 40 deep");
+}
+
+void parse(google::protobuf::io::ZeroCopyInputStream& bytes, google::protobuf::Message& message) {
+  // protobuf writes what it dislikes to stderr; here the client gets to know it instead.
+  const google::protobuf::LogSilencer silence;
+  if (!message.ParseFromZeroCopyStream(&bytes)) throw damaged();
+}
+
 /// What a client chose goes into the log without line breaks, and not without end.
 std::string loggable(std::string text) {
   if (text.size() > 128) text.resize(128);
@@ -65,22 +78,27 @@ grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
   return {&slice, 1};
 }
 
-void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
-                google::protobuf::Message& message) {
-  if (bytes.Length() > limit)
-    throw unreadable("MessageTooLarge",
-                     "the message has " + std::to_string(bytes.Length()) +
+void check_size(std::size_t bytes, std::size_t limit) {
+  if (bytes > limit)
+    throw unreadable("MESSAGE_TOO_LARGE",
+                     "the message has " + std::to_string(bytes) +
                          " bytes, more than the limit of " + std::to_string(limit),
                      "send a smaller document");
-  // protobuf writes what it dislikes to stderr; here the client gets to know it instead.
-  const google::protobuf::LogSilencer silence;
+}
+
+void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
+                google::protobuf::Message& message) {
+  check_size(bytes.Length(), limit);
   grpc::ByteBuffer copy(bytes);
   grpc::ProtoBufferReader reader(&copy);
-  if (!reader.status().ok() || !message.ParseFromZeroCopyStream(&reader))
-    throw unreadable("MessageUnreadable",
-                     "the message cannot be read: it is cut off, has a text that is not UTF-8, or "
-                     "its values are nested too deep",
-                     "lists and objects may be nested at most 40 deep");
+  if (!reader.status().ok()) throw damaged();
+  parse(reader, message);
+}
+
+void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Message& message) {
+  check_size(bytes.size(), limit);
+  google::protobuf::io::ArrayInputStream reader(bytes.data(), static_cast<int>(bytes.size()));
+  parse(reader, message);
 }
 
 CallRecord::CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer)
@@ -93,17 +111,21 @@ void CallRecord::set_request_id(std::string id) {
   const std::scoped_lock lock(mutex_);
   request_id_ = loggable(std::move(id));
 }
-void CallRecord::set_status(const grpc::Status& status, std::string reason) {
+void CallRecord::set_status(const grpc::Status& status, const std::string& reason) noexcept {
   const std::scoped_lock lock(mutex_);
   status_ = name_of(status.error_code());
-  reason_ = std::move(reason);
+  try {
+    reason_ = reason;
+  } catch (...) {
+    reason_.clear();
+  }
 }
 void CallRecord::set_note(std::string note) {
   const std::scoped_lock lock(mutex_);
   note_ = std::move(note);
 }
 
-void CallRecord::end() const {
+void CallRecord::end() const noexcept try {
   if (!log_) return;
   const std::scoped_lock lock(mutex_);
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start_;
@@ -113,26 +135,37 @@ void CallRecord::end() const {
   if (!reason_.empty()) line += " reason=" + reason_;
   if (!note_.empty()) line += " " + note_;
   log_->info(line);
+} catch (...) {
 }
 
-std::shared_ptr<UnaryCall> UnaryCall::start(grpc::ByteBuffer* reply,
+std::shared_ptr<UnaryCall> UnaryCall::start(grpc::CallbackServerContext* context,
+                                            grpc::ByteBuffer* reply,
                                             std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<UnaryCall>(reply, std::move(record));
+  auto call = std::make_shared<UnaryCall>(context, reply, std::move(record));
   call->self_ = call;
   return call;
 }
 
 void UnaryCall::reply(const google::protobuf::Message& message) {
+  grpc::ByteBuffer bytes = to_bytes(message);  // may throw: not after the call counts as ended
   if (ended_.exchange(true)) return;
-  *reply_ = to_bytes(message);
+  *reply_ = std::move(bytes);
   record_->set_status(grpc::Status::OK);
   Finish(grpc::Status::OK);
 }
 
-void UnaryCall::fail(const Error& error) {
+void UnaryCall::fail(const Error& error) noexcept {
   if (ended_.exchange(true)) return;
-  const grpc::Status status = to_status(error);
-  record_->set_status(status, error.info().reason);
+  add_pushback(error, *context_);
+  finish(to_status(error), error.info().reason);
+}
+
+void UnaryCall::give_up() noexcept {
+  if (!ended_.exchange(true)) finish(out_of_memory_status());
+}
+
+void UnaryCall::finish(const grpc::Status& status, const std::string& reason) noexcept {
+  record_->set_status(status, reason);
   Finish(status);
 }
 
@@ -155,7 +188,7 @@ void UnaryCall::OnCancel() {
     action = std::move(on_cancel_);
   }
   stop_.request_stop();
-  if (action) action();
+  if (action) answering(*this, action);
 }
 
 void UnaryCall::OnDone() {

@@ -13,8 +13,11 @@
 #include <mutex>
 #include <stop_token>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "engine/base/error.h"
+#include "server/session/guarded.h"
 
 namespace remeshd {
 
@@ -22,23 +25,26 @@ namespace remeshd {
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message);
 
 /// Reads a message of at most `limit` bytes.
-/// Throws Error(InvalidArgument): `MessageTooLarge`, `MessageUnreadable` (which gRPC itself would
-/// turn into UNIMPLEMENTED without a word, for values nested too deep above all).
+/// Throws Error(InvalidArgument): `MESSAGE_TOO_LARGE`, `MESSAGE_UNREADABLE` (which gRPC itself
+/// would turn into UNIMPLEMENTED without a word, for values nested too deep above all).
 void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
                 google::protobuf::Message& message);
+void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Message& message);
+/// The first check of `from_bytes`.
+void check_size(std::size_t bytes, std::size_t limit);
 
 /// One line of the log, written when a call ends: number, method, peer, request id, duration,
-/// status.
+/// status. Without memory for it, the line is left out.
 class CallRecord {
  public:
   CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer);
 
   void set_request_id(std::string id);
-  void set_status(const grpc::Status& status, std::string reason = {});
+  void set_status(const grpc::Status& status, const std::string& reason = {}) noexcept;
   /// For the calls that do more than one thing: what they did.
   void set_note(std::string note);
   /// Writes the line.
-  void end() const;
+  void end() const noexcept;
 
  private:
   std::shared_ptr<spdlog::logger> log_;
@@ -46,23 +52,40 @@ class CallRecord {
   std::string method_, peer_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   mutable std::mutex mutex_;
-  std::string request_id_, status_ = "CANCELLED", reason_, note_;
+  const char* status_ = "CANCELLED";
+  std::string request_id_, reason_, note_;
 };
 
+/// Does `work` for a call; an exception of any kind becomes the end of the call. For gRPC's
+/// callbacks and for work on other threads, which no exception may leave.
+template <typename Call, typename Work>
+void answering(Call& call, Work&& work) noexcept {
+  try {
+    guarded(std::forward<Work>(work), [&](const Error& why) { call.fail(why); });
+  } catch (...) {
+    call.give_up();
+  }
+}
+
 /// A call with one request and one reply, from raw bytes to raw bytes. Whoever works for it holds a
-/// shared_ptr; gRPC's own hold ends with OnDone.
+/// shared_ptr; gRPC's own hold ends with OnDone. Its only operation is `Finish`, which is done
+/// once.
 class UnaryCall final : public grpc::ServerUnaryReactor,
                         public std::enable_shared_from_this<UnaryCall> {
  public:
-  static std::shared_ptr<UnaryCall> start(grpc::ByteBuffer* reply,
+  static std::shared_ptr<UnaryCall> start(grpc::CallbackServerContext* context,
+                                          grpc::ByteBuffer* reply,
                                           std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  UnaryCall(grpc::ByteBuffer* reply, std::shared_ptr<CallRecord> record)
-      : reply_(reply), record_(std::move(record)) {}
+  UnaryCall(grpc::CallbackServerContext* context, grpc::ByteBuffer* reply,
+            std::shared_ptr<CallRecord> record)
+      : context_(context), reply_(reply), record_(std::move(record)) {}
 
   /// Ends the call; only the first of these has an effect.
   void reply(const google::protobuf::Message& message);
-  void fail(const Error& error);
+  void fail(const Error& error) noexcept;
+  /// Without the memory for an Error.
+  void give_up() noexcept;
 
   /// What to do when the client cancels or its deadline passes; done at once where it has already.
   void on_cancel(std::function<void()> action);
@@ -74,6 +97,10 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   void OnDone() override;
 
  private:
+  /// Pre: `ended_` was set by the caller.
+  void finish(const grpc::Status& status, const std::string& reason = {}) noexcept;
+
+  grpc::CallbackServerContext* context_;
   grpc::ByteBuffer* reply_;
   std::shared_ptr<CallRecord> record_;
   std::stop_source stop_;

@@ -1,335 +1,140 @@
 #include "server/service/decode.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
-#include "proto/document_error.h"
+#include "proto/json_writer.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
-using google::protobuf::Value;
-using Values = google::protobuf::RepeatedPtrField<Value>;
-
-const char* kind_of(const Value& value) {
-  switch (value.kind_case()) {
-    case Value::kNullValue:
-      return "null";
-    case Value::kNumberValue:
-      return "a number";
-    case Value::kStringValue:
-      return "a string";
-    case Value::kBoolValue:
-      return "true or false";
-    case Value::kStructValue:
-      return "an object";
-    case Value::kListValue:
-      return "a list";
-    default:
-      return "nothing";
-  }
-}
-
-DocumentPlace below(DocumentPlace place, const std::string& path) {
-  place.path += (place.path.empty() ? "" : ".") + path;
-  return place;
-}
-DocumentPlace entry(DocumentPlace place, int index) {
-  place.path += '[' + std::to_string(index) + ']';
-  return place;
-}
-
-const std::string& text_of(const std::string& text, const DocumentPlace& place) {
-  if (text.find('\0') != std::string::npos)
-    throw error::wrong_kind(place, "a text", "one with a NUL character");
-  return text;
-}
-
-Scalar scalar(const Value& value, const DocumentPlace& place) {
-  if (value.kind_case() == Value::kStringValue) return text_of(value.string_value(), place);
-  if (value.kind_case() != Value::kNumberValue)
-    throw error::wrong_kind(place, "a number or an expression", kind_of(value));
-  if (!std::isfinite(value.number_value())) throw error::not_finite(place);
-  return value.number_value();
-}
-
-template <std::size_t N>
-std::array<Scalar, N> tuple(const Values& values, const DocumentPlace& place) {
-  if (values.size() != static_cast<int>(N))
-    throw error::wrong_kind(place, std::to_string(N) + " values", std::to_string(values.size()));
-  std::array<Scalar, N> out;
-  for (std::size_t i = 0; i < N; ++i) {
-    const int index = static_cast<int>(i);
-    out[i] = scalar(values[index], entry(place, index));
-  }
-  return out;
-}
-
-std::array<Scalar, 2> point(const Value& value, const DocumentPlace& place) {
-  if (value.kind_case() != Value::kListValue)
-    throw error::wrong_kind(place, "a point [x, y]", kind_of(value));
-  return tuple<2>(value.list_value().values(), place);
-}
-
-ProfileEntry profile_entry(const Value& value, const DocumentPlace& place) {
-  ProfileEntry out;
-  if (value.kind_case() == Value::kStructValue) {
-    const auto& fields = value.struct_value().fields();
-    for (const char* name : {"to", "through"})
-      if (!fields.contains(name)) throw error::missing_field(place, name);
-    if (fields.size() > 2) {
-      // Of several unknown ones the first by name, so that the error is always the same.
-      std::string unknown;
-      for (const auto& [name, field] : fields)
-        if (name != "to" && name != "through" && (unknown.empty() || name < unknown))
-          unknown = name;
-      throw error::unknown_field(place, unknown, "to, through");
-    }
-    const auto to = point(fields.at("to"), below(place, "to"));
-    out.x = to[0];
-    out.y = to[1];
-    out.through = point(fields.at("through"), below(place, "through"));
-    return out;
-  }
-  if (value.kind_case() != Value::kListValue)
-    throw error::wrong_kind(place, "a point [x, y] or an arc {\"to\", \"through\"}",
-                            kind_of(value));
-  const auto to = point(value, place);
-  out.x = to[0];
-  out.y = to[1];
-  return out;
-}
-
-std::vector<ProfileEntry> profile(const Value& value, const DocumentPlace& place) {
-  if (value.kind_case() != Value::kListValue)
-    throw error::wrong_kind(place, "a list of points and arcs", kind_of(value));
-  std::vector<ProfileEntry> out;
-  const Values& values = value.list_value().values();
-  for (int i = 0; i < values.size(); ++i) out.push_back(profile_entry(values[i], entry(place, i)));
-  return out;
-}
-
-PlacementSource placement(const v1::Placement& message, const DocumentPlace& place) {
-  PlacementSource out;
-  if (message.origin_size() > 0) out.origin = tuple<3>(message.origin(), below(place, "origin"));
-  if (message.z_axis_size() > 0) out.z_axis = tuple<3>(message.z_axis(), below(place, "zAxis"));
-  if (message.x_axis_size() > 0) out.x_axis = tuple<3>(message.x_axis(), below(place, "xAxis"));
-  return out;
-}
-
-Nature nature(v1::Feature::Nature value, const DocumentPlace& place) {
-  switch (value) {
-    case v1::Feature::ADDITIVE:
-      return Nature::Additive;
-    case v1::Feature::SUBTRACTIVE:
-      return Nature::Subtractive;
-    default:
-      throw error::wrong_kind(place, "ADDITIVE or SUBTRACTIVE",
-                              "the enumerator " + std::to_string(value));
-  }
-}
-
-ReferenceSource reference(const v1::Feature& message, const DocumentPlace& place) {
-  if (message.has_reference_point())
-    return tuple<3>(message.reference_point().values(), below(place, "referencePoint"));
-  switch (message.reference()) {
-    case v1::Feature::ORIGIN:
-      return ReferenceKind::Origin;
-    case v1::Feature::CENTRE:
-      return ReferenceKind::Centre;
-    default:
-      throw error::wrong_kind(below(place, "reference"), "ORIGIN or CENTRE",
-                              "the enumerator " + std::to_string(message.reference()));
-  }
-}
-
-/// The entries of a map by name: the first mistake reported is always the same one.
-template <typename Map>
-std::map<std::string, const Value*> sorted(const Map& values) {
-  std::map<std::string, const Value*> out;
-  for (const auto& [name, value] : values) out[name] = &value;
-  return out;
-}
-
-FeatureSource feature(const v1::Feature& message, DocumentPlace place, const std::string& path) {
-  // A feature without an id can only be told by where it stands.
-  place.path = message.id().empty() ? path : "";
-  place.feature = message.id();
-  FeatureSource out;
-  out.id = text_of(message.id(), below(place, "id"));
-  out.nature = nature(message.nature(), below(place, "nature"));
-  out.type = text_of(message.type(), below(place, "type"));
-  for (const auto& [name, value] : sorted(message.parameters())) {
-    const DocumentPlace here = below(place, text_of(name, place));
-    if (name == "profile") {
-      out.profile = profile(*value, here);
-    } else {
-      out.parameters[name] = scalar(*value, here);
-    }
-  }
-  out.placement = placement(message.placement(), below(place, "placement"));
-  out.reference = reference(message, place);
-  return out;
-}
-
-Edit edit(const v1::Edit& message, DocumentPlace place) {
-  switch (message.edit_case()) {
-    case v1::Edit::kSetParameter: {
-      const auto& set = message.set_parameter();
-      return SetParameter{text_of(set.name(), place),
-                          scalar(set.value(), below(place, set.name()))};
-    }
-    case v1::Edit::kSetFeatureParameter: {
-      const auto& set = message.set_feature_parameter();
-      place.feature = text_of(set.feature(), place);
-      SetFeatureParameter out{set.feature(), text_of(set.name(), place), 0.0};
-      const DocumentPlace here = below(place, set.name());
-      if (set.name() == "profile") {
-        out.value = profile(set.value(), here);
-      } else {
-        out.value = scalar(set.value(), here);
-      }
-      return out;
-    }
-    case v1::Edit::kSetPlacement: {
-      const auto& set = message.set_placement();
-      place.feature = text_of(set.feature(), place);
-      if (!set.has_placement()) throw error::missing_field(place, "placement");
-      return SetPlacement{set.feature(), placement(set.placement(), below(place, "placement"))};
-    }
-    case v1::Edit::kAddFeature: {
-      const auto& add = message.add_feature();
-      if (!add.has_feature()) throw error::missing_field(place, "feature");
-      return AddFeature{feature(add.feature(), place, "feature"), text_of(add.after(), place)};
-    }
-    case v1::Edit::kRemoveFeature:
-      return RemoveFeature{text_of(message.remove_feature().feature(), place)};
-    default:
-      throw error::wrong_kind(place, "a kind of edit", "none");
-  }
-}
-
-ModelSource model(const v1::FeatureModel& message) {
-  ModelSource out;
-  out.name = text_of(message.name(), {.feature = "", .path = "name"});
-  out.unit = text_of(message.unit(), {.feature = "", .path = "unit"});
-  for (const auto& [name, value] : sorted(message.parameters()))
-    out.parameters[text_of(name, {.feature = "", .path = "parameters"})] =
-        scalar(*value, {.feature = "", .path = "parameters." + name});
-  for (int i = 0; i < message.features_size(); ++i)
-    out.features.push_back(feature(message.features(i), {}, "features[" + std::to_string(i) + "]"));
-  return out;
-}
-
-ModelEdit edits(const v1::ModelEdit& message) {
-  ModelEdit out;
-  for (int i = 0; i < message.edits_size(); ++i)
-    out.edits.push_back(edit(message.edits(i), {.feature = "", .path = "", .edit_index = i}));
-  return out;
-}
-
-/// What `read` makes; what it finds wrong comes out as an Error of the server.
-template <typename Read>
-auto checked(Read read) {
-  try {
-    return read();
-  } catch (const DocumentError& failure) {
-    const DocumentErrorInfo& info = failure.info();
-    throw Error({.kind = ErrorKind::InvalidArgument,
-                 .reason = info.reason,
-                 .message = info.message,
-                 .stage = "document",
-                 .feature = info.feature,
-                 .parameter = info.parameter,
-                 .hint = info.hint,
-                 .edit_index = info.edit_index});
-  }
-}
 
 int threads(std::uint32_t wanted) {
   constexpr std::uint32_t kMost = std::numeric_limits<int>::max();
   return static_cast<int>(std::min(wanted, kMost));
 }
 
+ModelSource model_of_document(const std::string& text, const DocumentLimits& limits) {
+  return decode(checked([&] { return parse_model(text, limits); }));
+}
+
+/// The model of any request that has it as a message or as text.
+template <typename Request>
+ModelSource model_of(const Request& request, const DocumentLimits& limits) {
+  switch (request.model_choice_case()) {
+    case Request::kModel:
+      return decode(request.model());
+    case Request::kDocument:
+      return model_of_document(request.document(), limits);
+    default:
+      throw to_error(error::missing_field({}, "model").info());
+  }
+}
+
+/// Likewise the edit, as a message.
+template <typename Request>
+v1::ModelEdit edit_of(const Request& request, const DocumentLimits& limits) {
+  switch (request.edit_choice_case()) {
+    case Request::kEdit:
+      return request.edit();
+    case Request::kDocument:
+      return checked([&] { return parse_edit(request.document(), limits); });
+    default:
+      throw to_error(error::missing_field({}, "edit").info());
+  }
+}
+
+std::optional<MeshOptions::Inside> inside_of(v1::InsideTest inside) {
+  switch (inside) {
+    case v1::INSIDE_TEST_UNSPECIFIED:
+      return std::nullopt;
+    case v1::INSIDE_TEST_MEMBERSHIP:
+      return MeshOptions::Inside::Membership;
+    case v1::INSIDE_TEST_CONTROL_MESH:
+      return MeshOptions::Inside::ControlMesh;
+    default:
+      throw error::option_invalid("inside", "is no known enumerator");
+  }
+}
+
+std::optional<MeshOptions::Start> start_of(v1::Start start) {
+  switch (start) {
+    case v1::START_UNSPECIFIED:
+      return std::nullopt;
+    case v1::START_LATTICE:
+      return MeshOptions::Start::Lattice;
+    case v1::START_RANDOM:
+      return MeshOptions::Start::Random;
+    default:
+      throw error::option_invalid("start", "is no known enumerator");
+  }
+}
+
+std::vector<WarningCode> fail_on_of(const v1::MeshOptions& message) {
+  std::vector<WarningCode> out;
+  for (const int code : message.fail_on()) {
+    if (!v1::Warning::Code_IsValid(code) || code == v1::Warning::CODE_UNSPECIFIED)
+      throw error::option_invalid("fail_on", "names no warning");
+    out.push_back(static_cast<WarningCode>(code - 1));
+  }
+  return out;
+}
+
 }  // namespace
 
-ModelSource decode(const v1::FeatureModel& message) {
-  return checked([&] { return model(message); });
-}
-
-ModelEdit decode(const v1::ModelEdit& message) {
-  return checked([&] { return edits(message); });
-}
-
 OptionsPatch decode(const v1::MeshOptions& message) {
+  if (message.has_sizing()) throw error::unsupported("sizing");
+  if (message.has_order() && message.order() == 2) throw error::unsupported("order");
+  if (message.has_order() && message.order() != 1)
+    throw error::option_invalid("order", "is neither 1 nor 2");
+  fail_on_of(message);
   OptionsPatch out;
   if (message.target_case() == v1::MeshOptions::kNodes) out.nodes = message.nodes();
   if (message.target_case() == v1::MeshOptions::kSize) out.size = message.size();
   if (message.has_iterations()) out.iterations = message.iterations();
   if (message.has_seed()) out.seed = message.seed();
-  switch (message.inside()) {
-    case v1::INSIDE_TEST_UNSPECIFIED:
-      break;
-    case v1::INSIDE_TEST_MEMBERSHIP:
-      out.inside = MeshOptions::Inside::Membership;
-      break;
-    case v1::INSIDE_TEST_CONTROL_MESH:
-      out.inside = MeshOptions::Inside::ControlMesh;
-      break;
-    default:
-      throw error::option_invalid("inside", "is no known enumerator");
-  }
-  switch (message.start()) {
-    case v1::START_UNSPECIFIED:
-      break;
-    case v1::START_LATTICE:
-      out.start = MeshOptions::Start::Lattice;
-      break;
-    case v1::START_RANDOM:
-      out.start = MeshOptions::Start::Random;
-      break;
-    default:
-      throw error::option_invalid("start", "is no known enumerator");
-  }
   if (message.has_clean_up()) out.clean_up = message.clean_up();
   if (message.has_threshold()) out.threshold = message.threshold();
+  out.inside = inside_of(message.inside());
+  out.start = start_of(message.start());
   return out;
 }
 
 HeadRule decode(const v1::HeadUpdate& message) {
+  if (message.has_file() && !message.file()) throw error::unsupported("head.file");
   HeadRule out;
   if (message.has_advance()) out.advance = message.advance();
   out.expected = message.expected();
+  out.require = message.require();
   return out;
 }
 
-CreateCommand decode(const v1::CreateRevisionRequest& message) {
-  checked([&] {
-    if (!message.has_model()) throw error::missing_field({}, "model");
-  });
-  return {.source = decode(message.model()),
+CreateCommand decode(const v1::CreateRevisionRequest& message, const DocumentLimits& limits) {
+  return {.source = model_of(message, limits),
           .options = decode(message.options()),
           .design = message.design(),
           .head = decode(message.head()),
+          .fail_on = fail_on_of(message.options()),
           .threads = threads(message.threads())};
 }
 
-EditCommand decode(const v1::EditRevisionRequest& message) {
-  checked([&] {
-    if (!message.has_edit()) throw error::missing_field({}, "edit");
-  });
+EditCommand decode(const v1::EditRevisionRequest& message, const DocumentLimits& limits) {
+  const v1::ModelEdit edit = edit_of(message, limits);
   return {.base = message.base(),
-          .edit = decode(message.edit()),
+          .edit = decode(edit),
+          .document = write_document(edit),
           .options = decode(message.options()),
           .design = message.design(),
           .head = decode(message.head()),
+          .fail_on = fail_on_of(message.options()),
           .threads = threads(message.threads())};
 }
 
-ComparisonSide decode(const v1::ModelChoice& message, const char* side) {
+ComparisonSide decode(const v1::ModelChoice& message, const char* side,
+                      const DocumentLimits& limits) {
   switch (message.choice_case()) {
     case v1::ModelChoice::kRevision:
       return message.revision();
@@ -337,9 +142,23 @@ ComparisonSide decode(const v1::ModelChoice& message, const char* side) {
       return decode(message.model());
     case v1::ModelChoice::kEdit:
       return decode(message.edit());
+    case v1::ModelChoice::kDocument:
+      return std::visit([](const auto& document) { return ComparisonSide(decode(document)); },
+                        checked([&] { return parse_document(message.document(), limits); }));
     default:
       throw error::side_invalid(side, "is missing");
   }
+}
+
+ModelSource decode(const v1::ValidateModelRequest& message, const DocumentLimits& limits) {
+  return model_of(message, limits);
+}
+
+EditToValidate decode(const v1::ValidateEditRequest& message, const DocumentLimits& limits) {
+  EditToValidate out{.base = message.base(), .edit = decode(edit_of(message, limits))};
+  if (message.has_base_model()) out.base = decode(message.base_model());
+  if (message.has_base_document()) out.base = model_of_document(message.base_document(), limits);
+  return out;
 }
 
 }  // namespace remeshd

@@ -1,21 +1,34 @@
 #pragma once
 
+#include <string>
+#include <variant>
+
+#include "proto/document.h"
 #include "remesh/v1/remesh.pb.h"
+#include "server/service/decode_model.h"
 #include "server/session/commands.h"
 
 namespace remeshd {
 
-/// Messages as the session understands them. Every value is looked at, since a message on the wire
-/// need not come from a document: no null, boolean, NaN or infinity, lists and objects only where a
-/// profile has them, known enumerators, names and strings without NUL.
+/// Requests as the session understands them. A model or an edit may come as a message or as the
+/// text of a document, which is read here; `limits` say how long it may be.
 ///
-/// All throw Error(InvalidArgument), stage `document`, with feature, parameter and edit index set.
-ModelSource decode(const remesh::v1::FeatureModel& message);
-ModelEdit decode(const remesh::v1::ModelEdit& message);
+/// All throw Error: InvalidArgument for what cannot be right, UNSUPPORTED naming the field for what
+/// this daemon does not do.
 OptionsPatch decode(const remesh::v1::MeshOptions& message);
 HeadRule decode(const remesh::v1::HeadUpdate& message);
-CreateCommand decode(const remesh::v1::CreateRevisionRequest& message);
-EditCommand decode(const remesh::v1::EditRevisionRequest& message);
-ComparisonSide decode(const remesh::v1::ModelChoice& message, const char* side);
+CreateCommand decode(const remesh::v1::CreateRevisionRequest& message,
+                     const DocumentLimits& limits);
+EditCommand decode(const remesh::v1::EditRevisionRequest& message, const DocumentLimits& limits);
+ComparisonSide decode(const remesh::v1::ModelChoice& message, const char* side,
+                      const DocumentLimits& limits);
+ModelSource decode(const remesh::v1::ValidateModelRequest& message, const DocumentLimits& limits);
+
+/// An edit and what it is for: a revision's name, or a model.
+struct EditToValidate {
+  std::variant<std::string, ModelSource> base;
+  ModelEdit edit;
+};
+EditToValidate decode(const remesh::v1::ValidateEditRequest& message, const DocumentLimits& limits);
 
 }  // namespace remeshd

@@ -1,10 +1,13 @@
 #include "server/service/edit_stream.h"
 
+#include <new>
 #include <utility>
 
 #include "server/service/decode.h"
 #include "server/service/encode.h"
+#include "server/service/request_id.h"
 #include "server/service/status.h"
+#include "server/service/stream_request.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -12,88 +15,103 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-// What a client may send ahead before the stream stops reading. Cancellations pass as long as it
-// reads.
-constexpr std::size_t kMostWaiting = 4096;
-constexpr std::size_t kMostWaitingBytes = std::size_t{32} << 20;
+/// A copy, since the buffer's slices may keep much larger blocks of the connection in memory.
+std::string copy_of(const grpc::ByteBuffer& bytes) {
+  std::vector<grpc::Slice> slices;
+  std::string copy;
+  if (!bytes.Dump(&slices).ok()) return copy;
+  copy.reserve(bytes.Length());
+  for (const grpc::Slice& slice : slices)
+    copy.append(reinterpret_cast<const char*>(slice.begin()), slice.size());
+  return copy;
+}
+
+void release(std::string& bytes) { std::string().swap(bytes); }
 
 }  // namespace
 
-EditStream::EditStream(Session& session, std::size_t message_limit,
+EditStream::EditStream(Session& session, const RequestLimits& limits,
                        std::shared_ptr<CallRecord> record)
-    : session_(session), message_limit_(message_limit), record_(std::move(record)) {}
+    : session_(session), limits_(limits), record_(std::move(record)) {}
 
-EditStream* EditStream::start(Session& session, std::size_t message_limit,
+EditStream* EditStream::start(Session& session, const RequestLimits& limits,
                               std::shared_ptr<CallRecord> record) {
-  auto stream = std::make_shared<EditStream>(session, message_limit, std::move(record));
+  const auto stream = std::make_shared<EditStream>(session, limits, std::move(record));
   stream->self_ = stream;
-  stream->reading_ = true;
-  stream->StartRead(&stream->incoming_);
+  stream->advance();
   return stream.get();
 }
 
-bool EditStream::full() const {
-  return waiting_.size() >= kMostWaiting || waiting_bytes_ >= kMostWaitingBytes;
+template <typename Work>
+void EditStream::safely(Work&& work) noexcept {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    close(grpc::StatusCode::RESOURCE_EXHAUSTED);
+  } catch (...) {
+    close(grpc::StatusCode::INTERNAL);
+  }
+}
+
+template <typename Work>
+void EditStream::answering(std::uint64_t turn, Work&& work) noexcept {
+  bool answered = false;
+  safely([&] {
+    work();
+    answered = true;
+  });
+  if (answered) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    queue_.answer(turn, {});  // closed, so that it keeps no reply
+    request_ = nullptr;
+  }
+  advance();
 }
 
 void EditStream::OnReadDone(bool ok) {
   const auto self = shared_from_this();
-  if (ok) take(incoming_);
+  if (ok) safely([&] { take(); });
   {
     const std::scoped_lock lock(mutex_);
     reading_ = false;
     if (!ok) reads_done_ = true;
   }
-  read_more();
-  pump();
-  finish_if_done();
+  advance();
 }
 
-void EditStream::read_more() {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (reading_ || reads_done_ || cancelled_ || finished_ || full()) return;
-    reading_ = true;
-  }
-  StartRead(&incoming_);
-}
-
-void EditStream::take(const grpc::ByteBuffer& bytes) {
-  Waiting waiting{.id = "", .command = CreateCommand{}, .bytes = bytes.Length()};
-  try {
-    v1::EditStreamRequest message;
-    from_bytes(bytes, message_limit_, message);
-    switch (message.request_case()) {
-      case v1::EditStreamRequest::kCancel:
-        cancel_by_id(message.cancel().request_id());
-        return;
-      case v1::EditStreamRequest::kCreate:
-        waiting.id = message.create().request_id();
-        waiting.command = decode(message.create());
-        break;
-      case v1::EditStreamRequest::kEdit:
-        waiting.id = message.edit().request_id();
-        waiting.command = decode(message.edit());
-        break;
-      default:
-        throw error::side_invalid("request", "is empty");
-    }
-  } catch (const Error& failure) {
-    waiting.command = failure;
-  }
+void EditStream::take() {
+  Request request;
+  bool waits = true;
+  guarded([&] { waits = read(request); },
+          [&](const Error& why) {
+            release(request.bytes);
+            request.refused = why;
+          });
+  incoming_.Clear();
+  if (!waits) return;
   const std::scoped_lock lock(mutex_);
-  if (cancelled_) return;
-  waiting_bytes_ += waiting.bytes;
-  waiting_.push_back(std::move(waiting));
+  queue_.add(std::move(request));
+}
+
+bool EditStream::read(Request& request) {
+  request.bytes = copy_of(incoming_);
+  const StreamRequestHead head = read_head(request.bytes);
+  request.id = echoed_request_id(head.request_id);
+  check_size(request.bytes.size(), limits_.message_bytes);
+  check_request_id(head.request_id);
+  if (!head.is_cancel) return true;
+  v1::EditStreamRequest message;
+  from_bytes(request.bytes, limits_.message_bytes, message);
+  cancel_by_id(message.cancel().request_id());
+  return false;
 }
 
 void EditStream::cancel_by_id(const std::string& id) {
   MakeRequestPtr request;
   {
     const std::scoped_lock lock(mutex_);
-    for (Waiting& waiting : waiting_)
-      if (waiting.id == id) waiting.cancelled = true;
-    if (busy_ && at_work_ == id) {
+    if (queue_.cancel(id)) {
       cancel_at_work_ = true;
       request = request_;
     }
@@ -101,119 +119,142 @@ void EditStream::cancel_by_id(const std::string& id) {
   if (request) request->cancel();
 }
 
-void EditStream::pump() {
-  std::unique_lock lock(mutex_);
-  // Whoever is in the loop below looks again once it has the lock back.
-  if (pumping_) return;
-  pumping_ = true;
-  while (!busy_ && !waiting_.empty()) {
-    Waiting request = std::move(waiting_.front());
-    waiting_.pop_front();
-    waiting_bytes_ -= request.bytes;
-    busy_ = true;
-    ++turn_;
-    at_work_ = request.id;
-    cancel_at_work_ = false;
-    request_ = nullptr;
-    lock.unlock();
-    launch(std::move(request));
-    read_more();
-    lock.lock();
-  }
-  pumping_ = false;
-}
-
-void EditStream::launch(Waiting request) {
-  const auto self = shared_from_this();
-  const std::string id = request.id;
-  std::uint64_t turn = 0;
+void EditStream::begin() {
+  Request request;
   {
     const std::scoped_lock lock(mutex_);
-    turn = turn_;
+    if (!queue_.may_begin()) return;  // closed meanwhile
+    cancel_at_work_ = false;
+    request = queue_.begin();
   }
-  const Listener listener{
-      .progress = [self, turn, id](const Progress& event) { self->progress(turn, id, event); },
-      .made =
-          [self, id](const Made& made) {
-            {
-              const std::scoped_lock lock(self->mutex_);
-              self->design_ = made.filed.place.design;
-            }
-            v1::EditStreamReply reply;
-            *reply.mutable_revision() = encode(made, id);
-            self->answer(id, std::move(reply));
-          },
-      .failed =
-          [self, id](const Error& failure) {
-            v1::EditStreamReply reply;
-            *reply.mutable_error() = to_message(failure);
-            self->answer(id, std::move(reply));
-          }};
+  answering(request.turn, [&] {
+    guarded([&] { hand_over(request); },
+            [&](const Error& why) { fail(request.turn, request.id, why); });
+  });
+}
 
-  if (request.cancelled) return listener.failed(error::cancelled());
-  if (const auto* failure = std::get_if<Error>(&request.command)) return listener.failed(*failure);
-
+void EditStream::hand_over(Request& request) {
+  if (request.cancelled) throw error::cancelled();
+  if (request.refused) throw Error(*request.refused);
+  v1::EditStreamRequest message;
+  from_bytes(request.bytes, limits_.message_bytes, message);
+  release(request.bytes);
+  if (message.has_mesh()) throw error::unsupported("mesh");
   MakeRequestPtr started;
-  if (auto* create = std::get_if<CreateCommand>(&request.command)) {
-    started = session_.create(std::move(*create), listener);
-  } else {
-    auto& edit = std::get<EditCommand>(request.command);
+  if (message.has_create()) {
+    started = session_.create(decode(message.create(), limits_.document),
+                              listener(request.turn, request.id));
+  } else if (message.has_edit()) {
+    EditCommand edit = decode(message.edit(), limits_.document);
     if (edit.base.empty()) {
       const std::scoped_lock lock(mutex_);
-      edit.base = edit.design.empty() ? design_ : edit.design;
+      edit.base = edit.design.empty() ? next_base_ : edit.design;
     }
-    started = session_.edit(std::move(edit), listener);
+    started = session_.edit(std::move(edit), listener(request.turn, request.id));
+  } else {
+    throw error::side_invalid("request", "is empty");
   }
   bool cancel = false;
   {
     const std::scoped_lock lock(mutex_);
-    if (!busy_ || turn_ != turn) return;  // answered already
+    if (!queue_.at_work(request.turn)) return;  // answered already
     request_ = started;
-    cancel = cancel_at_work_ || cancelled_;
+    cancel = cancel_at_work_ || closed_;
   }
   if (cancel) started->cancel();
 }
 
-void EditStream::answer(const std::string& id, v1::EditStreamReply reply) {
+Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
+  const auto self = shared_from_this();
+  return {.progress =
+              [self, turn, id](const Progress& event) {
+                self->safely([&] { self->progress(turn, id, event); });
+              },
+          .made =
+              [self, turn, id](const Made& made) {
+                self->answering(turn, [&] {
+                  guarded(
+                      [&] {
+                        v1::EditStreamResponse reply;
+                        *reply.mutable_result() = encode(made, id);
+                        {
+                          const std::scoped_lock lock(self->mutex_);
+                          const std::string& design = made.filed.place.design;
+                          self->next_base_ = design.empty() ? made.filed.record.id : design;
+                        }
+                        self->answer(turn, id, std::move(reply));
+                      },
+                      [&](const Error& why) { self->fail(turn, id, why); });
+                });
+              },
+          .failed =
+              [self, turn, id](const Error& why) {
+                self->answering(turn, [&] { self->fail(turn, id, why); });
+              }};
+}
+
+void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& why) {
+  v1::EditStreamResponse reply;
+  *reply.mutable_error() = to_message(why);
+  answer(turn, id, std::move(reply));
+}
+
+void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply) {
   reply.set_request_id(id);
+  grpc::ByteBuffer bytes = to_bytes(reply);
   {
     const std::scoped_lock lock(mutex_);
-    busy_ = false;
+    if (!queue_.answer(turn, std::move(bytes))) return;
     request_ = nullptr;
     reply.has_error() ? ++failed_ : ++answered_;
-    if (!cancelled_ && !finished_) replies_.push_back(std::move(reply));
   }
-  write_next();
-  pump();
-  finish_if_done();
+  advance();
 }
 
 void EditStream::progress(std::uint64_t turn, const std::string& id, const Progress& event) {
+  v1::EditStreamResponse reply;
+  reply.set_request_id(id);
+  *reply.mutable_progress() = encode(event);
+  grpc::ByteBuffer bytes = to_bytes(reply);
   {
     const std::scoped_lock lock(mutex_);
-    if (!busy_ || turn_ != turn || cancelled_ || finished_) return;
-    v1::EditStreamReply reply;
-    reply.set_request_id(id);
-    *reply.mutable_progress() = encode(event);
-    // A client that reads slowly gets the latest event instead of all of them.
-    if (!replies_.empty() && replies_.back().has_progress()) {
-      replies_.back() = std::move(reply);
-    } else {
-      replies_.push_back(std::move(reply));
-    }
+    queue_.progress(turn, std::move(bytes));
   }
-  write_next();
+  advance();
 }
 
-void EditStream::write_next() {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (writing_ || finished_ || cancelled_ || replies_.empty()) return;
-    writing_ = true;
-    outgoing_ = to_bytes(replies_.front());
-    replies_.pop_front();
+template <typename Action>
+void EditStream::act(std::unique_lock<std::mutex>& lock, Action action) noexcept {
+  ++acting_;
+  lock.unlock();
+  safely(std::move(action));
+  lock.lock();
+  --acting_;
+}
+
+void EditStream::advance() noexcept {
+  std::unique_lock lock(mutex_);
+  while (!finished_) {
+    if (!closed_ && !writing_ && queue_.has_reply()) {
+      writing_ = true;
+      outgoing_ = queue_.next_reply();
+      act(lock, [this] { StartWrite(&outgoing_); });
+    } else if (!closed_ && !beginning_ && queue_.may_begin()) {
+      // An answer within `begin` calls `advance` again: the next request is left to this loop.
+      beginning_ = true;
+      act(lock, [this] { begin(); });
+      beginning_ = false;
+    } else if (!closed_ && !reading_ && !reads_done_ && queue_.may_read()) {
+      reading_ = true;
+      act(lock, [this] { StartRead(&incoming_); });
+    } else if ((closed_ || reads_done_) && acting_ == 0 && !writing_ && queue_.idle()) {
+      finished_ = true;
+      lock.unlock();
+      return finish();
+    } else {
+      return;
+    }
   }
-  StartWrite(&outgoing_);
 }
 
 void EditStream::OnWriteDone(bool ok) {
@@ -221,40 +262,40 @@ void EditStream::OnWriteDone(bool ok) {
   {
     const std::scoped_lock lock(mutex_);
     writing_ = false;
-    if (!ok) cancelled_ = true;
-    if (cancelled_) replies_.clear();
+    outgoing_.Clear();
   }
-  write_next();
-  finish_if_done();
+  if (!ok) close(grpc::StatusCode::CANCELLED);
+  advance();
 }
 
 void EditStream::OnCancel() {
   const auto self = shared_from_this();
+  close(grpc::StatusCode::CANCELLED);
+  advance();
+}
+
+void EditStream::close(grpc::StatusCode code) noexcept {
   MakeRequestPtr request;
   {
     const std::scoped_lock lock(mutex_);
-    cancelled_ = true;
-    waiting_.clear();
-    waiting_bytes_ = 0;
-    replies_.clear();
+    if (!closed_) end_code_ = code;
+    closed_ = true;
+    queue_.close();
     request = request_;
   }
-  if (request) request->cancel();
-  finish_if_done();
+  try {
+    if (request) request->cancel();
+  } catch (...) {  // without the memory to stop it, it goes on to its end
+  }
 }
 
-void EditStream::finish_if_done() {
-  bool cancelled = false;
-  {
-    const std::scoped_lock lock(mutex_);
-    const bool quiet = !busy_ && !writing_ && waiting_.empty() && replies_.empty();
-    if (finished_ || !quiet || !(reads_done_ || cancelled_)) return;
-    finished_ = true;
-    cancelled = cancelled_;
+void EditStream::finish() noexcept {
+  try {
     record_->set_note("answered=" + std::to_string(answered_) +
                       " failed=" + std::to_string(failed_));
+  } catch (...) {  // the log's line does without
   }
-  const grpc::Status status = cancelled ? grpc::Status::CANCELLED : grpc::Status::OK;
+  const grpc::Status status(end_code_, "");
   record_->set_status(status);
   Finish(status);
 }

@@ -3,28 +3,33 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
-#include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <variant>
 
 #include "remesh/v1/remesh.pb.h"
 #include "server/service/call.h"
+#include "server/service/request_limits.h"
+#include "server/service/stream_queue.h"
 #include "server/session/session.h"
 
 namespace remeshd {
 
 /// One EditStream. Requests queue up and are handed to the session one at a time, so that an edit
 /// sees the head that the one before it left, and answers keep their order.
+///
+/// `advance` alone starts operations of gRPC. An operation is decided on under the mutex, where
+/// `acting_` counts it until the call that starts it has returned. `Finish` is decided on under the
+/// same mutex, only while `acting_` is 0, and nothing is decided on after it. So no operation
+/// starts after `Finish`; and as gRPC calls OnDone after `Finish` only, none starts on a stream
+/// that is gone. Whoever calls `advance` holds a shared_ptr to the stream.
 class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public std::enable_shared_from_this<EditStream> {
  public:
-  static EditStream* start(Session& session, std::size_t message_limit,
+  static EditStream* start(Session& session, const RequestLimits& limits,
                            std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  EditStream(Session& session, std::size_t message_limit, std::shared_ptr<CallRecord> record);
+  EditStream(Session& session, const RequestLimits& limits, std::shared_ptr<CallRecord> record);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -32,27 +37,39 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void OnDone() override;
 
  private:
-  using Command = std::variant<CreateCommand, EditCommand, Error>;
-  struct Waiting {
-    std::string id;
-    Command command;
-    std::size_t bytes = 0;
-    bool cancelled = false;
-  };
+  using Request = StreamQueue::Request;
 
-  void take(const grpc::ByteBuffer& bytes);
+  // What is read.
+  void take();
+  /// Fills in what `incoming_` asks for; false for a cancellation, which is done at once.
+  bool read(Request& request);
   void cancel_by_id(const std::string& id);
-  void pump();
-  void launch(Waiting request);
-  void answer(const std::string& id, remesh::v1::EditStreamReply reply);
-  void progress(std::uint64_t turn, const std::string& id, const Progress& progress);
-  void write_next();
-  void read_more();
-  void finish_if_done();
-  [[nodiscard]] bool full() const;
+
+  // What is handed to the session, and its answers.
+  void begin();
+  void hand_over(Request& request);
+  Listener listener(std::uint64_t turn, const std::string& id);
+  void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply);
+  void fail(std::uint64_t turn, const std::string& id, const Error& why);
+  void progress(std::uint64_t turn, const std::string& id, const Progress& event);
+
+  /// Does all that may be done now: write, begin a request, read, finish.
+  void advance() noexcept;
+  template <typename Action>
+  void act(std::unique_lock<std::mutex>& lock, Action action) noexcept;
+  void finish() noexcept;
+  /// Drops what waits and stops what is at work; once that has answered, the stream ends with this
+  /// code.
+  void close(grpc::StatusCode code) noexcept;
+  /// An exception that no request can be told of closes the stream.
+  template <typename Work>
+  void safely(Work&& work) noexcept;
+  /// The same for the work that answers a request, which then has no answer.
+  template <typename Work>
+  void answering(std::uint64_t turn, Work&& work) noexcept;
 
   Session& session_;
-  const std::size_t message_limit_;
+  const RequestLimits limits_;
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<EditStream> self_;
 
@@ -60,21 +77,20 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   grpc::ByteBuffer incoming_, outgoing_;
 
   std::mutex mutex_;
-  std::deque<Waiting> waiting_;
-  std::size_t waiting_bytes_ = 0;
-  bool pumping_ = false;
-  bool busy_ = false;       ///< a request is with the session
-  std::uint64_t turn_ = 0;  ///< number of that request
-  std::string at_work_;     ///< its id
-  MakeRequestPtr request_;  ///< null until the session has returned it
+  StreamQueue queue_;
+  MakeRequestPtr request_;  ///< at work; null until the session has returned it
   bool cancel_at_work_ = false;
-  std::string design_;  ///< of the last request that named or found one
-  std::deque<remesh::v1::EditStreamReply> replies_;
+  /// What an edit without a base is made of: the design of the last result, or that where it is in
+  /// none.
+  std::string next_base_;
+  int acting_ = 0;  ///< actions under way that `advance` decided on
+  bool beginning_ = false;
   bool writing_ = false;
   bool reading_ = false;
   bool reads_done_ = false;
-  bool cancelled_ = false;
+  bool closed_ = false;
   bool finished_ = false;
+  grpc::StatusCode end_code_ = grpc::StatusCode::OK;
   std::uint64_t answered_ = 0, failed_ = 0;
 };
 

@@ -2,34 +2,25 @@
 
 #include <utility>
 
-#include "server/service/status.h"
-#include "server/session/session_error.h"
-
 namespace remeshd {
 
 namespace v1 = remesh::v1;
 
-MeshCall* MeshCall::start(Session& session, const grpc::ByteBuffer& request,
-                          std::size_t message_limit, std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<MeshCall>(std::move(record));
+MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context,
+                          const grpc::ByteBuffer& request, std::size_t message_limit,
+                          std::shared_ptr<CallRecord> record) {
+  auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
-  const auto failed = [call](const Error& why) { call->end(to_status(why), why.info().reason); };
-  try {
+  answering(*call, [&] {
     session.later(
-        [call, &session, request, message_limit, failed] {
-          try {
+        [call, &session, request, message_limit] {
+          answering(*call, [&] {
             call->prepare(session, request, message_limit);
-          } catch (const Error& failure) {
-            return failed(failure);
-          } catch (const std::exception& failure) {
-            return failed(error::internal("request", failure.what()));
-          }
-          call->write_next();
+            call->write_next();
+          });
         },
-        failed);
-  } catch (const Error& failure) {
-    failed(failure);
-  }
+        [call](const Error& why) { call->fail(why); });
+  });
   return call.get();
 }
 
@@ -37,27 +28,33 @@ void MeshCall::prepare(Session& session, const grpc::ByteBuffer& request,
                        std::size_t message_limit) {
   v1::GetMeshRequest message;
   from_bytes(request, message_limit, message);
-  std::vector<v1::MeshArray> arrays;
-  for (const int array : message.arrays()) arrays.push_back(static_cast<v1::MeshArray>(array));
+  if (message.has_resume_from()) throw error::unsupported("resume_from");
   const HeldRevisionPtr revision = session.get(
       message.revision(), Run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}});
   record_->set_note("revision=" + revision->record.id.substr(0, 12));
-  messages_.emplace(revision, arrays);
+  messages_.emplace(revision, message.selection());
 }
 
 void MeshCall::write_next() {
-  v1::MeshMessage message;
-  if (!messages_->next(message)) return end(grpc::Status::OK);
-  outgoing_ = to_bytes(message);
+  v1::GetMeshResponse response;
+  if (!messages_->next(*response.mutable_mesh())) return end(grpc::Status::OK);
+  outgoing_ = to_bytes(response);
   StartWrite(&outgoing_);
 }
 
 void MeshCall::OnWriteDone(bool ok) {
   if (!ok || stop_.stop_requested()) return end(grpc::Status::CANCELLED);
-  write_next();
+  answering(*this, [&] { write_next(); });
 }
 
-void MeshCall::end(const grpc::Status& status, const std::string& reason) {
+void MeshCall::fail(const Error& why) noexcept {
+  if (ended_) return;
+  add_pushback(why, *context_);
+  end(to_status(why), why.info().reason);
+}
+
+void MeshCall::end(const grpc::Status& status, const std::string& reason) noexcept {
+  if (ended_.exchange(true)) return;
   record_->set_status(status, reason);
   Finish(status);
 }

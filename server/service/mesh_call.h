@@ -3,26 +3,38 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <atomic>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 
 #include "server/service/call.h"
 #include "server/service/mesh_messages.h"
+#include "server/service/status.h"
 #include "server/session/session.h"
 
 namespace remeshd {
 
 /// One GetMesh: the revision is found on the quick pool, then message follows message as the client
-/// takes them.
+/// takes them. One thing happens after the other: preparation, a write, the next write, the end. So
+/// no operation starts after `Finish`, and the call lives until then.
 class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                        public std::enable_shared_from_this<MeshCall> {
  public:
-  static MeshCall* start(Session& session, const grpc::ByteBuffer& request,
-                         std::size_t message_limit, std::shared_ptr<CallRecord> record);
+  static MeshCall* start(Session& session, grpc::CallbackServerContext* context,
+                         const grpc::ByteBuffer& request, std::size_t message_limit,
+                         std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  explicit MeshCall(std::shared_ptr<CallRecord> record) : record_(std::move(record)) {}
+  MeshCall(grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record)
+      : context_(context), record_(std::move(record)) {}
+
+  void fail(const Error& why) noexcept;
+  /// Without the memory for an Error.
+  void give_up() noexcept { end(out_of_memory_status()); }
+
+  void fail(const Error& why) noexcept;
+  /// Without the memory for an Error.
+  void give_up() noexcept { end(out_of_memory_status()); }
 
   void OnWriteDone(bool ok) override;
   void OnCancel() override { stop_.request_stop(); }
@@ -31,13 +43,16 @@ class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
  private:
   void prepare(Session& session, const grpc::ByteBuffer& request, std::size_t message_limit);
   void write_next();
-  void end(const grpc::Status& status, const std::string& reason = {});
+  /// Ends the call; only the first end has an effect.
+  void end(const grpc::Status& status, const std::string& reason = {}) noexcept;
 
+  grpc::CallbackServerContext* const context_;
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<MeshCall> self_;
   std::stop_source stop_;
   std::optional<MeshMessages> messages_;
   grpc::ByteBuffer outgoing_;
+  std::atomic<bool> ended_ = false;
 };
 
 }  // namespace remeshd

@@ -1,11 +1,10 @@
 #include "server/service/mesh_messages.h"
 
 #include <algorithm>
-#include <bit>
-#include <memory>
-#include <span>
+#include <set>
 #include <utility>
 
+#include "proto/checksum.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -13,117 +12,90 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-static_assert(std::endian::native == std::endian::little, "arrays are sent as they lie in memory");
-static_assert(sizeof(Vec3) == 24 && sizeof(Tet) == 16 && sizeof(MeshFacet) == 20 &&
-              sizeof(Transform) == 96 && sizeof(NodeOrigin) == 1);
-
 // A message may have 1 MiB; around the data there are at most a few dozen bytes.
 constexpr std::size_t kPartBytes = (std::size_t{1} << 20) - 1024;
 
-template <typename T>
-std::string_view bytes_of(std::span<const T> values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+static_assert(static_cast<int>(ArrayName::Nodes) == v1::MESH_ARRAY_NODES &&
+                  static_cast<int>(ArrayName::OriginalTets) == v1::MESH_ARRAY_ORIGINAL_TETS &&
+                  static_cast<int>(NumberType::F64) == v1::ARRAY_TYPE_F64 &&
+                  static_cast<int>(NumberType::Text) == v1::ARRAY_TYPE_TEXT,
+              "the session's numbers are the protocol's");
+
+v1::MeshArray name_of(const MeshArray& array) {
+  return static_cast<v1::MeshArray>(static_cast<int>(array.name));
 }
 
-std::string lines(const std::vector<std::vector<std::string>>& rows) {
-  std::string text;
-  for (const auto& names : rows) {
-    for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? " " : "") + names[i];
-    text += '\n';
+bool is_supported(int array) {
+  return array >= v1::MESH_ARRAY_NODES && array <= static_cast<int>(kArrayNames);
+}
+
+std::set<int> checked_names(const v1::MeshSelection& selection) {
+  if (selection.delta()) throw error::unsupported("selection.delta");
+  for (const int array : selection.arrays()) {
+    if (!v1::MeshArray_IsValid(array) || array == v1::MESH_ARRAY_UNSPECIFIED)
+      throw error::option_invalid("arrays", "names an unknown array");
+    if (!is_supported(array))
+      throw error::unsupported(v1::MeshArray_Name(static_cast<v1::MeshArray>(array)));
   }
-  return text;
+  return {selection.arrays().begin(), selection.arrays().end()};
 }
 
-std::string lines(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += name + '\n';
-  return text;
-}
+std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
 }  // namespace
 
-MeshMessages::MeshMessages(HeldRevisionPtr revision, const std::vector<v1::MeshArray>& arrays)
-    : revision_(std::move(revision)), wanted_(arrays) {
-  for (const v1::MeshArray name : wanted_)
-    if (!v1::MeshArray_IsValid(name) || name == v1::MESH_ARRAY_UNSPECIFIED)
-      throw error::option_invalid("arrays", "names an unknown array");
-  const Delivery& d = revision_->revision.delivery;
-  const MeshGroups& g = d.groups;
-  const NodeMap& m = d.map;
-  add(v1::NODES, d.mesh.nodes);
-  add(v1::TETS, d.mesh.tets);
-  add(v1::NODE_IDS, d.node_ids);
-  add(v1::TET_IDS, d.tet_ids);
-  add(v1::FACETS, g.facets);
-  add_text(v1::FACET_GROUPS, g.facet_groups.size(), lines(g.facet_groups));
-  add(v1::TET_CELLS, g.tet_cell);
-  add_text(v1::CELL_OWNERS, g.cell_owners.size(), lines(g.cell_owners));
-  add(v1::NODE_ORIGINS, m.node_origin);
-  add(v1::ORIGINAL_NODES, m.original_node);
-  add(v1::NODE_TRANSFORMS, m.node_transform);
-  add(v1::TRANSFORMS, m.transforms);
-  add_text(v1::TRANSFORM_FEATURES, m.transform_features.size(), lines(m.transform_features));
-  add(v1::ORIGINAL_TETS, m.original_tet);
+std::vector<v1::MeshArray> supported_arrays() {
+  std::vector<v1::MeshArray> out;
+  for (int array = 1; v1::MeshArray_IsValid(array); ++array)
+    if (is_supported(array)) out.push_back(static_cast<v1::MeshArray>(array));
+  return out;
 }
 
-bool MeshMessages::wanted(v1::MeshArray name) const {
-  return wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end();
-}
-
-template <class T>
-void MeshMessages::add(v1::MeshArray name, const Pages<T>& values) {
-  if (!wanted(name)) return;
-  arrays_.push_back({name, static_cast<std::uint32_t>(values.size()), values.size() * sizeof(T),
-                     [&values](std::uint64_t offset) {
-                       constexpr std::size_t kPage = Pages<T>::page_bytes();
-                       return bytes_of(values.page(offset / kPage)).substr(offset % kPage);
-                     }});
-}
-
-template <class T>
-void MeshMessages::add(v1::MeshArray name, const std::vector<T>& values) {
-  if (!wanted(name)) return;
-  const std::string_view bytes = bytes_of(std::span(values));
-  arrays_.push_back({name, static_cast<std::uint32_t>(values.size()), bytes.size(),
-                     [bytes](std::uint64_t offset) { return bytes.substr(offset); }});
-}
-
-void MeshMessages::add_text(v1::MeshArray name, std::size_t count, std::string text) {
-  if (!wanted(name)) return;
-  const std::uint64_t bytes = text.size();
-  arrays_.push_back({name, static_cast<std::uint32_t>(count), bytes,
-                     [text = std::make_shared<const std::string>(std::move(text))](
-                         std::uint64_t offset) { return std::string_view(*text).substr(offset); }});
-}
-
-void MeshMessages::header(v1::MeshHeader& header) const {
-  const Delivery& delivery = revision_->revision.delivery;
-  header.set_revision(revision_->record.id);
-  header.set_parent(revision_->record.parent);
-  header.set_nodes(static_cast<std::uint32_t>(delivery.mesh.nodes.size()));
-  header.set_tets(static_cast<std::uint32_t>(delivery.mesh.tets.size()));
-  header.set_facets(static_cast<std::uint32_t>(delivery.groups.facets.size()));
-  for (const Array& array : arrays_) {
-    v1::MeshHeader::Array& entry = *header.add_arrays();
-    entry.set_array(array.name);
-    entry.set_bytes(array.bytes);
-    entry.set_count(array.count);
+MeshMessages::MeshMessages(HeldRevisionPtr revision, const v1::MeshSelection& selection)
+    : revision_(std::move(revision)) {
+  const std::set<int> wanted = checked_names(selection);
+  for (MeshArray& array : mesh_arrays(revision_->revision.delivery)) {
+    if (!wanted.empty() && !wanted.contains(name_of(array))) continue;
+    revision_->digests.of(array);
+    arrays_.push_back(std::move(array));
   }
 }
 
-void MeshMessages::part(v1::MeshPart& part) {
-  const Array& array = arrays_[array_];
+void MeshMessages::put_header(v1::MeshHeader& header) const {
+  const Revision& revision = revision_->revision;
+  const Delivery& delivery = revision.delivery;
+  header.set_revision(revision_->record.id);
+  header.set_parent(revision_->record.parent);
+  header.set_model_name(revision.source.name);
+  header.set_unit(revision.source.unit);
+  header.set_order(1);
+  header.set_nodes(size_of(delivery.mesh.nodes.size()));
+  header.set_tets(size_of(delivery.mesh.tets.size()));
+  header.set_facets(size_of(delivery.groups.facets.size()));
+  for (const MeshArray& array : arrays_) {
+    v1::MeshHeader::Array& entry = *header.add_arrays();
+    entry.set_array(name_of(array));
+    entry.set_type(static_cast<v1::ArrayType>(static_cast<int>(array.type)));
+    entry.set_components(array.components);
+    entry.set_count(array.count);
+    entry.set_bytes(array.bytes);
+    entry.set_digest(revision_->digests.of(array));
+    entry.set_encoding(v1::MeshHeader::ENCODING_WHOLE);
+    entry.set_data_bytes(array.bytes);
+  }
+}
+
+void MeshMessages::put_part(v1::MeshPart& part) {
+  const MeshArray& array = arrays_[array_];
   std::string& data = *part.mutable_data();
   const std::size_t size = std::min<std::uint64_t>(kPartBytes, array.bytes - offset_);
   data.reserve(size);
-  while (data.size() < size)
-    data += array.from(offset_ + data.size()).substr(0, size - data.size());
-  part.set_array(array.name);
+  array.read(offset_, size, data);
+  part.set_array(name_of(array));
   part.set_offset(offset_);
   part.set_crc32c(crc32c(data));
-  sum_.update(data);
-  offset_ += data.size();
-  bytes_ += data.size();
+  offset_ += size;
+  bytes_ += size;
   ++parts_;
 }
 
@@ -131,7 +103,7 @@ bool MeshMessages::next(v1::MeshMessage& message) {
   message.Clear();
   if (!begun_) {
     begun_ = true;
-    header(*message.mutable_header());
+    put_header(*message.mutable_header());
     return true;
   }
   while (array_ < arrays_.size() && offset_ == arrays_[array_].bytes) {
@@ -139,13 +111,12 @@ bool MeshMessages::next(v1::MeshMessage& message) {
     offset_ = 0;
   }
   if (array_ < arrays_.size()) {
-    part(*message.mutable_part());
+    put_part(*message.mutable_part());
     return true;
   }
   if (ended_) return false;
   ended_ = true;
   v1::MeshEnd& end = *message.mutable_end();
-  end.set_sha256(sum_.finish());
   end.set_bytes(bytes_);
   end.set_parts(parts_);
   return true;

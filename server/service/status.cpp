@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "remesh/v1/rpc_status.pb.h"
+#include "server/service/encode_report.h"
+#include "server/service/fitting.h"
 
 namespace remeshd {
 namespace {
@@ -11,8 +14,9 @@ namespace {
 namespace v1 = remesh::v1;
 
 // Together below the 4 KB that an error may have; beyond 7 KB gRPC drops it altogether.
-constexpr std::size_t kLongText = 600;
+constexpr std::size_t kLongText = 500;
 constexpr std::size_t kShortText = 160;
+constexpr std::size_t kAllNames = 400;  // of a list of names
 
 grpc::StatusCode code_of(ErrorKind kind) {
   switch (kind) {
@@ -34,40 +38,44 @@ grpc::StatusCode code_of(ErrorKind kind) {
       return grpc::StatusCode::UNAVAILABLE;
     case ErrorKind::Internal:
       return grpc::StatusCode::INTERNAL;
+    case ErrorKind::DataLoss:
+      return grpc::StatusCode::DATA_LOSS;
+    case ErrorKind::Unimplemented:
+      return grpc::StatusCode::UNIMPLEMENTED;
+    case ErrorKind::PermissionDenied:
+      return grpc::StatusCode::PERMISSION_DENIED;
+    case ErrorKind::Unauthenticated:
+      return grpc::StatusCode::UNAUTHENTICATED;
   }
   return grpc::StatusCode::INTERNAL;
 }
 
-/// Length of the UTF-8 character that begins at `at`; 0 for a byte that begins none.
-std::size_t character(const std::string& text, std::size_t at) {
-  const auto byte = static_cast<unsigned char>(text[at]);
-  const std::size_t length = byte < 0x80   ? 1
-                             : byte < 0xC2 ? 0
-                             : byte < 0xE0 ? 2
-                             : byte < 0xF0 ? 3
-                             : byte < 0xF5 ? 4
-                                           : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((static_cast<unsigned char>(text[at + i]) & 0xC0U) != 0x80U) return 0;
-  return length;
+v1::Error::Reason reason_of(const ErrorInfo& info) {
+  v1::Error::Reason reason = v1::Error::REASON_UNSPECIFIED;
+  v1::Error::Reason_Parse(info.reason, &reason);
+  return reason;
 }
 
-/// At most `limit` bytes of a text, cut between characters; what is no UTF-8 becomes `?`.
-std::string fitting(const std::string& text, std::size_t limit) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = character(text, at);
-    if (out.size() + std::max<std::size_t>(length, 1) > limit) return out + "...";
-    if (length == 0) {
-      out += '?';
-      ++at;
-    } else {
-      out.append(text, at, length);
-      at += length;
-    }
+/// The first of the names, as many as there is room for.
+template <typename Repeated>
+void put_fitting(const std::vector<std::string>& names, Repeated& out) {
+  std::size_t bytes = 0;
+  for (const std::string& name : names) {
+    std::string text = fitting(name, kShortText);
+    bytes += text.size() + 2;  // on the wire
+    if (bytes > kAllNames) return;
+    out.Add(std::move(text));
   }
-  return out;
+}
+
+void put_warning(const Warning& warning, v1::Warning& out) {
+  Warning rest = warning;
+  rest.features.clear();
+  rest.groups.clear();
+  out = encode(rest);
+  out.set_message(fitting(warning.message, kLongText));
+  put_fitting(warning.features, *out.mutable_features());
+  put_fitting(warning.groups, *out.mutable_groups());
 }
 
 template <typename Message>
@@ -83,25 +91,32 @@ v1::Error to_message(const Error& error) {
   const ErrorInfo& info = error.info();
   v1::Error out;
   out.set_code(static_cast<v1::Error::Code>(code_of(info.kind)));
-  out.set_reason(fitting(info.reason, kShortText));
+  out.set_reason(reason_of(info));
   out.set_message(fitting(info.message, kLongText));
-  out.set_stage(fitting(info.stage, kShortText));
-  out.set_feature(fitting(info.feature, kShortText));
-  out.set_parameter(fitting(info.parameter, kShortText));
   out.set_hint(fitting(info.hint, kLongText));
+  out.set_stage(fitting(info.stage, kShortText));
+  put_fitting(info.features, *out.mutable_features());
+  out.set_parameter(fitting(info.parameter, kShortText));
+  if (info.place)
+    for (const double c : {info.place->x, info.place->y, info.place->z}) out.add_point(c);
   if (info.edit_index) out.set_edit_index(static_cast<std::uint32_t>(*info.edit_index));
+  if (info.line) out.set_line(static_cast<std::uint32_t>(*info.line));
+  if (info.column) out.set_column(static_cast<std::uint32_t>(*info.column));
   if (info.retry_after) out.set_retry_after(*info.retry_after);
+  if (info.warning) put_warning(*info.warning, *out.mutable_warning());
   return out;
 }
 
-grpc::Status to_status(const Error& error) {
+namespace {
+
+grpc::Status full_status(const Error& error) {
   const v1::Error message = to_message(error);
   v1::RpcStatus status;
   status.set_code(message.code());
   status.set_message(message.message());
   pack(message, "remesh.v1.Error", status);
   v1::RpcErrorInfo info;
-  info.set_reason(message.reason());
+  info.set_reason(v1::Error::Reason_Name(message.reason()));
   info.set_domain("remesh.v1");
   pack(info, "google.rpc.ErrorInfo", status);
   if (message.has_retry_after()) {
@@ -114,6 +129,25 @@ grpc::Status to_status(const Error& error) {
   }
   return {static_cast<grpc::StatusCode>(message.code()), message.message(),
           status.SerializeAsString()};
+}
+
+}  // namespace
+
+void add_pushback(const Error& error, grpc::ServerContextBase& context) noexcept {
+  if (!error.info().retry_after) return;
+  try {
+    const double ms = std::ceil(1000 * *error.info().retry_after);
+    context.AddTrailingMetadata("grpc-retry-pushback-ms", std::to_string(std::lround(ms)));
+  } catch (...) {  // without memory for it, the client waits for as long as it likes
+  }
+}
+
+grpc::Status to_status(const Error& error) noexcept {
+  try {
+    return full_status(error);
+  } catch (...) {
+    return {code_of(error.info().kind), ""};  // no memory left for words
+  }
 }
 
 }  // namespace remeshd

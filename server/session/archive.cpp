@@ -2,9 +2,39 @@
 
 #include <algorithm>
 
+#include "server/session/clock.h"
+#include "server/session/fail_on.h"
+#include "server/session/head_decision.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
+namespace {
+
+AddDesign changed_now(const std::string& design) {
+  return {.name = design, .changed_ns = nanoseconds_now()};
+}
+
+/// `made`: the place of the revision that does not become the head.
+Warning head_kept(const PlaceRecord& made, std::uint32_t head) {
+  const std::string number = made.design + "@" + std::to_string(made.number);
+  return {.code = WarningCode::HeadKept,
+          .message = "the head of the design `" + made.design + "` is still number " +
+                     std::to_string(head) + ", for this model is not that of its first revision; " +
+                     "`remesh head " + number + "` makes this one the head"};
+}
+
+DesignRecord listed_design(Catalogue& catalogue, const std::string& name) {
+  auto found = catalogue.design(name);
+  if (!found) throw error::design_not_found(name);
+  return *std::move(found);
+}
+
+void check_expected(const DesignRecord& design, const std::string& expected) {
+  if (!expected.empty() && design.head != expected)
+    throw error::head_conflict(design.name, expected, design.head);
+}
+
+}  // namespace
 
 Archive::Archive(const Engine& engine, Store& store, std::uint64_t memory)
     : engine_(engine), store_(store), held_(memory, store.persistent(), engine.memory_blocks) {}
@@ -49,49 +79,134 @@ void Archive::drop_unfiled(const std::string& id) {
   if (!store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); })) held_.erase(id);
 }
 
+/// What is to happen to the catalogue, and what becomes of the revision by it.
+struct Archive::Filing {
+  Filed filed;
+  bool write = false;  ///< its bytes are not there, or damaged
+  Transaction changes;
+};
+
+Archive::Filing Archive::plan_filing(const RevisionRecord& record, const std::string& design,
+                                     const HeadRule& rule,
+                                     const std::vector<WarningCode>& fail_on) {
+  Filing filing;
+  Filed& filed = filing.filed;
+  HeadSituation now{.id = record.id, .first_mesh = record.parent.empty()};
+  store_.read([&](Catalogue& catalogue) {
+    const auto known = catalogue.revision(record.id);
+    filed.record = known.value_or(record);
+    filing.write = !known || damaged_.contains(record.id);
+    filed.place = {.design = design, .number = catalogue.next_number(design), .id = record.id};
+    for (const PlaceRecord& place : catalogue.places(record.id)) {
+      if (place.design != design) continue;
+      filed.place.number = place.number;
+      now.is_new = false;
+    }
+    if (const auto found = catalogue.design(design)) {
+      now.head = found->head;
+      filed.head_number = found->head_number;
+    }
+    if (const auto first = catalogue.first_place(design)) {
+      const auto of_first = catalogue.revision(first->id);
+      now.same_model = of_first && of_first->model == record.model && !record.model.empty();
+    }
+  });
+
+  const HeadDecision decision = decide_head(rule, now);
+  if (decision.conflict && rule.require)
+    throw error::head_conflict(design, rule.expected, now.head);
+  if (decision.kept) {
+    filed.head_kept = head_kept(filed.place, filed.head_number);
+    check_warnings({&*filed.head_kept, 1}, fail_on);
+  }
+  filed.head_conflict = decision.conflict;
+  filed.head = decision.move ? record.id : now.head;
+  if (decision.move) filed.head_number = filed.place.number;
+  filed.place.head = filed.head == record.id;
+
+  if (filing.write) filing.changes.emplace_back(AddRevision{filed.record});
+  if (now.is_new) filing.changes.emplace_back(AddPlace{design, filed.place.number, record.id});
+  if (decision.move) filing.changes.emplace_back(SetHead{design, record.id});
+  if (now.is_new || decision.move) filing.changes.emplace_back(changed_now(design));
+  return filing;
+}
+
+void Archive::check_filing(const RevisionRecord& record, const std::string& design,
+                           const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
+  const std::scoped_lock lock(filing_);
+  plan_filing(record, design, rule, fail_on);
+}
+
 Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
-                    const HeadRule& rule) {
+                    const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
   const std::scoped_lock lock(filing_);
   const std::string& id = revision->record.id;
-  Filed filed;
-  filed.place = {.design = design, .number = 1, .id = id};
-  const auto known = store_.read([&](Catalogue& catalogue) {
-    if (const auto found = catalogue.design(design)) filed.place.number = found->next_number;
-    return catalogue.revision(id);
-  });
-  filed.record = known.value_or(revision->record);
-  const bool write = !known || damaged_.contains(id);
-  if (write && store_.persistent())
-    store_.put(filed.record, filed.place, engine_.serialise(revision->revision));
-
-  store_.commit([&](Catalogue& catalogue) {
-    Transaction changes;
-    if (write) changes.emplace_back(AddRevision{filed.record});
-    const auto places = catalogue.places(id);
-    const auto place = std::find_if(places.begin(), places.end(),
-                                    [&](const PlaceRecord& p) { return p.design == design; });
-    const bool is_new = place == places.end();
-    if (is_new) {
-      changes.emplace_back(AddPlace{design, filed.place.number, id});
-    } else {
-      filed.place.number = place->number;
-    }
-
-    const auto now = catalogue.design(design);
-    const std::string head = now ? now->head : "";
-    const bool expected = rule.expected.empty() ? is_new : head == rule.expected;
-    const bool move = head.empty() || (rule.advance && expected);
-    filed.head_moved = rule.advance && !rule.expected.empty() && !move && head != id;
-    filed.head = move ? id : head;
-    filed.head_number = filed.head == id ? filed.place.number : now->head_number;
-    filed.place.head = filed.head == id;
-    if (filed.head != head) changes.emplace_back(SetHead{design, id});
-    return changes;
-  });
-  if (write) damaged_.erase(id);
+  Filing filing = plan_filing(revision->record, design, rule, fail_on);
+  if (filing.write && store_.persistent()) {
+    RevisionRecord& record = filing.filed.record;
+    store_.put(record, filing.filed.place, engine_.serialise(revision->revision));
+    filing.changes.front() = AddRevision{record};  // it has its size now
+  }
+  store_.commit([&](Catalogue&) { return filing.changes; });
+  filing.filed.durable = store_.persistent();
+  if (filing.write) damaged_.erase(id);
   // It may have been dropped, unfiled or deleted, since the caller found it.
   if (!held_.contains(id)) held_.insert(revision);
-  return filed;
+  return filing.filed;
+}
+
+void Archive::forget(const std::string& id) {
+  held_.erase(id);
+  damaged_.erase(id);
+}
+
+Archive::HeadSet Archive::set_head(const std::string& text, const std::string& design,
+                                   const std::string& expected) {
+  const std::scoped_lock lock(filing_);
+  HeadSet set;
+  store_.commit([&](Catalogue& catalogue) {
+    const Reference reference = remeshd::resolve(catalogue, text);
+    const std::string& name = design.empty() ? reference.design : design;
+    if (name.empty())
+      throw error::field_missing("design", "an id names no design; design@number does");
+    const DesignRecord now = listed_design(catalogue, name);
+    const auto places = catalogue.places(reference.id);
+    if (std::ranges::find(places, name, &PlaceRecord::design) == places.end())
+      throw error::revision_not_found(text, "the design `" + name + "` does not have it");
+    check_expected(now, expected);
+    set.previous = now.head;
+    set.design.name = name;
+    if (now.head == reference.id) return Transaction{};
+    return Transaction{SetHead{name, reference.id}, changed_now(name)};
+  });
+  set.design =
+      *store_.read([&](Catalogue& catalogue) { return catalogue.design(set.design.name); });
+  return set;
+}
+
+Archive::DesignRemoved Archive::remove_design(const std::string& design,
+                                              const std::string& expected) {
+  const std::scoped_lock lock(filing_);
+  DesignRemoved removed;
+  std::vector<std::string> gone;
+  store_.commit([&](Catalogue& catalogue) {
+    check_expected(listed_design(catalogue, design), expected);
+    Transaction changes{SetHead{design, ""}};
+    for (const PlaceRecord& place : catalogue.places_of(design)) {
+      changes.emplace_back(RemovePlace{design, place.number});
+      ++removed.revisions;
+      if (catalogue.places(place.id).size() > 1) continue;
+      changes.emplace_back(RemoveRevision{place.id});
+      gone.push_back(place.id);
+    }
+    AddDesign off_the_list = changed_now(design);
+    off_the_list.listed = false;
+    changes.emplace_back(off_the_list);
+    return changes;
+  });
+  for (const std::string& id : gone) forget(id);
+  removed.meshes_deleted = static_cast<std::uint32_t>(gone.size());
+  return removed;
 }
 
 Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
@@ -110,6 +225,7 @@ Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
       if (place.head && !allow_head) throw error::head_protected(place.design, place.number);
       removed.places.push_back(place);
       changes.emplace_back(RemovePlace{place.design, place.number});
+      changes.emplace_back(changed_now(place.design));
       if (!place.head) continue;
       const auto last = catalogue.last_place(place.design, reference.id);
       changes.emplace_back(SetHead{place.design, last ? last->id : ""});
@@ -118,10 +234,7 @@ Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
     if (!elsewhere) changes.emplace_back(RemoveRevision{reference.id});
     return changes;
   });
-  if (removed.mesh_deleted) {
-    held_.erase(removed.id);
-    damaged_.erase(removed.id);
-  }
+  if (removed.mesh_deleted) forget(removed.id);
   return removed;
 }
 

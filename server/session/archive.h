@@ -35,12 +35,12 @@ class Archive {
 
   Reference resolve(const std::string& text);
   /// The revision, read from the store if need be; null if there is none.
-  /// Throws Error(`StoreCorrupted`).
+  /// Throws Error(`STORE_CORRUPTED`).
   HeldRevisionPtr find(const std::string& id, const Run& run);
-  /// The same, for one that was resolved. Throws Error(`RevisionNotFound`) too.
+  /// The same, for one that was resolved. Throws Error(`REVISION_NOT_FOUND`) too.
   HeldRevisionPtr get(const std::string& id, const Run& run);
 
-  /// Throws Error(`MemoryFull`) where no more revisions can be held.
+  /// Throws Error(`MEMORY_FULL`) where no more revisions can be held.
   void check_room() const;
   /// Keeps a revision just made in memory, for those who ask for it before it is filed.
   void hold(HeldRevisionPtr revision) { held_.insert(std::move(revision)); }
@@ -50,11 +50,19 @@ class Archive {
   /// Enters a revision in a design: bytes on the disk first (again, if `find` met a damaged copy),
   /// then number and head at once. It keeps the number that it has in the design.
   /// Post: the revision is in memory too, whatever was dropped in the meantime.
-  Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule);
+  /// Throws what `check_filing` throws; then nothing is filed.
+  Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
+             const std::vector<WarningCode>& fail_on = {});
+
+  /// What filing it would throw as things stand, for one that has not been made yet: of its record,
+  /// id, parent and model count.
+  /// Throws Error: HEAD_CONFLICT where the rule requires another head, WARNING_IS_ERROR.
+  void check_filing(const RevisionRecord& record, const std::string& design, const HeadRule& rule,
+                    const std::vector<WarningCode>& fail_on);
 
   /// Takes a revision out of a design (out of all where it is named by its id), and deletes it once
   /// none has it. The design's head becomes its greatest number left.
-  /// Throws Error(`HeadProtected`) for a head, unless `allow_head`.
+  /// Throws Error(`HEAD_PROTECTED`) for a head, unless `allow_head`.
   Removed remove(const std::string& text, bool allow_head);
 
   /// Makes the revision the head of `design`, or where that is empty of the one that `text` names.
@@ -71,6 +79,12 @@ class Archive {
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
  private:
+  struct Filing;
+  Filing plan_filing(const RevisionRecord& record, const std::string& design, const HeadRule& rule,
+                     const std::vector<WarningCode>& fail_on);
+  /// Takes the revision out of memory too.
+  void forget(const std::string& id);
+
   const Engine& engine_;
   Store& store_;
   HeldRevisions held_;

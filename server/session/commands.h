@@ -49,6 +49,7 @@ struct CreateCommand {
 struct EditCommand {
   std::string base;  ///< as `resolve` takes it
   ModelEdit edit;
+  std::string document;  ///< of the edit, as it is kept with the revision
   OptionsPatch options;
   std::string design;  ///< empty: the base's
   HeadRule head;       ///< expected: empty means the base
@@ -63,7 +64,8 @@ struct Filed {
   bool head_conflict = false;  ///< the head was to move, was not the expected one, and stayed
   std::string head;            ///< id after the request
   std::uint32_t head_number = 0;
-  bool durable = false;  ///< it survives the end of the daemon
+  bool durable = false;              ///< it survives the end of the daemon
+  std::optional<Warning> head_kept;  ///< HeadKept, where the head was kept from it
 };
 
 /// The answer to a command.

@@ -27,7 +27,7 @@ struct Engine {
   std::function<FeatureModel(const ModelSource&)> evaluate;
   std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
   /// What can be told of `Run::max_nodes` before anything is computed; `base`: null for a first
-  /// mesh. Throws Error(`MeshTooLarge`).
+  /// mesh. Throws Error(`MESH_TOO_LARGE`).
   std::function<void(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
       check_node_limit;
   /// Throws what `make_revision` throws before it meshes.

@@ -11,17 +11,9 @@
 #include <vector>
 
 #include "engine/remesh/memory.h"
-#include "engine/remesh/remesh.h"
-#include "server/store/records.h"
+#include "server/session/held_revision.h"
 
 namespace remeshd {
-
-/// A revision in memory with what is known of it. Its report names it; `cached` is false.
-struct HeldRevision {
-  RevisionRecord record;
-  Revision revision;
-};
-using HeldRevisionPtr = std::shared_ptr<const HeldRevision>;
 
 /// Revisions in memory; what several have in common counts once. Where others can be read from the
 /// store again, those used longest ago go as soon as all together pass the budget; whoever still

@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
+#include "server/session/clock.h"
+#include "server/session/fail_on.h"
 #include "server/session/guarded.h"
 #include "server/session/revision_id.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
-
-std::int64_t nanoseconds_now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 void check_options(const OptionsPatch& patch) {
   if (patch.nodes && patch.size)
@@ -43,6 +38,7 @@ struct Maker::Prepared {
   std::string id;
   std::string design;
   HeadRule head;
+  std::vector<WarningCode> fail_on;
   HeldRevisionPtr base;  ///< null for a first mesh
   ModelSource source;
   MeshOptions options;
@@ -54,6 +50,7 @@ struct Maker::Request : MakeRequest {
   Listener listener;
   std::string design;
   HeadRule head;
+  std::vector<WarningCode> fail_on;
   std::stop_source stop;              ///< of its preparation
   std::weak_ptr<Computation> joined;  ///< guarded by the maker's mutex
   std::atomic<bool> answered = false;
@@ -172,6 +169,7 @@ Maker::Prepared Maker::prepare_create(const CreateCommand& command, const Run& r
   engine_.check_node_limit(nullptr, engine_.evaluate(command.source), prepared.options, run);
   prepared.source = command.source;
   prepared.head = command.head;
+  prepared.fail_on = command.fail_on;
   prepared.threads = std::clamp(command.threads, 1, limits_.threads);
   prepared.id = revision_id(prepared.source, prepared.options, "", engine_.algorithm_version);
   return prepared;
@@ -196,9 +194,24 @@ Maker::Prepared Maker::prepare_edit(const EditCommand& command, const Run& run) 
   engine_.check_node_limit(&original, engine_.evaluate(prepared.source), prepared.options, run);
   prepared.head = command.head;
   if (prepared.head.expected.empty()) prepared.head.expected = base.id;
+  prepared.fail_on = command.fail_on;
   prepared.threads = std::clamp(command.threads, 1, limits_.threads);
   prepared.id = revision_id(prepared.source, prepared.options, base.id, engine_.algorithm_version);
   return prepared;
+}
+
+/// What can be told of a revision before it is made.
+RevisionRecord Maker::record_of(const Prepared& prepared) const {
+  RevisionRecord record{.id = prepared.id,
+                        .root = prepared.id,
+                        .model_name = prepared.source.name,
+                        .model = model_digest(prepared.source),
+                        .algorithm_version = engine_.algorithm_version};
+  if (prepared.base) {
+    record.parent = prepared.base->record.id;
+    record.root = prepared.base->record.root;
+  }
+  return record;
 }
 
 HeldRevisionPtr Maker::find_intact(const std::string& id, const Run& run) const {
@@ -215,6 +228,10 @@ void Maker::proceed(const RequestPtr& request, const Prepared& prepared, const R
   run.poll();
   request->design = prepared.design;
   request->head = prepared.head;
+  request->fail_on = prepared.fail_on;
+  // Before anything is computed, where it can be told by now.
+  if (prepared.head.require || !prepared.fail_on.empty())
+    archive_.check_filing(record_of(prepared), prepared.design, prepared.head, prepared.fail_on);
   if (const auto revision = find_intact(prepared.id, run)) {
     hand_out(request, revision, true);
   } else {
@@ -283,12 +300,10 @@ void Maker::compute(const ComputationPtr& computation) {
         Revision& revision = made->revision;
         revision.report.revision = prepared.id;
         revision.report.cached = false;
-        made->record = {.id = prepared.id,
-                        .parent = prepared.base ? prepared.base->record.id : "",
-                        .model_name = prepared.source.name,
-                        .created_ns = nanoseconds_now(),
-                        .nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size()),
-                        .tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size())};
+        made->record = record_of(prepared);
+        made->record.created_ns = nanoseconds_now();
+        made->record.nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size());
+        made->record.tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size());
         // In memory before it leaves the list, so that no moment is left to compute it twice.
         archive_.hold(made);
         bool first = true;
@@ -307,15 +322,15 @@ void Maker::hand_out(const RequestPtr& request, const HeldRevisionPtr& revision,
   if (request->answered) return;
   guarded(
       [&] {
-        const Filed filed = archive_.file(revision, request->design, request->head);
+        check_warnings(revision->revision.report.warnings, request->fail_on);
+        Made made{.revision = revision, .cached = cached};
+        made.filed = archive_.file(revision, request->design, request->head, request->fail_on);
+        if (made.filed.head_kept) made.warnings.push_back(*made.filed.head_kept);
         if (!close(request)) return;
         const Listener& listener = request->listener;
         // It is answered: `fail` would do nothing any more.
-        guarded(
-            [&] {
-              listener.made({revision, filed, cached});
-            },
-            [&](const Error& why) { contained([&] { listener.failed(why); }); });
+        guarded([&] { listener.made(made); },
+                [&](const Error& why) { contained([&] { listener.failed(why); }); });
       },
       [&](const Error& why) { fail(request, why); });
 }

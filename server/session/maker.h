@@ -57,9 +57,9 @@ class Maker {
   /// Requests that wait for a computation.
   [[nodiscard]] std::size_t waiting() const;
 
-  /// Options of a first mesh; throws Error(`OptionsInvalid`).
+  /// Options of a first mesh; throws Error(`OPTIONS_INVALID`).
   [[nodiscard]] static MeshOptions first_options(const OptionsPatch& patch);
-  /// Options of an edit of a revision that has `base`; throws Error(`OptionsInvalid`).
+  /// Options of an edit of a revision that has `base`; throws Error(`OPTIONS_INVALID`).
   [[nodiscard]] static MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
 
  private:
@@ -72,6 +72,7 @@ class Maker {
   MakeRequestPtr start(const RequestPtr& request, std::function<Prepared(const Run&)> prepare);
   Prepared prepare_create(const CreateCommand& command, const Run& run) const;
   Prepared prepare_edit(const EditCommand& command, const Run& run) const;
+  [[nodiscard]] RevisionRecord record_of(const Prepared& prepared) const;
   [[nodiscard]] Run run_of(const Request& request) const;
   void proceed(const RequestPtr& request, const Prepared& prepared, const Run& run);
   HeldRevisionPtr find_intact(const std::string& id, const Run& run) const;

@@ -32,10 +32,9 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// `refused` gets `WaitedTooLong` or `ShuttingDown`. What either throws is dropped: whoever waits
-  /// for an answer has to be told by the job itself.
-  /// Throws Error(`Busy`) with a retry delay where the queue is full, `ShuttingDown` after
-  /// shutdown.
+  /// `refused` gets `WAITED_TOO_LONG` or `SHUTTING_DOWN`. What either throws is dropped: whoever
+  /// waits for an answer has to be told by the job itself. Throws Error(`BUSY`) with a retry delay
+  /// where the queue is full, `SHUTTING_DOWN` after shutdown.
   JobId submit(std::function<void()> run, std::function<void(const Error&)> refused);
   /// Takes a job out of the queue; false if it is not there any more.
   bool withdraw(JobId id);

@@ -60,7 +60,7 @@ void check_design_name(const std::string& name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       throw error::design_name_invalid("contains a control character");
   }
-  if (name.size() == kIdDigits && all_hexadecimal(name))
+  if (name.size() >= kShortestPrefix && name.size() <= kIdDigits && all_hexadecimal(name))
     throw error::design_name_invalid("looks like a revision's id");
 }
 

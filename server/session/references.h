@@ -18,7 +18,7 @@ struct Reference {
 /// ambiguous prefix.
 Reference resolve(Catalogue& catalogue, const std::string& text);
 
-/// Throws Error(InvalidArgument, `DesignNameInvalid`).
+/// Throws Error(InvalidArgument, `DESIGN_NAME_INVALID`), also for what looks like an id.
 void check_design_name(const std::string& name);
 
 }  // namespace remeshd

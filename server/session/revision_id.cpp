@@ -44,6 +44,18 @@ class Canonical {
       scalar(value);
     }
   }
+  void bound(const std::optional<double>& value) {
+    byte(value ? 1 : 0);
+    real(value.value_or(0));
+  }
+  void parameter(const ParameterSource& parameter) {
+    text(parameter.name);
+    scalar(parameter.value);
+    bound(parameter.lower);
+    bound(parameter.upper);
+    byte(parameter.integer ? 1 : 0);
+    text(parameter.unit);
+  }
   void profile(const std::vector<ProfileEntry>& entries) {
     number(entries.size());
     for (const ProfileEntry& entry : entries) {
@@ -74,7 +86,8 @@ class Canonical {
   void model(const ModelSource& source) {
     text(source.name);
     text(source.unit);
-    scalars(source.parameters);
+    number(source.parameters.size());
+    for (const ParameterSource& each : source.parameters) parameter(each);
     number(source.features.size());
     for (const FeatureSource& each : source.features) feature(each);
   }
@@ -107,6 +120,13 @@ std::string revision_id(const ModelSource& source, const MeshOptions& options,
   canonical.model(source);
   canonical.options(options);
   canonical.text(parent);
+  return sha256_hex(canonical.bytes());
+}
+
+std::string model_digest(const ModelSource& source) {
+  Canonical canonical;
+  canonical.text("remeshd model");
+  canonical.model(source);
   return sha256_hex(canonical.bytes());
 }
 

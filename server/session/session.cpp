@@ -106,17 +106,16 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
                    maker_.edit_options(options, revision.options), run);
 }
 
-std::vector<ListedRevision> Session::list(const std::string& design,
-                                          const std::string& after_design,
-                                          std::uint32_t after_number, int limit) {
+std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const RevisionPage& page) {
   return store_->read([&](Catalogue& catalogue) {
-    if (!design.empty() && !catalogue.design(design)) throw error::design_not_found(design);
-    return catalogue.list(design, after_design, after_number, limit);
+    if (!filter.design.empty() && !catalogue.design(filter.design))
+      throw error::design_not_found(filter.design);
+    return catalogue.list(filter, page);
   });
 }
 
-std::vector<DesignRecord> Session::designs(const std::string& after, int limit) {
-  return store_->read([&](Catalogue& catalogue) { return catalogue.designs(after, limit); });
+std::vector<DesignRecord> Session::designs(const DesignFilter& filter, const DesignPage& page) {
+  return store_->read([&](Catalogue& catalogue) { return catalogue.designs(filter, page); });
 }
 
 Load Session::load() {

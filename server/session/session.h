@@ -33,6 +33,7 @@ struct Description {
   PlaceRecord place;  ///< by which it was named, else its first
   std::vector<PlaceRecord> places;
   std::vector<std::string> children;
+  bool durable = false;  ///< it survives the end of the daemon
 };
 
 /// A model that was found fit for meshing.
@@ -47,6 +48,7 @@ struct Load {
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
+  std::uint64_t disk_bytes = 0;
 };
 
 /// Everything that clients may do, in the engine's terms. All functions may be called by any thread

@@ -25,21 +25,21 @@ std::string name(std::string_view text) {
 }  // namespace
 
 Error revision_not_found(std::string_view reference, std::string_view hint) {
-  ErrorInfo info = request_info(ErrorKind::NotFound, "RevisionNotFound",
+  ErrorInfo info = request_info(ErrorKind::NotFound, "REVISION_NOT_FOUND",
                                 "there is no revision " + name(reference));
   info.hint = hint;
   return Error(std::move(info));
 }
 
 Error revision_ambiguous(std::string_view prefix) {
-  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "RevisionAmbiguous",
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "REVISION_AMBIGUOUS",
                                 "more than one revision's id begins with " + name(prefix));
   info.hint = "give more digits";
   return Error(std::move(info));
 }
 
 Error reference_missing(std::string_view field) {
-  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "RevisionMissing",
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "REVISION_MISSING",
                                 "the request names no revision in " + name(field));
   info.parameter = field;
   info.hint = "a design, design@number, an id, or at least 8 digits of one";
@@ -48,16 +48,16 @@ Error reference_missing(std::string_view field) {
 
 Error design_not_found(std::string_view design) {
   return Error(
-      request_info(ErrorKind::NotFound, "DesignNotFound", "there is no design " + name(design)));
+      request_info(ErrorKind::NotFound, "DESIGN_NOT_FOUND", "there is no design " + name(design)));
 }
 
 Error design_empty(std::string_view design) {
-  return Error(request_info(ErrorKind::NotFound, "DesignEmpty",
+  return Error(request_info(ErrorKind::NotFound, "DESIGN_EMPTY",
                             "the design " + name(design) + " has no revisions left"));
 }
 
 Error design_name_invalid(std::string_view why) {
-  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "DesignNameInvalid",
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "DESIGN_NAME_INVALID",
                                 "the design's name " + std::string(why));
   info.parameter = "design";
   info.hint =
@@ -68,21 +68,48 @@ Error design_name_invalid(std::string_view why) {
 
 Error head_protected(std::string_view design, std::uint32_t number) {
   ErrorInfo info = request_info(
-      ErrorKind::FailedPrecondition, "HeadProtected",
+      ErrorKind::FailedPrecondition, "HEAD_PROTECTED",
       "revision " + std::to_string(number) + " is the head of the design " + name(design));
   info.hint = "allow it to delete a head, or make another revision the head first";
   return Error(std::move(info));
 }
 
+Error head_conflict(std::string_view design, std::string_view expected, std::string_view head) {
+  ErrorInfo info = request_info(ErrorKind::Aborted, "HEAD_CONFLICT",
+                                "the head of the design " + name(design) + " is not " +
+                                    name(expected.substr(0, 12)) + " any more" +
+                                    (head.empty() ? "" : ", but " + name(head.substr(0, 12))));
+  info.hint = "look at what is there, then edit that";
+  return Error(std::move(info));
+}
+
+Error field_missing(std::string_view field, std::string_view hint) {
+  ErrorInfo info =
+      request_info(ErrorKind::InvalidArgument, "MISSING_FIELD", "the request lacks " + name(field));
+  info.parameter = field;
+  info.hint = hint;
+  return Error(std::move(info));
+}
+
+Error warning_is_error(const Warning& warning) {
+  ErrorInfo info = request_info(ErrorKind::FailedPrecondition, "WARNING_IS_ERROR",
+                                std::string(name_of(warning.code)) + ": " + warning.message);
+  info.features = warning.features;
+  info.place = warning.point;
+  info.hint = "leave the code out of fail_on to get the revision all the same";
+  info.warning = warning;
+  return Error(std::move(info));
+}
+
 Error option_invalid(std::string_view option, std::string_view why) {
-  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "OptionsInvalid",
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "OPTIONS_INVALID",
                                 "the option " + name(option) + " " + std::string(why));
   info.parameter = option;
   return Error(std::move(info));
 }
 
 Error side_invalid(std::string_view side, std::string_view why) {
-  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "SideInvalid",
+  ErrorInfo info = request_info(ErrorKind::InvalidArgument, "SIDE_INVALID",
                                 "the " + std::string(side) + " side " + std::string(why));
   info.parameter = side;
   return Error(std::move(info));
@@ -90,7 +117,7 @@ Error side_invalid(std::string_view side, std::string_view why) {
 
 Error busy(std::size_t waiting, double retry_after) {
   ErrorInfo info =
-      request_info(ErrorKind::ResourceExhausted, "Busy",
+      request_info(ErrorKind::ResourceExhausted, "BUSY",
                    "the daemon is busy: " + std::to_string(waiting) + " requests are waiting");
   info.retry_after = retry_after;
   info.hint = "try again later";
@@ -99,7 +126,7 @@ Error busy(std::size_t waiting, double retry_after) {
 
 Error waited_too_long(double seconds, double retry_after) {
   ErrorInfo info = request_info(
-      ErrorKind::ResourceExhausted, "WaitedTooLong",
+      ErrorKind::ResourceExhausted, "WAITED_TOO_LONG",
       "the request waited " + std::to_string(static_cast<long>(seconds)) + " s for a worker");
   info.retry_after = retry_after;
   info.hint = "try again later";
@@ -107,7 +134,7 @@ Error waited_too_long(double seconds, double retry_after) {
 }
 
 Error memory_full(std::uint64_t used, std::uint64_t budget) {
-  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MemoryFull",
+  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MEMORY_FULL",
                                 "revisions fill " + std::to_string(used >> 20U) + " MiB of the " +
                                     std::to_string(budget >> 20U) + " MiB they may have");
   info.hint = "delete revisions, or start remeshd with a --store or a larger --cache";
@@ -115,14 +142,15 @@ Error memory_full(std::uint64_t used, std::uint64_t budget) {
 }
 
 Error out_of_memory() {
-  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "OutOfMemory",
+  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "OUT_OF_MEMORY",
                                 "there is not enough memory for this request");
   info.hint = "ask for fewer nodes";
   return Error(std::move(info));
 }
 
 Error shutting_down() {
-  return Error(request_info(ErrorKind::Unavailable, "ShuttingDown", "the daemon is shutting down"));
+  return Error(
+      request_info(ErrorKind::Unavailable, "SHUTTING_DOWN", "the daemon is shutting down"));
 }
 
 }  // namespace remeshd::error

@@ -14,6 +14,12 @@ Error design_not_found(std::string_view design);
 Error design_empty(std::string_view design);
 Error design_name_invalid(std::string_view why);
 Error head_protected(std::string_view design, std::uint32_t number);
+/// The head is `head` (an id; empty: none) and not `expected`.
+Error head_conflict(std::string_view design, std::string_view expected, std::string_view head);
+/// A request lacks the field.
+Error field_missing(std::string_view field, std::string_view hint);
+/// A warning that the request wants for an error.
+Error warning_is_error(const Warning& warning);
 Error option_invalid(std::string_view option, std::string_view why);
 Error side_invalid(std::string_view side, std::string_view why);
 Error busy(std::size_t waiting, double retry_after);

@@ -3,49 +3,25 @@
 #include <set>
 
 #include "engine/base/error.h"
+#include "server/store/catalogue_rows.h"
 
 namespace remeshd {
 namespace {
 
 constexpr const char* kSchema = R"(
 CREATE TABLE revisions(
-  id TEXT PRIMARY KEY, parent TEXT NOT NULL, model_name TEXT NOT NULL,
-  created_ns INTEGER NOT NULL, nodes INTEGER NOT NULL, tets INTEGER NOT NULL,
-  bytes INTEGER NOT NULL) WITHOUT ROWID;
+  id TEXT PRIMARY KEY, parent TEXT NOT NULL, root TEXT NOT NULL, model_name TEXT NOT NULL,
+  model TEXT NOT NULL, algorithm_version INTEGER NOT NULL, created_ns INTEGER NOT NULL,
+  nodes INTEGER NOT NULL, tets INTEGER NOT NULL, bytes INTEGER NOT NULL) WITHOUT ROWID;
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
 CREATE TABLE designs(
-  name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL) WITHOUT ROWID;
+  name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL,
+  changed_ns INTEGER NOT NULL, listed INTEGER NOT NULL) WITHOUT ROWID;
 CREATE TABLE places(
   entry INTEGER PRIMARY KEY AUTOINCREMENT, design TEXT NOT NULL, number INTEGER NOT NULL,
   id TEXT NOT NULL, UNIQUE(design, number), UNIQUE(design, id));
 CREATE INDEX places_by_id ON places(id);
 )";
-
-constexpr const char* kRevisionColumns =
-    "r.id, r.parent, r.model_name, r.created_ns, r.nodes, r.tets, r.bytes";
-
-RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
-  return {.id = row.text(first),
-          .parent = row.text(first + 1),
-          .model_name = row.text(first + 2),
-          .created_ns = row.number(first + 3),
-          .nodes = static_cast<std::uint32_t>(row.number(first + 4)),
-          .tets = static_cast<std::uint32_t>(row.number(first + 5)),
-          .bytes = static_cast<std::uint64_t>(row.number(first + 6))};
-}
-
-constexpr const char* kSelectDesigns =
-    "SELECT d.name, d.head, d.next_number, "
-    "(SELECT count(*) FROM places p WHERE p.design = d.name), "
-    "(SELECT p.number FROM places p WHERE p.design = d.name AND p.id = d.head) FROM designs d ";
-
-DesignRecord read_design(const Sqlite::Statement& row) {
-  return {.name = row.text(0),
-          .head = row.text(1),
-          .head_number = static_cast<std::uint32_t>(row.number(4)),
-          .next_number = static_cast<std::uint32_t>(row.number(2)),
-          .revisions = static_cast<std::uint32_t>(row.number(3))};
-}
 
 }  // namespace
 
@@ -80,43 +56,51 @@ std::size_t Catalogue::apply_all(const std::vector<Transaction>& transactions) {
 
 std::vector<Transaction> Catalogue::snapshot() {
   std::vector<Transaction> all{{StartAnew{}}};
-  std::vector<DesignRecord> found = designs("", -1);
-  for (const DesignRecord& design : found)
-    all.push_back({AddDesign{design.name, design.next_number}});
+  std::vector<SetHead> heads;
+  auto design =
+      database_.prepare("SELECT name, next_number, changed_ns, listed, head FROM designs");
+  while (design.step()) {
+    all.push_back({AddDesign{.name = design.text(0),
+                             .next_number = static_cast<std::uint32_t>(design.number(1)),
+                             .changed_ns = design.number(2),
+                             .listed = design.number(3) != 0}});
+    if (!design.text(4).empty()) heads.push_back({design.text(0), design.text(4)});
+  }
   std::set<std::string> told;
-  auto place =
-      database_.prepare("SELECT p.design, p.number, p.id, " + std::string(kRevisionColumns) +
-                        " FROM places p JOIN revisions r ON r.id = p.id ORDER BY p.entry");
+  auto place = database_.prepare("SELECT p.design, p.number, p.id, " + kRevisionColumns +
+                                 " FROM places p JOIN revisions r ON r.id = p.id ORDER BY p.entry");
   while (place.step()) {
     Transaction& next = all.emplace_back();
     if (told.insert(place.text(2)).second) next.emplace_back(AddRevision{read_revision(place, 3)});
     next.emplace_back(
         AddPlace{place.text(0), static_cast<std::uint32_t>(place.number(1)), place.text(2)});
   }
-  auto unplaced = database_.prepare("SELECT " + std::string(kRevisionColumns) +
+  auto unplaced = database_.prepare("SELECT " + kRevisionColumns +
                                     " FROM revisions r WHERE r.id NOT IN (SELECT id FROM places)");
   while (unplaced.step()) all.push_back({AddRevision{read_revision(unplaced, 0)}});
-  for (const DesignRecord& design : found)
-    if (!design.head.empty()) all.push_back({SetHead{design.name, design.head}});
+  for (const SetHead& head : heads) all.push_back({head});
   return all;
 }
 
 void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
-    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?)")
+    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
+        .bind(r.root)
         .bind(r.model_name)
+        .bind(r.model)
+        .bind(std::int64_t{r.algorithm_version})
         .bind(r.created_ns)
         .bind(std::int64_t{r.nodes})
         .bind(std::int64_t{r.tets})
         .bind(static_cast<std::int64_t>(r.bytes))
         .run();
   } else if (const auto* design = std::get_if<AddDesign>(&operation)) {
-    grow_numbers(design->name, design->next_number);
+    enter_design(*design);
   } else if (const auto* place = std::get_if<AddPlace>(&operation)) {
-    grow_numbers(place->design, std::int64_t{place->number} + 1);
+    enter_design({.name = place->design, .next_number = place->number + 1});
     if (at(place->design, place->number) == place->id) return;
     database_.prepare("INSERT INTO places(design, number, id) VALUES(?, ?, ?)")
         .bind(place->design)
@@ -140,19 +124,20 @@ void Catalogue::apply_one(const Operation& operation) {
   }
 }
 
-void Catalogue::grow_numbers(const std::string& design, std::int64_t next_number) {
+void Catalogue::enter_design(const AddDesign& design) {
   database_
       .prepare(
-          "INSERT INTO designs VALUES(?1, ?2, '') "
-          "ON CONFLICT(name) DO UPDATE SET next_number = max(next_number, ?2)")
-      .bind(design)
-      .bind(next_number)
+          "INSERT INTO designs VALUES(?1, ?2, '', ?3, ?4) ON CONFLICT(name) DO UPDATE SET "
+          "next_number = max(next_number, ?2), changed_ns = max(changed_ns, ?3), listed = ?4")
+      .bind(design.name)
+      .bind(std::int64_t{design.next_number})
+      .bind(design.changed_ns)
+      .bind(std::int64_t{design.listed})
       .run();
 }
 
 std::optional<RevisionRecord> Catalogue::revision(const std::string& id) {
-  auto row = database_.prepare("SELECT " + std::string(kRevisionColumns) +
-                               " FROM revisions r WHERE r.id = ?");
+  auto row = database_.prepare("SELECT " + kRevisionColumns + " FROM revisions r WHERE r.id = ?");
   row.bind(id);
   if (!row.step()) return std::nullopt;
   return read_revision(row, 0);
@@ -176,19 +161,28 @@ std::optional<std::string> Catalogue::at(const std::string& design, std::uint32_
 }
 
 std::optional<DesignRecord> Catalogue::design(const std::string& name) {
-  auto row = database_.prepare(std::string(kSelectDesigns) + "WHERE d.name = ?");
+  auto row = database_.prepare(kSelectDesigns + "WHERE name = ?");
   row.bind(name);
   if (!row.step()) return std::nullopt;
   return read_design(row);
 }
 
-std::vector<DesignRecord> Catalogue::designs(const std::string& after, int limit) {
-  auto row =
-      database_.prepare(std::string(kSelectDesigns) + "WHERE d.name > ? ORDER BY d.name LIMIT ?");
-  row.bind(after).bind(std::int64_t{limit});
-  std::vector<DesignRecord> designs;
-  while (row.step()) designs.push_back(read_design(row));
-  return designs;
+std::uint32_t Catalogue::next_number(const std::string& design) {
+  auto row = database_.prepare("SELECT next_number FROM designs WHERE name = ?");
+  row.bind(design);
+  return row.step() ? static_cast<std::uint32_t>(row.number(0)) : 1;
+}
+
+std::vector<PlaceRecord> Catalogue::places_of(const std::string& design) {
+  auto row = database_.prepare(
+      "SELECT p.number, p.id, d.head = p.id FROM places p JOIN designs d ON d.name = p.design "
+      "WHERE p.design = ? ORDER BY p.number");
+  row.bind(design);
+  std::vector<PlaceRecord> places;
+  while (row.step())
+    places.push_back(
+        {design, static_cast<std::uint32_t>(row.number(0)), row.text(1), row.number(2) != 0});
+  return places;
 }
 
 std::vector<PlaceRecord> Catalogue::places(const std::string& id) {
@@ -203,6 +197,14 @@ std::vector<PlaceRecord> Catalogue::places(const std::string& id) {
   return places;
 }
 
+std::optional<PlaceRecord> Catalogue::first_place(const std::string& design) {
+  auto row =
+      database_.prepare("SELECT number, id FROM places WHERE design = ? ORDER BY number LIMIT 1");
+  row.bind(design);
+  if (!row.step()) return std::nullopt;
+  return PlaceRecord{design, static_cast<std::uint32_t>(row.number(0)), row.text(1), false};
+}
+
 std::optional<PlaceRecord> Catalogue::last_place(const std::string& design,
                                                  const std::string& except) {
   auto row = database_.prepare(
@@ -211,23 +213,6 @@ std::optional<PlaceRecord> Catalogue::last_place(const std::string& design,
   row.bind(design).bind(except);
   if (!row.step()) return std::nullopt;
   return PlaceRecord{row.text(0), static_cast<std::uint32_t>(row.number(1)), row.text(2), false};
-}
-
-std::vector<ListedRevision> Catalogue::list(const std::string& design,
-                                            const std::string& after_design,
-                                            std::uint32_t after_number, int limit) {
-  auto row = database_.prepare(
-      "SELECT p.design, p.number, p.id, d.head = p.id, " + std::string(kRevisionColumns) +
-      " FROM places p JOIN designs d ON d.name = p.design JOIN revisions r ON r.id = p.id "
-      "WHERE (?1 = '' OR p.design = ?1) AND (p.design, p.number) > (?2, ?3) "
-      "ORDER BY p.design, p.number LIMIT ?4");
-  row.bind(design).bind(after_design).bind(std::int64_t{after_number}).bind(std::int64_t{limit});
-  std::vector<ListedRevision> rows;
-  while (row.step())
-    rows.push_back(
-        {{row.text(0), static_cast<std::uint32_t>(row.number(1)), row.text(2), row.number(3) != 0},
-         read_revision(row, 4)});
-  return rows;
 }
 
 std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
@@ -244,7 +229,7 @@ std::uint32_t Catalogue::count_revisions() {
   return static_cast<std::uint32_t>(row.number(0));
 }
 std::uint32_t Catalogue::count_designs() {
-  auto row = database_.prepare("SELECT count(*) FROM designs");
+  auto row = database_.prepare("SELECT count(*) FROM designs WHERE listed");
   row.step();
   return static_cast<std::uint32_t>(row.number(0));
 }

@@ -20,7 +20,7 @@ class Catalogue {
 
   /// All or nothing; what is there already is left as it is, so that a transaction may be applied
   /// again. `confirm` is called once everything is applied; where it throws, nothing is.
-  /// Throws Error(`IndexFailed`), also where a design's number is another revision's, before
+  /// Throws Error(`INDEX_FAILED`), also where a design's number is another revision's, before
   /// `confirm` is called.
   void apply(const Transaction& transaction, const std::function<void()>& confirm = {});
   /// Applies many, leaving out those that fail; how many did.
@@ -32,14 +32,21 @@ class Catalogue {
   /// Ids that begin with `prefix` (hexadecimal digits), at most `limit`, sorted.
   std::vector<std::string> with_prefix(const std::string& prefix, int limit);
   std::optional<std::string> at(const std::string& design, std::uint32_t number);
+  /// Nothing for a design that was taken off the list.
   std::optional<DesignRecord> design(const std::string& name);
+  /// The number of a design's next revision, also of one that is made again; 1 of a new one.
+  std::uint32_t next_number(const std::string& design);
+  /// The least number of a design that is left.
+  std::optional<PlaceRecord> first_place(const std::string& design);
+  /// By number.
+  std::vector<PlaceRecord> places_of(const std::string& design);
   /// Where a revision stands, in the order in which it got there.
   std::vector<PlaceRecord> places(const std::string& id);
   /// The greatest number of a design that is not that of `except`.
   std::optional<PlaceRecord> last_place(const std::string& design, const std::string& except);
   /// A row for each place in a design, or for each revision in none.
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
-  /// Designs that have revisions or a head to come back to: not those that were deleted.
+  /// Designs without revisions too, but for those that were taken off the list.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   std::vector<std::string> children(const std::string& id, int limit);
   std::uint32_t count_revisions();
@@ -47,7 +54,7 @@ class Catalogue {
 
  private:
   void apply_one(const Operation& operation);
-  void grow_numbers(const std::string& design, std::int64_t next_number);
+  void enter_design(const AddDesign& design);
 
   Sqlite database_;
 };

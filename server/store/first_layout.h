@@ -21,7 +21,7 @@ class FirstLayout {
   /// What its journal holds, but for lines that cannot be read.
   [[nodiscard]] std::vector<Transaction> transactions() const;
   /// Makes packs of the objects; those that have no pack's content, or the wrong hash, go to the
-  /// quarantine. May be interrupted and done again. Throws Error(StoreFailed, StoreFull).
+  /// quarantine. May be interrupted and done again. Throws Error(STORE_FAILED, STORE_FULL).
   void bring_in(Packs& packs, Quarantine& quarantine) const;
   /// Puts what is left of it into the quarantine, once the journal of today holds what it told.
   void put_away(Quarantine& quarantine) const;

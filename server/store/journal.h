@@ -39,15 +39,15 @@ class Journal {
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
 
-  /// Throws Error(StoreFailed, StoreFull); the transaction is then not in the journal, unless
+  /// Throws Error(STORE_FAILED, STORE_FULL); the transaction is then not in the journal, unless
   /// `uncertain`: then it may be there after a crash, until `rewrite` has succeeded.
   void append(const Transaction& transaction);
   /// Whether the journal has to be rewritten before a line can be appended: a write to it failed,
   /// and what the disk has of it is not known.
   [[nodiscard]] bool uncertain() const { return uncertain_; }
 
-  /// Replaces all there is by `transactions`. Throws Error(StoreFailed, StoreFull); the journal is
-  /// then as before, or holds all of them.
+  /// Replaces all there is by `transactions`. Throws Error(STORE_FAILED, STORE_FULL); the journal
+  /// is then as before, or holds all of them.
   void rewrite(const std::vector<Transaction>& transactions);
 
  private:

@@ -16,7 +16,10 @@ struct ToJson {
     const RevisionRecord& r = op.record;
     return {{"add_revision", r.id},
             {"parent", r.parent},
+            {"root", r.root},
             {"model_name", r.model_name},
+            {"model", r.model},
+            {"algorithm_version", r.algorithm_version},
             {"created_ns", r.created_ns},
             {"nodes", r.nodes},
             {"tets", r.tets},
@@ -31,18 +34,25 @@ struct ToJson {
   }
   json operator()(const RemoveRevision& op) const { return {{"remove_revision", op.id}}; }
   json operator()(const AddDesign& op) const {
-    return {{"add_design", op.name}, {"next_number", op.next_number}};
+    return {{"add_design", op.name},
+            {"next_number", op.next_number},
+            {"changed_ns", op.changed_ns},
+            {"listed", op.listed}};
   }
   json operator()(const StartAnew&) const { return {{"start_anew", true}}; }
 };
 
-/// Throws json::exception for an operation that is not known.
+/// What the first versions did not write is optional. Throws json::exception for an operation that
+/// is not known.
 Operation from_json(const json& j) {
   if (j.contains("add_revision")) {
     RevisionRecord r;
     j.at("add_revision").get_to(r.id);
     j.at("parent").get_to(r.parent);
+    r.root = j.value("root", r.parent.empty() ? r.id : "");
     j.at("model_name").get_to(r.model_name);
+    r.model = j.value("model", "");
+    r.algorithm_version = j.value("algorithm_version", 0U);
     j.at("created_ns").get_to(r.created_ns);
     j.at("nodes").get_to(r.nodes);
     j.at("tets").get_to(r.tets);
@@ -52,7 +62,9 @@ Operation from_json(const json& j) {
   if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};
   if (j.contains("set_head")) return SetHead{j.at("set_head"), j.at("id")};
   if (j.contains("remove_place")) return RemovePlace{j.at("remove_place"), j.at("number")};
-  if (j.contains("add_design")) return AddDesign{j.at("add_design"), j.at("next_number")};
+  if (j.contains("add_design"))
+    return AddDesign{j.at("add_design"), j.at("next_number"),
+                     j.value("changed_ns", std::int64_t{0}), j.value("listed", true)};
   if (j.contains("start_anew")) return StartAnew{};
   return RemoveRevision{j.at("remove_revision")};
 }

@@ -51,7 +51,10 @@ std::string write_pack_head(const PackHead& head) {
       {"store", kStoreVersion},
       {"id", r.id},
       {"parent", r.parent},
+      {"root", r.root},
       {"model_name", r.model_name},
+      {"model", r.model},
+      {"algorithm_version", r.algorithm_version},
       {"created_ns", r.created_ns},
       {"nodes", r.nodes},
       {"tets", r.tets},
@@ -71,10 +74,14 @@ std::optional<PackHead> read_pack_head(std::string_view start) {
     PackHead head{.store_version = *version, .size = line->size};
     head.record = {.id = j.at("id"),
                    .parent = j.at("parent"),
+                   .root = j.value("root", ""),
                    .model_name = j.at("model_name"),
+                   .model = j.value("model", ""),
+                   .algorithm_version = j.value("algorithm_version", 0U),
                    .created_ns = j.at("created_ns"),
                    .nodes = j.at("nodes"),
                    .tets = j.at("tets")};
+    if (head.record.parent.empty()) head.record.root = head.record.id;
     head.first = {.design = j.at("design"), .number = j.at("number"), .id = head.record.id};
     if (*version > 0) j.at("sha256").get_to(head.sha256);
     return head;

@@ -20,10 +20,10 @@ class Packs {
   Packs(std::filesystem::path folder, std::filesystem::path scratch);
 
   /// Stores a revision, in place of what has its id. Returns the size of the file.
-  /// Throws Error(StoreFailed, StoreFull); there may then be a pack or not.
+  /// Throws Error(STORE_FAILED, STORE_FULL); there may then be a pack or not.
   std::uint64_t put(const RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
-  /// The bytes of a revision. Throws Error(StoreCorrupted) where they are not what was stored, or
-  /// gone; Error(StoreFailed).
+  /// The bytes of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
+  /// gone; Error(STORE_FAILED).
   [[nodiscard]] std::string get(const RevisionRecord& record) const;
   /// What the file of a revision says of itself; nothing where that cannot be read.
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;

@@ -13,10 +13,11 @@ struct RevisionRecord {
   std::string parent;  ///< id; empty for a first mesh
   std::string root;    ///< id of the first mesh of its chain; empty where that is not known
   std::string model_name;
-  std::int64_t created_ns = 0;  ///< since 1970, UTC
-  std::uint32_t nodes = 0, tets = 0;
-  std::uint64_t bytes = 0;              ///< of its file
+  std::string model;                    ///< as `model_digest`; empty where that is not known
   std::uint32_t algorithm_version = 0;  ///< 0 where it is not known
+  std::int64_t created_ns = 0;          ///< since 1970, UTC
+  std::uint32_t nodes = 0, tets = 0;
+  std::uint64_t bytes = 0;  ///< of its file
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 
@@ -64,7 +65,8 @@ struct RemoveRevision {
 struct AddDesign {
   std::string name;
   std::uint32_t next_number = 1;
-  std::int64_t changed_ns = 0;
+  std::int64_t changed_ns = 0;  ///< 0: not told
+  bool listed = true;           ///< false takes it off the list; its numbers stay
 };
 /// Forgets everything: what follows tells it anew.
 struct StartAnew {};

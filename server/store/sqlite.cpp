@@ -12,7 +12,7 @@ void Sqlite::fail() const {
   Error failure =
       error::internal("store", std::string("the index failed: ") +
                                    (database_ ? sqlite3_errmsg(database_.get()) : "out of memory"));
-  failure.info().reason = "IndexFailed";
+  failure.info().reason = "INDEX_FAILED";
   throw failure;
 }
 

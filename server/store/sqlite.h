@@ -10,7 +10,7 @@ struct sqlite3_stmt;
 
 namespace remeshd {
 
-/// A connection to an SQLite database. Failures throw Error(Internal, `IndexFailed`).
+/// A connection to an SQLite database. Failures throw Error(Internal, `INDEX_FAILED`).
 class Sqlite {
  public:
   /// One prepared statement: bind, then step through the rows.

@@ -33,8 +33,8 @@ class Store {
   /// In memory only: holds the catalogue, no bytes.
   Store();
   /// Waits up to `wait` seconds for another process to let go.
-  /// Throws Error: `StoreForeign`, `StoreNewer` (both change nothing in the folder), `StoreLocked`,
-  /// `StoreFailed`, `StoreFull`.
+  /// Throws Error: `STORE_FOREIGN`, `STORE_NEWER` (both change nothing in the folder),
+  /// `STORE_LOCKED`, `STORE_FAILED`, `STORE_FULL`.
   explicit Store(const std::filesystem::path& folder, double wait = 0);
   ~Store();
   Store(const Store&) = delete;
@@ -48,7 +48,7 @@ class Store {
   /// written beside them, for the case that the journal is lost. May not overlap with a `commit`
   /// that removes the revision.
   void put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
-  /// The bytes of a revision. Throws Error(StoreCorrupted).
+  /// The bytes of a revision. Throws Error(STORE_CORRUPTED).
   std::string get(const RevisionRecord& record);
 
   /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.

@@ -23,7 +23,7 @@ ErrorInfo store_info(ErrorKind kind, std::string reason, std::string message) {
 Error store_failed(std::string_view doing, std::string_view path, int error_number) {
   const bool full = error_number == ENOSPC || error_number == EDQUOT;
   ErrorInfo info = store_info(full ? ErrorKind::ResourceExhausted : ErrorKind::Internal,
-                              full ? "StoreFull" : "StoreFailed",
+                              full ? "STORE_FULL" : "STORE_FAILED",
                               "the store failed " + std::string(doing) + " " +
                                   std::filesystem::path(path).filename().string() + ": " +
                                   std::generic_category().message(error_number));
@@ -33,14 +33,14 @@ Error store_failed(std::string_view doing, std::string_view path, int error_numb
 
 Error store_corrupted(std::string_view id, std::string_view what) {
   ErrorInfo info =
-      store_info(ErrorKind::Internal, "StoreCorrupted",
+      store_info(ErrorKind::Internal, "STORE_CORRUPTED",
                  "the stored revision " + std::string(id) + " is damaged: " + std::string(what));
   info.hint = "sending the request that made the revision again makes it anew";
   return Error(std::move(info));
 }
 
 Error store_locked(std::string_view path) {
-  ErrorInfo info = store_info(ErrorKind::FailedPrecondition, "StoreLocked",
+  ErrorInfo info = store_info(ErrorKind::FailedPrecondition, "STORE_LOCKED",
                               "the store " + std::string(path) + " is in use by another process");
   info.hint = "stop the other process, or give this one a store of its own";
   return Error(std::move(info));
@@ -48,7 +48,7 @@ Error store_locked(std::string_view path) {
 
 Error store_foreign(std::string_view path, std::string_view example) {
   ErrorInfo info = store_info(
-      ErrorKind::FailedPrecondition, "StoreForeign",
+      ErrorKind::FailedPrecondition, "STORE_FOREIGN",
       std::string(path) + " is no store of remeshd, and not empty: it has " + std::string(example));
   info.hint = "give an empty folder, or one that does not exist";
   return Error(std::move(info));
@@ -56,7 +56,7 @@ Error store_foreign(std::string_view path, std::string_view example) {
 
 Error store_newer(std::string_view path, int version, int known) {
   ErrorInfo info =
-      store_info(ErrorKind::FailedPrecondition, "StoreNewer",
+      store_info(ErrorKind::FailedPrecondition, "STORE_NEWER",
                  "the store " + std::string(path) + " has version " + std::to_string(version) +
                      "; this program knows those up to " + std::to_string(known));
   info.hint = "start the version of remeshd that wrote it, or a later one";

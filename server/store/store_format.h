@@ -17,11 +17,11 @@ enum class FolderKind {
 /// Looks at a folder, and changes nothing there. FORMAT decides where it is intact; else the heads
 /// of the packs do, then what else there is.
 ///
-/// Throws Error: `StoreForeign` for a folder that holds something else, `StoreNewer` for a store of
-/// a newer version, `StoreFailed`.
+/// Throws Error: `STORE_FOREIGN` for a folder that holds something else, `STORE_NEWER` for a store
+/// of a newer version, `STORE_FAILED`.
 FolderKind look_at_folder(const std::filesystem::path& folder);
 
-/// Writes FORMAT. Throws Error(StoreFailed, StoreFull).
+/// Writes FORMAT. Throws Error(STORE_FAILED, STORE_FULL).
 void write_format(const std::filesystem::path& folder, const std::filesystem::path& scratch);
 
 }  // namespace remeshd

@@ -24,7 +24,9 @@ void print(const char* what, const Report& r) {
       r.quality.dihedral_min, r.quality.dihedral_max, r.quality_before.volume_length_mean,
       r.quality_away.dihedral_min, r.quality_away.dihedral_max, r.sharp_tets,
       100 * (r.volume / r.exact_volume - 1), c.iterations, c.samples, c.active_samples);
-  for (const std::string& w : r.warnings) std::printf("         warning: %s\n", w.c_str());
+  for (const Warning& w : r.warnings)
+    std::printf("         warning: %s: %s\n", std::string(name_of(w.code)).c_str(),
+                w.message.c_str());
 }
 
 }  // namespace

@@ -42,11 +42,11 @@ double Draft::log_uniform(double lo, double hi) {
 Scalar Draft::value(double v) {
   if (!chance(0.4)) return v;
   std::vector<std::pair<std::string, double>> numbers;
-  for (const auto& [name, s] : model.parameters)
-    if (const double* number = std::get_if<double>(&s)) numbers.emplace_back(name, *number);
+  for (const ParameterSource& p : model.parameters)
+    if (const double* number = std::get_if<double>(&p.value)) numbers.emplace_back(p.name, *number);
   if (may_add_parameters && (numbers.empty() || (numbers.size() < 8 && chance(0.4)))) {
     std::string name = "p" + std::to_string(model.parameters.size() + 1);
-    model.parameters[name] = v;
+    model.parameters.push_back({name, v});
     return name;
   }
   if (numbers.empty()) return v;

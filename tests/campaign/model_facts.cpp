@@ -36,7 +36,7 @@ ModelFacts find_facts(const ModelSource& source, double length, double nodes) {
 }
 
 bool rightly_refused(const ModelFacts& facts) {
-  return !facts.refused.empty() && facts.refused != "KernelFailure";
+  return !facts.refused.empty() && facts.refused != "KERNEL_FAILURE";
 }
 
 }  // namespace remeshd::campaign

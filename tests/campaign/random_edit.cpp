@@ -41,8 +41,8 @@ double changed(Draft& d, double v) {
 
 RandomEdit set_parameter(Draft& d, const Now& now) {
   std::vector<std::pair<std::string, double>> numbers;
-  for (const auto& [name, s] : d.model.parameters)
-    if (const double* v = std::get_if<double>(&s)) numbers.emplace_back(name, *v);
+  for (const ParameterSource& p : d.model.parameters)
+    if (const double* v = std::get_if<double>(&p.value)) numbers.emplace_back(p.name, *v);
   if (numbers.empty()) throw error::unknown_model_parameter("any");
   const auto& [name, v] = numbers[d.random.below(numbers.size())];
   const double to = v == 0 ? d.length * d.log_uniform(1e-9, 1) : changed(d, v);

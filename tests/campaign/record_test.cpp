@@ -17,10 +17,10 @@ WorkedCase some_case() {
   worked.campaign_case = {.seed = 3, .number = 14, .model = test::case_model("simple-a")};
   worked.gentle = true;
   worked.facts.push_back({.measured = true, .wedge = true, .types = {"block"}});
-  worked.discarded["EmptyModel"] = 2;
+  worked.discarded["EMPTY_MODEL"] = 2;
   Outcome refused;
   refused.kind = "refused";
-  refused.reason = "BoundaryNotRecovered";
+  refused.reason = "BOUNDARY_NOT_RECOVERED";
   worked.outcomes.push_back(refused);
   worked.made = true;
   return worked;

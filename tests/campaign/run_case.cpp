@@ -38,9 +38,11 @@ void describe(const Error& failure, Outcome& outcome) {
   outcome.kind = "refused";
   outcome.reason = failure.info().reason;
   outcome.message = failure.what();
-  if (!failure.info().feature.empty()) outcome.message += " [" + failure.info().feature + "]";
-  outcome.placed =
-      !failure.info().feature.empty() && std::regex_search(failure.info().message, kPlace);
+  std::string features;
+  for (const std::string& id : failure.info().features)
+    features += (features.empty() ? "" : ",") + id;
+  if (!features.empty()) outcome.message += " [" + features + "]";
+  outcome.placed = !features.empty() && std::regex_search(failure.info().message, kPlace);
 }
 
 Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,

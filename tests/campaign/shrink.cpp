@@ -203,7 +203,7 @@ class Shrinker {
       if (s.profile) profile(*s.profile);
       placement(s.placement);
     };
-    for (auto& [name, value] : c.model.parameters) one(value);
+    for (ParameterSource& p : c.model.parameters) one(p.value);
     for (FeatureSource& s : c.model.features) feature(s);
     for (Step& step : c.steps)
       for (Edit& edit : step.edit.edits) {
@@ -244,10 +244,10 @@ class Shrinker {
       for (FeatureSource& f : c.model.features) f.reference = ReferenceKind::Origin;
     });
     // Each parameter by its number, then those that nothing uses any more go.
-    const std::map<std::string, Scalar> parameters = best_.model.parameters;
-    for (const auto& [name, value] : parameters)
-      if (const double* number = std::get_if<double>(&value))
-        change([&](CampaignCase& c) { write_out(c.model, name, *number); });
+    const std::vector<ParameterSource> parameters = best_.model.parameters;
+    for (const ParameterSource& p : parameters)
+      if (const double* number = std::get_if<double>(&p.value))
+        change([&](CampaignCase& c) { write_out(c.model, p.name, *number); });
   }
 
   /// Expressions of this parameter alone, `p1`, `p1*2` or `p1-2`, as the generator writes them, as
@@ -265,7 +265,7 @@ class Shrinker {
           value = rest[0] == '*' ? number * by : rest[0] == '+' ? number + by : number - by;
         }
       }
-    model.parameters.erase(name);
+    std::erase_if(model.parameters, [&](const ParameterSource& p) { return p.name == name; });
     evaluate(model);
   }
 

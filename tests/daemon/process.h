@@ -61,11 +61,22 @@ class Process {
     for (int i = 0; i < 1000; ++i) {
       std::smatch match;
       const std::string text = log();
-      if (std::regex_search(text, match, std::regex("serving remesh.v1 on (127[0-9.]*:[0-9]+)")))
+      if (std::regex_search(text, match,
+                            std::regex("serving remesh.v1 on (127[0-9.]*:[0-9]+|unix:[^,]*)")))
         return match[1];
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return "";
+  }
+  /// A line of /proc/PID/status that tells bytes: `VmRSS`, `VmHWM` (the highest so far).
+  [[nodiscard]] std::size_t memory(const std::string& line) const {
+    std::ifstream in("/proc/" + std::to_string(id_) + "/status");
+    for (std::string name; in >> name;) {
+      std::size_t kilobytes = 0;
+      if (name == line + ":" && in >> kilobytes) return kilobytes << 10U;
+    }
+    ADD_FAILURE() << "no " << line;
+    return 0;
   }
   void signal(int number) const { ::kill(id_, number); }
   /// Its exit status.

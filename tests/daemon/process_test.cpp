@@ -71,5 +71,36 @@ TEST(Process, WithAPortThatIsTakenSaysSoAndFails) {
   EXPECT_NE(WEXITSTATUS(status), 0);
 }
 
+TEST(Process, SaysWhereItListensAlsoOnAUnixSocket) {
+  const fs::path path =
+      fs::temp_directory_path() / ("remeshd-socket-" + std::to_string(::getpid()));
+  Process process({"--listen", "unix:" + path.string()});
+  EXPECT_EQ(process.address(), "unix:" + path.string());
+  EXPECT_EQ(process.log().find("can be reached from elsewhere"), std::string::npos);
+  const auto stub = connect(process);
+  grpc::ClientContext context;
+  v1::ServerInfo reply;
+  EXPECT_TRUE(stub->GetServerInfo(&context, {}, &reply).ok());
+  process.signal(SIGTERM);
+  process.wait();
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Process, EndsBeforeItTouchesTheStoreWhereTheAddressIsNone) {
+  const fs::path folder =
+      fs::temp_directory_path() / ("remeshd-listen-" + std::to_string(::getpid()));
+  for (const char* address : {"0", ":80", "127.0.0.1", "127.0.0.1:99999", "dns:///x", ""}) {
+    Process process({"--listen", address, "--store", folder});
+    const int status = process.wait();
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), EXIT_FAILURE) << process.log();
+    EXPECT_NE(process.log().find(std::string("cannot listen on `") + address + '`'),
+              std::string::npos)
+        << process.log();
+    EXPECT_NE(process.log().find("hint: give HOST:PORT"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder));
+  }
+}
+
 }  // namespace
 }  // namespace remeshd::test

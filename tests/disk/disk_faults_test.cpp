@@ -46,7 +46,7 @@ class DiskFaults : public StoreOnDisk, public testing::WithParamInterface<Fault>
         try {
           step.run(store);
         } catch (const Error& failure) {
-          EXPECT_THAT(failure.info().reason, testing::AnyOf("StoreFailed", "StoreFull"));
+          EXPECT_THAT(failure.info().reason, testing::AnyOf("STORE_FAILED", "STORE_FULL"));
           // What failed did not happen.
           EXPECT_EQ(state_of(store).listing, before.listing) << step.name;
         }
@@ -60,7 +60,7 @@ class DiskFaults : public StoreOnDisk, public testing::WithParamInterface<Fault>
         EXPECT_TRUE(acknowledged_.revisions.contains(9));
       }
     } catch (const Error& failure) {
-      EXPECT_THAT(failure.info().reason, testing::AnyOf("StoreFailed", "StoreFull"));
+      EXPECT_THAT(failure.info().reason, testing::AnyOf("STORE_FAILED", "STORE_FULL"));
       acknowledged_ = {};
     }
     record_ = calls->record();

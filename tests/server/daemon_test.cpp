@@ -52,7 +52,7 @@ TEST_F(Daemons, DoNotShareAPort) {
     const Daemon second(options_, engine_.engine());
     FAIL() << "two daemons share a port";
   } catch (const Error& error) {
-    EXPECT_EQ(error.info().reason, "ListenFailed");
+    EXPECT_EQ(error.info().reason, "LISTEN_FAILED");
   }
 }
 

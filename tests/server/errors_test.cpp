@@ -164,13 +164,53 @@ TEST_F(Errors, SixtyListsInsideEachOtherAreAnsweredInWords) {
   EXPECT_EQ(refused(model).reason(), "MessageUnreadable");
 }
 
-TEST_F(Errors, AHundredMegabytesAreRefusedInWords) {
+TEST_F(Errors, TenMegabytesAreRefusedInWords) {
   auto model = plate();
   std::string& text = *parameter(model, 1, "radius").mutable_string_value();
-  text.resize(100'000'000, '1');
+  text.resize(10'000'000, '1');
   const auto error = refused(model);
   EXPECT_EQ(error.reason(), "MessageTooLarge");
   EXPECT_THAT(error.message(), HasSubstr("8388608"));
+}
+
+TEST_F(Errors, TwentyMegabytesAreRefusedByGrpc) {
+  auto model = plate();
+  std::string& text = *parameter(model, 1, "radius").mutable_string_value();
+  text.resize(20'000'000, '1');
+  v1::RevisionReply reply;
+  const auto status = try_create(create_request(model), &reply);
+  EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(status.error_message(), HasSubstr("16777216"));
+  EXPECT_TRUE(serves());
+}
+
+TEST_F(Errors, RequestIdsOfMoreThan128BytesAreRefusedAndNotEchoedWhole) {
+  auto request = create_request(plate());
+  request.set_request_id(std::string(129, 'x'));
+  v1::RevisionReply reply;
+  auto status = try_create(request, &reply);
+  EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(detail(status).reason(), "RequestIdTooLong");
+  EXPECT_EQ(detail(status).parameter(), "request_id");
+  request.set_request_id(std::string(128, 'x'));
+  EXPECT_EQ(create(request).request_id(), request.request_id());
+
+  auto changes = edit_request("plate", set("at", 11));
+  changes.set_request_id(std::string(129, 'x'));
+  EXPECT_EQ(try_edit(changes, &reply).error_code(), StatusCode::INVALID_ARGUMENT);
+
+  grpc::ClientContext context;
+  const auto stream = stub().EditStream(&context);
+  v1::EditStreamRequest message;
+  *message.mutable_create() = request;
+  message.mutable_create()->set_request_id(std::string(1'000'000, 'x'));
+  ASSERT_TRUE(stream->Write(message));
+  v1::EditStreamReply answer;
+  ASSERT_TRUE(stream->Read(&answer));
+  EXPECT_EQ(answer.error().reason(), "RequestIdTooLong");
+  EXPECT_EQ(answer.request_id(), std::string(125, 'x') + "...");
+  context.TryCancel();
+  EXPECT_FALSE(stream->Finish().ok());
 }
 
 TEST_F(Errors, AnEditNamesItsIndexAndTheFeatureThatIsNotThere) {

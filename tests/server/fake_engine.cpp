@@ -198,10 +198,11 @@ struct FakeEngine::State {
     Revision r;
     r.source = source;
     r.model = evaluate(source);
-    const auto r_value = source.parameters.find("r");
-    if (r_value != source.parameters.end() && r_value->second == Scalar(100.0))
+    if (std::ranges::any_of(source.parameters, [](const ParameterSource& p) {
+          return p.name == "r" && p.value == Scalar(100.0);
+        }))
       throw Error({.kind = ErrorKind::FailedPrecondition,
-                   .reason = "EmptyModel",
+                   .reason = "EMPTY_MODEL",
                    .message = "no cell of the model is positive",
                    .stage = "cells",
                    .hint = "add an additive feature"});
@@ -227,8 +228,8 @@ struct FakeEngine::State {
     std::uint64_t mix = options.seed + r.model.features.size() + options.iterations;
     for (const Feature& feature : r.model.features)
       mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (feature.placement.m[3] + 1000));
-    for (const auto& [name, value] : source.parameters)
-      if (const auto* number = std::get_if<double>(&value))
+    for (const ParameterSource& p : source.parameters)
+      if (const auto* number = std::get_if<double>(&p.value))
         mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (*number + 1000));
     Random random(mix);
     Delivery& d = r.delivery;

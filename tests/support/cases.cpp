@@ -1,5 +1,6 @@
 #include "tests/support/cases.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -48,6 +49,12 @@ ModelSource model_of(std::vector<FeatureSource> features) {
   model.unit = "mm";
   model.features = std::move(features);
   return model;
+}
+
+Scalar& parameter(ModelSource& model, const std::string& name) {
+  const auto found = std::ranges::find(model.parameters, name, &ParameterSource::name);
+  if (found == model.parameters.end()) throw std::runtime_error("no parameter " + name);
+  return found->value;
 }
 
 FeatureSource feature(std::string id, std::string type, std::map<std::string, Scalar> parameters) {

@@ -32,6 +32,9 @@ const std::vector<EditCase>& seven_cases();
 ModelSource one_feature(FeatureSource feature);
 ModelSource model_of(std::vector<FeatureSource> features);
 
+/// The value of a parameter that the model has.
+Scalar& parameter(ModelSource& model, const std::string& name);
+
 /// An additive feature at the origin.
 FeatureSource feature(std::string id, std::string type,
                       std::map<std::string, Scalar> parameters = {});

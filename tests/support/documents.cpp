@@ -26,6 +26,18 @@ std::map<std::string, Scalar> scalars(const json& j) {
   return result;
 }
 
+/// `4`, or `{"value": 4, "lower": 1, "upper": 8}`.
+ParameterSource parameter_of(const std::string& name, const json& j) {
+  if (!j.is_object()) return {.name = name, .value = scalar(j)};
+  ParameterSource result{.name = name, .value = scalar(j.at("value"))};
+  if (j.contains("lower")) result.lower = j.at("lower").get<double>();
+  if (j.contains("upper")) result.upper = j.at("upper").get<double>();
+  result.integer = j.value("integer", false);
+  result.unit = j.value("unit", std::string());
+  result.description = j.value("description", std::string());
+  return result;
+}
+
 std::vector<ProfileEntry> profile(const json& j) {
   std::vector<ProfileEntry> result;
   for (const json& entry : j) {
@@ -115,6 +127,18 @@ json to_json(const PlacementSource& p) {
   return result;
 }
 
+json to_json(const ParameterSource& p) {
+  const bool only_a_value = p == ParameterSource{.name = p.name, .value = p.value};
+  if (only_a_value) return to_json(p.value);
+  json result{{"value", to_json(p.value)}};
+  if (p.lower) result["lower"] = *p.lower;
+  if (p.upper) result["upper"] = *p.upper;
+  if (p.integer) result["integer"] = true;
+  if (!p.unit.empty()) result["unit"] = p.unit;
+  if (!p.description.empty()) result["description"] = p.description;
+  return result;
+}
+
 json to_json(const FeatureSource& f) {
   json parameters = json::object();
   for (const auto& [name, value] : f.parameters) parameters[name] = to_json(value);
@@ -160,7 +184,9 @@ ModelSource read_model(const json& j) {
   ModelSource model;
   model.name = j.at("name").get<std::string>();
   model.unit = j.value("unit", std::string());
-  if (j.contains("parameters")) model.parameters = scalars(j.at("parameters"));
+  if (j.contains("parameters"))
+    for (const auto& [name, value] : j.at("parameters").items())
+      model.parameters.push_back(parameter_of(name, value));
   for (const json& f : j.at("features")) model.features.push_back(feature_of(f));
   return model;
 }
@@ -173,7 +199,7 @@ ModelEdit read_edit(const json& j) {
 
 json write_model(const ModelSource& model) {
   json parameters = json::object();
-  for (const auto& [name, value] : model.parameters) parameters[name] = to_json(value);
+  for (const ParameterSource& p : model.parameters) parameters[p.name] = to_json(p);
   json features = json::array();
   for (const FeatureSource& f : model.features) features.push_back(to_json(f));
   json result{{"name", model.name}, {"parameters", parameters}, {"features", features}};

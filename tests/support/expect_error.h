@@ -21,10 +21,17 @@ ErrorInfo error_of(Work&& work) {
   return {};
 }
 
-/// `reason feature parameter`, so that a test shows all three at once; `-` where empty.
+/// `a,b`, so that a test shows all features at once.
+inline std::string joined(const FeatureIds& ids) {
+  std::string text;
+  for (const std::string& id : ids) text += (text.empty() ? "" : ",") + id;
+  return text;
+}
+
+/// `reason features parameter`, so that a test shows all three at once; `-` where empty.
 inline std::string place_of(const ErrorInfo& info) {
   const auto shown = [](const std::string& s) { return s.empty() ? std::string("-") : s; };
-  return info.reason + " " + shown(info.feature) + " " + shown(info.parameter);
+  return info.reason + " " + shown(joined(info.features)) + " " + shown(info.parameter);
 }
 
 }  // namespace remeshd::test

@@ -154,8 +154,8 @@ TEST(ControlMesh, JoinsTheFacesOfABlockAtItsEightCorners) {
 TEST(ControlMesh, OfABoundaryWithAHoleInItIsRefused) {
   BoundaryModel boundary = build_cells(test::case_features("tool1-a"), kRun).boundary;
   boundary.faces[2].triangles.pop_back();
-  EXPECT_EQ(test::error_of([&] { ControlMesh::build(boundary, kRun); }).reason, "TetGenRefused");
-  EXPECT_EQ(test::error_of([&] { ControlMesh::build({}, kRun); }).reason, "TetGenRefused");
+  EXPECT_EQ(test::error_of([&] { ControlMesh::build(boundary, kRun); }).reason, "TETGEN_REFUSED");
+  EXPECT_EQ(test::error_of([&] { ControlMesh::build({}, kRun); }).reason, "TETGEN_REFUSED");
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST(CellularModelTest, AModelThatIsAllSubtractedIsEmpty) {
     cells_of(
         {block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), minus(block("b", {0.0, 0.0, -1.0}, {3, 3, 3}))});
   });
-  EXPECT_EQ(error.reason, "EmptyModel");
+  EXPECT_EQ(error.reason, "EMPTY_MODEL");
   EXPECT_EQ(error.kind, ErrorKind::FailedPrecondition);
 }
 
@@ -175,9 +175,9 @@ TEST(CellularModelTest, BodiesApartAreDisconnected) {
     cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {5.0, 0.0, 0.0}, {1, 1, 1}),
               block("small", {-5.0, 0.0, 0.0}, {1, 1, 0.5})});
   });
-  EXPECT_EQ(error.reason, "DisconnectedModel");
+  EXPECT_EQ(error.reason, "DISCONNECTED_MODEL");
   EXPECT_THAT(error.message, ::testing::HasSubstr("3 pieces"));
-  EXPECT_EQ(error.feature, "small");
+  EXPECT_EQ(error.features, FeatureIds{"small"});
   ASSERT_TRUE(error.place);
   EXPECT_NEAR(error.place->x, -5, 0.5);
 }
@@ -187,7 +187,7 @@ TEST(CellularModelTest, BodiesThatShareAnEdgeOrAVertexOnlyAreDisconnected) {
     const ErrorInfo error = error_of([&] {
       cells_of({block("a", {0.0, 0.0, 0.0}, {1, 1, 1}), block("b", {1.0, 1.0, z}, {1, 1, 1})});
     });
-    EXPECT_EQ(error.reason, "DisconnectedModel") << z;
+    EXPECT_EQ(error.reason, "DISCONNECTED_MODEL") << z;
   }
 }
 
@@ -196,7 +196,7 @@ TEST(CellularModelTest, ABodyCutInTwoIsDisconnected) {
     cells_of({block("a", {0.0, 0.0, 0.0}, {10, 1, 1}),
               minus(block("cut", {0.0, 0.0, -1.0}, {1, 3, 3}))});
   });
-  EXPECT_EQ(error.reason, "DisconnectedModel");
+  EXPECT_EQ(error.reason, "DISCONNECTED_MODEL");
 }
 
 TEST(CellularModelTest, ABodyThatTouchesItselfAlongAnEdgeIsRefused) {
@@ -205,10 +205,10 @@ TEST(CellularModelTest, ABodyThatTouchesItselfAlongAnEdgeIsRefused) {
     cells_of({block("base", {0.0, 0.0, 0.0}, {10, 10, 1}),
               block("t1", {-1.0, -1.0, 1.0}, {2, 2, 3}), block("t2", {1.0, 1.0, 1.0}, {2, 2, 3})});
   });
-  EXPECT_EQ(error.reason, "NonManifoldModel");
+  EXPECT_EQ(error.reason, "NON_MANIFOLD_MODEL");
   EXPECT_EQ(error.kind, ErrorKind::FailedPrecondition);
   EXPECT_THAT(error.message, ::testing::HasSubstr("(0, 0, 2.5)"));
-  EXPECT_EQ(error.feature, "t1,t2");
+  EXPECT_EQ(error.features, (FeatureIds{"t1", "t2"}));
 }
 
 TEST(CellularModelTest, ABodyThatTouchesItselfAtAVertexIsRefused) {
@@ -218,9 +218,9 @@ TEST(CellularModelTest, ABodyThatTouchesItselfAtAVertexIsRefused) {
               minus(block("c1", {-1.0, -1.0, -2.0}, {2, 2, 2})),
               minus(block("c2", {1.0, 1.0, 0.0}, {2, 2, 2}))});
   });
-  EXPECT_EQ(error.reason, "NonManifoldModel");
+  EXPECT_EQ(error.reason, "NON_MANIFOLD_MODEL");
   EXPECT_THAT(error.message, ::testing::HasSubstr("at a vertex"));
-  EXPECT_EQ(error.feature, "c1,c2");
+  EXPECT_EQ(error.features, (FeatureIds{"c1", "c2"}));
 }
 
 TEST(CellularModelTest, AHoleThatTouchesAWallFromInsideIsRefused) {
@@ -228,7 +228,7 @@ TEST(CellularModelTest, AHoleThatTouchesAWallFromInsideIsRefused) {
     cells_of({block("base", {0.0, 0.0, 0.0}, {20, 20, 5}),
               minus(cylinder("hole", {5.0, 0.0, 0.0}, 5, 5))});
   });
-  EXPECT_THAT(error.reason, ::testing::AnyOf("NonManifoldModel", "DisconnectedModel"));
+  EXPECT_THAT(error.reason, ::testing::AnyOf("NON_MANIFOLD_MODEL", "DISCONNECTED_MODEL"));
 }
 
 FeatureSource ball(std::string id, std::array<Scalar, 3> origin, double radius) {
@@ -241,17 +241,17 @@ TEST(CellularModelTest, ABallThatTouchesAFaceAtAPointIsRefused) {
   const FeatureSource base = block("base", {0.0, 0.0, 0.0}, {20, 20, 10});
   const auto refused = [](std::vector<FeatureSource> features) {
     const ErrorInfo error = error_of([&] { cells_of(std::move(features)); });
-    return error.reason + ' ' + error.feature + ' ' +
+    return error.reason + ' ' + test::joined(error.features) + ' ' +
            error.message.substr(std::min(error.message.size(), error.message.find("at a point")));
   };
   EXPECT_EQ(refused({base, minus(ball("cavity", {1.0, 2.0, 7.0}, 3))}),
-            "NonManifoldModel base,cavity at a point at (1, 2, 10)");
+            "NON_MANIFOLD_MODEL base,cavity at a point at (1, 2, 10)");
   EXPECT_EQ(refused({base, block("wall", {9.0, 0.0, 10.0}, {2, 20, 10}),
                      ball("knob", {5.0, 0.0, 14.0}, 4)}),
-            "NonManifoldModel base,knob at a point at (5, 0, 10)");
+            "NON_MANIFOLD_MODEL base,knob at a point at (5, 0, 10)");
   EXPECT_EQ(
       refused({base, minus(ball("c1", {0.0, 0.0, 5.0}, 2)), minus(ball("c2", {3.0, 0.0, 5.0}, 1))}),
-      "NonManifoldModel c1,c2 at a point at (2, 0, 5)");
+      "NON_MANIFOLD_MODEL c1,c2 at a point at (2, 0, 5)");
 }
 
 TEST(CellularModelTest, ABallThatTouchesAFaceInsideMaterialOrNearlyIsNot) {

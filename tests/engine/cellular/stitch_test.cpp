@@ -146,18 +146,18 @@ TEST(StitchTest, WhatIsWrongWithAModelIsToldAsEver) {
     const ErrorInfo from_base = test::error_of([&] { Made{edited, base}; });
     EXPECT_EQ(from_base.reason, fresh.reason);
     EXPECT_EQ(from_base.message, fresh.message);
-    EXPECT_EQ(from_base.feature, fresh.feature);
+    EXPECT_EQ(from_base.features, fresh.features);
     return fresh.reason;
   };
-  EXPECT_EQ(same_error(test::with_moved(row, "f6", 0, 50, 0), Made(row)), "DisconnectedModel");
-  EXPECT_EQ(same_error(test::with_moved(plate, "f6", 0, 0, 20), Made(plate)), "DisconnectedModel");
+  EXPECT_EQ(same_error(test::with_moved(row, "f6", 0, 50, 0), Made(row)), "DISCONNECTED_MODEL");
+  EXPECT_EQ(same_error(test::with_moved(plate, "f6", 0, 0, 20), Made(plate)), "DISCONNECTED_MODEL");
   ModelSource touching = plate;
   touching.features.push_back(placed(block("t1", 2, 2, 3), -1, -1, 10));
   touching.features.push_back(placed(block("t2", 2, 2, 3), 1, 1, 10));
-  EXPECT_EQ(same_error(touching, Made(plate)), "NonManifoldModel");
+  EXPECT_EQ(same_error(touching, Made(plate)), "NON_MANIFOLD_MODEL");
   ModelSource nothing = row;
   nothing.features.push_back(placed(block("all", 500, 500, 500), 0, 0, -250, Nature::Subtractive));
-  EXPECT_EQ(same_error(nothing, Made(row)), "EmptyModel");
+  EXPECT_EQ(same_error(nothing, Made(row)), "EMPTY_MODEL");
 }
 
 TEST(StitchTest, ChainsOfEditsStayExact) {

@@ -236,50 +236,50 @@ TEST_F(TetGen, IsTheOneThatTheEnvironmentNames) {
   setenv("REMESHD_TETGEN", (folder_ / "nothing").c_str(), 1);
   const ErrorInfo info = failure(cube());
   unsetenv("REMESHD_TETGEN");
-  EXPECT_EQ(info.reason, "TetGenMissing");
+  EXPECT_EQ(info.reason, "TETGEN_MISSING");
   EXPECT_NE(info.message.find((folder_ / "nothing").string()), std::string::npos) << info.message;
 }
 
 TEST_F(TetGen, IsMissingWhereTheFileMayNotBeRun) {
   const fs::path helper = script("exit 0");
   fs::permissions(helper, fs::perms::owner_read);
-  EXPECT_EQ(failure(cube(), {.helper = helper}).reason, "TetGenMissing");
+  EXPECT_EQ(failure(cube(), {.helper = helper}).reason, "TETGEN_MISSING");
 }
 
 TEST_F(TetGen, ThatIsKilledBeforeItReadsIsAnErrorWithTheSignal) {
   const ErrorInfo info = failure(sphere(60, 120), {.helper = script("kill -SEGV $$")});
-  EXPECT_EQ(info.reason, "TetGenCrashed");
+  EXPECT_EQ(info.reason, "TETGEN_CRASHED");
   EXPECT_NE(info.message.find("signal 11"), std::string::npos) << info.message;
 }
 
 TEST_F(TetGen, ThatAbortsAfterReadingIsAnErrorWithTheSignal) {
   const ErrorInfo info = failure(cube(), {.helper = script("cat > /dev/null; kill -ABRT $$")});
-  EXPECT_EQ(info.reason, "TetGenCrashed");
+  EXPECT_EQ(info.reason, "TETGEN_CRASHED");
   EXPECT_NE(info.message.find("signal 6"), std::string::npos) << info.message;
 }
 
 TEST_F(TetGen, ThatAnswersNonsenseIsAnError) {
   for (const char* body : {"cat > /dev/null", "cat > /dev/null; echo no mesh here",
                            "cat > /dev/null; head -c 4096 /dev/zero", "cat", "exit 3"})
-    EXPECT_EQ(failure(cube(), {.helper = script(body)}).reason, "TetGenCrashed") << body;
+    EXPECT_EQ(failure(cube(), {.helper = script(body)}).reason, "TETGEN_CRASHED") << body;
 }
 
 TEST_F(TetGen, ThatAnswersWithoutEndIsStopped) {
   const ErrorInfo info =
       failure(cube(), {.address_space = 1 << 20, .helper = script("exec cat /dev/zero")});
-  EXPECT_EQ(info.reason, "TetGenCrashed");
+  EXPECT_EQ(info.reason, "TETGEN_CRASHED");
   EXPECT_NE(info.message.find("no end"), std::string::npos) << info.message;
 }
 
 TEST_F(TetGen, ThatHangsIsStoppedAtTheTimeLimit) {
   const ErrorInfo info = failure(cube(), {.seconds = 0.1, .helper = script("exec sleep 600")});
-  EXPECT_EQ(info.reason, "TetGenTooSlow");
+  EXPECT_EQ(info.reason, "TETGEN_TOO_SLOW");
   EXPECT_NE(info.message.find("0.1 s"), std::string::npos) << info.message;
 }
 
 TEST_F(TetGen, ThatHangsWithItsStreamsClosedIsStoppedToo) {
   EXPECT_EQ(failure(cube(), {.seconds = 0.1, .helper = script("exec sleep 600 <&- >&-")}).reason,
-            "TetGenTooSlow");
+            "TETGEN_TOO_SLOW");
 }
 
 TEST_F(TetGen, StopsWhenTheRunIsCancelled) {
@@ -307,7 +307,7 @@ TEST_F(TetGen, DoesNotStartInACancelledRun) {
 
 TEST_F(TetGen, KeepsToItsAddressSpace) {
   const ErrorInfo info = failure(sphere(200, 400), {.address_space = 48 << 20});
-  EXPECT_EQ(info.reason, "TetGenOutOfMemory");
+  EXPECT_EQ(info.reason, "TETGEN_OUT_OF_MEMORY");
   EXPECT_NE(info.message.find("48 MiB"), std::string::npos) << info.message;
 }
 
@@ -334,7 +334,7 @@ TEST_F(TetGen, RefusesTwoBoxesThatCross) {
   TetGenSurface s = cube();
   add_box(s, {0.5, 0.25, 0.25}, {1.5, 0.75, 0.75});
   const ErrorInfo info = failure(s);
-  EXPECT_EQ(info.reason, "TetGenRefused");
+  EXPECT_EQ(info.reason, "TETGEN_REFUSED");
   EXPECT_EQ(info.stage, "control mesh");
   EXPECT_NE(info.message.find("the surface cuts itself"), std::string::npos) << info.message;
 }
@@ -342,7 +342,7 @@ TEST_F(TetGen, RefusesTwoBoxesThatCross) {
 TEST_F(TetGen, RefusesAnOpenSurface) {
   TetGenSurface s = cube();
   s.triangles.pop_back();
-  EXPECT_EQ(failure(s).reason, "TetGenRefused");
+  EXPECT_EQ(failure(s).reason, "TETGEN_REFUSED");
 }
 
 // TetGen 1.5.0 dies of these: what its own process is for.
@@ -350,7 +350,7 @@ TEST_F(TetGen, FailsOnNothingAndOnFlatThings) {
   for (const TetGenSurface& s :
        {TetGenSurface{}, TetGenSurface{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}}) {
     const ErrorInfo info = failure(s);
-    EXPECT_TRUE(info.reason == "TetGenCrashed" || info.reason == "TetGenRefused") << info.message;
+    EXPECT_TRUE(info.reason == "TETGEN_CRASHED" || info.reason == "TETGEN_REFUSED") << info.message;
   }
 }
 
@@ -362,7 +362,7 @@ TEST_F(TetGen, RefusesCoordinatesThatAreNotFiniteAndIndicesOutOfRange) {
   negative.triangles[2][1] = -1;
   for (const TetGenSurface* s : {&nan, &infinite, &beyond, &negative}) {
     const ErrorInfo info = failure(*s);
-    EXPECT_EQ(info.reason, "TetGenRefused");
+    EXPECT_EQ(info.reason, "TETGEN_REFUSED");
     EXPECT_NE(info.message.find("not finite or a corner"), std::string::npos) << info.message;
   }
 }

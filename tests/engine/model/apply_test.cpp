@@ -36,7 +36,7 @@ std::string failure_of(const Edit& edit) {
     edited({SetParameter{"w", 90.0}, edit, SetParameter{"nope", 1.0}});
   });
   EXPECT_EQ(info.stage, "model");
-  EXPECT_FALSE(info.hint.empty() && info.reason != "WrongValueKind");
+  EXPECT_FALSE(info.hint.empty() && info.reason != "WRONG_VALUE_KIND");
   return (info.edit_index ? std::to_string(*info.edit_index) : "none") + " " + test::place_of(info);
 }
 
@@ -49,8 +49,8 @@ TEST(Apply, LeavesItsArgumentAsItWas) {
 }
 
 TEST(Apply, SetParameterTakesANumberOrAnExpression) {
-  EXPECT_EQ(edited({SetParameter{"w", 85.0}}).parameters.at("w"), Scalar(85.0));
-  EXPECT_EQ(edited({SetParameter{"w", "8*10"}}).parameters.at("w"), Scalar("8*10"));
+  EXPECT_EQ(edited({SetParameter{"w", 85.0}}).parameters[0].value, Scalar(85.0));
+  EXPECT_EQ(edited({SetParameter{"w", "8*10"}}).parameters[0].value, Scalar("8*10"));
 }
 
 TEST(Apply, SetFeatureParameterReplacesOneValueOrTheProfile) {
@@ -107,16 +107,16 @@ TEST(Apply, ResultIsNotYetValidated) {
 
 TEST(Apply, UnknownNamesAreErrorsWithTheIndexOfTheEdit) {
   const FeatureSource pin = test::feature("pin", "sphere", {{"radius", 1.0}});
-  EXPECT_EQ(failure_of(SetParameter{"W", 1.0}), "1 UnknownParameter - W");
-  EXPECT_EQ(failure_of(SetFeatureParameter{"Base", "dx", Scalar(1.0)}), "1 UnknownFeature Base -");
+  EXPECT_EQ(failure_of(SetParameter{"W", 1.0}), "1 UNKNOWN_PARAMETER - W");
+  EXPECT_EQ(failure_of(SetFeatureParameter{"Base", "dx", Scalar(1.0)}), "1 UNKNOWN_FEATURE Base -");
   EXPECT_EQ(failure_of(SetFeatureParameter{"base", "radius", Scalar(1.0)}),
-            "1 UnknownParameter base radius");
+            "1 UNKNOWN_PARAMETER base radius");
   EXPECT_EQ(failure_of(SetFeatureParameter{"base", "profile", kTriangle}),
-            "1 UnknownParameter base profile");
-  EXPECT_EQ(failure_of(SetPlacement{"nut", {}}), "1 UnknownFeature nut -");
-  EXPECT_EQ(failure_of(AddFeature{pin, "nut"}), "1 UnknownFeature nut -");
-  EXPECT_EQ(failure_of(RemoveFeature{"nut"}), "1 UnknownFeature nut -");
-  EXPECT_EQ(failure_of(RemoveFeature{""}), "1 UnknownFeature - -");
+            "1 UNKNOWN_PARAMETER base profile");
+  EXPECT_EQ(failure_of(SetPlacement{"nut", {}}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(failure_of(AddFeature{pin, "nut"}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(failure_of(RemoveFeature{"nut"}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(failure_of(RemoveFeature{""}), "1 UNKNOWN_FEATURE - -");
 }
 
 TEST(Apply, UnknownFeaturesAreNotFound) {
@@ -126,26 +126,26 @@ TEST(Apply, UnknownFeaturesAreNotFound) {
 
 TEST(Apply, FeaturesThatExistOrHaveABadNameCannotBeAdded) {
   FeatureSource f = test::feature("rib", "sphere", {{"radius", 1.0}});
-  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 DuplicateFeature rib -");
+  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 DUPLICATE_FEATURE rib -");
   f.id = "rib 2";
-  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 InvalidName rib 2 id");
+  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 INVALID_NAME rib 2 id");
 }
 
 TEST(Apply, AProfileIsNoNumberAndANumberNoProfile) {
   EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "profile", Scalar(3.0)}),
-            "1 WrongValueKind rib profile");
+            "1 WRONG_VALUE_KIND rib profile");
   EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "height", kTriangle}),
-            "1 WrongValueKind rib height");
+            "1 WRONG_VALUE_KIND rib height");
 }
 
 TEST(Apply, AFeatureOfUnknownTypeHasNoParametersToSet) {
   EXPECT_EQ(failure_of(AddFeature{test::feature("blob", "blob"), "nowhere"}),
-            "1 UnknownFeature nowhere -");
+            "1 UNKNOWN_FEATURE nowhere -");
   const ErrorInfo info = test::error_of([] {
     edited({AddFeature{test::feature("blob", "blob"), ""},
             SetFeatureParameter{"blob", "size", Scalar(1.0)}});
   });
-  EXPECT_EQ(test::place_of(info), "UnknownFeatureType blob type");
+  EXPECT_EQ(test::place_of(info), "UNKNOWN_FEATURE_TYPE blob type");
   EXPECT_EQ(info.edit_index, 1);
 }
 

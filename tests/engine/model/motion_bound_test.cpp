@@ -76,7 +76,7 @@ TEST(SameGeometry, PlacementCounts) {
 TEST(SameGeometry, WordingDoesNotCount) {
   ModelSource changed = original();
   changed.name = "other";
-  changed.parameters["r"] = 4.0;
+  changed.parameters = {{"r", 4.0}};
   changed.features[1].parameters["radius"] = "r";
   changed.features[1].placement.z_axis = std::array<Scalar, 3>{0.0, 0.0, 5.0};
   changed.features[3].reference = std::array<Scalar, 3>{1.0, 2.0, 3.0};

@@ -82,27 +82,31 @@ TEST(Placement, FramesAreRightHandedAndOrthonormalEvenFromNearlyParallelAxes) {
 
 TEST(Placement, DegenerateFramesAreRefused) {
   const Triple origin{0.0, 0.0, 0.0};
-  EXPECT_EQ(failure_of({origin, Triple{0.0, 0.0, 0.0}, {}}), "DegenerateFrame rib placement.zAxis");
+  EXPECT_EQ(failure_of({origin, Triple{0.0, 0.0, 0.0}, {}}),
+            "DEGENERATE_FRAME rib placement.zAxis");
   EXPECT_EQ(failure_of({origin, Triple{0.0, 0.0, 1e-12}, {}}),
-            "DegenerateFrame rib placement.zAxis");
-  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 0.0}}), "DegenerateFrame rib placement.xAxis");
-  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 3.0}}), "DegenerateFrame rib placement.xAxis");
+            "DEGENERATE_FRAME rib placement.zAxis");
+  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 0.0}}),
+            "DEGENERATE_FRAME rib placement.xAxis");
+  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 3.0}}),
+            "DEGENERATE_FRAME rib placement.xAxis");
   EXPECT_EQ(failure_of({origin, Triple{1.0, 2.0, 3.0}, Triple{-2.0, -4.0, -6.0}}),
-            "DegenerateFrame rib placement.xAxis");
+            "DEGENERATE_FRAME rib placement.xAxis");
   EXPECT_EQ(failure_of({origin, Triple{1.0, 0.0, 0.0}, Triple{1.0, 0.0, 0.0}}),
-            "DegenerateFrame rib placement.xAxis");
+            "DEGENERATE_FRAME rib placement.xAxis");
 }
 
 TEST(Placement, ErrorsNameTheComponent) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(failure_of({Triple{0.0, nan, 0.0}, {}, {}}), "NonFiniteValue rib placement.origin[1]");
-  EXPECT_EQ(failure_of({Triple{0.0, 0.0, "b"}, {}, {}}), "UnknownName rib placement.origin[2]");
+  EXPECT_EQ(failure_of({Triple{0.0, nan, 0.0}, {}, {}}),
+            "NON_FINITE_VALUE rib placement.origin[1]");
+  EXPECT_EQ(failure_of({Triple{0.0, 0.0, "b"}, {}, {}}), "UNKNOWN_NAME rib placement.origin[2]");
   EXPECT_EQ(failure_of({Triple{-2e9, 0.0, 0.0}, {}, {}}),
-            "ValueOutOfRange rib placement.origin[0]");
+            "VALUE_OUT_OF_RANGE rib placement.origin[0]");
   EXPECT_EQ(failure_of({{0.0, 0.0, 0.0}, Triple{"1/0", 0.0, 0.0}, {}}),
-            "NonFiniteValue rib placement.zAxis[0]");
+            "NON_FINITE_VALUE rib placement.zAxis[0]");
   EXPECT_EQ(failure_of({{0.0, 0.0, 0.0}, {}, Triple{1.0, "1,2", 0.0}}),
-            "InvalidExpression rib placement.xAxis[1]");
+            "INVALID_EXPRESSION rib placement.xAxis[1]");
 }
 
 }  // namespace

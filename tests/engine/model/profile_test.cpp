@@ -139,97 +139,97 @@ TEST(Profile, BoundsOfArcsReachTheirExtremes) {
 }
 
 TEST(Profile, NeedsThreeSidesOrTwoWithAnArc) {
-  EXPECT_EQ(failure_of({}), "InvalidProfile web profile");
-  EXPECT_EQ(failure_of({point(0.0, 0.0)}), "InvalidProfile web profile");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0)}), "InvalidProfile web profile");
+  EXPECT_EQ(failure_of({}), "INVALID_PROFILE web profile");
+  EXPECT_EQ(failure_of({point(0.0, 0.0)}), "INVALID_PROFILE web profile");
+  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0)}), "INVALID_PROFILE web profile");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 0.0)}),
-            "InvalidProfile web profile");
+            "INVALID_PROFILE web profile");
   EXPECT_EQ(outline({point(0.0, 0.0), arc(1.0, 0.0, 0.5, 0.5)}).size(), 2U);
 }
 
 TEST(Profile, StartsWithAPoint) {
   EXPECT_EQ(failure_of({arc(0.0, 0.0, 1.0, 1.0), point(2.0, 0.0), point(1.0, 3.0)}),
-            "InvalidProfile web profile[0]");
+            "INVALID_PROFILE web profile[0]");
 }
 
 TEST(Profile, SidesHaveALength) {
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(1.0, 0.0), point(0.0, 1.0)}),
-            "InvalidProfile web profile[2]");
+            "INVALID_PROFILE web profile[2]");
   EXPECT_EQ(
       failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), point(0.0, 1.0 + 1e-11)}),
-      "InvalidProfile web profile[3]");
+      "INVALID_PROFILE web profile[3]");
   EXPECT_EQ(failure_of({point(5.0, 5.0), point(5.0, 5.0), point(5.0, 5.0)}),
-            "InvalidProfile web profile[1]");
+            "INVALID_PROFILE web profile[1]");
   EXPECT_EQ(failure_of({point(0.0, 0.0), arc(0.0, 0.0, 1.0, 1.0)}),
-            "InvalidProfile web profile[1]");
+            "INVALID_PROFILE web profile[1]");
   EXPECT_EQ(
       failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), arc(0.0, 1.0, 3.0, 3.0)}),
-      "InvalidProfile web profile[3]");
+      "INVALID_PROFILE web profile[3]");
 }
 
 TEST(Profile, PointsOfAnArcDoNotLieOnALine) {
   const auto bent = [](double tx, double ty) {
     return Entries{point(0.0, 0.0), point(2.0, 0.0), arc(2.0, 2.0, tx, ty), point(0.0, 2.0)};
   };
-  EXPECT_EQ(failure_of(bent(2, 1)), "InvalidProfile web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 7)), "InvalidProfile web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 2)), "InvalidProfile web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 0)), "InvalidProfile web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2 + 1e-8, 1)), "InvalidProfile web profile[2].through");
+  EXPECT_EQ(failure_of(bent(2, 1)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(failure_of(bent(2, 7)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(failure_of(bent(2, 2)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(failure_of(bent(2, 0)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(failure_of(bent(2 + 1e-8, 1)), "INVALID_PROFILE web profile[2].through");
   EXPECT_NO_THROW(outline(bent(2 + 1e-4, 1)));
 }
 
 TEST(Profile, ErrorsOfNumbersNameTheEntry) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(nan, 0.0), point(0.0, 1.0)}),
-            "NonFiniteValue web profile[1]");
+            "NON_FINITE_VALUE web profile[1]");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, "b")}),
-            "UnknownName web profile[2]");
+            "UNKNOWN_NAME web profile[2]");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), arc(0.0, 1.0, "a=1", 3.0)}),
-            "InvalidExpression web profile[2].through");
+            "INVALID_EXPRESSION web profile[2].through");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(2e9, 0.0), point(0.0, 1.0)}),
-            "ValueOutOfRange web profile[1]");
+            "VALUE_OUT_OF_RANGE web profile[1]");
 }
 
 TEST(Profile, NumberOfEntriesIsLimited) {
   Entries round;
   for (int k = 0; k < 1001; ++k)
     round.push_back(point(std::cos(2 * kPi * k / 1001), std::sin(2 * kPi * k / 1001)));
-  EXPECT_EQ(failure_of(round), "LimitExceeded web profile");
+  EXPECT_EQ(failure_of(round), "LIMIT_EXCEEDED web profile");
   round.pop_back();
   EXPECT_EQ(outline(round).size(), 1000U);
 }
 
 TEST(SimpleProfile, CrossingSegmentsAreRefused) {
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(2.0, 2.0), point(2.0, 0.0), point(0.0, 2.0)}),
-            "SelfIntersectingProfile web profile[2]");
+            "SELF_INTERSECTING_PROFILE web profile[2]");
 }
 
 TEST(SimpleProfile, TouchingIsRefused) {
   // A corner on a side.
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 0.0),
                         point(0.0, 4.0)}),
-            "SelfIntersectingProfile web profile[2]");
+            "SELF_INTERSECTING_PROFILE web profile[2]");
   // A corner on a corner.
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(2.0, 1.0), point(4.0, 0.0), point(4.0, 4.0),
                         point(2.0, 1.0), point(0.0, 4.0)}),
-            "SelfIntersectingProfile web profile[3]");
+            "SELF_INTERSECTING_PROFILE web profile[3]");
   // Nearer than rounding can tell apart.
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 1e-10),
                         point(0.0, 4.0)}),
-            "SelfIntersectingProfile web profile[2]");
+            "SELF_INTERSECTING_PROFILE web profile[2]");
   EXPECT_NO_THROW(outline(
       {point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 1e-6), point(0.0, 4.0)}));
 }
 
 TEST(SimpleProfile, OverlapsAndSpikesAreRefused) {
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(2.0, 0.0), point(2.0, 3.0)}),
-            "SelfIntersectingProfile web profile[1]");
+            "SELF_INTERSECTING_PROFILE web profile[1]");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(2.0, 0.0)}),
-            "SelfIntersectingProfile web profile[2]");
+            "SELF_INTERSECTING_PROFILE web profile[2]");
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(4.0, 8.0),
                         point(4.0, 4.0), point(0.0, 4.0)}),
-            "SelfIntersectingProfile web profile[3]");
+            "SELF_INTERSECTING_PROFILE web profile[3]");
 }
 
 TEST(SimpleProfile, CornersInTheMiddleOfAStraightLineAreAllowed) {
@@ -244,18 +244,18 @@ TEST(SimpleProfile, ArcsThatReachAnotherSideAreRefused) {
   };
   EXPECT_NO_THROW(outline(box(1.0)));
   EXPECT_NO_THROW(outline(box(1.9)));
-  EXPECT_EQ(failure_of(box(2.1)), "SelfIntersectingProfile web profile[1]");  // beyond y = 0
-  EXPECT_EQ(failure_of(box(4.5)), "SelfIntersectingProfile web profile[1]");
+  EXPECT_EQ(failure_of(box(2.1)), "SELF_INTERSECTING_PROFILE web profile[1]");  // beyond y = 0
+  EXPECT_EQ(failure_of(box(4.5)), "SELF_INTERSECTING_PROFILE web profile[1]");
   // Touches the left side without crossing it.
   EXPECT_EQ(
       failure_of({point(3.0, 0.0), point(4.0, 0.0), arc(4.0, 4.0, 3.0, 2.0), point(3.0, 4.0)}),
-      "SelfIntersectingProfile web profile[3]");
+      "SELF_INTERSECTING_PROFILE web profile[3]");
 }
 
 TEST(SimpleProfile, AnArcThatMeetsItsNeighbourAgainIsRefused) {
   // The arc starts at (4, 0) below the line y = 0 and comes up through it at x = 2.
   EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), arc(2.0, 1.0, 3.0, -1.0)}),
-            "SelfIntersectingProfile web profile[1]");
+            "SELF_INTERSECTING_PROFILE web profile[1]");
 }
 
 TEST(SimpleProfile, CrossingAndTouchingArcsAreRefused) {
@@ -264,8 +264,8 @@ TEST(SimpleProfile, CrossingAndTouchingArcsAreRefused) {
                    arc(0.0, 2.0, 2.0, 2.0 - depth)};
   };
   EXPECT_NO_THROW(outline(waist(0.999)));
-  EXPECT_EQ(failure_of(waist(1.0)), "SelfIntersectingProfile web profile[2]");
-  EXPECT_EQ(failure_of(waist(1.1)), "SelfIntersectingProfile web profile[2]");
+  EXPECT_EQ(failure_of(waist(1.0)), "SELF_INTERSECTING_PROFILE web profile[2]");
+  EXPECT_EQ(failure_of(waist(1.1)), "SELF_INTERSECTING_PROFILE web profile[2]");
 }
 
 TEST(SimpleProfile, ArcsOfOneCircleThatOverlapAreRefused) {
@@ -276,8 +276,8 @@ TEST(SimpleProfile, ArcsOfOneCircleThatOverlapAreRefused) {
   const Point2 a = at(0), b = at(100), c = at(200), d = at(300), e = at(400);
   EXPECT_EQ(failure_of({point(a[0], a[1]), arc(c[0], c[1], b[0], b[1]), arc(e[0], e[1], d[0], d[1]),
                         point(2.0, 0.5)})
-                .substr(0, 23),
-            "SelfIntersectingProfile");
+                .substr(0, 25),
+            "SELF_INTERSECTING_PROFILE");
 }
 
 TEST(SimpleProfile, CuspsAreRefusedAndSmoothJointsAllowed) {
@@ -305,12 +305,12 @@ TEST(SimpleProfile, CuspsAreRefusedAndSmoothJointsAllowed) {
   // A half disc out of which two half discs are cut, all tangent at their ends.
   EXPECT_EQ(failure_of({point(0.0, 0.0), arc(4.0, 0.0, 2.0, -2.0), arc(2.0, 0.0, 3.0, -1.0),
                         arc(0.0, 0.0, 1.0, -1.0)}),
-            "SelfIntersectingProfile web profile[1]");
+            "SELF_INTERSECTING_PROFILE web profile[1]");
   // A crescent whose horns are cusps.
   EXPECT_EQ(failure_of({point(0.0, 0.0), arc(0.0, 4.0, 2.0, 2.0), arc(0.0, 2.0, 1.0, 3.0),
                         arc(0.0, 0.0, -1.0, 1.0)})
-                .substr(0, 23),
-            "SelfIntersectingProfile");
+                .substr(0, 25),
+            "SELF_INTERSECTING_PROFILE");
 }
 
 /// The outline as a closed polyline, arcs in `steps` pieces, by formulas of its own.
@@ -375,7 +375,7 @@ TEST(SimpleProfile, AgreesWithAFinePolygonOnRandomOutlines) {
       EXPECT_FALSE(expected) << "outline " << k;
       ++simple;
     } catch (const Error& e) {
-      EXPECT_EQ(e.info().reason, "SelfIntersectingProfile") << e.what();
+      EXPECT_EQ(e.info().reason, "SELF_INTERSECTING_PROFILE") << e.what();
       ++(expected ? crossing
                   : undecided);  // arcs may graze each other between the polygon's corners
     }
@@ -387,13 +387,13 @@ TEST(SimpleProfile, AgreesWithAFinePolygonOnRandomOutlines) {
 
 TEST(HalfProfile, StaysOnOneSideOfTheAxis) {
   EXPECT_EQ(half_failure_of({point(1.0, 0.0), point(2.0, 0.0), point(-0.1, 1.0)}),
-            "ProfileCrossesAxis ring profile[2]");
+            "PROFILE_CROSSES_AXIS ring profile[2]");
   const auto hollow = [](double tx) {
     return Entries{point(1.0, 0.0), point(3.0, 2.0), point(1.0, 4.0), arc(1.0, 0.0, tx, 2.0)};
   };
-  EXPECT_EQ(half_failure_of(hollow(-0.5)), "ProfileCrossesAxis ring profile[3]");
-  EXPECT_EQ(half_failure_of(hollow(0)), "ProfileCrossesAxis ring profile[3]");
-  EXPECT_EQ(half_failure_of(hollow(0), false), "ProfileCrossesAxis ring profile[3]");
+  EXPECT_EQ(half_failure_of(hollow(-0.5)), "PROFILE_CROSSES_AXIS ring profile[3]");
+  EXPECT_EQ(half_failure_of(hollow(0)), "PROFILE_CROSSES_AXIS ring profile[3]");
+  EXPECT_EQ(half_failure_of(hollow(0), false), "PROFILE_CROSSES_AXIS ring profile[3]");
   EXPECT_NO_THROW(half_outline(hollow(0.1)));
 }
 
@@ -407,7 +407,7 @@ TEST(HalfProfile, CoordinatesWithinRoundingOfTheAxisAreOnIt) {
 
 TEST(HalfProfile, ACornerAloneOnTheAxisPinchesAFullTurn) {
   const Entries pinched{point(0.0, 0.0), point(2.0, -1.0), point(2.0, 1.0)};
-  EXPECT_EQ(half_failure_of(pinched), "ProfileCrossesAxis ring profile[0]");
+  EXPECT_EQ(half_failure_of(pinched), "PROFILE_CROSSES_AXIS ring profile[0]");
   EXPECT_NO_THROW(half_outline(pinched, false));
   // With a side on the axis the same corner is the tip of a cone.
   EXPECT_NO_THROW(half_outline({point(0.0, 0.0), point(2.0, 1.0), point(0.0, 1.0)}));

@@ -74,7 +74,7 @@ TEST(PointSource, TheFootOfAMovedRibIsActiveWhereItWasAndWhereItIs) {
 TEST(PointSource, ATinyMoveIsStillAMove) {
   ModelSource document = test::case_model("simple-a");
   const FeatureModel original = evaluate(document);
-  document.parameters["top_x"] = -20 + 1e-7;
+  test::parameter(document, "top_x") = -20 + 1e-7;
   const FeatureModel modified = evaluate(document);
   const PointSource source(&original, modified, kEdge, kRun);
   const std::int32_t top = source({-20, 0, 50});

@@ -55,7 +55,7 @@ TEST_F(Continuation, KeepsTheConnectivityBelowAHundredthOfTheEdgeLength) {
   for (const double step : {1e-9, 1e-6, 1e-4, 0.0099}) {
     SCOPED_TRACE(step);
     const Revision r = edit(base_, grown(source_, step * l_));
-    EXPECT_EQ(r.report.way, Way::Continued);
+    EXPECT_EQ(r.report.way, Way::Morphed);
     EXPECT_EQ(r.delivery.mesh.tets, base_.delivery.mesh.tets);
     EXPECT_EQ(r.delivery.node_ids, base_.delivery.node_ids);
     const double moved = largest_motion(base_, r);
@@ -69,7 +69,7 @@ TEST_F(Continuation, KeepsTheConnectivityBelowAHundredthOfTheEdgeLength) {
 
 TEST_F(Continuation, MovesNothingFurtherThanThreeEdgeLengthsFromWhatMoved) {
   const Revision r = edit(base_, grown(source_, 0.009 * l_));
-  ASSERT_EQ(r.report.way, Way::Continued);
+  ASSERT_EQ(r.report.way, Way::Morphed);
   std::uint32_t moved = 0;
   for (std::size_t n = 0; n < r.delivery.mesh.nodes.size(); ++n) {
     const Vec3& before = base_.delivery.mesh.nodes[n];
@@ -98,14 +98,14 @@ TEST_F(Continuation, EndsInOneStepOrManyAtTheSamePlace) {
 
 TEST_F(Continuation, CountsFromTheModelThatTheConnectivityWasMadeFor) {
   Revision r = edit(base_, grown(source_, 0.007 * l_));
-  EXPECT_EQ(r.report.way, Way::Continued);
+  EXPECT_EQ(r.report.way, Way::Morphed);
   r = edit(r, grown(source_, 0.014 * l_));
   EXPECT_EQ(r.report.way, Way::Local);
 }
 
 TEST_F(Continuation, ARemeshFromIncludesWhatFollowedBefore) {
   const Revision moved = edit(base_, grown(source_, 0.009 * l_));
-  ASSERT_EQ(moved.report.way, Way::Continued);
+  ASSERT_EQ(moved.report.way, Way::Morphed);
   ModelSource further = grown(source_, 0.009 * l_);
   further = apply(further, test::case_edit("tool1-ac"));
   const Revision remesh = edit(moved, further);
@@ -118,7 +118,7 @@ TEST_F(Continuation, ARemeshFromIncludesWhatFollowedBefore) {
 
 TEST_F(Continuation, InMemoryEqualsLoadedAgain) {
   const Revision moved = edit(base_, grown(source_, 0.009 * l_));
-  ASSERT_EQ(moved.report.way, Way::Continued);
+  ASSERT_EQ(moved.report.way, Way::Morphed);
   const Revision loaded = deserialise(serialise(moved), kRun);
   for (const double by : {0.005, 0.5}) {
     const ModelSource next = grown(source_, by);
@@ -136,7 +136,7 @@ TEST(Continuations, AThousandTinyStepsNeitherDriftNorDecay) {
   for (int k = 1; k <= kSteps; ++k) {
     // Each of the two sides moves by half of what the width grows.
     r = make_revision(&r, with(source, "base", "dx", k * 2e-4 * base.edge_length), {}, kRun);
-    continued += r.report.way == Way::Continued;
+    continued += r.report.way == Way::Morphed;
     ASSERT_LE(r.report.way, Way::Local) << k;
   }
   EXPECT_GE(continued, kSteps - 20);

@@ -24,7 +24,7 @@ const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 /// tool1-a with pins much finer than an edge at 5,000 nodes.
 ModelSource fine_pins() {
   ModelSource model = test::case_model("tool1-a");
-  model.parameters["pin_radius"] = 0.8;
+  test::parameter(model, "pin_radius") = 0.8;
   return model;
 }
 
@@ -163,7 +163,7 @@ TEST(LastResort, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
                       "a boundary facet on no model face at "
                       "(41, 0, 12)"}};
   const ErrorInfo info = test::error_of([&] { last_resort(input, failed, kRun); });
-  EXPECT_EQ(test::place_of(info), "BoundaryNotRecovered hole1, plate -");
+  EXPECT_EQ(test::place_of(info), "BOUNDARY_NOT_RECOVERED hole1,plate -");
   EXPECT_NE(info.message.find("(41, 0, 12), between hole1.wall and plate.top; TetGen"),
             std::string::npos)
       << info.message;
@@ -174,7 +174,7 @@ TEST(LastResort, TakesNoOtherWayWhereTheClockEndsOne) {
   const Ready ready(test::case_model("tool1-a"), 1000);
   LastResort input = ready.input();
   input.limits.seconds = 1e-3;
-  EXPECT_EQ(test::error_of([&] { mesh_by_tetgen(input, kRun); }).reason, "TetGenTooSlow");
+  EXPECT_EQ(test::error_of([&] { mesh_by_tetgen(input, kRun); }).reason, "TETGEN_TOO_SLOW");
 }
 
 TEST(LastResort, StopsWhenAsked) {

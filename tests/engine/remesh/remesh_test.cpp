@@ -326,7 +326,7 @@ TEST(Remesh, OptionsOutOfRangeAreRefused) {
       make_revision(nullptr, test::case_model("simple-a"), bad, kRun);
       ADD_FAILURE() << "accepted";
     } catch (const Error& e) {
-      EXPECT_EQ(e.info().reason, "OptionsInvalid");
+      EXPECT_EQ(e.info().reason, "OPTIONS_INVALID");
     }
 }
 
@@ -353,7 +353,8 @@ TEST(Remesh, ASharpWedgeIsRepairedWithFewNodes) {
   const Revision r = first("tool2-d", {.nodes = 15098, .iterations = 10, .seed = 4});
   expect_valid(r);
   EXPECT_NEAR(r.delivery.mesh.nodes.size(), 15098, 0.01 * 15098);
-  for (const std::string& w : r.report.warnings) EXPECT_EQ(w.find("seed"), std::string::npos) << w;
+  for (const Warning& w : r.report.warnings)
+    EXPECT_EQ(w.message.find("seed"), std::string::npos) << w.message;
 }
 
 }  // namespace

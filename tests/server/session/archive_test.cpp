@@ -81,7 +81,7 @@ TEST_F(ArchiveTest, WhoeverFilesNextWritesADamagedCopyAgain) {
   folder.damage_objects();
   const auto store = folder.open();
   Archive archive(engine_, *store, 1 << 30);
-  EXPECT_EQ(error_of([&] { archive.find(id_, kRun); }).reason, "StoreCorrupted");
+  EXPECT_EQ(error_of([&] { archive.find(id_, kRun); }).reason, "STORE_CORRUPTED");
   archive.file(revision_, "another", {});
   Archive reader(engine_, *store, 1 << 30);
   EXPECT_EQ(reader.get(id_, kRun)->revision.delivery.mesh.nodes.size(), 100U);

@@ -74,7 +74,7 @@ TEST(Pool, RefusesWhatDoesNotFitIntoItsQueueWithADelay) {
     ADD_FAILURE() << "a third job was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.info().kind, ErrorKind::ResourceExhausted);
-    EXPECT_EQ(error.info().reason, "Busy");
+    EXPECT_EQ(error.info().reason, "BUSY");
     EXPECT_GT(error.info().retry_after, 0.0);
   }
   blocker.open();
@@ -103,7 +103,7 @@ TEST(Pool, RefusesWhatWaitsTooLong) {
   std::promise<std::string> reason;
   pool.submit([] { ADD_FAILURE() << "it ran"; },
               [&](const Error& error) { reason.set_value(error.info().reason); });
-  EXPECT_EQ(reason.get_future().get(), "WaitedTooLong");
+  EXPECT_EQ(reason.get_future().get(), "WAITED_TOO_LONG");
   blocker.open();
 }
 
@@ -117,7 +117,7 @@ TEST(Pool, ShutdownRefusesWhatWaitsAndLetsFinishWhatRuns) {
                 blocker.open();
               });
   pool.shutdown();
-  EXPECT_EQ(reason, "ShuttingDown");
+  EXPECT_EQ(reason, "SHUTTING_DOWN");
   EXPECT_EQ(pool.running(), 0U);
   EXPECT_THROW(pool.submit([] {}, kNoRefusal), Error);
 }

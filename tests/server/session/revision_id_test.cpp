@@ -31,9 +31,11 @@ TEST(RevisionId, DiffersWithEverythingThatADocumentSays) {
       [](ModelSource&) {},
       [](ModelSource& m) { m.name = "n"; },
       [](ModelSource& m) { m.unit = "cm"; },
-      [](ModelSource& m) { m.parameters["r"] = 5.0; },
-      [](ModelSource& m) { m.parameters["r"] = "4"; },
-      [](ModelSource& m) { m.parameters["s"] = 4.0; },
+      [](ModelSource& m) { m.parameters[0].value = 5.0; },
+      [](ModelSource& m) { m.parameters[0].value = "4"; },
+      [](ModelSource& m) {
+        m.parameters.push_back({"s", 4.0});
+      },
       [](ModelSource& m) { std::swap(m.features[0], m.features[1]); },
       [](ModelSource& m) { m.features[1].id = "bore"; },
       [](ModelSource& m) { m.features[1].nature = Nature::Additive; },

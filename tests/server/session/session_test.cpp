@@ -127,7 +127,7 @@ TEST_F(SessionTest, WhatIsCancelledWhileItWaitsForItsPreparationIsNotPrepared) {
   Answer answer;
   const MakeRequestPtr request = session.create(command(), answer.listener());
   request->cancel();
-  EXPECT_EQ(answer.error().reason, "Cancelled");
+  EXPECT_EQ(answer.error().reason, "CANCELLED");
   free.count_down();
   session.later([&] { done.count_down(); }, no_refusal);
   done.wait();
@@ -183,7 +183,7 @@ TEST_F(SessionTest, ARevisionThatEverybodyGaveUpAtTheLastMomentLeavesMemory) {
   Answer answer;
   request = session.create(command(), answer.listener());
   given = true;
-  EXPECT_EQ(answer.error().reason, "Cancelled");
+  EXPECT_EQ(answer.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   EXPECT_EQ(fake_.made(), 1);
   EXPECT_EQ(session.load().held, 0U);
@@ -256,7 +256,7 @@ TEST_F(DamagedCopy, IsHealedFromMemoryWhereWhoeverHadItMadeAnewGaveUp) {
   Answer first, second;
   request = session.create(command(), first.listener());
   given = true;
-  EXPECT_EQ(first.error().reason, "Cancelled");
+  EXPECT_EQ(first.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   ASSERT_EQ(session.load().held, 1U);
   session.create(command(), second.listener());
@@ -305,7 +305,7 @@ TEST_F(NodeLimit, HoldsForACountASizeAndAnInheritedEdgeLengthBeforeAnythingIsCom
       error_of([&] { session_->validate_edit("plate", longer(1e9), {}, {}); }),
       error_of([&] { session_->validate_edit(plate, longer(1e9), {.size = 2.5}, {}); })};
   for (const ErrorInfo& error : errors) {
-    EXPECT_EQ(error.reason, "MeshTooLarge");
+    EXPECT_EQ(error.reason, "MESH_TOO_LARGE");
     EXPECT_EQ(error.kind, ErrorKind::InvalidArgument);
     EXPECT_THAT(error.message, testing::HasSubstr("limit of 1000"));
     EXPECT_FALSE(error.retry_after);

@@ -19,10 +19,10 @@ RevisionRecord record(const std::string& id) {
 
 std::string rows(Catalogue& catalogue) {
   std::string text;
-  for (const DesignRecord& design : catalogue.designs("", 100))
+  for (const DesignRecord& design : catalogue.designs({}, {}))
     text +=
         design.name + " next " + std::to_string(design.next_number) + " head " + design.head + "\n";
-  for (const ListedRevision& row : catalogue.list("", "", 0, 100))
+  for (const ListedRevision& row : catalogue.list({}, {}))
     text += row.place.design + "@" + std::to_string(row.place.number) + " " + row.record.id + "\n";
   return text;
 }

@@ -39,7 +39,7 @@ TEST_F(PacksTest, BytesAreReadBack) {
   packs_.remove(id(1));
   packs_.remove(id(1));
   EXPECT_TRUE(packs_.list().empty());
-  EXPECT_EQ(reason_of(1), "StoreCorrupted");
+  EXPECT_EQ(reason_of(1), "STORE_CORRUPTED");
 }
 
 TEST_F(PacksTest, TheHeadTellsWhatTheCatalogueKnew) {
@@ -57,7 +57,7 @@ TEST_F(PacksTest, NoBitOfAFileMayChange) {
   const auto size = fs::file_size(packs_.path_of(id(1)));
   for (std::size_t byte = 0; byte < size; ++byte) {
     flip_bit(packs_.path_of(id(1)), byte, byte % 8);
-    EXPECT_EQ(reason_of(1), "StoreCorrupted") << "byte " << byte;
+    EXPECT_EQ(reason_of(1), "STORE_CORRUPTED") << "byte " << byte;
     flip_bit(packs_.path_of(id(1)), byte, byte % 8);
   }
   EXPECT_EQ(packs_.get(record(1)), "abcdefgh");
@@ -67,7 +67,7 @@ TEST_F(PacksTest, AFileOfAnotherRevisionIsNotBelieved) {
   packs_.put(record(1), place_, "abc");
   fs::create_directories(packs_.path_of(id(2)).parent_path());
   fs::rename(packs_.path_of(id(1)), packs_.path_of(id(2)));
-  EXPECT_EQ(reason_of(2), "StoreCorrupted");
+  EXPECT_EQ(reason_of(2), "STORE_CORRUPTED");
 }
 
 TEST_F(PacksTest, ADamagedFileIsReplaced) {

@@ -90,7 +90,7 @@ class StoreFolderTest : public testing::Test {
   static std::string listing(Store& store) {
     std::string text;
     for (const ListedRevision& row :
-         store.read([](Catalogue& c) { return c.list("", "", 0, 1000000); }))
+         store.read([](Catalogue& c) { return c.list({}, {.limit = 1000000}); }))
       text += row.place.design + "@" + std::to_string(row.place.number) + " = " +
               std::to_string(std::stoi(row.place.id.substr(2))) +
               (row.place.head ? " head\n" : "\n");

@@ -55,29 +55,29 @@ TEST_F(StoreFormat, AGitRepositoryIsRefusedAndLeftAsItIs) {
   write(folder_ / "objects" / "ab" / std::string(38, '1'), "x\x01zlib");
   write(folder_ / "objects" / "pack" / "pack-1.idx", "idx");
   write(folder_ / "refs" / "heads" / "main", std::string(40, 'a'));
-  expect_refused("StoreForeign");
-  expect_refused("StoreForeign");  // the second start is the one that deleted everything
+  expect_refused("STORE_FOREIGN");
+  expect_refused("STORE_FOREIGN");  // the second start is the one that deleted everything
 }
 
 TEST_F(StoreFormat, AFolderWithObjectsAloneIsRefused) {
   write(folder_ / "objects" / "ab" / std::string(62, '1'), "somebody's");
-  expect_refused("StoreForeign");
+  expect_refused("STORE_FOREIGN");
 }
 
 TEST_F(StoreFormat, AFolderWithAFileIsRefused) {
   write(folder_ / "thesis.tex", "x");
-  expect_refused("StoreForeign");
+  expect_refused("STORE_FOREIGN");
 }
 
 TEST_F(StoreFormat, AFolderWithAJournalOfAnotherProgramIsRefused) {
   write(folder_ / "journal", "Dear diary\n");
-  expect_refused("StoreForeign");
+  expect_refused("STORE_FOREIGN");
 }
 
 TEST_F(StoreFormat, ANewerStoreIsRefused) {
   make_store(1);
   write(folder_ / "FORMAT", format_line(2));
-  expect_refused("StoreNewer");
+  expect_refused("STORE_NEWER");
 }
 
 TEST_F(StoreFormat, ANewerStoreWithoutItsFormatIsToldByItsPacks) {
@@ -86,7 +86,7 @@ TEST_F(StoreFormat, ANewerStoreWithoutItsFormatIsToldByItsPacks) {
         checked_line(R"({"format":"remeshd-pack","store":2,"what":"is not known"})") + "bytes");
   for (const char* format : {"", "damaged"}) {
     write(folder_ / "FORMAT", format);
-    expect_refused("StoreNewer");
+    expect_refused("STORE_NEWER");
   }
 }
 
@@ -118,7 +118,7 @@ TEST_F(StoreFormat, AStoreInWhichNothingWasStoredIsKnownWithoutItsFormat) {
 
 TEST_F(StoreFormat, AStoreInUseIsRefusedAndAnotherMayWaitForIt) {
   auto store = std::make_unique<Store>(folder_);
-  expect_refused("StoreLocked");
+  expect_refused("STORE_LOCKED");
   store.reset();
   EXPECT_NO_THROW(Store(folder_, 5));
 }

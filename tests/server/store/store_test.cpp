@@ -218,7 +218,7 @@ TEST_F(StoreTest, AMissingOrDamagedPackIsToldAndCanBeStoredAgain) {
       read(store, n);
       ADD_FAILURE() << "damaged bytes were served";
     } catch (const Error& failure) {
-      EXPECT_EQ(failure.info().reason, "StoreCorrupted");
+      EXPECT_EQ(failure.info().reason, "STORE_CORRUPTED");
       EXPECT_THAT(failure.info().message, Not(HasSubstr(folder_.string())));
     }
     RevisionRecord again = record(n);
@@ -252,7 +252,7 @@ TEST_F(StoreTest, AFullDiskIsAnErrorThatSaysSo) {
     full.write("x");
     FAIL() << "/dev/full took a byte";
   } catch (const Error& error) {
-    EXPECT_EQ(error.info().reason, "StoreFull");
+    EXPECT_EQ(error.info().reason, "STORE_FULL");
     EXPECT_EQ(error.info().kind, ErrorKind::ResourceExhausted);
   }
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/base/warning.h"
+#include "engine/remesh/remesh.h"
+
+namespace remeshd {
+
+/// What a reader looks for in vain in a mesh: faces and groups of facets that the original's mesh
+/// names and this one does not, and features that neither add nor remove anything. Told by names
+/// and boxes alone.
+///
+/// A feature that lost all of its faces is told once, as one without effect where that is certain.
+/// Of features that the original had without effect already nothing is said again. `original`: null
+/// for a first mesh.
+std::vector<Warning> lost_names(const Revision* original, const Revision& made);
+
+}  // namespace remeshd

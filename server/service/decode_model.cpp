@@ -1,0 +1,194 @@
+#include "server/service/decode_model.h"
+
+#include <optional>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "server/service/decode_value.h"
+
+namespace remeshd {
+namespace {
+
+namespace v1 = remesh::v1;
+
+PlacementSource placement(const v1::Placement& message, const DocumentPlace& place) {
+  PlacementSource out;
+  if (message.origin_size() > 0) out.origin = triple_of(message.origin(), below(place, "origin"));
+  if (message.z_axis_size() > 0) out.z_axis = triple_of(message.z_axis(), below(place, "zAxis"));
+  if (message.x_axis_size() > 0) out.x_axis = triple_of(message.x_axis(), below(place, "xAxis"));
+  return out;
+}
+
+Nature nature(v1::Feature::Nature value, const DocumentPlace& place) {
+  switch (value) {
+    case v1::Feature::ADDITIVE:
+      return Nature::Additive;
+    case v1::Feature::SUBTRACTIVE:
+      return Nature::Subtractive;
+    default:
+      throw error::wrong_kind(place, "ADDITIVE or SUBTRACTIVE",
+                              "the enumerator " + std::to_string(value));
+  }
+}
+
+ReferenceSource reference(const v1::Feature& message, const DocumentPlace& place) {
+  if (message.has_reference_point())
+    return triple_of(message.reference_point().values(), below(place, "referencePoint"));
+  switch (message.reference()) {
+    case v1::Feature::REFERENCE_UNSPECIFIED:
+    case v1::Feature::ORIGIN:
+      return ReferenceKind::Origin;
+    case v1::Feature::CENTRE:
+      return ReferenceKind::Centre;
+    default:
+      throw error::wrong_kind(below(place, "reference"), "ORIGIN or CENTRE",
+                              "the enumerator " + std::to_string(message.reference()));
+  }
+}
+
+DocumentError twice(const std::string& feature, const std::string& parameter) {
+  DocumentErrorInfo info;
+  info.reason = "DUPLICATE_PARAMETER";
+  info.message = "feature '" + feature + "' has the parameter '" + parameter + "' twice";
+  info.feature = feature;
+  info.parameter = parameter;
+  return DocumentError(std::move(info));
+}
+
+FeatureSource feature(const v1::Feature& message, DocumentPlace place, const std::string& path) {
+  // A feature without an id can only be told by where it stands.
+  place.path = message.id().empty() ? path : "";
+  place.feature = message.id();
+  FeatureSource out;
+  out.id = text_of(message.id(), below(place, "id"));
+  out.nature = nature(message.nature(), below(place, "nature"));
+  out.type = text_of(message.type(), below(place, "type"));
+  for (const v1::FeatureParameter& parameter : message.parameters()) {
+    const std::string& name = text_of(parameter.name(), place);
+    const DocumentPlace here = below(place, name);
+    if (out.parameters.contains(name) || (name == "profile" && out.profile))
+      throw twice(message.id(), name);
+    if (name == "profile") {
+      out.profile = profile_of(parameter.value(), here);
+    } else {
+      out.parameters[name] = scalar_of(parameter.value(), here);
+    }
+  }
+  out.placement = placement(message.placement(), below(place, "placement"));
+  out.reference = reference(message, place);
+  return out;
+}
+
+Error unsupported_edit(const char* kind, int index) {
+  Error failure = error::unsupported(kind);
+  failure.info().edit_index = index;
+  return failure;
+}
+
+Edit edit(const v1::Edit& message, DocumentPlace place) {
+  switch (message.edit_case()) {
+    case v1::Edit::kSetParameter: {
+      const auto& set = message.set_parameter();
+      return SetParameter{text_of(set.name(), place),
+                          scalar_of(set.value(), below(place, set.name()))};
+    }
+    case v1::Edit::kSetFeatureParameter: {
+      const auto& set = message.set_feature_parameter();
+      place.feature = text_of(set.feature(), place);
+      SetFeatureParameter out{set.feature(), text_of(set.name(), place), 0.0};
+      const DocumentPlace here = below(place, set.name());
+      if (set.name() == "profile") {
+        out.value = profile_of(set.value(), here);
+      } else {
+        out.value = scalar_of(set.value(), here);
+      }
+      return out;
+    }
+    case v1::Edit::kSetPlacement: {
+      const auto& set = message.set_placement();
+      place.feature = text_of(set.feature(), place);
+      if (!set.has_placement()) throw error::missing_field(place, "placement");
+      return SetPlacement{set.feature(), placement(set.placement(), below(place, "placement"))};
+    }
+    case v1::Edit::kAddFeature: {
+      const auto& add = message.add_feature();
+      if (!add.has_feature()) throw error::missing_field(place, "feature");
+      return AddFeature{feature(add.feature(), place, "feature"), text_of(add.after(), place)};
+    }
+    case v1::Edit::kRemoveFeature:
+      return RemoveFeature{text_of(message.remove_feature().feature(), place)};
+    case v1::Edit::kSetSize:
+      throw unsupported_edit("set_size", *place.edit_index);
+    case v1::Edit::kRemoveSize:
+      throw unsupported_edit("remove_size", *place.edit_index);
+    case v1::Edit::kSetGroup:
+      throw unsupported_edit("set_group", *place.edit_index);
+    case v1::Edit::kRemoveGroup:
+      throw unsupported_edit("remove_group", *place.edit_index);
+    default:
+      throw error::wrong_kind(place, "a kind of edit", "none");
+  }
+}
+
+ParameterSource parameter(const v1::Parameter& message) {
+  const DocumentPlace parameters{.feature = "", .path = "parameters"};
+  ParameterSource out;
+  out.name = text_of(message.name(), parameters);
+  const DocumentPlace place = below(parameters, out.name);
+  out.value = scalar_of(message.value(), place);
+  if (message.has_lower()) out.lower = message.lower();
+  if (message.has_upper()) out.upper = message.upper();
+  out.integer = message.integer();
+  out.unit = text_of(message.unit(), below(place, "unit"));
+  out.description = text_of(message.description(), below(place, "description"));
+  return out;
+}
+
+ModelSource model(const v1::FeatureModel& message) {
+  if (!message.sizes().empty()) throw error::unsupported("sizes");
+  if (!message.groups().empty()) throw error::unsupported("groups");
+  ModelSource out;
+  out.name = text_of(message.name(), {.feature = "", .path = "name"});
+  out.unit = text_of(message.unit(), {.feature = "", .path = "unit"});
+  for (const v1::Parameter& each : message.parameters()) out.parameters.push_back(parameter(each));
+  for (int i = 0; i < message.features_size(); ++i)
+    out.features.push_back(feature(message.features(i), {}, "features[" + std::to_string(i) + "]"));
+  return out;
+}
+
+ModelEdit edits(const v1::ModelEdit& message) {
+  if (message.edits().empty()) throw error::no_edits({});
+  ModelEdit out;
+  for (int i = 0; i < message.edits_size(); ++i)
+    out.edits.push_back(edit(message.edits(i), {.feature = "", .path = "", .edit_index = i}));
+  return out;
+}
+
+}  // namespace
+
+Error to_error(const DocumentErrorInfo& info) {
+  ErrorInfo out;
+  out.kind = ErrorKind::InvalidArgument;
+  out.reason = info.reason;
+  out.message = info.message;
+  out.stage = "document";
+  if (!info.feature.empty()) out.features.push_back(info.feature);
+  out.parameter = info.parameter;
+  out.hint = info.hint;
+  out.edit_index = info.edit_index;
+  if (info.at.line > 0) {
+    out.line = static_cast<int>(info.at.line);
+    out.column = static_cast<int>(info.at.column);
+  }
+  return Error(std::move(out));
+}
+
+ModelSource decode(const v1::FeatureModel& message) {
+  return checked([&] { return model(message); });
+}
+
+ModelEdit decode(const v1::ModelEdit& message) {
+  return checked([&] { return edits(message); });
+}
+
+}  // namespace remeshd

@@ -1,0 +1,28 @@
+#include "server/service/request_id.h"
+
+#include "engine/base/error.h"
+#include "server/service/fitting.h"
+
+namespace remeshd {
+namespace {
+
+constexpr std::size_t kMostBytes = 128;
+
+}  // namespace
+
+void check_request_id(const std::string& id) {
+  if (id.size() <= kMostBytes) return;
+  ErrorInfo info;
+  info.kind = ErrorKind::InvalidArgument;
+  info.reason = "REQUEST_ID_TOO_LONG";
+  info.message = "the request id has " + std::to_string(id.size()) + " bytes, more than " +
+                 std::to_string(kMostBytes);
+  info.stage = "request";
+  info.parameter = "request_id";
+  info.hint = "choose a shorter id";
+  throw Error(std::move(info));
+}
+
+std::string echoed_request_id(const std::string& id) { return fitting(id, kMostBytes); }
+
+}  // namespace remeshd

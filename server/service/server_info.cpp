@@ -1,0 +1,63 @@
+#include "server/service/server_info.h"
+
+#include "server/service/mesh_messages.h"
+#include "server/service/stream_queue.h"
+
+namespace remeshd {
+namespace {
+
+namespace v1 = remesh::v1;
+
+template <typename Number>
+std::uint32_t count_of(Number number) {
+  return static_cast<std::uint32_t>(number);
+}
+
+void put_limits(const Session& session, const ServerFacts& facts, const RequestLimits& requests,
+                v1::ServerLimits& out) {
+  const SessionLimits& limits = session.limits();
+  out.set_document_bytes(requests.document.bytes);
+  out.set_message_bytes(requests.message_bytes);
+  out.set_nodes(limits.max_nodes);
+  out.set_threads(count_of(limits.threads));
+  out.set_workers(count_of(limits.workers));
+  out.set_queue(count_of(limits.queue));
+  out.set_queue_seconds(limits.wait);
+  out.set_connections(facts.connections);
+  out.set_streams(facts.streams);
+  out.set_stream_requests(count_of(StreamQueue::Limits{}.requests));
+  out.set_memory_bytes(limits.memory);
+}
+
+void put_load(Session& session, v1::ServerLoad& out) {
+  const Load load = session.load();
+  out.set_running(count_of(load.running));
+  out.set_queued(count_of(load.queued));
+  out.set_revisions(load.revisions);
+  out.set_designs(load.designs);
+  out.set_cached_revisions(count_of(load.held));
+  out.set_memory_bytes(load.held_bytes);
+  out.set_disk_bytes(load.disk_bytes);
+  out.set_persistent(session.persistent());
+}
+
+}  // namespace
+
+v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
+                           const RequestLimits& limits) {
+  v1::ServerInfo out;
+  out.set_version(facts.version);
+  out.set_protocol("remesh.v1");
+  out.set_algorithm_version(session.algorithm_version());
+  out.mutable_started()->set_seconds(
+      std::chrono::duration_cast<std::chrono::seconds>(facts.started.time_since_epoch()).count());
+  out.set_ready(true);
+  out.mutable_capabilities()->add_orders(1);
+  for (const v1::MeshArray array : supported_arrays())
+    out.mutable_capabilities()->add_arrays(array);
+  put_limits(session, facts, limits, *out.mutable_limits());
+  put_load(session, *out.mutable_load());
+  return out;
+}
+
+}  // namespace remeshd

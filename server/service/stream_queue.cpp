@@ -1,0 +1,84 @@
+#include "server/service/stream_queue.h"
+
+#include <utility>
+
+namespace remeshd {
+
+bool StreamQueue::room_for_replies() const {
+  return replies_.size() < limits_.replies && reply_bytes_ < limits_.reply_bytes;
+}
+
+bool StreamQueue::may_read() const {
+  return waiting_.size() < limits_.requests && waiting_bytes_ < limits_.request_bytes &&
+         room_for_replies();
+}
+
+void StreamQueue::add(Request request) {
+  if (closed_) return;
+  const std::size_t bytes = request.bytes.size();
+  waiting_.push_back(std::move(request));
+  waiting_bytes_ += bytes;
+}
+
+bool StreamQueue::may_begin() const { return !at_work_ && !waiting_.empty() && room_for_replies(); }
+
+StreamQueue::Request StreamQueue::begin() {
+  at_work_id_ = waiting_.front().id;
+  Request request = std::move(waiting_.front());
+  waiting_.pop_front();
+  waiting_bytes_ -= request.bytes.size();
+  request.turn = ++turn_;
+  at_work_ = true;
+  return request;
+}
+
+bool StreamQueue::cancel(const std::string& id) {
+  for (Request& request : waiting_)
+    if (request.id == id) request.cancelled = true;
+  return at_work_ && at_work_id_ == id;
+}
+
+void StreamQueue::push(Reply reply) {
+  const std::size_t bytes = reply.bytes.Length();
+  replies_.push_back(std::move(reply));
+  reply_bytes_ += bytes;
+}
+
+void StreamQueue::drop_progress() {
+  if (replies_.empty() || !replies_.back().is_progress) return;
+  reply_bytes_ -= replies_.back().bytes.Length();
+  replies_.pop_back();
+}
+
+void StreamQueue::progress(std::uint64_t turn, grpc::ByteBuffer reply) {
+  if (closed_ || !at_work(turn)) return;
+  drop_progress();
+  push({std::move(reply), true});
+}
+
+bool StreamQueue::answer(std::uint64_t turn, grpc::ByteBuffer reply) {
+  if (!at_work(turn)) return false;
+  if (!closed_) {
+    drop_progress();
+    push({std::move(reply), false});
+  }
+  at_work_ = false;
+  return true;
+}
+
+grpc::ByteBuffer StreamQueue::next_reply() {
+  grpc::ByteBuffer bytes = std::move(replies_.front().bytes);
+  replies_.pop_front();
+  reply_bytes_ -= bytes.Length();
+  return bytes;
+}
+
+void StreamQueue::close() {
+  closed_ = true;
+  waiting_.clear();
+  waiting_bytes_ = 0;
+  replies_.clear();
+  reply_bytes_ = 0;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <grpcpp/support/byte_buffer.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "engine/base/error.h"
+
+namespace remeshd {
+
+/// What one EditStream holds for its client: requests sent ahead, the one at work, replies that the
+/// client has not taken yet. All of it is bounded: at a bound nothing more is read or begun, until
+/// replies have been taken. Requests wait as the bytes they came in, so that they cost what the
+/// client spent on them.
+///
+/// Replies leave in the order of the requests. Not locked: the stream's mutex guards it.
+class StreamQueue {
+ public:
+  struct Limits {
+    std::size_t requests = 4096;
+    std::size_t request_bytes = std::size_t{8} << 20;
+    std::size_t replies = 256;
+    std::size_t reply_bytes = std::size_t{4} << 20;
+  };
+  struct Request {
+    std::string id;
+    std::string bytes;             ///< the message
+    std::optional<Error> refused;  ///< found unfit while it was read; `bytes` are empty then
+    bool cancelled = false;
+    std::uint64_t turn = 0;  ///< its number, once begun
+  };
+
+  StreamQueue() = default;
+  explicit StreamQueue(const Limits& limits) : limits_(limits) {}
+
+  /// Whether another message may be read. It may have any size: the bounds are passed by one
+  /// message at most.
+  [[nodiscard]] bool may_read() const;
+  void add(Request request);
+
+  /// Whether a request waits that may be begun: none is at work, and there is room for replies.
+  [[nodiscard]] bool may_begin() const;
+  /// Takes the first waiting request; it is at work until `answer`. Pre: `may_begin`.
+  Request begin();
+
+  /// Marks all waiting requests of this id. True if the one at work has it.
+  bool cancel(const std::string& id);
+  /// Whether the request begun as number `turn` is still at work.
+  [[nodiscard]] bool at_work(std::uint64_t turn) const { return at_work_ && turn_ == turn; }
+
+  /// A client that reads slowly gets the latest event instead of all of them, and none of a request
+  /// that has ended.
+  void progress(std::uint64_t turn, grpc::ByteBuffer reply);
+  /// Ends the request at work; false, and nothing done, if it is another one.
+  bool answer(std::uint64_t turn, grpc::ByteBuffer reply);
+
+  [[nodiscard]] bool has_reply() const { return !replies_.empty(); }
+  /// Takes the first reply. Pre: `has_reply`.
+  grpc::ByteBuffer next_reply();
+
+  /// Drops requests and replies, and keeps none from now on. The request at work stays so.
+  void close();
+  /// Nothing waits, nothing is at work, every reply has been taken.
+  [[nodiscard]] bool idle() const { return !at_work_ && waiting_.empty() && replies_.empty(); }
+
+ private:
+  struct Reply {
+    grpc::ByteBuffer bytes;
+    bool is_progress;
+  };
+  [[nodiscard]] bool room_for_replies() const;
+  void push(Reply reply);
+  void drop_progress();
+
+  Limits limits_;
+  std::deque<Request> waiting_;
+  std::size_t waiting_bytes_ = 0;
+  std::deque<Reply> replies_;
+  std::size_t reply_bytes_ = 0;
+  bool at_work_ = false;
+  std::uint64_t turn_ = 0;
+  std::string at_work_id_;
+  bool closed_ = false;
+};
+
+}  // namespace remeshd

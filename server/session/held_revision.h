@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/remesh/remesh.h"
+#include "server/session/group_figures.h"
+#include "server/session/lazy.h"
+#include "server/session/mesh_arrays.h"
+#include "server/store/records.h"
+
+namespace remeshd {
+
+/// A revision in memory with what is known of it. Its report names it; `cached` is false.
+struct HeldRevision {
+  RevisionRecord record;
+  Revision revision;
+  /// The document of the edit that made it of its parent; empty for a first mesh, and where it was
+  /// stored without one.
+  std::string edit;
+
+  // Worked out when first asked for, and kept.
+  MeshDigests digests;
+  Lazy<std::vector<GroupFigures>> groups;
+};
+using HeldRevisionPtr = std::shared_ptr<const HeldRevision>;
+
+inline const std::vector<GroupFigures>& groups_of(const HeldRevision& held) {
+  return held.groups.get([&] { return group_figures(held.revision); });
+}
+
+}  // namespace remeshd

@@ -1,0 +1,139 @@
+#include "server/session/mesh_arrays.h"
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "proto/checksum.h"
+
+namespace remeshd {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are sent as they lie in memory");
+static_assert(sizeof(Vec3) == 24 && sizeof(Tet) == 16 && sizeof(Triangle) == 12 &&
+              sizeof(Transform) == 96 && sizeof(NodeOrigin) == 1);
+
+constexpr std::size_t kBlock = 16384;
+
+template <typename Row>
+MeshArray empty_array(ArrayName name, NumberType type, std::size_t rows) {
+  constexpr std::array<std::size_t, 5> kSizes{8, 4, 8, 1, 1};
+  return {.name = name,
+          .type = type,
+          .components =
+              static_cast<std::uint32_t>(sizeof(Row) / kSizes[static_cast<std::size_t>(type) - 1]),
+          .count = static_cast<std::uint32_t>(rows),
+          .bytes = rows * sizeof(Row),
+          .read = {}};
+}
+
+template <typename Row>
+MeshArray array_of(ArrayName name, NumberType type, const Pages<Row>& rows) {
+  MeshArray array = empty_array<Row>(name, type, rows.size());
+  array.read = [&rows](std::uint64_t offset, std::size_t size, std::string& out) {
+    constexpr std::size_t kPage = Pages<Row>::page_bytes();
+    while (size > 0) {
+      const auto page = rows.page(offset / kPage);
+      const std::string_view bytes(reinterpret_cast<const char*>(page.data()), page.size_bytes());
+      const std::string_view some = bytes.substr(offset % kPage, size);
+      out += some;
+      offset += some.size();
+      size -= some.size();
+    }
+  };
+  return array;
+}
+
+/// An array of what `member` takes out of each of some structs.
+template <typename Struct, typename Member>
+MeshArray array_of(ArrayName name, const std::vector<Struct>& structs, Member member) {
+  using Row = std::decay_t<decltype(member(structs.front()))>;
+  MeshArray array = empty_array<Row>(name, NumberType::I32, structs.size());
+  array.read = [&structs, member](std::uint64_t offset, std::size_t size, std::string& out) {
+    while (size > 0) {
+      const Row row = member(structs[offset / sizeof(Row)]);
+      const std::string_view bytes(reinterpret_cast<const char*>(&row), sizeof row);
+      const std::string_view some = bytes.substr(offset % sizeof row, size);
+      out += some;
+      offset += some.size();
+      size -= some.size();
+    }
+  };
+  return array;
+}
+
+MeshArray array_of(ArrayName name, const std::vector<Transform>& transforms) {
+  MeshArray array = empty_array<Transform>(name, NumberType::F64, transforms.size());
+  array.read = [&transforms](std::uint64_t offset, std::size_t size, std::string& out) {
+    out.append(reinterpret_cast<const char*>(transforms.data()) + offset, size);
+  };
+  return array;
+}
+
+MeshArray text_array(ArrayName name, std::size_t rows, std::string lines) {
+  MeshArray array = empty_array<char>(name, NumberType::Text, rows);
+  array.bytes = lines.size();
+  array.read = [text = std::make_shared<const std::string>(std::move(lines))](
+                   std::uint64_t offset, std::size_t size, std::string& out) {
+    out.append(*text, offset, size);
+  };
+  return array;
+}
+
+std::string lines(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const auto& names : rows) {
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? " " : "") + names[i];
+    text += '\n';
+  }
+  return text;
+}
+
+std::string lines(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += name + '\n';
+  return text;
+}
+
+}  // namespace
+
+std::vector<MeshArray> mesh_arrays(const Delivery& d) {
+  using enum ArrayName;
+  using enum NumberType;
+  const MeshGroups& g = d.groups;
+  const NodeMap& m = d.map;
+  return {array_of(Nodes, F64, d.mesh.nodes),
+          array_of(Tets, I32, d.mesh.tets),
+          array_of(NodeIds, U64, d.node_ids),
+          array_of(TetIds, U64, d.tet_ids),
+          array_of(Facets, g.facets, [](const MeshFacet& f) { return f.nodes; }),
+          array_of(FacetTets, g.facets, [](const MeshFacet& f) { return f.tet; }),
+          array_of(FacetGroup, g.facets, [](const MeshFacet& f) { return f.group; }),
+          text_array(FacetGroups, g.facet_groups.size(), lines(g.facet_groups)),
+          array_of(TetCells, I32, g.tet_cell),
+          text_array(CellOwners, g.cell_owners.size(), lines(g.cell_owners)),
+          array_of(NodeOrigins, U8, m.node_origin),
+          array_of(OriginalNodes, I32, m.original_node),
+          array_of(NodeTransforms, I32, m.node_transform),
+          array_of(Transforms, m.transforms),
+          text_array(TransformFeatures, m.transform_features.size(), lines(m.transform_features)),
+          array_of(OriginalTets, I32, m.original_tet)};
+}
+
+std::string digest_of(const MeshArray& array) {
+  Sha256 whole;
+  std::string block;
+  for (std::uint64_t at = 0; at < array.bytes; at += kBlock) {
+    block.clear();
+    array.read(at, std::min<std::uint64_t>(kBlock, array.bytes - at), block);
+    Sha256 sum;
+    sum.update(block);
+    whole.update(sum.finish());
+  }
+  return to_hex(whole.finish());
+}
+
+}  // namespace remeshd

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include "server/store/records.h"
+#include "server/store/sqlite.h"
+
+namespace remeshd {
+
+/// The columns that `read_revision` takes, of a table called `r`.
+inline const std::string kRevisionColumns =
+    "r.id, r.parent, r.root, r.model_name, r.model, r.algorithm_version, r.created_ns, r.nodes, "
+    "r.tets, r.bytes";
+
+inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
+  return {.id = row.text(first),
+          .parent = row.text(first + 1),
+          .root = row.text(first + 2),
+          .model_name = row.text(first + 3),
+          .model = row.text(first + 4),
+          .algorithm_version = static_cast<std::uint32_t>(row.number(first + 5)),
+          .created_ns = row.number(first + 6),
+          .nodes = static_cast<std::uint32_t>(row.number(first + 7)),
+          .tets = static_cast<std::uint32_t>(row.number(first + 8)),
+          .bytes = static_cast<std::uint64_t>(row.number(first + 9))};
+}
+
+/// Designs that are on the list, with the columns that `read_design` takes. Where the time of the
+/// last change is not known, it is that of the newest revision.
+inline const std::string kSelectDesigns =
+    "SELECT * FROM (SELECT d.name AS name, d.head AS head, d.next_number AS next_number, "
+    "(SELECT count(*) FROM places p WHERE p.design = d.name) AS revisions, "
+    "(SELECT p.number FROM places p WHERE p.design = d.name AND p.id = d.head) AS head_number, "
+    "CASE WHEN d.changed_ns > 0 THEN d.changed_ns ELSE coalesce((SELECT max(r.created_ns) "
+    "FROM places p JOIN revisions r ON r.id = p.id WHERE p.design = d.name), 0) END AS changed "
+    "FROM designs d WHERE d.listed) ";
+
+inline DesignRecord read_design(const Sqlite::Statement& row) {
+  return {.name = row.text(0),
+          .head = row.text(1),
+          .head_number = static_cast<std::uint32_t>(row.number(4)),
+          .next_number = static_cast<std::uint32_t>(row.number(2)),
+          .revisions = static_cast<std::uint32_t>(row.number(3)),
+          .changed_ns = row.number(5)};
+}
+
+}  // namespace remeshd

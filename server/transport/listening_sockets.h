@@ -1,0 +1,44 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "server/transport/descriptor.h"
+#include "server/transport/listen_address.h"
+
+namespace remeshd {
+
+/// The sockets of an address, bound and listening: connections queue up in the kernel from the
+/// constructor on. A port is taken for one daemon alone. The file of a Unix socket may be used by
+/// its owner only (0600), and goes with the object.
+class ListeningSockets {
+ public:
+  /// Throws Error(FailedPrecondition) `LISTEN_FAILED`: the address is in use, or not this machine's;
+  /// where the Unix socket's file is to be there is another file than the socket of an own daemon
+  /// that has ended.
+  explicit ListeningSockets(const ListenAddress& address);
+  /// As `close`.
+  ~ListeningSockets() { close(); }
+  ListeningSockets(ListeningSockets&&) = default;
+  ListeningSockets& operator=(ListeningSockets&&) = delete;
+
+  /// Listens no more; a second call does nothing.
+  void close();
+  [[nodiscard]] const std::vector<Descriptor>& descriptors() const { return sockets_; }
+  /// The port; 0 for a Unix socket.
+  [[nodiscard]] int port() const { return address_.port; }
+  /// As `--listen` takes it, with the real port.
+  [[nodiscard]] std::string name() const;
+
+ private:
+  bool open_all();
+  void open_unix();
+
+  ListenAddress address_;
+  std::vector<Descriptor> sockets_;
+  ino_t file_ = 0;  ///< of the Unix socket
+};
+
+}  // namespace remeshd

@@ -1,0 +1,36 @@
+#include "server/transport/live_connections.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+namespace remeshd {
+namespace {
+
+/// Number of the socket; 0 for what is none.
+ino_t socket_number(int descriptor) {
+  struct stat file {};
+  return ::fstat(descriptor, &file) == 0 && S_ISSOCK(file.st_mode) ? file.st_ino : 0;
+}
+
+}  // namespace
+
+void LiveConnections::forget_closed() {
+  // A flood of connections above the limit does not pay for a look at all others each.
+  constexpr std::chrono::milliseconds kPause(5);
+  const Clock::time_point now = Clock::now();
+  if (now - looked_ < kPause) return;
+  looked_ = now;
+  std::erase_if(sockets_,
+                [](const auto& entry) { return socket_number(entry.first) != entry.second; });
+}
+
+bool LiveConnections::admit(int descriptor) {
+  sockets_.erase(descriptor);  // whatever had the descriptor before has been closed
+  if (sockets_.size() >= limit_) forget_closed();
+  if (sockets_.size() >= limit_) return false;
+  sockets_.emplace(descriptor, socket_number(descriptor));
+  return true;
+}
+
+}  // namespace remeshd
