@@ -111,11 +111,17 @@ TEST(MeshAssembler, RefusesADeltaAgainstAMeshThatIsNotHere) {
   expect_damage([&] { assemble(messages, {}, std::make_shared<const Mesh>(other)); });
 }
 
+TEST(MeshAssembler, TakesNoMeshWithoutARevisionForTheBaseThatIsNotNamed) {
+  const auto base = std::make_shared<const Mesh>(sample_mesh(2));
+  const Messages messages = mesh_messages(edited(*base), {.base = base.get()});
+  expect_damage([&] { assemble(messages, {}, base); });
+}
+
 TEST(MeshAssembler, SeesThatTheBaseIsNotWhatTheDaemonTookItFor) {
   const auto base = base_mesh();
   const Messages messages = mesh_messages(edited(*base), {.base = base.get()});
   Mesh other = *base;
-  other.tets[0] = other.tets[1];
+  other.nodes[5][1] += 1;
   expect_damage([&] { assemble(messages, {}, std::make_shared<const Mesh>(other)); });
 }
 
@@ -172,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"OneBitOfData", [](Messages& m) { flip(*m[3].mutable_part()->mutable_data(), 17); }},
         Damage{"OneBitOfDataUnderARightCrc",
                [](Messages& m) {
-                 auto& part = *m[3].mutable_part();
+                 auto& part = *m[1].mutable_part();  // of NODES: any bits are a number
                  flip(*part.mutable_data(), 17);
                  part.set_crc32c(crc32c(part.data()));
                }},
@@ -184,6 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"TwoHeaders", [](Messages& m) { m.insert(m.begin(), m[0]); }},
         Damage{"NoEnd", [](Messages& m) { m.pop_back(); }},
         Damage{"SomethingBehindTheEnd", [](Messages& m) { m.push_back(m[2]); }},
+        Damage{"AnotherOffset", [](Messages& m) { m[2].mutable_part()->set_offset(3); }},
         Damage{"EmptyMessage", [](Messages& m) { m[2].Clear(); }},
         Damage{"PartsMiscounted", [](Messages& m) { m.back().mutable_end()->set_parts(1); }},
         Damage{"BytesMiscounted", [](Messages& m) { m.back().mutable_end()->set_bytes(1); }}),
