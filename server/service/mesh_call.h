@@ -32,10 +32,6 @@ class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   /// Without the memory for an Error.
   void give_up() noexcept { end(out_of_memory_status()); }
 
-  void fail(const Error& why) noexcept;
-  /// Without the memory for an Error.
-  void give_up() noexcept { end(out_of_memory_status()); }
-
   void OnWriteDone(bool ok) override;
   void OnCancel() override { stop_.request_stop(); }
   void OnDone() override;

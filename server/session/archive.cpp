@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/session/clock.h"
+#include "server/session/edit_tail.h"
 #include "server/session/fail_on.h"
 #include "server/session/head_decision.h"
 #include "server/session/session_error.h"
@@ -51,7 +52,9 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   auto held = std::make_shared<HeldRevision>();
   held->record = *record;
   try {
-    held->revision = engine_.deserialise(store_.get(*record), run);
+    std::string bytes = store_.get(*record);
+    held->edit = take_edit(bytes);
+    held->revision = engine_.deserialise(bytes, run);
   } catch (const Error& failure) {
     if (failure.info().kind == ErrorKind::Internal) {
       const std::scoped_lock lock(filing_);
@@ -144,7 +147,9 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
   Filing filing = plan_filing(revision->record, design, rule, fail_on);
   if (filing.write && store_.persistent()) {
     RevisionRecord& record = filing.filed.record;
-    store_.put(record, filing.filed.place, engine_.serialise(revision->revision));
+    std::string bytes = engine_.serialise(revision->revision);
+    append_edit(bytes, revision->edit);
+    store_.put(record, filing.filed.place, bytes);
     filing.changes.front() = AddRevision{record};  // it has its size now
   }
   store_.commit([&](Catalogue&) { return filing.changes; });

@@ -40,6 +40,7 @@ struct Maker::Prepared {
   HeadRule head;
   std::vector<WarningCode> fail_on;
   HeldRevisionPtr base;  ///< null for a first mesh
+  std::string edit;      ///< its document
   ModelSource source;
   MeshOptions options;
   int threads = 1;
@@ -189,6 +190,7 @@ Maker::Prepared Maker::prepare_edit(const EditCommand& command, const Run& run) 
   prepared.base = archive_.get(base.id, run);
   run.poll();  // reading the base takes a while
   const Revision& original = prepared.base->revision;
+  prepared.edit = command.document;
   prepared.source = engine_.apply(original.source, command.edit);
   prepared.options = edit_options(command.options, original.options);
   engine_.check_node_limit(&original, engine_.evaluate(prepared.source), prepared.options, run);
@@ -300,6 +302,7 @@ void Maker::compute(const ComputationPtr& computation) {
         Revision& revision = made->revision;
         revision.report.revision = prepared.id;
         revision.report.cached = false;
+        made->edit = prepared.edit;
         made->record = record_of(prepared);
         made->record.created_ns = nanoseconds_now();
         made->record.nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size());

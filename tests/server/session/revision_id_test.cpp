@@ -36,6 +36,13 @@ TEST(RevisionId, DiffersWithEverythingThatADocumentSays) {
       [](ModelSource& m) {
         m.parameters.push_back({"s", 4.0});
       },
+      [](ModelSource& m) {
+        m.parameters.insert(m.parameters.begin(), {"s", 4.0});
+      },
+      [](ModelSource& m) { m.parameters[0].lower = 4.0; },
+      [](ModelSource& m) { m.parameters[0].upper = 4.0; },
+      [](ModelSource& m) { m.parameters[0].integer = true; },
+      [](ModelSource& m) { m.parameters[0].unit = "mm"; },
       [](ModelSource& m) { std::swap(m.features[0], m.features[1]); },
       [](ModelSource& m) { m.features[1].id = "bore"; },
       [](ModelSource& m) { m.features[1].nature = Nature::Additive; },
@@ -66,6 +73,20 @@ TEST(RevisionId, DiffersWithEverythingThatADocumentSays) {
     changes[i](changed);
     EXPECT_TRUE(ids.insert(revision_id(changed, {}, "", 1)).second) << "change " << i;
   }
+}
+
+TEST(RevisionId, DescriptionsOfParametersAreForPeople) {
+  ModelSource described = model();
+  described.parameters[0].description = "radius of the hole";
+  EXPECT_EQ(revision_id(described, {}, "", 1), revision_id(model(), {}, "", 1));
+  EXPECT_EQ(model_digest(described), model_digest(model()));
+}
+
+TEST(RevisionId, TheDigestOfAModelDiffersWithTheModelAlone) {
+  ModelSource other = model();
+  other.parameters[0].upper = 5;
+  EXPECT_NE(model_digest(other), model_digest(model()));
+  EXPECT_NE(model_digest(model()), revision_id(model(), {}, "", 1));
 }
 
 TEST(RevisionId, DiffersWithOptionsParentAndAlgorithm) {
