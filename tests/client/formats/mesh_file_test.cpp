@@ -63,7 +63,7 @@ TEST_P(MeshFile, IsReadBackToTheBitByIndependentLibraries) {
   write_mesh(file_, mesh);
   dump(folder_.path(), mesh);
   const std::filesystem::path script =
-      std::filesystem::path(__FILE__).parent_path() / "read_back.py";
+      std::filesystem::path(REMESHD_CASES_DIR).parent_path() / "client/formats/read_back.py";
   const std::string command =
       "/usr/bin/python3 " + script.string() + " " + file_.string() + " " + folder_.path().string();
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
