@@ -1,30 +1,25 @@
 #include "client/cli/base.h"
 
-#include <filesystem>
-
 #include "client/cli/exit_code.h"
 #include "proto/document.h"
-#include "proto/document_error.h"
 
 namespace remeshd::cli {
 namespace {
 
-bool can_only_be_a_file(const std::string& name) {
+bool is_file_name(const std::string& name) {
   return name.find('/') != std::string::npos || name.ends_with(".json");
 }
 
 }  // namespace
 
 Named resolve(const std::string& name) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(name, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_directory(status)) {
-    auto document = parse_document(read_document(name));
-    if (auto* model = std::get_if<remesh::v1::FeatureModel>(&document)) return std::move(*model);
-    return std::get<remesh::v1::ModelEdit>(std::move(document));
-  }
-  if (can_only_be_a_file(name)) throw error::document_unreadable(name, "no such file");
-  return name;
+  if (!is_file_name(name)) return name;
+  return std::visit([](auto&& document) -> Named { return std::move(document); },
+                    read_either(name));
+}
+
+std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit> read_either(const std::string& file) {
+  return parse_document(read_document(file));
 }
 
 remesh::v1::FeatureModel read_model(const std::string& file) {

@@ -11,15 +11,17 @@ namespace remeshd::cli {
 /// read from a file, or the name of a revision as the daemon takes it.
 using Named = std::variant<std::string, remesh::v1::FeatureModel, remesh::v1::ModelEdit>;
 
-/// An existing file first, else `design`, `design@N`, an id or a unique prefix of 8.
+/// A file where the name has a `/` or ends in `.json`, else `design`, `design@N`, an id or a unique
+/// prefix of 8: what a name means does not depend on the files that happen to be there.
 ///
-/// Throws remeshd::Error: what `parse_document` throws; `DocumentUnreadable` for a name that can
-/// only be a file (it has a `/` or ends in `.json`) and is none.
+/// Throws DocumentError.
 Named resolve(const std::string& name);
 
-/// The model in a file. Throws remeshd::Error.
+/// The model or edit in a file of any name. Throws DocumentError.
+std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit> read_either(const std::string& file);
+/// The model in a file of any name. Throws DocumentError.
 remesh::v1::FeatureModel read_model(const std::string& file);
-/// The edit in a file. Throws remeshd::Error.
+/// The edit in a file of any name. Throws DocumentError.
 remesh::v1::ModelEdit read_edit(const std::string& file);
 
 /// What an edit can be based on: a revision or a model.

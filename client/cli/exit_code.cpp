@@ -2,67 +2,93 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <string>
 
 namespace remeshd::cli {
 namespace {
 
 using remesh::v1::Error;
 
-/// Failures that are the model's own fault although they show only while it is built, or although
-/// the limit belongs to the daemon.
-constexpr std::array<std::string_view, 5> kFaultsOfTheModel{
-    "EmptyModel", "DisconnectedModel", "NonManifoldModel", "DocumentTooLarge", "DocumentTooDeep"};
+/// Reasons that call for another exit code than their error's code does.
+struct Exception {
+  Error::Reason reason;
+  ExitCode exit;
+};
+
+constexpr std::array kExceptions{
+    // The model's own fault, although it shows only while the model is built.
+    Exception{Error::EMPTY_MODEL, kInvalid},
+    Exception{Error::DISCONNECTED_MODEL, kInvalid},
+    Exception{Error::NON_MANIFOLD_MODEL, kInvalid},
+    // The request names what it may not.
+    Exception{Error::HEAD_PROTECTED, kInvalid},
+    Exception{Error::DOCUMENT_UNREADABLE, kFileFailed},
+};
 
 /// What gRPC itself says of a message over the daemon's limit, which a document in it caused.
 bool is_oversized(const Error& error) {
-  return error.code() == Error::RESOURCE_EXHAUSTED && error.reason().empty() &&
+  return error.code() == Error::CODE_RESOURCE_EXHAUSTED &&
+         error.reason() == Error::REASON_UNSPECIFIED &&
          error.message().find("larger than max") != std::string::npos;
 }
 
 Error::Code code_of(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::InvalidArgument:
-      return Error::INVALID_ARGUMENT;
+      return Error::CODE_INVALID_ARGUMENT;
     case ErrorKind::NotFound:
-      return Error::NOT_FOUND;
+      return Error::CODE_NOT_FOUND;
     case ErrorKind::FailedPrecondition:
-      return Error::FAILED_PRECONDITION;
+      return Error::CODE_FAILED_PRECONDITION;
     case ErrorKind::DeadlineExceeded:
-      return Error::DEADLINE_EXCEEDED;
+      return Error::CODE_DEADLINE_EXCEEDED;
     case ErrorKind::ResourceExhausted:
-      return Error::RESOURCE_EXHAUSTED;
+      return Error::CODE_RESOURCE_EXHAUSTED;
     case ErrorKind::Aborted:
-      return Error::ABORTED;
+      return Error::CODE_ABORTED;
     case ErrorKind::Cancelled:
-      return Error::CANCELLED;
+      return Error::CODE_CANCELLED;
     case ErrorKind::Unavailable:
-      return Error::UNAVAILABLE;
+      return Error::CODE_UNAVAILABLE;
     case ErrorKind::Internal:
-      return Error::INTERNAL;
+      return Error::CODE_INTERNAL;
+    case ErrorKind::DataLoss:
+      return Error::CODE_DATA_LOSS;
+    case ErrorKind::Unimplemented:
+      return Error::CODE_UNIMPLEMENTED;
+    case ErrorKind::PermissionDenied:
+      return Error::CODE_PERMISSION_DENIED;
+    case ErrorKind::Unauthenticated:
+      return Error::CODE_UNAUTHENTICATED;
   }
-  return Error::UNKNOWN;
+  return Error::CODE_UNKNOWN;
+}
+
+Error::Reason reason_of(const std::string& name) {
+  Error::Reason reason = Error::REASON_UNSPECIFIED;
+  Error::Reason_Parse(name, &reason);
+  return reason;
 }
 
 }  // namespace
 
 ExitCode exit_code(const Error& error) {
-  if (std::ranges::find(kFaultsOfTheModel, error.reason()) != kFaultsOfTheModel.end() ||
-      is_oversized(error))
-    return kInvalid;
+  const auto* exception = std::ranges::find(kExceptions, error.reason(), &Exception::reason);
+  if (exception != kExceptions.end()) return exception->exit;
+  if (is_oversized(error)) return kInvalid;
   switch (error.code()) {
-    case Error::INVALID_ARGUMENT:
-    case Error::NOT_FOUND:
-    case Error::ALREADY_EXISTS:
-    case Error::OUT_OF_RANGE:
+    case Error::CODE_INVALID_ARGUMENT:
+    case Error::CODE_NOT_FOUND:
+    case Error::CODE_ALREADY_EXISTS:
+    case Error::CODE_OUT_OF_RANGE:
       return kInvalid;
-    case Error::UNAVAILABLE:
+    case Error::CODE_UNAVAILABLE:
       return kUnreachable;
-    case Error::RESOURCE_EXHAUSTED:
-    case Error::ABORTED:
+    case Error::CODE_RESOURCE_EXHAUSTED:
+    case Error::CODE_ABORTED:
       return kBusy;
-    case Error::PERMISSION_DENIED:
-    case Error::UNAUTHENTICATED:
+    case Error::CODE_PERMISSION_DENIED:
+    case Error::CODE_UNAUTHENTICATED:
       return kDenied;
     default:
       return kFailed;
@@ -72,10 +98,10 @@ ExitCode exit_code(const Error& error) {
 Error to_detail(const ErrorInfo& info) {
   Error error;
   error.set_code(code_of(info.kind));
-  error.set_reason(info.reason);
+  error.set_reason(reason_of(info.reason));
   error.set_message(info.message);
   error.set_stage(info.stage);
-  error.set_feature(info.feature);
+  for (const std::string& feature : info.features) error.add_features(feature);
   error.set_parameter(info.parameter);
   error.set_hint(info.hint);
   if (info.edit_index) error.set_edit_index(static_cast<std::uint32_t>(*info.edit_index));
@@ -84,14 +110,18 @@ Error to_detail(const ErrorInfo& info) {
 }
 
 Error to_detail(const DocumentErrorInfo& info) {
-  return to_detail(ErrorInfo{.kind = ErrorKind::InvalidArgument,
-                             .reason = info.reason,
-                             .message = info.message,
-                             .stage = "document",
-                             .feature = info.feature,
-                             .parameter = info.parameter,
-                             .hint = info.hint,
-                             .edit_index = info.edit_index});
+  Error error;
+  error.set_code(Error::CODE_INVALID_ARGUMENT);
+  error.set_reason(reason_of(info.reason));
+  error.set_message(info.message);
+  error.set_stage("document");
+  if (!info.feature.empty()) error.add_features(info.feature);
+  error.set_parameter(info.parameter);
+  error.set_hint(info.hint);
+  if (info.edit_index) error.set_edit_index(static_cast<std::uint32_t>(*info.edit_index));
+  if (info.at.line > 0) error.set_line(info.at.line);
+  if (info.at.column > 0) error.set_column(info.at.column);
+  return error;
 }
 
 }  // namespace remeshd::cli

@@ -13,12 +13,12 @@ namespace remeshd::cli {
 enum ExitCode : int {
   kFine = 0,
   kUsage = 2,
-  kInvalid =
-      3,  ///< model, edit or name: wrong, empty, disconnected, unreadable, over-sized, unknown
-  kFailed = 4,  ///< meshing failed
+  kInvalid = 3,  ///< model, edit or name: wrong, empty, disconnected, over-sized, unknown
+  kFailed = 4,   ///< meshing failed
   kUnreachable = 5,
   kBusy = 6,
   kDenied = 7,
+  kFileFailed = 8,  ///< a file or stream that cannot be read or written
   kInterrupted = 130,
 };
 

@@ -1,6 +1,7 @@
 #include "client/cli/mesh_base.h"
 
 #include "client/cli/reply.h"
+#include "client/cli/warnings.h"
 
 namespace remeshd::cli {
 
@@ -15,8 +16,7 @@ std::string mesh_base(Session& session, client::EditStream& stream, const Base& 
   session.poll();
   session.console().detail("base " + short_name(reply.revision()) + ", " + reply.revision().id() +
                            (reply.report().cached() ? ", from the cache" : ""));
-  for (const std::string& warning : reply.report().warnings())
-    session.console().note("warning (base): " + warning);
+  show_warnings(session, reply.report().warnings(), " (base)");
   return reply.revision().id();
 }
 

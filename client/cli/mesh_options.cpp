@@ -7,6 +7,8 @@
 namespace remeshd::cli {
 namespace {
 
+using remesh::v1::Warning;
+
 constexpr std::uint32_t kMostIterations = 1000;
 const std::string kMembership = "membership";
 const std::string kControlMesh = "control-mesh";
@@ -39,6 +41,23 @@ std::string check_iterations(const std::string& text) {
   const std::uint32_t value = to_iterations(text);
   if (value < 1 || value > kMostIterations) return text + " is neither `auto` nor within 1..1000";
   return {};
+}
+
+/// The warning of that name, or CODE_UNSPECIFIED.
+Warning::Code warning_of(const std::string& name) {
+  Warning::Code code = Warning::CODE_UNSPECIFIED;
+  Warning::Code_Parse(name, &code);
+  return code;
+}
+
+std::string check_warning(const std::string& name) {
+  if (warning_of(name) != Warning::CODE_UNSPECIFIED) return {};
+  std::string known;
+  const auto* names = Warning::Code_descriptor();
+  for (int k = 0; k < names->value_count(); ++k)
+    if (names->value(k)->number() != Warning::CODE_UNSPECIFIED)
+      known += (known.empty() ? "" : ", ") + names->value(k)->name();
+  return name + " is no warning; there are " + known;
 }
 
 }  // namespace
@@ -82,6 +101,14 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
       ->type_name("NAME");
   command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
+  command
+      .add_option("--fail-on", fail_on,
+                  "Warnings that are errors here, e.g. GROUP_EMPTIED,FALLBACK; an error of the "
+                  "daemon's, exit code 4")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(check_warning, "", ""))
+      ->type_name("CODE[,CODE]");
 }
 
 remesh::v1::MeshOptions MeshingOptions::to_message() const {
@@ -98,6 +125,12 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (threshold) message.set_threshold(*threshold);
   if (no_clean_up) message.set_clean_up(false);
   return message;
+}
+
+google::protobuf::RepeatedField<int> MeshingOptions::warning_codes() const {
+  google::protobuf::RepeatedField<int> codes;
+  for (const std::string& name : fail_on) codes.Add(warning_of(name));
+  return codes;
 }
 
 }  // namespace remeshd::cli

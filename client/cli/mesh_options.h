@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "remesh/v1/remesh.pb.h"
 
@@ -26,14 +27,19 @@ struct MeshingOptions {
   bool no_clean_up = false;
   std::string design;
   bool keep_head = false;
+  std::vector<std::string> fail_on;  ///< names of warnings
 
   void add_to(CLI::App& command);
   [[nodiscard]] remesh::v1::MeshOptions to_message() const;
+  /// Those of `fail_on`, as the field of the message has them.
+  [[nodiscard]] google::protobuf::RepeatedField<int> warning_codes() const;
 
-  /// Fills everything that both kinds of request have.
+  /// Fills everything that both kinds of request have. Without mesh options an edit inherits them;
+  /// which warnings are errors is not inherited.
   template <class Request>
   void fill(Request& request, bool with_mesh_options) const {
     if (with_mesh_options) *request.mutable_options() = to_message();
+    if (!fail_on.empty()) *request.mutable_options()->mutable_fail_on() = warning_codes();
     request.set_design(design);
     request.set_threads(threads);
     if (keep_head) request.mutable_head()->set_advance(false);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "client/cli/table.h"
+#include "client/cli/warnings.h"
 #include "proto/json_writer.h"
 
 namespace remeshd::cli {
@@ -15,7 +16,7 @@ std::string share(std::uint32_t part, std::uint32_t whole) {
   return std::to_string(part) + " (" + rounded(100.0 * part / whole, 4) + " %)";
 }
 
-void write_summary(std::ostream& out, const remesh::v1::RevisionReply& reply) {
+void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
   const Report& report = reply.report();
   const auto& quality = report.quality();
   write_table(
@@ -59,10 +60,9 @@ void ReplyFiles::check() const {
   check_text_file(report);
 }
 
-void deliver(Session& session, const remesh::v1::RevisionReply& reply, const ReplyFiles& files) {
-  for (const std::string& warning : reply.report().warnings())
-    session.console().note("warning: " + warning);
-  if (reply.head_moved())
+void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files) {
+  show_warnings(session, reply.report().warnings());
+  if (reply.head_conflict())
     session.console().note("the head of " + reply.revision().design() + " stays at " +
                            std::to_string(reply.head_number()) +
                            ": it is not the base of this edit any more");

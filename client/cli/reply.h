@@ -23,7 +23,7 @@ struct ReplyFiles {
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the
 /// messages, mesh and Report to their files, and, unless the Report went there, a short table to
 /// the data stream.
-void deliver(Session& session, const remesh::v1::RevisionReply& reply, const ReplyFiles& files);
+void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files);
 
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);

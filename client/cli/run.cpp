@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kFooter =
     "Data go to stdout, messages and progress to stderr.\n"
     "Exit codes: 0 fine, 2 usage, 3 invalid model, edit or name, 4 meshing failed,\n"
-    "5 daemon not reachable, 6 busy, 7 denied, 130 interrupted.";
+    "5 daemon not reachable, 6 busy or a head that moved, 7 denied, 8 file not readable or\n"
+    "writable, 130 interrupted.";
 
 struct Line {
   GlobalOptions options;
@@ -52,6 +53,7 @@ void build(CLI::App& app, Line& line) {
   add_diff_command(app, line.action);
   add_validate_command(app, line.action);
   add_revision_commands(app, line.action);
+  add_head_command(app, line.action);
   add_quality_command(app, line.action);
   add_types_command(app, line.action);
   add_info_command(app, line.action);
@@ -68,8 +70,8 @@ int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& 
   if (!error.hint().empty()) console.error("hint: " + error.hint());
   if (error.has_retry_after())
     console.error("try again in " + std::to_string(std::lround(error.retry_after() + 0.5)) + " s");
-  console.detail("code " + remesh::v1::Error::Code_Name(error.code()) + ", reason " +
-                 error.reason() + ", stage " + error.stage());
+  console.detail("code " + client::code_name(error.code()) + ", reason " +
+                 client::reason_name(error) + ", stage " + error.stage());
   return exit_code(error);
 }
 
@@ -78,6 +80,7 @@ int act(const Line& line, const Surroundings& surroundings, Console& console) {
   try {
     const int code = line.action(session);
     session.poll();
+    session.check_output();
     return code;
   } catch (...) {
     // A call that an interrupt broke off fails as it may; the interrupt is what counts.
@@ -101,7 +104,8 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     return act(line, surroundings, console);
   } catch (const CLI::ParseError& e) {
     const int code = app.exit(e, surroundings.out, surroundings.err);
-    return code == 0 ? kFine : kUsage;
+    if (code != 0) return kUsage;
+    return surroundings.out.flush() ? kFine : kFileFailed;
   } catch (const UsageError& e) {
     console.error(e.what());
     return kUsage;
@@ -116,7 +120,7 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     return fail(console, to_detail(e.info()), line.options);
   } catch (const client::FileError& e) {
     console.error(e.what());
-    return kFailed;
+    return kFileFailed;
   } catch (const std::exception& e) {
     console.error(e.what());
     return kFailed;

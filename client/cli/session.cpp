@@ -26,11 +26,17 @@ void Session::poll() const {
   if (surroundings_.stop.stop_requested()) throw Interrupted();
 }
 
+void Session::check_output() const {
+  if (!out().flush()) throw client::FileError("cannot write to the standard output");
+}
+
 void Session::write_text(const std::filesystem::path& file, const std::string& text) const {
-  if (file == "-")
-    out() << text << std::flush;
-  else
+  if (file == "-") {
+    out() << text;
+    check_output();
+  } else {
     client::write_file(file, text);
+  }
 }
 
 void Session::write_mesh_of(const std::string& revision, const std::filesystem::path& file) {

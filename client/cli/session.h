@@ -29,6 +29,8 @@ class Session {
   [[nodiscard]] client::EditStream stream();
   /// Throws Interrupted after an interrupt.
   void poll() const;
+  /// Throws FileError where something of the data stream could not be written.
+  void check_output() const;
 
   /// Writes text to a file, or to the data stream where the name is `-`.
   void write_text(const std::filesystem::path& file, const std::string& text) const;

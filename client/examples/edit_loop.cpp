@@ -4,8 +4,6 @@
 //   edit_loop HOST:PORT FOLDER NODES MODEL.json EDIT.json...
 //
 // prints a table: seconds, nodes, share of nodes and tets kept, quality.
-#include <google/protobuf/util/json_util.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -20,14 +18,12 @@
 
 namespace {
 
-template <class Message>
-Message read(const std::filesystem::path& path) {
+/// Documents travel as they are: the daemon reads them and says what is wrong with one.
+std::string read(const std::filesystem::path& path) {
   std::ifstream in(path);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  Message message;
-  if (!in || !google::protobuf::util::JsonStringToMessage(text, &message).ok())
-    throw std::runtime_error(path.string() + ": cannot be read");
-  return message;
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw std::runtime_error(path.string() + ": cannot be read");
+  return text;
 }
 
 double percent(std::uint32_t part, std::uint32_t whole) {
@@ -56,16 +52,16 @@ void run(int count, char** arguments) {
               "least", "least");
   for (int i = 4; i < count; ++i) {
     const std::filesystem::path document = arguments[i];
-    remesh::v1::RevisionReply reply;
+    remesh::v1::RevisionResult reply;
     if (i == 4) {
       remesh::v1::CreateRevisionRequest request;
-      *request.mutable_model() = read<remesh::v1::FeatureModel>(document);
+      request.set_document(read(document));
       request.mutable_options()->set_nodes(
           static_cast<std::uint32_t>(std::strtoul(arguments[3], nullptr, 10)));
       reply = stream.create(request).get();
     } else {
       remesh::v1::EditRevisionRequest request;  // without a base: on the design's head
-      *request.mutable_edit() = read<remesh::v1::ModelEdit>(document);
+      request.set_document(read(document));
       reply = stream.edit(request).get();
     }
     // `tool1-ac.edit.json` becomes `tool1-ac.vtu`. An optimiser would analyse the mesh here.

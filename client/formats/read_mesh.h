@@ -19,8 +19,8 @@ struct FileMesh {
 /// the order of a tet's corners is left as it is.
 ///
 /// `.vtu`: appended (raw or base64), inline binary or ASCII, with or without zlib. `.msh`:
-/// Gmsh 4.1, ASCII or binary. `.inp`: `*NODE` and `*ELEMENT` of C3D4. Throws FileError for another
-/// ending, and for a file that cannot be read or is not well-formed.
+/// Gmsh 4.1, ASCII or binary. `.inp`: `*NODE` and `*ELEMENT` of C3D4. Throws FileError for a
+/// file that cannot be read, FormatError for another ending and one that is not well-formed.
 FileMesh read_mesh(const std::filesystem::path& path);
 
 /// The same from the bytes of a file. Throw FileError.

@@ -6,14 +6,17 @@
 #include <grpcpp/support/channel_arguments.h>
 
 #include "client/library/call_context.h"
+#include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
 #include "client/library/mesh_assembler.h"
+#include "client/library/mesh_selection.h"
 #include "client/library/status.h"
 
 namespace remeshd::client {
 namespace {
 
-using remesh::v1::Remesh;
+using remesh::v1::RemeshService;
+using Stub = RemeshService::Stub;
 
 /// Lists and models are the largest single messages; meshes come in parts of at most 1 MiB.
 constexpr int kMaxMessage = 256 << 20;
@@ -21,10 +24,10 @@ constexpr int kMaxMessage = 256 << 20;
 constexpr int kKeepaliveTimeout = 20'000;
 
 template <class Request, class Reply>
-using Method = grpc::Status (Remesh::Stub::*)(grpc::ClientContext*, const Request&, Reply*);
+using Method = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Reply*);
 
 template <class Request, class Reply>
-Reply unary(Remesh::Stub& stub, Method<Request, Reply> method, const Request& request,
+Reply unary(Stub& stub, Method<Request, Reply> method, const Request& request,
             const CallOptions& options) {
   CallContext context(options);
   Reply reply;
@@ -51,8 +54,9 @@ bool is_loopback(const std::string& address) {
 }  // namespace
 
 struct Client::Impl {
-  explicit Impl(const std::shared_ptr<grpc::Channel>& channel) : stub(Remesh::NewStub(channel)) {}
-  std::unique_ptr<Remesh::Stub> stub;
+  explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
+      : stub(RemeshService::NewStub(channel)) {}
+  std::unique_ptr<Stub> stub;
 };
 
 Client Client::connect(const std::string& address, const ConnectOptions& options) {
@@ -67,14 +71,16 @@ Client Client::connect(const std::string& address, const ConnectOptions& options
 Client::Client(std::shared_ptr<grpc::Channel> channel)
     : impl_(std::make_shared<const Impl>(channel)) {}
 
-remesh::v1::RevisionReply Client::create_revision(const remesh::v1::CreateRevisionRequest& request,
-                                                  const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::CreateRevision, request, call);
+remesh::v1::RevisionResult Client::create_revision(const remesh::v1::CreateRevisionRequest& request,
+                                                   const CallOptions& call) const {
+  check_documents(request);
+  return unary(*impl_->stub, &Stub::CreateRevision, request, call).result();
 }
 
-remesh::v1::RevisionReply Client::edit_revision(const remesh::v1::EditRevisionRequest& request,
-                                                const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::EditRevision, request, call);
+remesh::v1::RevisionResult Client::edit_revision(const remesh::v1::EditRevisionRequest& request,
+                                                 const CallOptions& call) const {
+  check_documents(request);
+  return unary(*impl_->stub, &Stub::EditRevision, request, call).result();
 }
 
 EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions& call) const {
@@ -83,15 +89,21 @@ EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions&
 
 Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
                       const OnTransfer& on_transfer) const {
+  return get_mesh(revision, MeshWanted{}, call, on_transfer);
+}
+
+Mesh Client::get_mesh(const std::string& revision, const MeshWanted& wanted,
+                      const CallOptions& call, const OnTransfer& on_transfer) const {
   CallContext context(call);
   remesh::v1::GetMeshRequest request;
   request.set_revision(revision);
+  *request.mutable_selection() = to_message(wanted);
   const auto reader = impl_->stub->GetMesh(context.get(), request);
-  MeshAssembler assembler;
-  remesh::v1::MeshMessage message;
+  MeshAssembler assembler(wanted.arrays, {wanted.base});
+  remesh::v1::GetMeshResponse response;
   try {
-    while (reader->Read(&message)) {
-      assembler.add(message);
+    while (reader->Read(&response)) {
+      assembler.add(response.mesh());
       if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
     }
   } catch (...) {
@@ -103,71 +115,88 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
   return assembler.finish();
 }
 
-remesh::v1::Comparison Client::compare(const remesh::v1::CompareRequest& request,
-                                       const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::Compare, request, call);
+remesh::v1::GetRevisionResponse Client::get_revision(const std::string& revision,
+                                                     const CallOptions& call) const {
+  remesh::v1::GetRevisionRequest request;
+  request.set_revision(revision);
+  return unary(*impl_->stub, &Stub::GetRevision, request, call);
 }
 
-std::vector<remesh::v1::DesignInfo> Client::list_designs(const CallOptions& call) const {
-  std::vector<remesh::v1::DesignInfo> designs;
-  remesh::v1::ListDesignsRequest request;
-  do {
-    const auto page = unary(*impl_->stub, &Remesh::Stub::ListDesigns, request, call);
-    designs.insert(designs.end(), page.designs().begin(), page.designs().end());
-    request.set_page_token(page.next_page_token());
-  } while (!request.page_token().empty());
-  return designs;
-}
-
-std::vector<remesh::v1::RevisionInfo> Client::list(const CallOptions& call) const {
-  return log("", call);
-}
-
-std::vector<remesh::v1::RevisionInfo> Client::log(const std::string& design,
-                                                  const CallOptions& call) const {
+std::vector<remesh::v1::RevisionInfo> Client::list_revisions(
+    remesh::v1::ListRevisionsRequest request, const CallOptions& call) const {
   std::vector<remesh::v1::RevisionInfo> revisions;
-  remesh::v1::ListRevisionsRequest request;
-  request.set_design(design);
+  request.clear_page_token();
   do {
-    const auto page = unary(*impl_->stub, &Remesh::Stub::ListRevisions, request, call);
+    const auto page = unary(*impl_->stub, &Stub::ListRevisions, request, call);
     revisions.insert(revisions.end(), page.revisions().begin(), page.revisions().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
   return revisions;
 }
 
-remesh::v1::RevisionDescription Client::describe(const std::string& revision,
-                                                 const CallOptions& call) const {
-  remesh::v1::DescribeRevisionRequest request;
-  request.set_revision(revision);
-  return unary(*impl_->stub, &Remesh::Stub::DescribeRevision, request, call);
+std::vector<remesh::v1::RevisionInfo> Client::log(const std::string& design,
+                                                  const CallOptions& call) const {
+  remesh::v1::ListRevisionsRequest request;
+  request.mutable_filter()->set_design(design);
+  return list_revisions(std::move(request), call);
 }
 
-remesh::v1::DeleteRevisionReply Client::remove(const std::string& revision, bool allow_head,
-                                               const CallOptions& call) const {
+std::vector<remesh::v1::DesignInfo> Client::list_designs(remesh::v1::ListDesignsRequest request,
+                                                         const CallOptions& call) const {
+  std::vector<remesh::v1::DesignInfo> designs;
+  request.clear_page_token();
+  do {
+    const auto page = unary(*impl_->stub, &Stub::ListDesigns, request, call);
+    designs.insert(designs.end(), page.designs().begin(), page.designs().end());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  return designs;
+}
+
+remesh::v1::SetHeadResponse Client::set_head(const remesh::v1::SetHeadRequest& request,
+                                             const CallOptions& call) const {
+  return unary(*impl_->stub, &Stub::SetHead, request, call);
+}
+
+remesh::v1::DeleteRevisionResponse Client::delete_revision(const std::string& revision,
+                                                           bool allow_head,
+                                                           const CallOptions& call) const {
   remesh::v1::DeleteRevisionRequest request;
   request.set_revision(revision);
   request.set_allow_head(allow_head);
-  return unary(*impl_->stub, &Remesh::Stub::DeleteRevision, request, call);
+  return unary(*impl_->stub, &Stub::DeleteRevision, request, call);
 }
 
-remesh::v1::ValidateReply Client::validate(const remesh::v1::ValidateModelRequest& request,
-                                           const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::ValidateModel, request, call);
+remesh::v1::DeleteDesignResponse Client::delete_design(
+    const remesh::v1::DeleteDesignRequest& request, const CallOptions& call) const {
+  return unary(*impl_->stub, &Stub::DeleteDesign, request, call);
 }
 
-remesh::v1::ValidateReply Client::validate(const remesh::v1::ValidateEditRequest& request,
-                                           const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::ValidateEdit, request, call);
+remesh::v1::Comparison Client::compare(const remesh::v1::CompareRequest& request,
+                                       const CallOptions& call) const {
+  check_documents(request);
+  return unary(*impl_->stub, &Stub::Compare, request, call).comparison();
+}
+
+remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateModelRequest& request,
+                                        const CallOptions& call) const {
+  check_documents(request);
+  return unary(*impl_->stub, &Stub::ValidateModel, request, call).check();
+}
+
+remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateEditRequest& request,
+                                        const CallOptions& call) const {
+  check_documents(request);
+  return unary(*impl_->stub, &Stub::ValidateEdit, request, call).check();
 }
 
 std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) const {
-  const auto reply = unary(*impl_->stub, &Remesh::Stub::ListFeatureTypes, {}, call);
+  const auto reply = unary(*impl_->stub, &Stub::ListFeatureTypes, {}, call);
   return {reply.types().begin(), reply.types().end()};
 }
 
 remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
-  return unary(*impl_->stub, &Remesh::Stub::GetServerInfo, {}, call);
+  return unary(*impl_->stub, &Stub::GetServerInfo, {}, call).server();
 }
 
 }  // namespace remeshd::client

@@ -3,7 +3,9 @@
 
 #include <stdexcept>
 
+#include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
+#include "client/library/mesh_selection.h"
 #include "client/library/status.h"
 
 namespace remeshd::client {
@@ -11,15 +13,24 @@ namespace {
 
 remesh::v1::Error stream_ended() {
   remesh::v1::Error error;
-  error.set_code(remesh::v1::Error::UNAVAILABLE);
-  error.set_reason("StreamEnded");
+  error.set_code(remesh::v1::Error::CODE_UNAVAILABLE);
+  error.set_reason(remesh::v1::Error::STREAM_ENDED);
   error.set_message("the stream ended before this request was answered");
   return error;
 }
 
+/// Answers that have come already.
+EditStream::Answers failed(const remesh::v1::Error& error, std::optional<MeshWanted> mesh) {
+  OpenRequest request(std::move(mesh));
+  auto answers = request.answers();
+  request.fail(error);
+  return answers;
+}
+
 }  // namespace
 
-EditStream::Impl::Impl(remesh::v1::Remesh::Stub& stub, OnProgress listener, const CallOptions& call)
+EditStream::Impl::Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener,
+                       const CallOptions& call)
     : context(call), on_progress(std::move(listener)), stream(stub.EditStream(context.get())) {
   reader = std::thread([this] { read(); });
 }
@@ -38,52 +49,78 @@ std::string EditStream::Impl::fresh_id() {
   return id;
 }
 
-std::future<remesh::v1::RevisionReply> EditStream::Impl::send(
-    const std::string& id, const remesh::v1::EditStreamRequest& request) {
+EditStream::Answers EditStream::Impl::edit(remesh::v1::EditRevisionRequest request,
+                                           std::optional<MeshWanted> mesh) {
+  if (request.request_id().empty()) request.set_request_id(fresh_id());
+  const std::string id = request.request_id();
+  remesh::v1::EditStreamRequest message;
+  *message.mutable_edit() = std::move(request);
+  return send(id, std::move(message), std::move(mesh));
+}
+
+EditStream::Answers EditStream::Impl::create(remesh::v1::CreateRevisionRequest request,
+                                             std::optional<MeshWanted> mesh) {
+  if (request.request_id().empty()) request.set_request_id(fresh_id());
+  const std::string id = request.request_id();
+  remesh::v1::EditStreamRequest message;
+  *message.mutable_create() = std::move(request);
+  return send(id, std::move(message), std::move(mesh));
+}
+
+EditStream::Answers EditStream::Impl::send(const std::string& id,
+                                           remesh::v1::EditStreamRequest request,
+                                           std::optional<MeshWanted> mesh) {
+  try {
+    check_documents(request.edit());
+    check_documents(request.create());
+  } catch (const CallError& e) {
+    return failed(e.detail(), std::move(mesh));
+  }
+  if (mesh) *request.mutable_mesh() = to_message(*mesh);
   const std::lock_guard one_write(writing);
   if (closed) throw std::logic_error("EditStream: nothing can be sent after finish()");
-  std::future<remesh::v1::RevisionReply> answer;
+  Answers answers;
   {
     const std::lock_guard lock(state);
-    const auto [entry, added] = open.try_emplace(id);
+    if (end) return failed(*end, std::move(mesh));
+    const auto [entry, added] = open.try_emplace(id, std::move(mesh));
     if (!added) throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
-    answer = entry->second.get_future();
-    if (end) {
-      entry->second.set_exception(std::make_exception_ptr(CallError(*end)));
-      open.erase(entry);
-      return answer;
-    }
+    answers = entry->second.answers();
   }
   // A write that fails means that the stream is at its end: the reading thread answers.
   stream->Write(request);
-  return answer;
+  return answers;
+}
+
+void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
+  if (response.has_progress()) {
+    if (on_progress) on_progress(response.request_id(), response.progress());
+    return;
+  }
+  OpenRequest* request = nullptr;
+  decltype(open)::node_type ended;
+  {
+    const std::lock_guard lock(state);
+    const auto entry = open.find(response.request_id());
+    if (entry == open.end()) return;
+    request = &entry->second;  // stays where it is until this thread takes it out
+    // Before its future is kept: who has the answer may use the id again.
+    if (request->is_last(response)) ended = open.extract(entry);
+  }
+  if (response.has_result()) request->take_result(response.result());
+  if (response.has_mesh()) request->take_mesh(response.mesh(), last_mesh);
+  if (response.has_error()) request->fail(response.error());
+  if (!ended.empty()) request->fail(stream_ended());  // what the daemon left unanswered
 }
 
 void EditStream::Impl::read() {
-  remesh::v1::EditStreamReply reply;
-  while (stream->Read(&reply)) {
-    if (reply.has_progress()) {
-      if (on_progress) on_progress(reply.request_id(), reply.progress());
-      continue;
-    }
-    std::promise<remesh::v1::RevisionReply> promise;
-    {
-      const std::lock_guard lock(state);
-      const auto entry = open.find(reply.request_id());
-      if (entry == open.end()) continue;
-      promise = std::move(entry->second);
-      open.erase(entry);
-    }
-    if (reply.has_revision())
-      promise.set_value(reply.revision());
-    else
-      promise.set_exception(std::make_exception_ptr(CallError(reply.error())));
-  }
+  remesh::v1::EditStreamResponse response;
+  while (stream->Read(&response)) take(response);
   const grpc::Status status = stream->Finish();
   const std::lock_guard lock(state);
   ended_well = status.ok();
   end = ended_well ? stream_ended() : error_of(status);
-  for (auto& [id, promise] : open) promise.set_exception(std::make_exception_ptr(CallError(*end)));
+  for (auto& [id, request] : open) request.fail(*end);
   open.clear();
 }
 
@@ -92,21 +129,21 @@ EditStream::EditStream(EditStream&&) noexcept = default;
 EditStream& EditStream::operator=(EditStream&&) noexcept = default;
 EditStream::~EditStream() = default;
 
-std::future<remesh::v1::RevisionReply> EditStream::edit(remesh::v1::EditRevisionRequest request) {
-  if (request.request_id().empty()) request.set_request_id(impl_->fresh_id());
-  const std::string id = request.request_id();
-  remesh::v1::EditStreamRequest message;
-  *message.mutable_edit() = std::move(request);
-  return impl_->send(id, message);
+std::future<remesh::v1::RevisionResult> EditStream::edit(remesh::v1::EditRevisionRequest request) {
+  return impl_->edit(std::move(request), {}).result;
 }
 
-std::future<remesh::v1::RevisionReply> EditStream::create(
+std::future<remesh::v1::RevisionResult> EditStream::create(
     remesh::v1::CreateRevisionRequest request) {
-  if (request.request_id().empty()) request.set_request_id(impl_->fresh_id());
-  const std::string id = request.request_id();
-  remesh::v1::EditStreamRequest message;
-  *message.mutable_create() = std::move(request);
-  return impl_->send(id, message);
+  return impl_->create(std::move(request), {}).result;
+}
+
+EditStream::Answers EditStream::edit(remesh::v1::EditRevisionRequest request, MeshWanted mesh) {
+  return impl_->edit(std::move(request), std::move(mesh));
+}
+
+EditStream::Answers EditStream::create(remesh::v1::CreateRevisionRequest request, MeshWanted mesh) {
+  return impl_->create(std::move(request), std::move(mesh));
 }
 
 void EditStream::cancel(const std::string& request_id) {

@@ -1,102 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "client/library/mesh_assembler.h"
 
-#include <array>
-#include <bit>
-#include <cstring>
+#include <algorithm>
+#include <optional>
 
-#include "remeshd/error.h"
+#include "client/library/array_delta.h"
+#include "client/library/array_digest.h"
+#include "client/library/check_mesh.h"
+#include "client/library/mesh_arrays.h"
+#include "client/library/mesh_damaged.h"
+#include "proto/checksum.h"
 
 namespace remeshd::client {
 namespace {
 
 using remesh::v1::MeshArray;
+using remesh::v1::MeshHeader;
 
-static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie");
-
-[[noreturn]] void lost(const std::string& what) {
-  remesh::v1::Error error;
-  error.set_code(remesh::v1::Error::DATA_LOSS);
-  error.set_reason("MeshDamaged");
-  error.set_stage("transfer");
-  error.set_message("the mesh arrived damaged: " + what);
-  error.set_hint("fetch it again");
-  throw CallError(std::move(error));
-}
-
-std::string name_of(MeshArray array) { return remesh::v1::MeshArray_Name(array); }
-
-/// Splits text into its lines of names.
-std::vector<std::vector<std::string>> lines(const std::string& text, MeshArray array) {
-  std::vector<std::vector<std::string>> out;
-  if (!text.empty() && text.back() != '\n') lost(name_of(array) + " ends within a line");
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = text.find('\n', at);
-    auto& names = out.emplace_back();
-    while (at < end) {
-      const std::size_t stop = std::min(text.find(' ', at), end);
-      names.push_back(text.substr(at, stop - at));
-      at = stop + 1;
-    }
-    at = end + 1;
+/// The rows that an array has in a mesh with this header; nothing where the header does not say.
+std::optional<std::uint32_t> rows_of(RowOf what, const MeshHeader& header) {
+  switch (what) {
+    case RowOf::Node:
+      return header.nodes();
+    case RowOf::Tet:
+      return header.tets();
+    case RowOf::Facet:
+      return header.facets();
+    case RowOf::Other:
+      return {};
   }
-  return out;
+  return {};
 }
 
-template <class T>
-std::vector<T> values(const std::string& bytes, MeshArray array) {
-  static_assert(std::is_trivially_copyable_v<T>);
-  if (bytes.size() % sizeof(T) != 0) lost(name_of(array) + " has a broken last element");
-  std::vector<T> out(bytes.size() / sizeof(T));
-  if (!bytes.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
-  return out;
-}
-
-void check_index(std::int64_t index, std::int64_t low, std::size_t size, MeshArray array) {
-  if (index < low || index >= static_cast<std::int64_t>(size))
-    lost(name_of(array) + " has an index out of range");
-}
-
-/// Checks that what refers to what is there.
-void check_mesh(const Mesh& mesh) {
-  const auto same_size = [](std::size_t size, std::size_t wanted, MeshArray array) {
-    if (size != wanted) lost(name_of(array) + " has the wrong count");
-  };
-  const std::size_t nodes = mesh.nodes.size();
-  const std::size_t tets = mesh.tets.size();
-  same_size(mesh.node_ids.size(), nodes, MeshArray::NODE_IDS);
-  same_size(mesh.tet_ids.size(), tets, MeshArray::TET_IDS);
-  same_size(mesh.tet_cell.size(), tets, MeshArray::TET_CELLS);
-  same_size(mesh.node_origin.size(), nodes, MeshArray::NODE_ORIGINS);
-  same_size(mesh.original_node.size(), nodes, MeshArray::ORIGINAL_NODES);
-  same_size(mesh.node_transform.size(), nodes, MeshArray::NODE_TRANSFORMS);
-  same_size(mesh.original_tet.size(), tets, MeshArray::ORIGINAL_TETS);
-  same_size(mesh.transform_features.size(), mesh.transforms.size(), MeshArray::TRANSFORM_FEATURES);
-  for (const auto& tet : mesh.tets)
-    for (const std::int32_t node : tet) check_index(node, 0, nodes, MeshArray::TETS);
-  for (const Facet& facet : mesh.facets) {
-    for (const std::int32_t node : facet.nodes) check_index(node, 0, nodes, MeshArray::FACETS);
-    check_index(facet.tet, 0, tets, MeshArray::FACETS);
-    check_index(facet.group, 0, mesh.facet_groups.size(), MeshArray::FACETS);
-    // Exactly one corner of the tet is not the facet's; the file formats count on it.
-    int shared = 0;
-    for (const std::int32_t corner : mesh.tets[static_cast<std::size_t>(facet.tet)])
-      for (const std::int32_t node : facet.nodes) shared += corner == node ? 1 : 0;
-    if (shared != 3) lost("a facet is not one of its tet");
-  }
-  for (const std::int32_t cell : mesh.tet_cell)
-    check_index(cell, 0, mesh.cell_owners.size(), MeshArray::TET_CELLS);
-  for (const std::int32_t transform : mesh.node_transform)
-    check_index(transform, -1, mesh.transforms.size(), MeshArray::NODE_TRANSFORMS);
-  for (const NodeOrigin origin : mesh.node_origin)
-    check_index(static_cast<std::int64_t>(origin), 0, 3, MeshArray::NODE_ORIGINS);
-}
+ArrayShape shape_of(const MeshHeader::Array& entry) { return {entry.type(), entry.components()}; }
 
 }  // namespace
 
+MeshAssembler::MeshAssembler(const std::vector<MeshArray>& arrays,
+                             std::vector<std::shared_ptr<const Mesh>> bases)
+    : wanted_(arrays.begin(), arrays.end()), bases_(std::move(bases)) {
+  if (wanted_.empty())
+    for (const KnownArray& known : known_arrays()) wanted_.insert(known.array);
+}
+
 void MeshAssembler::add(const remesh::v1::MeshMessage& message) {
-  if (ended_) lost("something follows its end");
+  if (ended_) mesh_damaged("something follows its end");
   switch (message.message_case()) {
     case remesh::v1::MeshMessage::kHeader:
       return add_header(message.header());
@@ -105,87 +53,125 @@ void MeshAssembler::add(const remesh::v1::MeshMessage& message) {
     case remesh::v1::MeshMessage::kEnd:
       return add_end(message.end());
     case remesh::v1::MeshMessage::MESSAGE_NOT_SET:
-      lost("an empty message");
+      mesh_damaged("an empty message");
   }
 }
 
-void MeshAssembler::add_header(const remesh::v1::MeshHeader& header) {
-  if (has_header_) lost("a second header");
+void MeshAssembler::add_header(const MeshHeader& header) {
+  if (has_header_) mesh_damaged("a second header");
   has_header_ = true;
   header_ = header;
-  for (const auto& array : header.arrays()) {
-    expected_ += array.bytes();
-    if (!arrays_.emplace(array.array(), "").second)
-      lost(name_of(array.array()) + " is announced twice");
+  mesh_.revision = header.revision();
+  mesh_.parent = header.parent();
+  for (const MeshHeader::Array& entry : header.arrays()) {
+    check_entry(entry);
+    expected_ += entry.data_bytes();
   }
+  find_base();
+}
+
+void MeshAssembler::check_entry(const MeshHeader::Array& entry) {
+  const std::string name = name_of(entry.array());
+  const KnownArray* known = find_array(entry.array());
+  if (known == nullptr) return;  // of a newer protocol: passed over
+  if (!arrays_.insert(entry.array()).second) mesh_damaged(name + " is announced twice");
+  if (shape_of(entry) != known->shape) mesh_damaged(name + " is of another type");
+  const std::optional<std::uint32_t> rows = rows_of(known->row_of, header_);
+  if (rows && entry.count() != *rows) mesh_damaged(name + " has the wrong count");
+  const bool is_text = entry.type() == remesh::v1::ARRAY_TYPE_TEXT;
+  if (!is_text && entry.bytes() != entry.count() * row_bytes(known->shape))
+    mesh_damaged(name + " has not the bytes of its rows");
+  switch (entry.encoding()) {
+    case MeshHeader::ENCODING_WHOLE:
+      if (entry.data_bytes() != entry.bytes()) mesh_damaged(name + " is whole and is not");
+      return;
+    case MeshHeader::ENCODING_SAME:
+      if (entry.data_bytes() != 0) mesh_damaged(name + " is the base's and comes all the same");
+      return;
+    case MeshHeader::ENCODING_DELTA:
+      if (is_text) mesh_damaged(name + " is text and comes as a delta");
+      return;
+    default:
+      mesh_damaged(name + " is encoded in a way that is not known");
+  }
+}
+
+void MeshAssembler::find_base() {
+  const bool needed = std::ranges::any_of(header_.arrays(), [](const MeshHeader::Array& entry) {
+    return find_array(entry.array()) != nullptr && entry.encoding() != MeshHeader::ENCODING_WHOLE;
+  });
+  if (!needed) return;
+  const auto found = std::ranges::find_if(bases_, [&](const auto& mesh) {
+    return mesh != nullptr && mesh->revision == header_.base();
+  });
+  if (header_.base().empty() || found == bases_.end())
+    mesh_damaged("it is told as the difference from the mesh of revision '" + header_.base() +
+                 "', which is not here");
+  base_ = *found;
 }
 
 void MeshAssembler::add_part(const remesh::v1::MeshPart& part) {
-  if (!has_header_) lost("a part comes before the header");
-  while (current_ < header_.arrays_size() && header_.arrays(current_).array() != part.array()) {
-    const auto& passed = header_.arrays(current_);
-    if (arrays_[passed.array()].size() != passed.bytes())
-      lost(name_of(passed.array()) + " is not complete");
-    ++current_;
-  }
-  if (current_ == header_.arrays_size()) lost("a part of an array that is not expected now");
-  std::string& bytes = arrays_[part.array()];
-  if (part.offset() != bytes.size()) lost(name_of(part.array()) + " has a gap");
-  if (bytes.size() + part.data().size() > header_.arrays(current_).bytes())
-    lost(name_of(part.array()) + " is longer than announced");
+  if (!has_header_) mesh_damaged("a part comes before the header");
+  while (current_ < header_.arrays_size() && header_.arrays(current_).array() != part.array())
+    end_array();
+  if (current_ == header_.arrays_size())
+    mesh_damaged("a part of an array that is not expected now");
+  const std::string name = name_of(part.array());
+  if (part.offset() != data_.size()) mesh_damaged(name + " has a gap");
+  if (part.data().size() > header_.arrays(current_).data_bytes() - data_.size())
+    mesh_damaged(name + " is longer than announced");
   if (crc32c(part.data()) != part.crc32c())
-    lost("wrong CRC-32C in part " + std::to_string(parts_) + " of " + name_of(part.array()));
-  sha256_.update(part.data());
-  bytes += part.data();
+    mesh_damaged("wrong CRC-32C in part " + std::to_string(parts_) + " of " + name);
+  data_ += part.data();
   received_ += part.data().size();
   ++parts_;
 }
 
 void MeshAssembler::add_end(const remesh::v1::MeshEnd& end) {
-  if (!has_header_) lost("an end comes before the header");
-  if (end.parts() != parts_ || end.bytes() != received_) lost("parts are missing");
-  for (const auto& array : header_.arrays())
-    if (arrays_[array.array()].size() != array.bytes())
-      lost(name_of(array.array()) + " is not complete");
-  if (end.sha256() != sha256_.finish()) lost("wrong SHA-256");
+  if (!has_header_) mesh_damaged("an end comes before the header");
+  while (current_ < header_.arrays_size()) end_array();
+  if (end.parts() != parts_ || end.bytes() != received_) mesh_damaged("parts are missing");
   ended_ = true;
 }
 
-Mesh MeshAssembler::finish() const {
-  if (!ended_) lost("its end is missing");
-  const auto bytes = [&](MeshArray array) -> const std::string& {
-    const auto found = arrays_.find(array);
-    if (found == arrays_.end()) lost(name_of(array) + " is missing");
-    return found->second;
-  };
-  const auto of = [&]<class T>(std::vector<T>& out, MeshArray array) {
-    out = values<T>(bytes(array), array);
-  };
-  Mesh mesh;
-  of(mesh.nodes, MeshArray::NODES);
-  of(mesh.tets, MeshArray::TETS);
-  of(mesh.node_ids, MeshArray::NODE_IDS);
-  of(mesh.tet_ids, MeshArray::TET_IDS);
-  static_assert(sizeof(Facet) == 5 * sizeof(std::int32_t));
-  of(mesh.facets, MeshArray::FACETS);
-  mesh.facet_groups = lines(bytes(MeshArray::FACET_GROUPS), MeshArray::FACET_GROUPS);
-  of(mesh.tet_cell, MeshArray::TET_CELLS);
-  mesh.cell_owners = lines(bytes(MeshArray::CELL_OWNERS), MeshArray::CELL_OWNERS);
-  static_assert(sizeof(NodeOrigin) == 1);
-  of(mesh.node_origin, MeshArray::NODE_ORIGINS);
-  of(mesh.original_node, MeshArray::ORIGINAL_NODES);
-  of(mesh.node_transform, MeshArray::NODE_TRANSFORMS);
-  of(mesh.transforms, MeshArray::TRANSFORMS);
-  for (const auto& line :
-       lines(bytes(MeshArray::TRANSFORM_FEATURES), MeshArray::TRANSFORM_FEATURES))
-    mesh.transform_features.push_back(line.empty() ? "" : line.front());
-  of(mesh.original_tet, MeshArray::ORIGINAL_TETS);
+/// All of the current array has come: takes it into the mesh and goes on to the next.
+void MeshAssembler::end_array() {
+  const MeshHeader::Array& entry = header_.arrays(current_++);
+  const std::string name = name_of(entry.array());
+  if (data_.size() != entry.data_bytes()) mesh_damaged(name + " is not complete");
+  if (const KnownArray* known = find_array(entry.array())) {
+    const std::string bytes = decode(entry);
+    if (bytes.size() != entry.bytes() || array_digest(bytes) != entry.digest())
+      mesh_damaged("wrong digest of " + name);
+    known->read(bytes, mesh_);
+    const bool is_text = entry.type() == remesh::v1::ARRAY_TYPE_TEXT;
+    if (is_text && std::ranges::count(bytes, '\n') != entry.count())
+      mesh_damaged(name + " has the wrong count");
+  }
+  data_.clear();
+}
 
-  if (mesh.nodes.size() != header_.nodes() || mesh.tets.size() != header_.tets() ||
-      mesh.facets.size() != header_.facets())
-    lost("its counts are not those of its header");
-  check_mesh(mesh);
-  return mesh;
+std::string MeshAssembler::decode(const MeshHeader::Array& entry) {
+  if (entry.encoding() == MeshHeader::ENCODING_WHOLE) return std::move(data_);
+  const std::string of_base = find_array(entry.array())->write(*base_);
+  if (entry.encoding() == MeshHeader::ENCODING_SAME) return of_base;
+  remesh::v1::ArrayDelta delta;
+  if (!delta.ParseFromString(data_))
+    mesh_damaged("the delta of " + name_of(entry.array()) + " cannot be read");
+  return apply_delta(delta, shape_of(entry), entry.count(), of_base);
+}
+
+Mesh MeshAssembler::finish() {
+  if (!ended_) mesh_damaged("its end is missing");
+  for (const MeshArray array : wanted_)
+    if (find_array(array) != nullptr && !arrays_.contains(array))
+      mesh_damaged(name_of(array) + " is missing");
+  const bool transforms = arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORMS) &&
+                          arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORM_FEATURES);
+  if (transforms && mesh_.transform_features.size() != mesh_.transforms.size())
+    mesh_damaged("TRANSFORM_FEATURES has the wrong count");
+  check_mesh(mesh_, arrays_);
+  return std::move(mesh_);
 }
 
 }  // namespace remeshd::client

@@ -3,24 +3,33 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
-#include "proto/checksum.h"
 #include "remesh/v1/remesh.pb.h"
 #include "remeshd/mesh.h"
 
 namespace remeshd::client {
 
-/// Puts the messages of a GetMesh stream together and checks all of them.
+/// Puts the messages of one mesh together and checks all of them: order, lengths, the CRC-32C of
+/// each part, the digest of each array, counts and indices.
 ///
-/// Every function throws CallError(DATA_LOSS) where a checksum, an order, a length, a count or an
-/// index is wrong.
+/// Every function throws CallError MESH_DAMAGED where something is wrong.
 class MeshAssembler {
  public:
-  void add(const remesh::v1::MeshMessage& message);
-  /// The mesh, once the end has come.
-  [[nodiscard]] Mesh finish() const;
+  /// `arrays`: those that must come; none: all that a Mesh has a place for. `bases`: meshes that
+  /// deltas may be against; null pointers are passed over.
+  explicit MeshAssembler(const std::vector<remesh::v1::MeshArray>& arrays = {},
+                         std::vector<std::shared_ptr<const Mesh>> bases = {});
 
+  void add(const remesh::v1::MeshMessage& message);
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// The mesh, once the end has come; nothing may be called after it.
+  [[nodiscard]] Mesh finish();
+
+  /// Of data as sent.
   [[nodiscard]] std::uint64_t bytes_received() const { return received_; }
   [[nodiscard]] std::uint64_t bytes_expected() const { return expected_; }
 
@@ -28,16 +37,24 @@ class MeshAssembler {
   void add_header(const remesh::v1::MeshHeader& header);
   void add_part(const remesh::v1::MeshPart& part);
   void add_end(const remesh::v1::MeshEnd& end);
+  void check_entry(const remesh::v1::MeshHeader::Array& entry);
+  void find_base();
+  void end_array();
+  [[nodiscard]] std::string decode(const remesh::v1::MeshHeader::Array& entry);
 
-  Sha256 sha256_;
+  std::set<remesh::v1::MeshArray> wanted_;
+  std::vector<std::shared_ptr<const Mesh>> bases_;
+  std::shared_ptr<const Mesh> base_;  ///< that of the header
   remesh::v1::MeshHeader header_;
   bool has_header_ = false;
   bool ended_ = false;
-  int current_ = 0;  ///< place in the header of the array that comes now
+  int current_ = 0;   ///< place in the header of the array that comes now
+  std::string data_;  ///< of that array, as sent
   std::uint32_t parts_ = 0;
   std::uint64_t received_ = 0;
   std::uint64_t expected_ = 0;
-  std::map<int, std::string> arrays_;
+  std::set<remesh::v1::MeshArray> arrays_;  ///< that `mesh_` has
+  Mesh mesh_;
 };
 
 }  // namespace remeshd::client

@@ -33,7 +33,8 @@ inline grpc::Status status_of(const remesh::v1::Error& error) {
   return {static_cast<grpc::StatusCode>(error.code()), error.message(), rich.SerializeAsString()};
 }
 
-inline remesh::v1::Error make_error(remesh::v1::Error::Code code, const std::string& reason) {
+inline remesh::v1::Error make_error(remesh::v1::Error::Code code,
+                                    remesh::v1::Error::Reason reason) {
   remesh::v1::Error error;
   error.set_code(code);
   error.set_reason(reason);
@@ -43,25 +44,31 @@ inline remesh::v1::Error make_error(remesh::v1::Error::Code code, const std::str
 
 /// A daemon that meshes nothing: what it gets is noted, what it answers is set by the test.
 ///
-/// Revisions are numbered `rev-1`, `rev-2`, ... in the order of the requests of the stream.
-class FakeService final : public remesh::v1::Remesh::Service {
+/// Revisions are numbered `rev-1`, `rev-2`, ... in the order of the requests of the stream; an edit
+/// without a base is of the one before it.
+class FakeService final : public remesh::v1::RemeshService::Service {
  public:
-  using Answer = std::variant<remesh::v1::RevisionReply, remesh::v1::Error>;
-
   /// The failure of every call that is not the stream.
   std::optional<remesh::v1::Error> failure;
   /// What the stream answers to the k-th request, from 0; where empty: a plain revision.
   std::map<int, remesh::v1::Error> stream_errors;
+  /// What it answers after the result, in place of the mesh that was asked for.
+  std::map<int, remesh::v1::Error> mesh_errors;
   /// Requests that are never answered unless they are cancelled, by place.
   std::set<int> hanging;
   /// Breaks the stream with this status before it answers anything.
   std::optional<remesh::v1::Error> stream_failure;
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
   Mesh mesh = sample_mesh(1);
+  /// The meshes of `rev-1`, `rev-2`, ... of the stream; beyond the last: `mesh`.
+  std::vector<Mesh> stream_meshes;
   remesh::v1::Comparison comparison;
   std::vector<remesh::v1::RevisionInfo> revisions;
   std::uint32_t page = 1000;
-  bool head_moved = false;
+  bool head_conflict = false;
+  bool files_all = false;  ///< refuses HeadUpdate.file = false
+  std::vector<remesh::v1::Warning> warnings;
+  std::vector<remesh::v1::Report::Attempt> attempts;
 
   // What came.
   std::vector<remesh::v1::EditStreamRequest> requests;
@@ -69,11 +76,14 @@ class FakeService final : public remesh::v1::Remesh::Service {
   remesh::v1::ValidateModelRequest model_request;
   remesh::v1::ValidateEditRequest edit_request;
   std::vector<remesh::v1::DeleteRevisionRequest> deletions;
+  std::vector<remesh::v1::DeleteDesignRequest> design_deletions;
+  std::vector<remesh::v1::SetHeadRequest> heads;
+  std::vector<remesh::v1::GetMeshRequest> mesh_requests;
 
   grpc::Status EditStream(
       grpc::ServerContext* context,
-      grpc::ServerReaderWriter<remesh::v1::EditStreamReply, remesh::v1::EditStreamRequest>* stream)
-      override {
+      grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>*
+          stream) override {
     if (stream_failure) return status_of(*stream_failure);
     std::mutex mutex;
     std::condition_variable changed;
@@ -116,78 +126,107 @@ class FakeService final : public remesh::v1::Remesh::Service {
 
   grpc::Status CreateRevision(grpc::ServerContext*,
                               const remesh::v1::CreateRevisionRequest* request,
-                              remesh::v1::RevisionReply* reply) override {
+                              remesh::v1::CreateRevisionResponse* response) override {
     if (failure) return status_of(*failure);
-    *reply = revision(1, request->model().name(), "");
+    *response->mutable_result() = revision(1, request->model().name(), "");
     return grpc::Status::OK;
   }
 
-  grpc::Status GetMesh(grpc::ServerContext*, const remesh::v1::GetMeshRequest*,
-                       grpc::ServerWriter<remesh::v1::MeshMessage>* writer) override {
+  grpc::Status GetMesh(grpc::ServerContext*, const remesh::v1::GetMeshRequest* request,
+                       grpc::ServerWriter<remesh::v1::GetMeshResponse>* writer) override {
+    mesh_requests.push_back(*request);
     if (failure) return status_of(*failure);
-    auto messages = mesh_messages(mesh, 4096);
-    if (damage) damage(messages);
-    for (const auto& message : messages) writer->Write(message);
+    for (const auto& message : messages_of(mesh, request->selection(), nullptr)) {
+      remesh::v1::GetMeshResponse response;
+      *response.mutable_mesh() = message;
+      writer->Write(response);
+    }
     return grpc::Status::OK;
   }
 
   grpc::Status Compare(grpc::ServerContext*, const remesh::v1::CompareRequest* request,
-                       remesh::v1::Comparison* reply) override {
+                       remesh::v1::CompareResponse* response) override {
     compare_request = *request;
     if (failure) return status_of(*failure);
-    *reply = comparison;
+    *response->mutable_comparison() = comparison;
     return grpc::Status::OK;
   }
 
   grpc::Status ListRevisions(grpc::ServerContext*, const remesh::v1::ListRevisionsRequest* request,
-                             remesh::v1::ListRevisionsReply* reply) override {
+                             remesh::v1::ListRevisionsResponse* response) override {
     if (failure) return status_of(*failure);
+    const std::string& design = request->filter().design();
     std::size_t at = request->page_token().empty() ? 0 : std::stoul(request->page_token());
-    for (; at < revisions.size() && reply->revisions_size() < static_cast<int>(page); ++at)
-      if (request->design().empty() || request->design() == revisions[at].design())
-        *reply->add_revisions() = revisions[at];
-    if (at < revisions.size()) reply->set_next_page_token(std::to_string(at));
+    for (; at < revisions.size() && response->revisions_size() < static_cast<int>(page); ++at)
+      if (design.empty() || design == revisions[at].design())
+        *response->add_revisions() = revisions[at];
+    if (at < revisions.size()) response->set_next_page_token(std::to_string(at));
     return grpc::Status::OK;
   }
 
-  grpc::Status DescribeRevision(grpc::ServerContext*,
-                                const remesh::v1::DescribeRevisionRequest* request,
-                                remesh::v1::RevisionDescription* reply) override {
+  grpc::Status GetRevision(grpc::ServerContext*, const remesh::v1::GetRevisionRequest* request,
+                           remesh::v1::GetRevisionResponse* response) override {
     if (failure) return status_of(*failure);
-    reply->mutable_revision()->set_id("id-of-" + request->revision());
-    reply->mutable_model()->set_name("described");
-    (*reply->mutable_model()->mutable_parameters())["top_x"].set_number_value(1);
-    reply->mutable_model()->add_features()->set_id("hub");
+    auto* info = response->mutable_revision();
+    info->set_id("id-of-" + request->revision());
+    info->set_design(request->revision());
+    info->set_number(7);
+    auto* model = response->mutable_model();
+    model->set_name("described");
+    for (const char* name : {"top_x", "a", "b"}) {
+      auto* parameter = model->add_parameters();
+      parameter->set_name(name);
+      parameter->mutable_value()->set_number_value(1);
+    }
+    model->add_features()->set_id("hub");
+    return grpc::Status::OK;
+  }
+
+  grpc::Status SetHead(grpc::ServerContext*, const remesh::v1::SetHeadRequest* request,
+                       remesh::v1::SetHeadResponse* response) override {
+    heads.push_back(*request);
+    if (failure) return status_of(*failure);
+    response->mutable_design()->set_name("d");
+    response->mutable_design()->set_head("id-of-" + request->revision());
+    response->mutable_design()->set_head_number(2);
     return grpc::Status::OK;
   }
 
   grpc::Status DeleteRevision(grpc::ServerContext*,
                               const remesh::v1::DeleteRevisionRequest* request,
-                              remesh::v1::DeleteRevisionReply*) override {
+                              remesh::v1::DeleteRevisionResponse*) override {
     deletions.push_back(*request);
     return failure ? status_of(*failure) : grpc::Status::OK;
   }
 
+  grpc::Status DeleteDesign(grpc::ServerContext*, const remesh::v1::DeleteDesignRequest* request,
+                            remesh::v1::DeleteDesignResponse* response) override {
+    design_deletions.push_back(*request);
+    response->set_revisions(3);
+    response->set_meshes_deleted(2);
+    return failure ? status_of(*failure) : grpc::Status::OK;
+  }
+
   grpc::Status ValidateModel(grpc::ServerContext*, const remesh::v1::ValidateModelRequest* request,
-                             remesh::v1::ValidateReply* reply) override {
+                             remesh::v1::ValidateModelResponse* response) override {
     model_request = *request;
     if (failure) return status_of(*failure);
-    reply->set_volume(258000);
+    fill(*response->mutable_check());
     return grpc::Status::OK;
   }
 
   grpc::Status ValidateEdit(grpc::ServerContext*, const remesh::v1::ValidateEditRequest* request,
-                            remesh::v1::ValidateReply* reply) override {
+                            remesh::v1::ValidateEditResponse* response) override {
     edit_request = *request;
     if (failure) return status_of(*failure);
-    reply->set_volume(258000);
+    fill(*response->mutable_check());
     return grpc::Status::OK;
   }
 
   grpc::Status ListFeatureTypes(grpc::ServerContext*, const remesh::v1::ListFeatureTypesRequest*,
-                                remesh::v1::ListFeatureTypesReply* reply) override {
+                                remesh::v1::ListFeatureTypesResponse* response) override {
     if (failure) return status_of(*failure);
-    auto* type = reply->add_types();
+    auto* type = response->add_types();
     type->set_name("sphere");
     auto* radius = type->add_parameters();
     radius->set_name("radius");
@@ -197,18 +236,35 @@ class FakeService final : public remesh::v1::Remesh::Service {
     return grpc::Status::OK;
   }
 
+  grpc::Status GetServerInfo(grpc::ServerContext*, const remesh::v1::GetServerInfoRequest*,
+                             remesh::v1::GetServerInfoResponse* response) override {
+    if (failure) return status_of(*failure);
+    response->mutable_server()->set_version("1.2.3");
+    return grpc::Status::OK;
+  }
+
  private:
-  [[nodiscard]] remesh::v1::RevisionReply revision(int k, const std::string& design,
-                                                   const std::string& parent) const {
-    remesh::v1::RevisionReply reply;
-    reply.set_head_moved(head_moved);
-    reply.set_head_number(9);
-    reply.mutable_revision()->set_id("rev-" + std::to_string(k));
-    reply.mutable_revision()->set_design(design.empty() ? "d" : design);
-    reply.mutable_revision()->set_number(static_cast<std::uint32_t>(k));
-    reply.mutable_revision()->set_parent(parent);
-    auto* report = reply.mutable_report();
-    report->set_revision(reply.revision().id());
+  using Stream =
+      grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>;
+
+  void fill(remesh::v1::ModelCheck& check) const {
+    check.set_volume(258000);
+    for (const auto& warning : warnings) *check.add_warnings() = warning;
+  }
+
+  [[nodiscard]] remesh::v1::RevisionResult revision(int k, const std::string& design,
+                                                    const std::string& parent) const {
+    remesh::v1::RevisionResult result;
+    result.set_head_conflict(head_conflict);
+    result.set_head_number(9);
+    result.mutable_revision()->set_id("rev-" + std::to_string(k));
+    result.mutable_revision()->set_design(design.empty() ? "d" : design);
+    result.mutable_revision()->set_number(static_cast<std::uint32_t>(k));
+    result.mutable_revision()->set_parent(parent);
+    auto* report = result.mutable_report();
+    report->set_revision(result.revision().id());
+    report->set_way(parent.empty() ? remesh::v1::Report::WAY_LOCAL
+                                   : remesh::v1::Report::WAY_MORPHED);
     report->set_nodes(1500);
     report->set_tets(7000);
     report->set_nodes_kept(parent.empty() ? 0 : 1200);
@@ -216,27 +272,74 @@ class FakeService final : public remesh::v1::Remesh::Service {
     report->set_volume(0.1);
     report->mutable_seconds()->set_total(0.5);
     report->mutable_quality()->set_dihedral_min(25);
-    return reply;
+    for (const auto& warning : warnings) *report->add_warnings() = warning;
+    for (const auto& attempt : attempts) *report->add_attempts() = attempt;
+    return result;
   }
 
-  void answer(
-      grpc::ServerReaderWriter<remesh::v1::EditStreamReply, remesh::v1::EditStreamRequest>& stream,
-      int k, const std::string& id, const remesh::v1::EditStreamRequest& request,
-      bool was_cancelled) {
-    remesh::v1::EditStreamReply reply;
-    reply.set_request_id(id);
-    reply.mutable_progress()->set_stage("optimise");
-    reply.mutable_progress()->set_iteration(3);
-    reply.mutable_progress()->set_fraction(0.5);
-    stream.Write(reply);
+  [[nodiscard]] std::vector<remesh::v1::MeshMessage> messages_of(
+      const Mesh& sent, const remesh::v1::MeshSelection& selection, const Mesh* base) const {
+    Sending sending;
+    for (const int array : selection.arrays())
+      sending.arrays.push_back(static_cast<remesh::v1::MeshArray>(array));
+    if (selection.delta()) sending.base = base;
+    auto messages = mesh_messages(sent, sending);
+    if (damage) damage(messages);
+    return messages;
+  }
+
+  /// The k-th mesh of the stream, against the one before it.
+  void send_mesh(Stream& stream, int k, const std::string& id,
+                 const remesh::v1::MeshSelection& selection) const {
+    const auto at = static_cast<std::size_t>(k);
+    const Mesh* base = k > 0 && at < stream_meshes.size() ? &stream_meshes[at - 1] : nullptr;
+    const Mesh& sent = at < stream_meshes.size() ? stream_meshes[at] : mesh;
+    for (const auto& message : messages_of(sent, selection, base)) {
+      remesh::v1::EditStreamResponse response;
+      response.set_request_id(id);
+      *response.mutable_mesh() = message;
+      stream.Write(response);
+    }
+  }
+
+  [[nodiscard]] std::optional<remesh::v1::Error> error_of_request(
+      int k, const remesh::v1::EditStreamRequest& request) const {
+    if (const auto error = stream_errors.find(k); error != stream_errors.end())
+      return error->second;
+    const auto& head = request.has_edit() ? request.edit().head() : request.create().head();
+    if (files_all && head.has_file() && !head.file())
+      return make_error(remesh::v1::Error::CODE_UNIMPLEMENTED, remesh::v1::Error::UNSUPPORTED);
+    return {};
+  }
+
+  void answer(Stream& stream, int k, const std::string& id,
+              const remesh::v1::EditStreamRequest& request, bool was_cancelled) {
+    remesh::v1::EditStreamResponse response;
+    response.set_request_id(id);
+    response.mutable_progress()->set_stage("optimise");
+    response.mutable_progress()->set_iteration(3);
+    response.mutable_progress()->set_fraction(0.5);
+    stream.Write(response);
+    auto error = error_of_request(k, request);
     if (was_cancelled)
-      *reply.mutable_error() = make_error(remesh::v1::Error::CANCELLED, "Cancelled");
-    else if (const auto error = stream_errors.find(k); error != stream_errors.end())
-      *reply.mutable_error() = error->second;
-    else
-      *reply.mutable_revision() = revision(k + 1, request.create().model().name(),
-                                           request.has_edit() ? request.edit().base() : "");
-    stream.Write(reply);
+      error = make_error(remesh::v1::Error::CODE_CANCELLED, remesh::v1::Error::CANCELLED);
+    if (error) {
+      *response.mutable_error() = *error;
+      stream.Write(response);
+      return;
+    }
+    const std::string before =
+        request.edit().base().empty() ? "rev-" + std::to_string(k) : request.edit().base();
+    *response.mutable_result() =
+        revision(k + 1, request.create().model().name(), request.has_edit() ? before : "");
+    stream.Write(response);
+    if (!request.has_mesh()) return;
+    if (const auto mesh_error = mesh_errors.find(k); mesh_error != mesh_errors.end()) {
+      *response.mutable_error() = mesh_error->second;
+      stream.Write(response);
+      return;
+    }
+    send_mesh(stream, k, id, request.mesh());
   }
 };
 

@@ -15,6 +15,7 @@ struct EditArguments {
   std::string base, edit;
   ReplyFiles files;
   MeshingOptions meshing;
+  bool require_head = false;
 };
 
 int edit(Session& session, const EditArguments& arguments) {
@@ -27,6 +28,7 @@ int edit(Session& session, const EditArguments& arguments) {
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
   request.set_base(mesh_base(session, stream, base, arguments.meshing));
   arguments.meshing.fill(request, !base_is_model);
+  if (arguments.require_head) request.mutable_head()->set_require(true);
   const auto reply = stream.edit(std::move(request)).get();
   stream.finish();
   session.console().end_progress();
@@ -40,13 +42,19 @@ void add_edit_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("edit", "Apply an edit to a revision and remesh it");
   const auto arguments = std::make_shared<EditArguments>();
   command
-      ->add_option("BASE", arguments->base,
-                   "Revision (design, design@N, id or 8 digits of it) or model file; a model file "
-                   "is meshed first, with the options given, if the daemon lacks it")
+      ->add_option(
+          "BASE", arguments->base,
+          "Revision (design, design@N, id or 8 digits of it) or model file, whose name has "
+          "a `/` or ends in .json; a model file is meshed first, with the options given, "
+          "if the daemon lacks it")
       ->required();
   command->add_option("EDIT.json", arguments->edit, "Edit document")->required();
   arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
+  command
+      ->add_flag("--require-head", arguments->require_head,
+                 "File nothing unless BASE is the head of its design; exit code 6 where it is not")
+      ->excludes("--keep-head");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) { return edit(session, *arguments); };
   });

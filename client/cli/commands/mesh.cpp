@@ -14,6 +14,7 @@ struct MeshArguments {
   std::string model;
   ReplyFiles files;
   MeshingOptions meshing;
+  bool head = false;
 };
 
 int mesh(Session& session, const MeshArguments& arguments) {
@@ -21,6 +22,7 @@ int mesh(Session& session, const MeshArguments& arguments) {
   remesh::v1::CreateRevisionRequest request;
   *request.mutable_model() = read_model(arguments.model);
   arguments.meshing.fill(request, true);
+  if (arguments.head) request.mutable_head()->set_advance(true);
   client::EditStream stream = session.stream();
   const auto reply = stream.create(std::move(request)).get();
   stream.finish();
@@ -37,6 +39,11 @@ void add_mesh_command(CLI::App& app, Action& action) {
   command->add_option("MODEL.json", arguments->model, "Model document")->required();
   arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
+  command
+      ->add_flag("--head", arguments->head,
+                 "Make the revision the head of its design, also where the design began with "
+                 "another model")
+      ->excludes("--keep-head");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) { return mesh(session, *arguments); };
   });

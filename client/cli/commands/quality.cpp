@@ -32,7 +32,7 @@ void add_quality_command(CLI::App& app, Action& action) {
       try {
         const client::FileMesh mesh = client::read_mesh(arguments->mesh);
         session.out() << to_json(measure(mesh, arguments->exact_volume)) << std::flush;
-      } catch (const client::FileError& e) {
+      } catch (const client::FormatError& e) {
         session.console().error(e.what());
         return kInvalid;
       }

@@ -18,7 +18,7 @@ constexpr std::size_t kShownDigits = 12;
 
 void list(Session& session, const Revisions& revisions, const std::string& json_file) {
   if (!json_file.empty()) {
-    remesh::v1::ListRevisionsReply all;
+    remesh::v1::ListRevisionsResponse all;
     for (const auto& revision : revisions) *all.add_revisions() = revision;
     session.write_text(json_file, write_json(all));
   }
@@ -60,7 +60,7 @@ void add_revisions(CLI::App& app, Action& action) {
   add_json_option(*command, *json);
   command->callback([json, &action] {
     action = [json](Session& session) {
-      list(session, session.client().list(session.call()), *json);
+      list(session, session.client().list_revisions({}, session.call()), *json);
       return kFine;
     };
   });
@@ -78,7 +78,7 @@ void add_model(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
-      const auto description = session.client().describe(arguments->revision, session.call());
+      const auto description = session.client().get_revision(arguments->revision, session.call());
       session.write_text(arguments->file, write_document(description.model()));
       return kFine;
     };
@@ -102,29 +102,46 @@ void add_get(CLI::App& app, Action& action) {
       check_mesh_file(arguments->mesh_file);
       session.write_mesh_of(arguments->revision, arguments->mesh_file);
       if (arguments->report_file.empty()) return kFine;
-      const auto description = session.client().describe(arguments->revision, session.call());
+      const auto description = session.client().get_revision(arguments->revision, session.call());
       session.write_text(arguments->report_file, write_json(description.report()));
       return kFine;
     };
   });
 }
 
+int remove_design(Session& session, const std::string& design) {
+  remesh::v1::DeleteDesignRequest request;
+  request.set_design(design);
+  const auto reply = session.client().delete_design(request, session.call());
+  session.console().note("removed " + design + " with its " + std::to_string(reply.revisions()) +
+                         " revisions and " + std::to_string(reply.meshes_deleted()) + " meshes");
+  return kFine;
+}
+
 void add_rm(CLI::App& app, Action& action) {
   struct Arguments {
     std::vector<std::string> revisions;
     bool allow_head = false;
+    std::string design;
   };
-  auto* command = app.add_subcommand("rm", "Delete revisions");
+  auto* command = app.add_subcommand("rm", "Delete revisions, or a whole design");
   const auto arguments = std::make_shared<Arguments>();
-  command
-      ->add_option("REV", arguments->revisions,
-                   "`design@N` takes it out of that design, an id out of all")
-      ->required();
+  auto* revisions = command->add_option("REV", arguments->revisions,
+                                        "`design@N` takes it out of that design, an id out of all");
   command->add_flag("--allow-head", arguments->allow_head, "Delete the head of a design, too");
+  command
+      ->add_option("--design", arguments->design,
+                   "Delete this design with all its revisions, its head too")
+      ->type_name("DESIGN")
+      ->excludes(revisions);
   command->callback([arguments, &action] {
-    action = [arguments](Session& session) {
+    if (arguments->revisions.empty() && arguments->design.empty())
+      throw CLI::RequiredError("REV or --design");
+    action = [arguments](Session& session) -> int {
+      if (!arguments->design.empty()) return remove_design(session, arguments->design);
       for (const std::string& revision : arguments->revisions) {
-        const auto reply = session.client().remove(revision, arguments->allow_head, session.call());
+        const auto reply =
+            session.client().delete_revision(revision, arguments->allow_head, session.call());
         for (const auto& place : reply.removed())
           session.console().note("removed " + place.design() + "@" +
                                  std::to_string(place.number()) +

@@ -38,7 +38,7 @@ void add_types_command(CLI::App& app, Action& action) {
   command->callback([json, &action] {
     action = [json](Session& session) {
       const auto types = session.client().types(session.call());
-      remesh::v1::ListFeatureTypesReply all;
+      remesh::v1::ListFeatureTypesResponse all;
       for (const auto& type : types) *all.add_types() = type;
       if (!json->empty()) session.write_text(*json, write_json(all));
       if (*json != "-") write_types(session.out(), types);

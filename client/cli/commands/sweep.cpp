@@ -10,6 +10,7 @@
 #include "client/cli/mesh_options.h"
 #include "client/cli/reply.h"
 #include "client/cli/table.h"
+#include "client/cli/warnings.h"
 #include "proto/json_writer.h"
 
 namespace remeshd::cli {
@@ -31,14 +32,14 @@ double value_of(const SweepArguments& arguments, int step) {
   return arguments.from + (arguments.to - arguments.from) * step / (arguments.steps - 1);
 }
 
-Error unknown_parameter(const std::string& name) {
-  ErrorInfo info;
-  info.kind = ErrorKind::InvalidArgument;
-  info.reason = "UnknownParameter";
-  info.message = "the model has no parameter '" + name + "' to sweep";
-  info.stage = "request";
-  info.hint = "PARAMETER is a parameter of the model, or feature.parameter";
-  return Error(std::move(info));
+client::CallError unknown_parameter(const std::string& name) {
+  remesh::v1::Error error;
+  error.set_code(remesh::v1::Error::CODE_INVALID_ARGUMENT);
+  error.set_reason(remesh::v1::Error::UNKNOWN_PARAMETER);
+  error.set_message("the model has no parameter '" + name + "' to sweep");
+  error.set_stage("request");
+  error.set_hint("PARAMETER is a parameter of the model, or feature.parameter");
+  return client::CallError(std::move(error));
 }
 
 /// A wrong name would fail in every step: it is told before the first.
@@ -46,7 +47,9 @@ void check_parameter(const remesh::v1::FeatureModel& model, const std::string& p
   const std::size_t dot = parameter.find('.');
   const bool known =
       dot == std::string::npos
-          ? model.parameters().contains(parameter)
+          ? std::ranges::any_of(
+                model.parameters(),
+                [&](const remesh::v1::Parameter& one) { return one.name() == parameter; })
           : std::ranges::any_of(model.features(), [&](const remesh::v1::Feature& feature) {
               return feature.id() == parameter.substr(0, dot);
             });
@@ -60,7 +63,8 @@ std::string start(Session& session, client::EditStream& stream, const Base& base
     check_parameter(*model, arguments.parameter);
     return mesh_base(session, stream, base, arguments.meshing);
   }
-  const auto description = session.client().describe(std::get<std::string>(base), session.call());
+  const auto description =
+      session.client().get_revision(std::get<std::string>(base), session.call());
   check_parameter(description.model(), arguments.parameter);
   return description.revision().id();
 }
@@ -82,7 +86,7 @@ remesh::v1::ModelEdit edit_of(const std::string& parameter, double value) {
   return edit;
 }
 
-std::vector<std::string> row_of(const remesh::v1::RevisionReply& reply) {
+std::vector<std::string> row_of(const remesh::v1::RevisionResult& reply) {
   const remesh::v1::Report& report = reply.report();
   const auto& quality = report.quality();
   return {"ok",
@@ -122,8 +126,7 @@ const std::vector<std::string> kHeading{"step",
 
 std::vector<std::string> row_of(const client::CallError& error) {
   std::vector<std::string> row(kHeading.size() - 2);
-  row.front() = error.detail().reason().empty() ? remesh::v1::Error::Code_Name(error.code())
-                                                : error.detail().reason();
+  row.front() = client::reason_name(error.detail());
   row.back() = error.what();
   return row;
 }
@@ -141,12 +144,27 @@ std::string file_name(int step, int steps, const std::string& ending) {
 }
 
 void write_files(Session& session, const SweepArguments& arguments, int step,
-                 const remesh::v1::RevisionReply& reply) {
+                 const remesh::v1::RevisionResult& reply) {
   const std::filesystem::path folder = arguments.folder;
   session.write_mesh_of(reply.revision().id(),
                         folder / file_name(step, arguments.steps, "." + arguments.format));
   session.write_text(folder / file_name(step, arguments.steps, ".json"),
                      write_json(reply.report()));
+}
+
+/// Sends the edit of one step. Where no design is named it is to be filed in none; a daemon that
+/// cannot do that files it like any other, and is not asked again.
+remesh::v1::RevisionResult remesh_step(client::EditStream& stream,
+                                       remesh::v1::EditRevisionRequest request, bool& unfiled) {
+  if (unfiled) request.mutable_head()->set_file(false);
+  try {
+    return stream.edit(request).get();
+  } catch (const client::CallError& error) {
+    if (!unfiled || error.reason() != remesh::v1::Error::UNSUPPORTED) throw;
+  }
+  unfiled = false;
+  request.mutable_head()->clear_file();
+  return stream.edit(std::move(request)).get();
 }
 
 int sweep(Session& session, const SweepArguments& arguments) {
@@ -161,7 +179,9 @@ int sweep(Session& session, const SweepArguments& arguments) {
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
   std::string previous = first;
   int failures = 0;
+  bool unfiled = arguments.meshing.design.empty();
   write_tsv_row(session.out(), kHeading);
+  session.check_output();
   for (int step = 0; step < arguments.steps; ++step) {
     const double value = value_of(arguments, step);
     remesh::v1::EditRevisionRequest request;
@@ -171,10 +191,9 @@ int sweep(Session& session, const SweepArguments& arguments) {
     std::vector<std::string> row{std::to_string(step + 1), exact(value)};
     std::vector<std::string> rest;
     try {
-      const auto reply = stream.edit(std::move(request)).get();
+      const auto reply = remesh_step(stream, std::move(request), unfiled);
       session.console().end_progress();
-      for (const std::string& warning : reply.report().warnings())
-        session.console().note("warning (step " + row.front() + "): " + warning);
+      show_warnings(session, reply.report().warnings(), " (step " + row.front() + ")");
       if (!arguments.folder.empty()) write_files(session, arguments, step + 1, reply);
       previous = reply.revision().id();
       rest = row_of(reply);
@@ -187,6 +206,7 @@ int sweep(Session& session, const SweepArguments& arguments) {
     }
     row.insert(row.end(), rest.begin(), rest.end());
     write_tsv_row(session.out(), row);
+    session.check_output();
   }
   stream.finish();
   return failures == 0 ? kFine : kFailed;
@@ -226,8 +246,10 @@ void add_sweep_command(CLI::App& app, Action& action) {
   arguments->meshing.add_to(*command);
   command->footer(
       "Prints a line for each step, tabs between the columns. A step that fails is told in its "
-      "line and the sweep goes on; the exit code is then 4.");
+      "line and the sweep goes on; the exit code is then 4. No head is moved, and where the daemon "
+      "can, the revisions are in no design unless --design names one.");
   command->callback([arguments, &action] {
+    arguments->meshing.keep_head = true;
     action = [arguments](Session& session) { return sweep(session, *arguments); };
   });
 }

@@ -5,7 +5,7 @@
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
 #include "client/cli/table.h"
-#include "proto/document_error.h"
+#include "client/cli/warnings.h"
 #include "proto/json_writer.h"
 
 namespace remeshd::cli {
@@ -15,43 +15,45 @@ struct ValidateArguments {
   std::string file, base, json;
 };
 
-remesh::v1::ValidateReply ask(Session& session, const ValidateArguments& arguments, Named named) {
-  if (auto* model = std::get_if<remesh::v1::FeatureModel>(&named)) {
+using Document = std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit>;
+
+remesh::v1::ModelCheck ask(Session& session, const ValidateArguments& arguments,
+                           Document document) {
+  if (auto* model = std::get_if<remesh::v1::FeatureModel>(&document)) {
     if (!arguments.base.empty()) throw UsageError("--base goes with an edit, not with a model");
     remesh::v1::ValidateModelRequest request;
     *request.mutable_model() = std::move(*model);
     return session.client().validate(request, session.call());
   }
   remesh::v1::ValidateEditRequest request;
-  *request.mutable_edit() = std::move(std::get<remesh::v1::ModelEdit>(named));
+  *request.mutable_edit() = std::move(std::get<remesh::v1::ModelEdit>(document));
   Base base = resolve_base(arguments.base);
   if (auto* revision = std::get_if<std::string>(&base))
     request.set_base(*revision);
   else
-    *request.mutable_model() = std::move(std::get<remesh::v1::FeatureModel>(base));
+    *request.mutable_base_model() = std::move(std::get<remesh::v1::FeatureModel>(base));
   return session.client().validate(request, session.call());
 }
 
 int validate(Session& session, const ValidateArguments& arguments) {
-  Named named = resolve(arguments.file);
-  if (std::holds_alternative<std::string>(named))
-    throw error::document_unreadable(arguments.file, "no such file");
-  if (std::holds_alternative<remesh::v1::ModelEdit>(named) && arguments.base.empty()) {
+  Document document = read_either(arguments.file);
+  if (std::holds_alternative<remesh::v1::ModelEdit>(document) && arguments.base.empty()) {
     session.console().note(arguments.file +
                            " is a well-formed edit; --base BASE checks it with its model");
     return kFine;
   }
-  const auto reply = ask(session, arguments, std::move(named));
-  if (!arguments.json.empty()) session.write_text(arguments.json, write_json(reply));
+  const auto check = ask(session, arguments, std::move(document));
+  show_warnings(session, check.warnings());
+  if (!arguments.json.empty()) session.write_text(arguments.json, write_json(check));
   if (arguments.json == "-") return kFine;
-  write_table(session.out(), {{"model", reply.model().name()},
-                              {"features", std::to_string(reply.model().features_size())},
-                              {"volume", exact(reply.volume())},
-                              {"area", exact(reply.area())},
-                              {"cells", std::to_string(reply.cells())},
-                              {"faces", std::to_string(reply.faces())},
-                              {"edges", std::to_string(reply.edges())},
-                              {"vertices", std::to_string(reply.vertices())}});
+  write_table(session.out(), {{"model", check.model().name()},
+                              {"features", std::to_string(check.model().features_size())},
+                              {"volume", exact(check.volume())},
+                              {"area", exact(check.area())},
+                              {"cells", std::to_string(check.cells())},
+                              {"faces", std::to_string(check.faces())},
+                              {"edges", std::to_string(check.edges())},
+                              {"vertices", std::to_string(check.vertices())}});
   return kFine;
 }
 

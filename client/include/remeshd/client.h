@@ -12,6 +12,7 @@
 #include "remeshd/edit_stream.h"
 #include "remeshd/error.h"
 #include "remeshd/mesh.h"
+#include "remeshd/mesh_wanted.h"
 
 namespace grpc {
 class Channel;
@@ -34,7 +35,9 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// A connection to a daemon `remeshd`. Cheap to copy; all functions may be called from any thread.
 ///
 /// Every function throws CallError. Where a request names a revision it takes the name of a design
-/// (its head), `design@number`, an id or a unique prefix of at least 8 digits.
+/// (its head), `design@number`, an id or a unique prefix of at least 8 digits. Where one takes a
+/// model or an edit it takes the JSON text of a document instead; one of more than 4 MiB is not
+/// sent: INVALID_ARGUMENT, DOCUMENT_TOO_LARGE.
 class Client {
  public:
   /// Prepares a connection to `host:port`; the first call makes it.
@@ -43,46 +46,60 @@ class Client {
   explicit Client(std::shared_ptr<grpc::Channel> channel);
 
   /// Meshes a model. The same request again is answered from the cache.
-  [[nodiscard]] remesh::v1::RevisionReply create_revision(
+  [[nodiscard]] remesh::v1::RevisionResult create_revision(
       const remesh::v1::CreateRevisionRequest& request, const CallOptions& call = {}) const;
   /// Remeshes a revision after an edit of its model.
-  [[nodiscard]] remesh::v1::RevisionReply edit_revision(
+  [[nodiscard]] remesh::v1::RevisionResult edit_revision(
       const remesh::v1::EditRevisionRequest& request, const CallOptions& call = {}) const;
   /// Opens a stream of edits. A stop request breaks the stream off.
   [[nodiscard]] EditStream stream(EditStream::OnProgress on_progress = {},
                                   const CallOptions& call = {}) const;
 
-  /// Fetches the mesh of a revision. All its checksums, counts and indices have been checked;
-  /// DATA_LOSS where one is wrong.
+  /// Fetches the mesh of a revision. All its checksums, digests, counts and indices have been
+  /// checked; DATA_LOSS, MESH_DAMAGED where one is wrong.
   [[nodiscard]] Mesh get_mesh(const std::string& revision, const CallOptions& call = {},
                               const OnTransfer& on_transfer = {}) const;
+  /// The same, with some arrays only, or as the difference from a mesh that is here already.
+  [[nodiscard]] Mesh get_mesh(const std::string& revision, const MeshWanted& wanted,
+                              const CallOptions& call = {},
+                              const OnTransfer& on_transfer = {}) const;
+
+  /// Everything about a revision but its mesh.
+  [[nodiscard]] remesh::v1::GetRevisionResponse get_revision(const std::string& revision,
+                                                             const CallOptions& call = {}) const;
+  /// All revisions that pass the filter, in the order asked for; a page of the request stands for
+  /// nothing.
+  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> list_revisions(
+      remesh::v1::ListRevisionsRequest request = {}, const CallOptions& call = {}) const;
+  /// The revisions of one design by number; NOT_FOUND if there is no such design.
+  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> log(const std::string& design,
+                                                          const CallOptions& call = {}) const;
+  /// All designs that pass the filter, in the order asked for.
+  [[nodiscard]] std::vector<remesh::v1::DesignInfo> list_designs(
+      remesh::v1::ListDesignsRequest request = {}, const CallOptions& call = {}) const;
+  /// Makes a revision the head of a design that has it.
+  remesh::v1::SetHeadResponse set_head(const remesh::v1::SetHeadRequest& request,
+                                       const CallOptions& call = {}) const;
+  /// Removes a revision; the head of a design only where `allow_head` is true.
+  remesh::v1::DeleteRevisionResponse delete_revision(const std::string& revision,
+                                                     bool allow_head = false,
+                                                     const CallOptions& call = {}) const;
+  /// Removes a design with all its revisions, its head too.
+  remesh::v1::DeleteDesignResponse delete_design(const remesh::v1::DeleteDesignRequest& request,
+                                                 const CallOptions& call = {}) const;
 
   /// The difference model of two models or revisions, or of one and an edit of it.
   [[nodiscard]] remesh::v1::Comparison compare(const remesh::v1::CompareRequest& request,
                                                const CallOptions& call = {}) const;
-  /// All designs by name.
-  [[nodiscard]] std::vector<remesh::v1::DesignInfo> list_designs(
-      const CallOptions& call = {}) const;
-  /// All revisions, by design and number.
-  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> list(const CallOptions& call = {}) const;
-  /// The revisions of one design by number; NOT_FOUND if there is no such design.
-  [[nodiscard]] std::vector<remesh::v1::RevisionInfo> log(const std::string& design,
-                                                          const CallOptions& call = {}) const;
-  /// Everything about a revision but its mesh.
-  [[nodiscard]] remesh::v1::RevisionDescription describe(const std::string& revision,
-                                                         const CallOptions& call = {}) const;
-  /// Removes a revision; the head of a design only where `allow_head` is true.
-  remesh::v1::DeleteRevisionReply remove(const std::string& revision, bool allow_head = false,
-                                         const CallOptions& call = {}) const;
   /// Checks a model without meshing it.
-  [[nodiscard]] remesh::v1::ValidateReply validate(const remesh::v1::ValidateModelRequest& request,
-                                                   const CallOptions& call = {}) const;
+  [[nodiscard]] remesh::v1::ModelCheck validate(const remesh::v1::ValidateModelRequest& request,
+                                                const CallOptions& call = {}) const;
   /// Checks an edit and the model that it makes.
-  [[nodiscard]] remesh::v1::ValidateReply validate(const remesh::v1::ValidateEditRequest& request,
-                                                   const CallOptions& call = {}) const;
+  [[nodiscard]] remesh::v1::ModelCheck validate(const remesh::v1::ValidateEditRequest& request,
+                                                const CallOptions& call = {}) const;
   /// The types of features that the daemon knows.
   [[nodiscard]] std::vector<remesh::v1::FeatureType> types(const CallOptions& call = {}) const;
-  /// Version, limits and load of the daemon.
+  /// Version, capabilities, limits and load of the daemon.
   [[nodiscard]] remesh::v1::ServerInfo info(const CallOptions& call = {}) const;
 
  private:

@@ -7,6 +7,8 @@
 #include <string>
 
 #include "remesh/v1/remesh.pb.h"
+#include "remeshd/mesh.h"
+#include "remeshd/mesh_wanted.h"
 
 namespace remeshd::client {
 
@@ -22,6 +24,14 @@ class EditStream {
   using OnProgress =
       std::function<void(const std::string& request_id, const remesh::v1::Progress&)>;
 
+  /// The answers to a request that asked for its mesh too. Where the request fails, both throw its
+  /// error; where only the mesh cannot be sent or arrives damaged, `mesh` alone does, and
+  /// `Client::get_mesh` fetches it.
+  struct Answers {
+    std::future<remesh::v1::RevisionResult> result;
+    std::future<std::shared_ptr<const Mesh>> mesh;
+  };
+
   struct Impl;
   explicit EditStream(std::unique_ptr<Impl> impl);
   EditStream(EditStream&&) noexcept;
@@ -33,10 +43,15 @@ class EditStream {
   /// design of this or the last request.
   ///
   /// The future throws CallError: the error of this request, after which the stream goes on, or
-  /// that of the whole stream if it broke. Throws std::invalid_argument for a request id under way.
-  std::future<remesh::v1::RevisionReply> edit(remesh::v1::EditRevisionRequest request);
+  /// that of the whole stream if it broke. A request with a document of more than 4 MiB is not
+  /// sent: DOCUMENT_TOO_LARGE. Throws std::invalid_argument for a request id under way.
+  std::future<remesh::v1::RevisionResult> edit(remesh::v1::EditRevisionRequest request);
   /// Sends a model to mesh; otherwise as `edit`.
-  std::future<remesh::v1::RevisionReply> create(remesh::v1::CreateRevisionRequest request);
+  std::future<remesh::v1::RevisionResult> create(remesh::v1::CreateRevisionRequest request);
+
+  /// The same, and the mesh comes in the stream, checked as `Client::get_mesh` does.
+  Answers edit(remesh::v1::EditRevisionRequest request, MeshWanted mesh);
+  Answers create(remesh::v1::CreateRevisionRequest request, MeshWanted mesh);
 
   /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED in its turn.
   void cancel(const std::string& request_id);

@@ -24,8 +24,12 @@ struct Facet {
 /// A mesh as the daemon delivers it, with the names on it and the way back to the original mesh.
 ///
 /// Inv: indices are 0-based; every tet (a, b, c, d) has positive volume, dot(cross(b - a, c - a),
-/// d - a) > 0. A first mesh has only new nodes and no kept tet.
+/// d - a) > 0. A first mesh has only new nodes and no kept tet. What was not asked for is empty, or
+/// -1 in a facet.
 struct Mesh {
+  std::string revision;  ///< id
+  std::string parent;    ///< id of the original mesh's revision; empty for a first mesh
+
   std::vector<std::array<double, 3>> nodes;  ///< x, y, z in the model's unit
   std::vector<std::array<std::int32_t, 4>> tets;
   std::vector<std::uint64_t> node_ids;  ///< permanent: a kept node keeps its id through edits

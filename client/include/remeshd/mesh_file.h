@@ -14,6 +14,11 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file that can be read, but is no mesh in the format of its ending.
+class FormatError : public FileError {
+  using FileError::FileError;
+};
+
 /// Whether `write_mesh` knows the ending: `.vtu`, `.msh` or `.inp`.
 bool is_mesh_file_name(const std::filesystem::path& path);
 

@@ -3,15 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
-#include "client/cli/exit_code.h"
 #include "client/formats/read_mesh.h"
-#include "tests/client/fake_service.h"
-#include "tests/client/temporary_folder.h"
+#include "tests/client/cli/cli_fixture.h"
 
 namespace remeshd::cli {
 namespace {
@@ -21,48 +16,6 @@ using remesh::v1::Error;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-const std::string kCases = REMESHD_CASES_DIR;
-
-class Cli : public testing::Test {
- protected:
-  int run(const std::vector<std::string>& arguments) {
-    out_.str("");
-    err_.str("");
-    return cli::run(arguments, {.out = out_,
-                                .err = err_,
-                                .terminal = false,
-                                .stop = stop_.get_token(),
-                                .connect = [this](const GlobalOptions& options) {
-                                  seen_ = options;
-                                  return client::Client::connect(daemon_.address);
-                                }});
-  }
-
-  [[nodiscard]] nlohmann::json read_json(const std::string& name) const {
-    return nlohmann::json::parse(std::ifstream(folder_ / name));
-  }
-  std::string file(const std::string& name) { return (folder_ / name).string(); }
-  [[nodiscard]] std::vector<std::vector<std::string>> rows() const {
-    std::vector<std::vector<std::string>> rows;
-    std::istringstream text(out_.str());
-    std::string line;
-    while (std::getline(text, line)) {
-      auto& row = rows.emplace_back();
-      std::istringstream cells(line + "\t");
-      std::string cell;
-      while (std::getline(cells, cell, '\t')) row.push_back(cell);
-    }
-    return rows;
-  }
-
-  TemporaryFolder folder_;
-  client::FakeDaemon daemon_;
-  client::FakeService& service_ = daemon_.service;
-  GlobalOptions seen_;
-  std::stop_source stop_;
-  std::ostringstream out_, err_;
-};
 
 TEST_F(Cli, MeshSendsTheOptionsGivenAndWritesMeshAndReport) {
   ASSERT_EQ(run({"mesh", kCases + "/simple-a.json", "--nodes", "1500", "--iterations", "5",
@@ -88,7 +41,10 @@ TEST_F(Cli, MeshSendsTheOptionsGivenAndWritesMeshAndReport) {
   EXPECT_EQ(report["nodes_kept"], 0);
   EXPECT_EQ(report["volume"], 0.1);
   EXPECT_EQ(report["cached"], false);
+  EXPECT_EQ(report["way"], "WAY_LOCAL");
   EXPECT_EQ(report["warnings"], nlohmann::json::array());
+  EXPECT_EQ(report["attempts"], nlohmann::json::array());
+  EXPECT_EQ(report["last_resort_share"], 0.0);
   EXPECT_EQ(report["seconds"]["total"], 0.5);
   EXPECT_EQ(report["seconds"]["setup"], 0.0);
   EXPECT_EQ(report["quality"]["dihedral_min"], 25.0);
@@ -158,28 +114,20 @@ TEST_F(Cli, EditOfAModelFileMeshesItFirstAndInheritsItsOptions) {
   EXPECT_EQ(read_json("r.json")["nodes_kept"], 1200);
 }
 
-TEST_F(Cli, AnExistingFileComesBeforeARevisionOfThatName) {
+TEST_F(Cli, ABaseIsAFileOnlyByItsName) {
   const auto before = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path());
-  std::filesystem::copy(kCases + "/simple-a.json", "simple");
-  const int code = run({"edit", "simple", kCases + "/simple-ab.edit.json", "-o", file("m.vtu")});
-  std::filesystem::remove("simple");
-  std::filesystem::create_directory("simple");  // a folder is no model
-  const int code_of_revision =
-      run({"edit", "simple", kCases + "/simple-ab.edit.json", "-o", file("m.vtu")});
+  for (const char* name : {"simple", "simple.json"})
+    std::filesystem::copy(kCases + "/simple-a.json", name);
+  const std::string edit = kCases + "/simple-ab.edit.json";
+  for (const char* base : {"simple", "simple.json", "./simple"})
+    EXPECT_EQ(run({"edit", base, edit, "-o", file("m.vtu")}), kFine) << base;
+  EXPECT_EQ(run({"validate", "simple"}), kFine) << "a document may have any name";
   std::filesystem::current_path(before);
-  EXPECT_EQ(code, kFine);
-  EXPECT_EQ(code_of_revision, kFine);
-  ASSERT_THAT(service_.requests, SizeIs(3));
-  EXPECT_TRUE(service_.requests[0].has_create());
-  EXPECT_EQ(service_.requests[1].edit().base(), "rev-1");
-  EXPECT_EQ(service_.requests[2].edit().base(), "simple");
-}
-
-TEST_F(Cli, SaysThatTheHeadStayedWhereAnotherEditMovedIt) {
-  service_.head_moved = true;
-  ASSERT_EQ(run({"edit", "simple", kCases + "/simple-ab.edit.json", "-o", file("m.vtu")}), kFine);
-  EXPECT_THAT(err_.str(), HasSubstr("the head of d stays at 9"));
+  ASSERT_THAT(service_.requests, SizeIs(5));
+  EXPECT_EQ(service_.requests[0].edit().base(), "simple");
+  EXPECT_TRUE(service_.requests[1].has_create());
+  EXPECT_TRUE(service_.requests[3].has_create());
 }
 
 TEST_F(Cli, SweepSendsEachStepOnTheLastOneAndPrintsARowForIt) {
@@ -193,6 +141,8 @@ TEST_F(Cli, SweepSendsEachStepOnTheLastOneAndPrintsARowForIt) {
     EXPECT_EQ(edit.base(), bases[k]);
     EXPECT_EQ(edit.edit().edits(0).set_parameter().name(), "top_x");
     EXPECT_EQ(edit.edit().edits(0).set_parameter().value().number_value(), values[k]);
+    EXPECT_TRUE(edit.head().has_advance() && !edit.head().advance());
+    EXPECT_TRUE(edit.head().has_file() && !edit.head().file());
     EXPECT_TRUE(
         std::filesystem::exists(folder_ / "steps" / ("step-" + std::to_string(k + 1) + ".vtu")));
   }
@@ -205,8 +155,30 @@ TEST_F(Cli, SweepSendsEachStepOnTheLastOneAndPrintsARowForIt) {
   EXPECT_EQ(table[3][6], "1200");
 }
 
+TEST_F(Cli, SweepMovesNoHeadWhereTheDaemonFilesAllRevisions) {
+  service_.files_all = true;
+  ASSERT_EQ(run({"sweep", "simple", "top_x", "-5", "5", "3"}), kFine) << err_.str();
+  ASSERT_THAT(service_.requests, SizeIs(4)) << "the first step is sent again";
+  for (std::size_t k = 1; k < 4; ++k) {
+    const auto& head = service_.requests[k].edit().head();
+    EXPECT_TRUE(head.has_advance() && !head.advance());
+    EXPECT_FALSE(head.has_file());
+  }
+  EXPECT_THAT(rows(), SizeIs(4));
+}
+
+TEST_F(Cli, SweepFilesItsRevisionsInTheDesignThatIsNamed) {
+  ASSERT_EQ(run({"sweep", kCases + "/simple-a.json", "top_x", "1", "2", "1", "--design", "dd"}),
+            kFine);
+  ASSERT_THAT(service_.requests, SizeIs(2));
+  EXPECT_FALSE(service_.requests[0].create().head().advance());
+  EXPECT_TRUE(service_.requests[0].create().head().has_advance());
+  EXPECT_EQ(service_.requests[1].edit().design(), "dd");
+  EXPECT_FALSE(service_.requests[1].edit().head().has_file());
+}
+
 TEST_F(Cli, SweepGoesOnPastAFailedStepFromTheLastGoodOneAndThenExits4) {
-  service_.stream_errors[1] = make_error(Error::INVALID_ARGUMENT, "DegenerateFeature");
+  service_.stream_errors[1] = make_error(Error::CODE_INVALID_ARGUMENT, Error::DEGENERATE_FEATURE);
   EXPECT_EQ(run({"sweep", "simple", "hub.radius", "1", "3", "3"}), kFailed);
   ASSERT_THAT(service_.requests, SizeIs(3));
   EXPECT_EQ(service_.requests[2].edit().base(), "rev-1");
@@ -214,7 +186,7 @@ TEST_F(Cli, SweepGoesOnPastAFailedStepFromTheLastGoodOneAndThenExits4) {
   EXPECT_EQ(service_.requests[2].edit().edit().edits(0).set_feature_parameter().name(), "radius");
   const auto table = rows();
   ASSERT_THAT(table, SizeIs(4));
-  EXPECT_EQ(table[2][2], "DegenerateFeature");
+  EXPECT_EQ(table[2][2], "DEGENERATE_FEATURE");
   EXPECT_THAT(table[2], SizeIs(17));
   EXPECT_EQ(table[2][16], "told by the test");
   EXPECT_EQ(table[3][2], "ok");
@@ -235,7 +207,7 @@ TEST_F(Cli, SweepOfAParameterThatIsNotThereExits3BeforeTheFirstStep) {
 }
 
 TEST_F(Cli, SweepEndsWhereTheDaemonIsGone) {
-  service_.stream_failure = make_error(Error::UNAVAILABLE, "ShuttingDown");
+  service_.stream_failure = make_error(Error::CODE_UNAVAILABLE, Error::SHUTTING_DOWN);
   EXPECT_EQ(run({"sweep", "simple", "top_x", "1", "2", "2"}), kUnreachable);
 }
 
@@ -277,9 +249,8 @@ TEST_F(Cli, ValidateTakesAModelOrAnEditWithItsBase) {
   EXPECT_EQ(service_.edit_request.base(), "simple");
   ASSERT_EQ(run({"validate", kCases + "/simple-ab.edit.json", "--base", kCases + "/simple-a.json"}),
             kFine);
-  EXPECT_EQ(service_.edit_request.model().name(), "simple-a");
+  EXPECT_EQ(service_.edit_request.base_model().name(), "simple-a");
   EXPECT_EQ(run({"validate", kCases + "/simple-ab.edit.json"}), kFine);
-  EXPECT_EQ(run({"validate", "simple"}), kInvalid);
   EXPECT_EQ(run({"validate", kCases + "/simple-a.json", "--base", "simple"}), kUsage);
 }
 
@@ -297,6 +268,9 @@ TEST_F(Cli, ListsModelsAndDeletesRevisions) {
   EXPECT_EQ(read_json("l.json")["revisions"].size(), 1U);
   ASSERT_EQ(run({"model", "one@1", "-o", file("m.json")}), kFine);
   EXPECT_EQ(read_json("m.json")["name"], "described");
+  std::stringstream model;
+  model << std::ifstream(folder_ / "m.json").rdbuf();
+  EXPECT_THAT(model.str(), HasSubstr(R"("parameters": {"top_x": 1, "a": 1, "b": 1})"));
   ASSERT_EQ(run({"rm", "one@1", "two@2", "--allow-head"}), kFine);
   ASSERT_THAT(service_.deletions, SizeIs(2));
   EXPECT_EQ(service_.deletions[1].revision(), "two@2");
@@ -307,111 +281,11 @@ TEST_F(Cli, ListsModelsAndDeletesRevisions) {
   EXPECT_THAT(out_.str(), HasSubstr("sphere  radius"));
 }
 
-TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
-  const std::string model = kCases + "/simple-a.json";
-  const std::vector<std::vector<std::string>> wrong{
-      {},
-      {"no-such-command"},
-      {"mesh", model},
-      {"mesh", model, "-o", file("m.stl")},
-      {"mesh", model, "-o", file("nowhere/m.vtu")},
-      {"mesh", model, "-o", file("m.vtu"), "--json", file("nowhere/r.json")},
-      {"mesh", model, "-o", file("m.vtu"), "--nodes", "10", "--size", "1"},
-      {"mesh", model, "-o", file("m.vtu"), "--nodes", "19"},
-      {"mesh", model, "-o", file("m.vtu"), "--nodes", "1.5"},
-      {"mesh", model, "-o", file("m.vtu"), "--size", "-1"},
-      {"mesh", model, "-o", file("m.vtu"), "--size", "nan"},
-      {"mesh", model, "-o", file("m.vtu"), "--iterations", "0"},
-      {"mesh", model, "-o", file("m.vtu"), "--iterations", "some"},
-      {"mesh", model, "-o", file("m.vtu"), "--seed", "-1"},
-      {"mesh", model, "-o", file("m.vtu"), "--threads", "0"},
-      {"mesh", model, "-o", file("m.vtu"), "--frobnicate"},
-      {"sweep", "simple", "x", "0", "1", "0"},
-      {"sweep", "simple", "x", "0", "inf", "3"},
-      {"edit", kCases + "/simple-ab.edit.json", kCases + "/simple-ab.edit.json", "-o",
-       file("m.vtu")},
-      {"revisions", "--store", "/tmp/x"},
-      {"-q", "-v", "revisions"},
-      {"log"}};
-  for (const auto& arguments : wrong) {
-    EXPECT_EQ(run(arguments), kUsage) << testing::PrintToString(arguments);
-    EXPECT_EQ(out_.str(), "");
-    EXPECT_NE(err_.str(), "");
-  }
-  EXPECT_THAT(service_.requests, SizeIs(0));
-}
-
 TEST_F(Cli, HelpIsDataAndTellsTheExitCodes) {
   EXPECT_EQ(run({"--help"}), kFine);
   EXPECT_THAT(out_.str(), HasSubstr("130 interrupted"));
   EXPECT_EQ(run({"sweep", "--help"}), kFine);
   EXPECT_EQ(err_.str(), "");
-}
-
-TEST_F(Cli, UnreadableAndOversizedAndWrongDocumentsExit3) {
-  const std::string out = file("m.vtu");
-  std::ofstream(folder_ / "trailing.json") << R"({"name": "x", "features": [],})";
-  std::ofstream(folder_ / "deep.json") << std::string(100'000, '[');
-  std::ofstream(folder_ / "big.json") << std::string((std::size_t{4} << 20) + 1, ' ');
-  for (const char* name : {"absent.json", "trailing.json", "deep.json", "big.json"}) {
-    EXPECT_EQ(run({"mesh", file(name), "-o", out}), kInvalid) << name;
-    EXPECT_EQ(run({"edit", file(name), kCases + "/simple-ab.edit.json", "-o", out}), kInvalid)
-        << name;
-    EXPECT_EQ(run({"edit", "simple", file(name), "-o", out}), kInvalid) << name;
-  }
-  EXPECT_EQ(run({"mesh", kCases + "/simple-ab.edit.json", "-o", out}), kInvalid);
-  EXPECT_THAT(service_.requests, SizeIs(0));
-  EXPECT_EQ(run({"quality", file("absent.vtu")}), kInvalid);
-}
-
-struct Failure {
-  Error::Code code;
-  const char* reason;
-  int exit;
-};
-
-class CliFailure : public Cli, public testing::WithParamInterface<Failure> {};
-
-TEST_P(CliFailure, OfTheStreamAndOfACallHasItsExitCode) {
-  const auto error = make_error(GetParam().code, GetParam().reason);
-  service_.stream_errors[0] = error;
-  EXPECT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.vtu")}), GetParam().exit);
-  EXPECT_THAT(err_.str(), HasSubstr("told by the test"));
-  EXPECT_EQ(out_.str(), "");
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "m.vtu"));
-  service_.failure = error;
-  EXPECT_EQ(run({"diff", "a", "b"}), GetParam().exit);
-  EXPECT_EQ(run({"get", "a", "-o", file("m.vtu")}), GetParam().exit);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, CliFailure,
-    testing::Values(Failure{Error::INVALID_ARGUMENT, "DegenerateFeature", 3},
-                    Failure{Error::NOT_FOUND, "NoSuchRevision", 3},
-                    Failure{Error::FAILED_PRECONDITION, "BoundaryNotRecovered", 4},
-                    Failure{Error::FAILED_PRECONDITION, "EmptyModel", 3},
-                    Failure{Error::FAILED_PRECONDITION, "DisconnectedModel", 3},
-                    Failure{Error::RESOURCE_EXHAUSTED, "DocumentTooLarge", 3},
-                    Failure{Error::DEADLINE_EXCEEDED, "TooSlow", 4},
-                    Failure{Error::INTERNAL, "Internal", 4},
-                    Failure{Error::UNAVAILABLE, "ShuttingDown", 5},
-                    Failure{Error::RESOURCE_EXHAUSTED, "Busy", 6},
-                    Failure{Error::ABORTED, "HeadMoved", 6},
-                    Failure{Error::PERMISSION_DENIED, "Denied", 7},
-                    Failure{Error::UNAUTHENTICATED, "NoCertificate", 7}),
-    [](const auto& failure) {
-      return Error::Code_Name(failure.param.code) + "_" + failure.param.reason;
-    });
-
-TEST_F(Cli, AnInterruptCancelsTheCallAndExits130) {
-  service_.hanging = {0};
-  std::thread interrupter([this] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    stop_.request_stop();
-  });
-  EXPECT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.vtu")}), kInterrupted);
-  interrupter.join();
-  EXPECT_EQ(run({"revisions"}), kInterrupted);
 }
 
 TEST_F(Cli, QualityMeasuresARegularTetExactly) {

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from subprocess import PIPE
 
 import meshio
 
@@ -51,7 +52,10 @@ def case(name):
 
 
 def without_seconds(report):
-    return {key: value for key, value in report.items() if key not in ("seconds", "cached")}
+    attempts = [{**attempt, "seconds": 0} for attempt in report["attempts"]]
+    diagnostics = {**report["diagnostics"], "table3": 0}
+    rest = {key: value for key, value in report.items() if key not in ("seconds", "cached")}
+    return {**rest, "attempts": attempts, "diagnostics": diagnostics}
 
 
 def check_case(name, folder, address):
@@ -90,10 +94,16 @@ def check_same_bytes(folder, address):
         assert [r["cached"] for r, _ in (here, local, again)] == [False, False, True]
         assert here[0]["seconds"] == again[0]["seconds"], "a cached Report is the stored one"
     ways = [report["way"] for report, _ in chains[0]]
-    assert ways == ["WAY_LOCAL", "WAY_CONTINUED", "WAY_LOCAL"], ways
+    assert ways == ["WAY_LOCAL", "WAY_MORPHED", "WAY_LOCAL"], ways
+
+
+def head(design, address):
+    """Name and id of a design's head."""
+    return remesh("head", design, address=address).stdout.split()
 
 
 def check_sweep(folder, address):
+    before = head("simple-a", address)
     done = remesh("sweep", CASES / "simple-a.json", "top_x", -10, 30, 3, "-o", folder / "sweep",
                   "--nodes", NODES, address=address)
     rows = [line.split("\t") for line in done.stdout.splitlines()]
@@ -101,7 +111,8 @@ def check_sweep(folder, address):
     check_maps(folder / "sweep" / "step-1.vtu", folder / "sweep" / "step-2.vtu")
     # The model falls apart in the second step.
     done = remesh("sweep", "simple-a", "top_x", 0, 400, 2, code=4, address=address)
-    assert "DisconnectedModel" in done.stdout.splitlines()[2]
+    assert "DISCONNECTED_MODEL" in done.stdout.splitlines()[2]
+    assert head("simple-a", address) == before, "a sweep moved the head"
 
 
 def check_refusals(folder, address):
@@ -144,6 +155,13 @@ def check_refusals(folder, address):
     done = remesh("edit", "no-such-design", unknown, "-o", folder / "x.vtu", code=3, address=address)
     remesh("revisions", code=5)
     assert "block" in remesh("types", address=address).stdout
+    remesh("mesh", folder / "absent.json", "-o", folder / "x.vtu", code=8, address=address)
+    remesh("mesh", CASES / "simple-a.json", "--timeout", 0.001, "-o", folder / "x.vtu", code=4,
+           address=address)
+    for arguments in (["info"], ["--help"], ["log", "simple-a"]):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([CLI, *arguments, "--address", address], stdout=full, stderr=PIPE)
+        assert done.returncode == 8, (arguments, done)
 
 
 def check_interrupt(folder, address):
@@ -160,11 +178,58 @@ def check_interrupt(folder, address):
         assert not (folder / "big.vtu").exists()
 
 
+def check_order(folder, address):
+    """Parameters come back in the order written, with all that was said of them."""
+    wanted = {"zeta": 10, "alpha": {"value": "zeta/2", "lower": 1, "upper": 8, "unit": "mm"}, "mid": 4}
+    block = {"id": "b", "nature": "ADDITIVE", "type": "block",
+             "parameters": {"dx": "zeta", "dy": "alpha", "dz": "mid"}}
+    model = {"name": "ordered", "parameters": wanted, "features": [block]}
+    (folder / "ordered.json").write_text(json.dumps(model))
+    remesh("mesh", folder / "ordered.json", "--nodes", NODES, "-o", folder / "o.vtu", address=address)
+    text = remesh("model", "ordered", "-o", "-", address=address).stdout
+    assert list(json.loads(text)["parameters"].items()) == list(wanted.items()), text
+    (folder / "beyond.json").write_text(
+        '{"edits": [{"setParameter": {"name": "alpha", "value": 9}}]}')
+    done = remesh("edit", "ordered", folder / "beyond.json", "-o", folder / "o.vtu", code=3,
+                  address=address)
+    assert "alpha" in done.stderr and "8" in done.stderr, done.stderr
+
+
+def check_heads(folder, address):
+    """The head moves by request, by command, or not at all; what is there is what the commands say."""
+    out = ["-o", folder / "h.vtu", "--nodes", NODES]
+    edit = CASES / "simple-ab.edit.json"
+    remesh("mesh", CASES / "simple-a.json", "--design", "h", *out, address=address)
+    first = head("h", address)
+    assert first[0] == "h@1", first
+    # A model that the design did not begin with.
+    remesh("mesh", CASES / "tool1-a.json", "--design", "h", "--fail-on", "HEAD_KEPT", *out, code=4,
+           address=address)
+    done = remesh("mesh", CASES / "tool1-a.json", "--design", "h", *out, address=address)
+    assert head("h", address) == first
+    command = re.search(r"remesh (head h@2)", done.stderr)
+    assert command, done.stderr
+    assert remesh(*command[1].split(), address=address).stdout.split()[0] == "h@2"
+    assert head("h", address)[0] == "h@2"
+    remesh("edit", "h@1", edit, "--require-head", *out, code=6, address=address)
+    remesh("rm", "h@2", code=3, address=address)
+    remesh("head", "h", first[1][:8], address=address)
+    assert head("h", address) == first
+    remesh("edit", "h@1", edit, "--require-head", *out, address=address)
+    assert head("h", address)[0] == "h@3"
+    remesh("mesh", CASES / "tool1-a.json", "--design", "h", "--head", *out, address=address)
+    assert head("h", address)[0] == "h@2", "the same revision has one number in a design"
+    assert "removed h with its 3 revisions" in remesh("rm", "--design", "h", address=address).stderr
+    remesh("log", "h", code=3, address=address)
+    remesh("head", "h", code=3, address=address)
+
+
 def check_revisions(folder, address):
     assert "simple-a@1" in remesh("log", "simple-a", address=address).stdout
     remesh("model", "simple-a@1", "-o", folder / "model.json", address=address)
     written, original = (json.loads(p.read_text()) for p in (folder / "model.json", CASES / "simple-a.json"))
     assert written == original
+    check_order(folder, address)
     remesh("get", "simple-a@1", "-o", folder / "get.inp", address=address)
     assert len(meshio.read(folder / "get.inp").points) > 0
     remesh("rm", "simple-a@1", address=address)
@@ -182,6 +247,7 @@ def main():
             check_sweep(folder, daemon.address)
             check_refusals(folder, daemon.address)
             check_interrupt(folder, daemon.address)
+            check_heads(folder, daemon.address)
             check_revisions(folder, daemon.address)
             daemon.end()
         finally:  # left alone it would keep ctest waiting for its output

@@ -27,7 +27,7 @@ Error::Code code_of(const std::function<void()>& call) {
   } catch (const CallError& e) {
     return e.code();
   }
-  return Error::OK;
+  return Error::CODE_UNSPECIFIED;
 }
 
 TEST(Client, FetchesTheMeshThatTheDaemonHas) {
@@ -49,17 +49,18 @@ TEST(Client, RefusesAMeshWithAWrongChecksum) {
   FakeDaemon daemon;
   daemon.service.damage = [](auto& messages) { messages[1].mutable_part()->set_crc32c(1); };
   EXPECT_EQ(code_of([&] { (void)Client::connect(daemon.address).get_mesh("d"); }),
-            Error::DATA_LOSS);
+            Error::CODE_DATA_LOSS);
 }
 
 TEST(Client, ThrowsTheErrorThatTheStatusCarriesInItsDetails) {
   FakeDaemon daemon;
-  Error sent = make_error(Error::INVALID_ARGUMENT, "DegenerateFeature");
+  Error sent = make_error(Error::CODE_INVALID_ARGUMENT, Error::DEGENERATE_FEATURE);
   sent.set_stage("model");
-  sent.set_feature("hole1");
+  sent.add_features("hole1");
   sent.set_parameter("radius");
   sent.set_hint("make it larger");
   sent.set_edit_index(2);
+  for (const double c : {1.5, -2.0, 0.1 + 0.2}) sent.add_point(c);
   daemon.service.failure = sent;
   try {
     (void)Client::connect(daemon.address).types();
@@ -67,7 +68,9 @@ TEST(Client, ThrowsTheErrorThatTheStatusCarriesInItsDetails) {
   } catch (const CallError& e) {
     EXPECT_EQ(e.detail().SerializeAsString(), sent.SerializeAsString());
     EXPECT_STREQ(e.what(),
-                 "edit 2, feature hole1, parameter radius: told by the test (make it larger)");
+                 "edit 2, feature hole1, parameter radius, at (1.5, -2, 0.3): told by the test "
+                 "(make it larger)");
+    EXPECT_EQ(e.reason(), Error::DEGENERATE_FEATURE);
   }
 }
 
@@ -75,8 +78,8 @@ TEST(Client, SaysUnavailableWhereNobodyListens) {
   std::string address;
   { address = FakeDaemon().address; }
   const Client client = Client::connect(address);
-  EXPECT_EQ(code_of([&] { (void)client.info(); }), Error::UNAVAILABLE);
-  EXPECT_EQ(code_of([&] { client.stream().edit(edit_of("d")).get(); }), Error::UNAVAILABLE);
+  EXPECT_EQ(code_of([&] { (void)client.info(); }), Error::CODE_UNAVAILABLE);
+  EXPECT_EQ(code_of([&] { client.stream().edit(edit_of("d")).get(); }), Error::CODE_UNAVAILABLE);
 }
 
 TEST(Client, ListsAllPages) {
@@ -87,14 +90,83 @@ TEST(Client, ListsAllPages) {
     revision.set_design("d");
     revision.set_number(static_cast<std::uint32_t>(k));
   }
-  const auto revisions = Client::connect(daemon.address).list();
+  const auto revisions = Client::connect(daemon.address).list_revisions();
   ASSERT_THAT(revisions, SizeIs(5));
   EXPECT_EQ(revisions[4].number(), 5U);
 }
 
+TEST(Client, AsksForTheArraysWantedOnly) {
+  FakeDaemon daemon;
+  const Mesh mesh =
+      Client::connect(daemon.address).get_mesh("d", {.arrays = {remesh::v1::MESH_ARRAY_TETS}});
+  EXPECT_EQ(mesh.tets, daemon.service.mesh.tets);
+  EXPECT_THAT(mesh.nodes, SizeIs(0));
+  ASSERT_THAT(daemon.service.mesh_requests, SizeIs(1));
+  EXPECT_FALSE(daemon.service.mesh_requests[0].selection().delta());
+}
+
+TEST(Client, SendsDocumentsAsTheyAre) {
+  FakeDaemon daemon;
+  remesh::v1::ValidateEditRequest request;
+  request.set_base_document("{ \"features\": []}");
+  request.set_document("not looked at here");
+  EXPECT_EQ(Client::connect(daemon.address).validate(request).volume(), 258000);
+  EXPECT_EQ(daemon.service.edit_request.base_document(), request.base_document());
+  EXPECT_EQ(daemon.service.edit_request.document(), request.document());
+}
+
+TEST(Client, SendsNoDocumentOfMoreThan4MiB) {
+  FakeDaemon daemon;
+  const Client client = Client::connect(daemon.address);
+  const std::string large((std::size_t{4} << 20) + 1, ' ');
+  remesh::v1::CreateRevisionRequest create;
+  create.set_document(large);
+  remesh::v1::EditRevisionRequest edit;
+  edit.set_document(large);
+  remesh::v1::CompareRequest compare;
+  compare.mutable_modified()->set_document(large);
+  remesh::v1::ValidateModelRequest model;
+  model.set_document(large);
+  remesh::v1::ValidateEditRequest validate;
+  validate.set_base_document(large);
+  const std::vector<std::function<void()>> calls{
+      [&] { (void)client.create_revision(create); }, [&] { (void)client.edit_revision(edit); },
+      [&] { (void)client.compare(compare); },        [&] { (void)client.validate(model); },
+      [&] { (void)client.validate(validate); },      [&] { client.stream().create(create).get(); },
+      [&] { client.stream().edit(edit).get(); }};
+  for (const auto& call : calls) {
+    try {
+      call();
+      ADD_FAILURE() << "sent";
+    } catch (const CallError& e) {
+      EXPECT_EQ(e.code(), Error::CODE_INVALID_ARGUMENT);
+      EXPECT_EQ(e.reason(), Error::DOCUMENT_TOO_LARGE);
+    }
+  }
+  EXPECT_THAT(daemon.service.requests, SizeIs(0));
+  EXPECT_FALSE(daemon.service.compare_request.has_modified());
+}
+
+TEST(CallError, SaysWhereOnceAndNamesWhatItDoesNotKnow) {
+  Error error = make_error(Error::CODE_INVALID_ARGUMENT, Error::UNKNOWN_FIELD);
+  error.set_message("unknown field 'radios' of feature 'pin'");
+  error.add_features("pin");
+  error.add_features("rib");
+  error.add_features("hub");
+  error.set_line(7);
+  error.set_column(12);
+  EXPECT_EQ(describe(error),
+            "line 7, column 12, features rib, hub: unknown field 'radios' of feature 'pin'");
+  EXPECT_EQ(reason_name(error), "UNKNOWN_FIELD");
+  error.clear_reason();
+  EXPECT_EQ(reason_name(error), "INVALID_ARGUMENT");
+  error.set_reason(static_cast<Error::Reason>(12345));
+  EXPECT_EQ(reason_name(error), "INVALID_ARGUMENT");
+}
+
 TEST(EditStream, AnswersPipelinedRequestsEachByItsOwnFuture) {
   FakeDaemon daemon;
-  daemon.service.stream_errors[1] = make_error(Error::FAILED_PRECONDITION, "EmptyModel");
+  daemon.service.stream_errors[1] = make_error(Error::CODE_FAILED_PRECONDITION, Error::EMPTY_MODEL);
   std::atomic<int> events = 0;
   EditStream stream = Client::connect(daemon.address)
                           .stream([&](const std::string& id, const remesh::v1::Progress& progress) {
@@ -107,7 +179,7 @@ TEST(EditStream, AnswersPipelinedRequestsEachByItsOwnFuture) {
   auto third = stream.edit(edit_of("c"));
   stream.finish();
   EXPECT_EQ(first.get().revision().id(), "rev-1");
-  EXPECT_EQ(code_of([&] { second.get(); }), Error::FAILED_PRECONDITION);
+  EXPECT_EQ(code_of([&] { second.get(); }), Error::CODE_FAILED_PRECONDITION);
   EXPECT_EQ(third.get().revision().parent(), "c");
   EXPECT_EQ(events, 3);
 }
@@ -119,7 +191,7 @@ TEST(EditStream, CancelsOneRequestByItsIdAndLivesOn) {
   auto stuck = stream.edit(edit_of("a", "stuck"));
   auto next = stream.edit(edit_of("b"));
   stream.cancel("stuck");
-  EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CANCELLED);
+  EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CODE_CANCELLED);
   EXPECT_EQ(next.get().revision().id(), "rev-2");
 }
 
@@ -138,36 +210,37 @@ TEST(EditStream, IsBrokenOffByAStopRequest) {
   EditStream stream = Client::connect(daemon.address).stream({}, {.stop = source.get_token()});
   auto stuck = stream.edit(edit_of("a"));
   source.request_stop();
-  EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CANCELLED);
-  EXPECT_EQ(code_of([&] { stream.finish(); }), Error::CANCELLED);
+  EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CODE_CANCELLED);
+  EXPECT_EQ(code_of([&] { stream.finish(); }), Error::CODE_CANCELLED);
 }
 
 TEST(EditStream, GivesEveryOpenRequestTheErrorThatBrokeIt) {
   FakeDaemon daemon;
-  daemon.service.stream_failure = make_error(Error::UNAUTHENTICATED, "NoCertificate");
+  daemon.service.stream_failure =
+      make_error(Error::CODE_UNAUTHENTICATED, Error::CREDENTIALS_MISSING);
   EditStream stream = Client::connect(daemon.address).stream();
   auto answer = stream.edit(edit_of("a"));
-  EXPECT_EQ(code_of([&] { answer.get(); }), Error::UNAUTHENTICATED);
-  EXPECT_EQ(code_of([&] { stream.edit(edit_of("b")).get(); }), Error::UNAUTHENTICATED);
-  EXPECT_EQ(code_of([&] { stream.finish(); }), Error::UNAUTHENTICATED);
+  EXPECT_EQ(code_of([&] { answer.get(); }), Error::CODE_UNAUTHENTICATED);
+  EXPECT_EQ(code_of([&] { stream.edit(edit_of("b")).get(); }), Error::CODE_UNAUTHENTICATED);
+  EXPECT_EQ(code_of([&] { stream.finish(); }), Error::CODE_UNAUTHENTICATED);
 }
 
 TEST(EditStream, CanBeLeftWithRequestsUnderWay) {
   FakeDaemon daemon;
   daemon.service.hanging = {0};
-  std::future<remesh::v1::RevisionReply> answer;
+  std::future<remesh::v1::RevisionResult> answer;
   {
     EditStream stream = Client::connect(daemon.address).stream();
     answer = stream.edit(edit_of("a"));
   }
-  EXPECT_EQ(code_of([&] { answer.get(); }), Error::CANCELLED);
+  EXPECT_EQ(code_of([&] { answer.get(); }), Error::CODE_CANCELLED);
 }
 
 TEST(Client, GivesACallUpAfterItsTimeout) {
   FakeDaemon daemon;
   daemon.service.hanging = {0};
   EditStream stream = Client::connect(daemon.address).stream({}, {.stop = {}, .timeout = 0.2});
-  EXPECT_EQ(code_of([&] { stream.edit(edit_of("a")).get(); }), Error::DEADLINE_EXCEEDED);
+  EXPECT_EQ(code_of([&] { stream.edit(edit_of("a")).get(); }), Error::CODE_DEADLINE_EXCEEDED);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ int main() {
     (void)client::Client::connect("127.0.0.1:1").info();
   } catch (const client::CallError& e) {
     std::puts(e.what());
-    return e.code() == remesh::v1::Error::UNAVAILABLE ? 0 : 2;
+    return e.code() == remesh::v1::Error::CODE_UNAVAILABLE ? 0 : 2;
   }
   return 3;
 }

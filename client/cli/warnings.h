@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "client/cli/session.h"
+#include "remesh/v1/remesh.pb.h"
+
+namespace remeshd::cli {
+
+using Warnings = google::protobuf::RepeatedPtrField<remesh::v1::Warning>;
+
+/// Each as a line of the messages; `about`, e.g. ` (base)`, stands behind the word.
+void show_warnings(Session& session, const Warnings& warnings, const std::string& about = "");
+
+}  // namespace remeshd::cli
