@@ -10,19 +10,19 @@ namespace {
 using remesh::v1::Error;
 
 /// Reasons that call for another exit code than their error's code does.
-struct Exception {
+struct ReasonExit {
   Error::Reason reason;
   ExitCode exit;
 };
 
-constexpr std::array kExceptions{
+constexpr std::array kByReason{
     // The model's own fault, although it shows only while the model is built.
-    Exception{Error::EMPTY_MODEL, kInvalid},
-    Exception{Error::DISCONNECTED_MODEL, kInvalid},
-    Exception{Error::NON_MANIFOLD_MODEL, kInvalid},
+    ReasonExit{Error::EMPTY_MODEL, kInvalid},
+    ReasonExit{Error::DISCONNECTED_MODEL, kInvalid},
+    ReasonExit{Error::NON_MANIFOLD_MODEL, kInvalid},
     // The request names what it may not.
-    Exception{Error::HEAD_PROTECTED, kInvalid},
-    Exception{Error::DOCUMENT_UNREADABLE, kFileFailed},
+    ReasonExit{Error::HEAD_PROTECTED, kInvalid},
+    ReasonExit{Error::DOCUMENT_UNREADABLE, kFileFailed},
 };
 
 /// What gRPC itself says of a message over the daemon's limit, which a document in it caused.
@@ -73,8 +73,8 @@ Error::Reason reason_of(const std::string& name) {
 }  // namespace
 
 ExitCode exit_code(const Error& error) {
-  const auto* exception = std::ranges::find(kExceptions, error.reason(), &Exception::reason);
-  if (exception != kExceptions.end()) return exception->exit;
+  const auto* special = std::ranges::find(kByReason, error.reason(), &ReasonExit::reason);
+  if (special != kByReason.end()) return special->exit;
   if (is_oversized(error)) return kInvalid;
   switch (error.code()) {
     case Error::CODE_INVALID_ARGUMENT:

@@ -103,8 +103,7 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
   command
       .add_option("--fail-on", fail_on,
-                  "Warnings that are errors here, e.g. GROUP_EMPTIED,FALLBACK; an error of the "
-                  "daemon's, exit code 4")
+                  "Warnings that are errors, e.g. GROUP_EMPTIED,FALLBACK; exit code 4")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Validator(check_warning, "", ""))

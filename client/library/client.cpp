@@ -88,12 +88,7 @@ EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions&
 }
 
 Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
-                      const OnTransfer& on_transfer) const {
-  return get_mesh(revision, MeshWanted{}, call, on_transfer);
-}
-
-Mesh Client::get_mesh(const std::string& revision, const MeshWanted& wanted,
-                      const CallOptions& call, const OnTransfer& on_transfer) const {
+                      const OnTransfer& on_transfer, const MeshWanted& wanted) const {
   CallContext context(call);
   remesh::v1::GetMeshRequest request;
   request.set_revision(revision);

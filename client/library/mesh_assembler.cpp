@@ -80,19 +80,19 @@ void MeshAssembler::check_entry(const MeshHeader::Array& entry) {
   if (rows && entry.count() != *rows) mesh_damaged(name + " has the wrong count");
   const bool is_text = entry.type() == remesh::v1::ARRAY_TYPE_TEXT;
   if (!is_text && entry.bytes() != entry.count() * row_bytes(known->shape))
-    mesh_damaged(name + " has not the bytes of its rows");
+    mesh_damaged(name + " has another size than its rows");
   switch (entry.encoding()) {
     case MeshHeader::ENCODING_WHOLE:
-      if (entry.data_bytes() != entry.bytes()) mesh_damaged(name + " is whole and is not");
+      if (entry.data_bytes() != entry.bytes()) mesh_damaged(name + " is sent whole, but not all of it");
       return;
     case MeshHeader::ENCODING_SAME:
-      if (entry.data_bytes() != 0) mesh_damaged(name + " is the base's and comes all the same");
+      if (entry.data_bytes() != 0) mesh_damaged(name + " is sent although it is the base's");
       return;
     case MeshHeader::ENCODING_DELTA:
-      if (is_text) mesh_damaged(name + " is text and comes as a delta");
+      if (is_text) mesh_damaged(name + " is text, which has no deltas");
       return;
     default:
-      mesh_damaged(name + " is encoded in a way that is not known");
+      mesh_damaged(name + " has an unknown encoding");
   }
 }
 
@@ -105,7 +105,7 @@ void MeshAssembler::find_base() {
     return mesh != nullptr && mesh->revision == header_.base();
   });
   if (header_.base().empty() || found == bases_.end())
-    mesh_damaged("it is told as the difference from the mesh of revision '" + header_.base() +
+    mesh_damaged("it is a delta against the mesh of revision '" + header_.base() +
                  "', which is not here");
   base_ = *found;
 }

@@ -116,6 +116,39 @@ INSTANTIATE_TEST_SUITE_P(Paper, EveryCase,
                            return name;
                          });
 
+/// A group's facets lie on chords, and on a seam that crosses facets they cover its faces only
+/// about.
+TEST_F(RealEngine, AuditsEveryGroupOfFacetsOfTheMesh) {
+  for (const char* name : {"tool1-a", "tool2-a", "tool3-a", "fig10-a", "simple-a"}) {
+    SCOPED_TRACE(name);
+    const v1::Report report = create(coarse(name)).report();
+    std::string lines = arrays(name)[v1::MESH_ARRAY_FACET_GROUPS];
+    std::replace(lines.begin(), lines.end(), ' ', '+');
+    std::string audited;
+    std::uint32_t facets = 0;
+    double exact = 0, meshed = 0;
+    for (const v1::GroupAudit& group : report.groups()) {
+      SCOPED_TRACE(group.group());
+      audited += group.group() + "\n";
+      facets += group.facets();
+      meshed += group.mesh_area();
+      exact += group.exact_area();
+      EXPECT_GT(group.exact_area(), 0);
+      EXPECT_EQ(group.centroid_size(), 3);
+      EXPECT_EQ(group.normal_size(), 3);
+    }
+    EXPECT_EQ(audited, lines);
+    EXPECT_EQ(facets, report.boundary_facets());
+    grpc::ClientContext context;
+    v1::ValidateModelRequest request;
+    *request.mutable_model() = model(name);
+    v1::ValidateModelResponse checked;
+    ASSERT_TRUE(stub().ValidateModel(&context, request, &checked).ok());
+    EXPECT_NEAR(exact, checked.check().area(), 1e-6 * exact);
+    EXPECT_NEAR(meshed, exact, 0.02 * exact);
+  }
+}
+
 TEST_F(RealEngine, ALoadedBaseGivesTheSameBytesAsTheOneInMemory) {
   use_store();
   create(coarse("tool1-a"));

@@ -300,11 +300,17 @@ TEST_F(Errors, ABusyDaemonSaysWhenToTryAgain) {
   clients.emplace_back(
       [&] { EXPECT_TRUE(try_create(create_request(plate(2)), &replies[1]).ok()); });
   while (info().load().queued() == 0) std::this_thread::yield();
-  v1::RevisionResult reply;
-  const auto status = try_create(create_request(plate(3)), &reply);
+  grpc::ClientContext context;
+  v1::CreateRevisionResponse reply;
+  const auto status = stub().CreateRevision(&context, create_request(plate(3)), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(detail(status).reason(), v1::Error::BUSY);
   EXPECT_GT(detail(status).retry_after(), 0);
+  const auto& trailing = context.GetServerTrailingMetadata();
+  const auto pushback = trailing.find("grpc-retry-pushback-ms");
+  ASSERT_NE(pushback, trailing.end());
+  EXPECT_EQ(std::stod(std::string(pushback->second.data(), pushback->second.size())),
+            std::ceil(1000 * detail(status).retry_after()));
   engine_.open_gate();
   for (auto& client : clients) client.join();
 }

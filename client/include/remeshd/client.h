@@ -55,14 +55,11 @@ class Client {
   [[nodiscard]] EditStream stream(EditStream::OnProgress on_progress = {},
                                   const CallOptions& call = {}) const;
 
-  /// Fetches the mesh of a revision. All its checksums, digests, counts and indices have been
-  /// checked; DATA_LOSS, MESH_DAMAGED where one is wrong.
+  /// Fetches the mesh of a revision, or of it what is wanted. All its checksums, digests, counts
+  /// and indices have been checked; DATA_LOSS, MESH_DAMAGED where one is wrong.
   [[nodiscard]] Mesh get_mesh(const std::string& revision, const CallOptions& call = {},
-                              const OnTransfer& on_transfer = {}) const;
-  /// The same, with some arrays only, or as the difference from a mesh that is here already.
-  [[nodiscard]] Mesh get_mesh(const std::string& revision, const MeshWanted& wanted,
-                              const CallOptions& call = {},
-                              const OnTransfer& on_transfer = {}) const;
+                              const OnTransfer& on_transfer = {},
+                              const MeshWanted& wanted = {}) const;
 
   /// Everything about a revision but its mesh.
   [[nodiscard]] remesh::v1::GetRevisionResponse get_revision(const std::string& revision,

@@ -97,8 +97,8 @@ TEST(Client, ListsAllPages) {
 
 TEST(Client, AsksForTheArraysWantedOnly) {
   FakeDaemon daemon;
-  const Mesh mesh =
-      Client::connect(daemon.address).get_mesh("d", {.arrays = {remesh::v1::MESH_ARRAY_TETS}});
+  const Mesh mesh = Client::connect(daemon.address)
+                        .get_mesh("d", {}, {}, {.arrays = {remesh::v1::MESH_ARRAY_TETS}});
   EXPECT_EQ(mesh.tets, daemon.service.mesh.tets);
   EXPECT_THAT(mesh.nodes, SizeIs(0));
   ASSERT_THAT(daemon.service.mesh_requests, SizeIs(1));
