@@ -47,8 +47,10 @@ std::unique_ptr<Store> open_store(const DaemonOptions& options) {
   return store;
 }
 
-/// The connections that there may be, told where they are fewer than asked for.
+/// The connections that there may be, told where they are fewer than asked for; 0 where nothing is
+/// listened on.
 std::size_t max_connections(const DaemonOptions& options) {
+  if (options.listen.empty()) return 0;
   const std::size_t most = connections_within_descriptors(options.max_connections);
   if (options.log && most < options.max_connections)
     options.log->warn("at most {} connections at a time, not {}: the limit of open files is low",
@@ -61,7 +63,7 @@ std::size_t max_connections(const DaemonOptions& options) {
 struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
   Session session;
-  std::size_t max_connections;
+  const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
   std::unique_ptr<AcceptLoop> connections;  ///< null where nothing is listened on

@@ -40,12 +40,6 @@ int shared_plane(const BoundaryModel& boundary, const Membership& membership, co
 
 }  // namespace
 
-std::string group_name(const std::vector<std::string>& faces) {
-  std::string name;
-  for (const std::string& face : faces) name += (name.empty() ? "" : "+") + face;
-  return name;
-}
-
 std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& groups,
                                    const FeatureModel& model, const Membership& membership,
                                    const CellularModel& cells) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/cellular/cellular_model.h"
@@ -18,6 +19,10 @@ std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& grou
                                    const CellularModel& cells);
 
 /// A group's name where one word is wanted: its faces joined by `+`.
-std::string group_name(const std::vector<std::string>& faces);
+inline std::string group_name(const std::vector<std::string>& faces) {
+  std::string name;
+  for (const std::string& face : faces) name += (name.empty() ? "" : "+") + face;
+  return name;
+}
 
 }  // namespace remeshd

@@ -187,8 +187,10 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
                       [&](const Error& why) { self->fail(turn, id, why); });
                 });
               },
-          .failed = [self, turn,
-                     id](const Error& why) { self->safely([&] { self->fail(turn, id, why); }); }};
+          .failed =
+              [self, turn, id](const Error& why) {
+                self->answering(turn, [&] { self->fail(turn, id, why); });
+              }};
 }
 
 void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& why) {

@@ -171,50 +171,58 @@ class RawRemeshService final : public RawService {
     return std::make_shared<CallRecord>(options_.log, method, context->peer());
   }
 
-  /// A call that makes a revision: decode, hand to the session, encode what comes back.
-  template <typename Request, typename Response, typename Start>
-  Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out, Start start) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
-    answering(*call, [&] {
-      Request request;
-      from_bytes(*in, options_.limits.message_bytes, request);
-      const std::string id = request.request_id();
-      call->record().set_request_id(id);
-      check_request_id(id);
-      const auto answer = [call, id](const Made& made) {
-        answering(*call, [&] {
-          call->record().set_note("revision=" + made.filed.record.id.substr(0, 12));
-          Response response;
-          *response.mutable_result() = encode(made, id);
-          call->reply(response);
-        });
-      };
-      const MakeRequestPtr under_way = start(
-          request, Listener{.progress = {}, .made = answer, .failed = [call](const Error& why) {
-                              call->fail(why);
-                            }});
-      call->on_cancel([under_way] { under_way->cancel(); });
-    });
-    return call.get();
-  }
-
-  /// A call that is answered by a function on the quick pool.
-  template <typename Request, typename Answer>
-  Reply* query(const char* method, Context* context, const Bytes* in, Bytes* out, Answer answer) {
+  /// Runs `work` on the quick pool with the call's request: a long document takes its time to read,
+  /// which no thread of gRPC's has.
+  template <typename Request, typename Work>
+  Reply* later(const char* method, Context* context, const Bytes* in, Bytes* out, Work work) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
       session_.later(
-          [this, call, in, answer] {
+          [this, call, in, work] {
             answering(*call, [&] {
               Request request;
               from_bytes(*in, options_.limits.message_bytes, request);
-              const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-              call->reply(answer(request, run));
+              work(call, request);
             });
           },
           [call](const Error& why) { call->fail(why); });
     });
     return call.get();
+  }
+
+  /// A call that makes a revision: decode, hand to the session, encode what comes back.
+  template <typename Request, typename Response, typename Start>
+  Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out, Start start) {
+    return later<Request>(
+        method, context, in, out,
+        [start](const std::shared_ptr<UnaryCall>& call, const Request& request) {
+          const std::string id = request.request_id();
+          call->record().set_request_id(id);
+          check_request_id(id);
+          const auto answer = [call, id](const Made& made) {
+            answering(*call, [&] {
+              call->record().set_note("revision=" + made.filed.record.id.substr(0, 12));
+              Response response;
+              *response.mutable_result() = encode(made, id);
+              call->reply(response);
+            });
+          };
+          const auto failed = [call](const Error& why) { call->fail(why); };
+          const MakeRequestPtr under_way =
+              start(request, Listener{.progress = {}, .made = answer, .failed = failed});
+          call->on_cancel([under_way] { under_way->cancel(); });
+        });
+  }
+
+  /// A call that is answered by a function.
+  template <typename Request, typename Answer>
+  Reply* query(const char* method, Context* context, const Bytes* in, Bytes* out, Answer answer) {
+    return later<Request>(method, context, in, out,
+                          [answer](const std::shared_ptr<UnaryCall>& call, const Request& request) {
+                            const Run run{
+                                .stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+                            call->reply(answer(request, run));
+                          });
   }
 
   /// A call that this daemon does not do.

@@ -4,7 +4,8 @@ namespace remeshd {
 namespace {
 
 /// About how many bytes a revision has for itself, whatever others there are.
-std::uint64_t own_memory(const Revision& revision) {
+std::uint64_t own_memory(const HeldRevision& held) {
+  const Revision& revision = held.revision;
   const auto bytes_of = [](const auto& values) { return values.size() * sizeof(values[0]); };
   std::uint64_t bytes = 0;
   // Twice: what the boundary is joined from is kept too, with shapes of the CAD kernel.
@@ -12,7 +13,8 @@ std::uint64_t own_memory(const Revision& revision) {
   for (const BoundaryFace& face : boundary.faces)
     bytes += 2 * (bytes_of(face.points) + bytes_of(face.triangles));
   // Models, names, shapes of the CAD kernel: some 20 KB a feature or face.
-  return bytes + 4096 + 20000 * (revision.model.features.size() + boundary.faces.size());
+  return bytes + held.edit.size() + 4096 +
+         20000 * (revision.model.features.size() + boundary.faces.size());
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ bool HeldRevisions::contains(const std::string& id) const {
 
 void HeldRevisions::drop(Order::iterator entry) {
   const Revision& revision = (*entry)->revision;
-  bytes_ -= own_memory(revision);
+  bytes_ -= own_memory(**entry);
   for (const MemoryBlock& block : blocks_of_(revision)) {
     const auto held = blocks_.find(block.address);
     if (--held->second > 0) continue;
@@ -44,7 +46,7 @@ void HeldRevisions::drop(Order::iterator entry) {
 }
 
 void HeldRevisions::insert(HeldRevisionPtr revision) {
-  const std::uint64_t own = own_memory(revision->revision);
+  const std::uint64_t own = own_memory(*revision);
   const std::vector<MemoryBlock> blocks = blocks_of_(revision->revision);
   const std::scoped_lock lock(mutex_);
   const std::string& id = revision->record.id;

@@ -51,6 +51,7 @@ Description Session::describe(const std::string& text, const Run& run) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
     description.children = catalogue.children(reference.id, kMostChildren);
+    description.durable = store_->persistent() && catalogue.revision(reference.id).has_value();
   });
   if (!description.places.empty()) description.place = description.places.front();
   for (const PlaceRecord& place : description.places)
@@ -127,6 +128,7 @@ Load Session::load() {
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();
     load.designs = catalogue.count_designs();
+    load.disk_bytes = catalogue.count_bytes();
   });
   return load;
 }

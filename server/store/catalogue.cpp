@@ -228,6 +228,11 @@ std::uint32_t Catalogue::count_revisions() {
   row.step();
   return static_cast<std::uint32_t>(row.number(0));
 }
+std::uint64_t Catalogue::count_bytes() {
+  auto row = database_.prepare("SELECT coalesce(sum(bytes), 0) FROM revisions");
+  row.step();
+  return static_cast<std::uint64_t>(row.number(0));
+}
 std::uint32_t Catalogue::count_designs() {
   auto row = database_.prepare("SELECT count(*) FROM designs WHERE listed");
   row.step();

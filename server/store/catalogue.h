@@ -51,6 +51,8 @@ class Catalogue {
   std::vector<std::string> children(const std::string& id, int limit);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();
+  /// Of the files of all revisions.
+  std::uint64_t count_bytes();
 
  private:
   void apply_one(const Operation& operation);

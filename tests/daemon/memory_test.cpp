@@ -15,13 +15,13 @@ class Memory : public testing::Test {
     arguments.SetMaxSendMessageSize(-1);
     channel_ = grpc::CreateCustomChannel(process_.address(), grpc::InsecureChannelCredentials(),
                                          arguments);
-    stub_ = v1::Remesh::NewStub(channel_);
+    stub_ = v1::RemeshService::NewStub(channel_);
     EXPECT_TRUE(serves());
     before_ = process_.memory("VmRSS");
   }
   bool serves() {
     grpc::ClientContext context;
-    v1::ServerInfo reply;
+    v1::GetServerInfoResponse reply;
     return stub_->GetServerInfo(&context, {}, &reply).ok();
   }
   /// MiB that the daemon has had at most beyond those of an idle one.
@@ -35,7 +35,7 @@ class Memory : public testing::Test {
 
   Process process_;
   std::shared_ptr<grpc::Channel> channel_;
-  std::unique_ptr<v1::Remesh::Stub> stub_;
+  std::unique_ptr<v1::RemeshService::Stub> stub_;
   std::size_t before_ = 0;
 };
 
@@ -44,7 +44,7 @@ TEST_F(Memory, IsNotForCompressedMessages) {
   for (const auto algorithm : {GRPC_COMPRESS_GZIP, GRPC_COMPRESS_DEFLATE}) {
     grpc::ClientContext context;
     context.set_compression_algorithm(algorithm);
-    v1::RevisionReply reply;
+    v1::CreateRevisionResponse reply;
     EXPECT_EQ(stub_->CreateRevision(&context, bomb, &reply).error_code(),
               StatusCode::UNIMPLEMENTED);
   }
@@ -56,7 +56,7 @@ TEST_F(Memory, IsNotForCompressedMessages) {
     *request.mutable_create() = bomb;
     stream->Write(request);
     stream->WritesDone();
-    v1::EditStreamReply reply;
+    v1::EditStreamResponse reply;
     while (stream->Read(&reply)) EXPECT_TRUE(reply.has_error());
     EXPECT_FALSE(stream->Finish().ok());
   }
@@ -70,7 +70,7 @@ TEST_F(Memory, OfMessagesThatAreTooLargeIsBoundedTogether) {
   for (int c = 0; c < 8; ++c)
     clients.emplace_back([&] {
       grpc::ClientContext context;
-      v1::RevisionReply reply;
+      v1::CreateRevisionResponse reply;
       EXPECT_EQ(stub_->CreateRevision(&context, large, &reply).error_code(),
                 StatusCode::RESOURCE_EXHAUSTED);
     });

@@ -93,10 +93,11 @@ class Process {
   pid_t id_ = 0;
 };
 
-inline std::unique_ptr<v1::Remesh::Stub> connect(const Process& process) {
+inline std::unique_ptr<v1::RemeshService::Stub> connect(const Process& process) {
   const std::string address = process.address();
   EXPECT_NE(address, "") << process.log();
-  return v1::Remesh::NewStub(grpc::CreateChannel(address, grpc::InsecureChannelCredentials()));
+  return v1::RemeshService::NewStub(
+      grpc::CreateChannel(address, grpc::InsecureChannelCredentials()));
 }
 
 }  // namespace remeshd::test

@@ -16,13 +16,13 @@ TEST_P(EndingProcess, EndsAComputationAndItselfWithExitZero) {
   *request.mutable_create()->mutable_model() = plate();
   request.mutable_create()->mutable_options()->set_nodes(500000);
   ASSERT_TRUE(stream->Write(request));
-  v1::EditStreamReply reply;
+  v1::EditStreamResponse reply;
   do ASSERT_TRUE(stream->Read(&reply)) << process.log();
   while (reply.progress().stage() == "queued");
   process.signal(GetParam());
   while (stream->Read(&reply) && reply.has_progress()) {
   }
-  EXPECT_EQ(reply.error().code(), v1::Error::UNAVAILABLE) << reply.ShortDebugString();
+  EXPECT_EQ(reply.error().code(), v1::Error::CODE_UNAVAILABLE) << reply.ShortDebugString();
   const int status = process.wait();
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0) << process.log();
@@ -42,20 +42,20 @@ TEST(Process, KilledInTheMiddleLeavesAStoreThatOpensAgain) {
     *request.mutable_model() = plate();
     request.mutable_options()->set_nodes(300);
     grpc::ClientContext context;
-    v1::RevisionReply reply;
+    v1::CreateRevisionResponse reply;
     const auto status = stub->CreateRevision(&context, request, &reply);
     ASSERT_TRUE(status.ok()) << status.error_message();
-    id = reply.revision().id();
+    id = reply.result().revision().id();
     process.signal(SIGKILL);
     process.wait();
   }
   Process process({"--listen", "127.0.0.1:0", "--store", folder});
   const auto stub = connect(process);
   grpc::ClientContext context;
-  v1::DescribeRevisionRequest request;
+  v1::GetRevisionRequest request;
   request.set_revision("plate");
-  v1::RevisionDescription reply;
-  const auto status = stub->DescribeRevision(&context, request, &reply);
+  v1::GetRevisionResponse reply;
+  const auto status = stub->GetRevision(&context, request, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
   EXPECT_EQ(reply.revision().id(), id);
   process.signal(SIGTERM);
@@ -79,7 +79,7 @@ TEST(Process, SaysWhereItListensAlsoOnAUnixSocket) {
   EXPECT_EQ(process.log().find("can be reached from elsewhere"), std::string::npos);
   const auto stub = connect(process);
   grpc::ClientContext context;
-  v1::ServerInfo reply;
+  v1::GetServerInfoResponse reply;
   EXPECT_TRUE(stub->GetServerInfo(&context, {}, &reply).ok());
   process.signal(SIGTERM);
   process.wait();

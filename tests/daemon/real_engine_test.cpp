@@ -36,6 +36,7 @@ class RealEngine : public DaemonTest {
   /// A report without what a clock had a part in.
   static std::string timeless(v1::Report report) {
     report.clear_seconds();
+    report.mutable_diagnostics()->clear_table3();
     report.clear_cached();
     return report.SerializeAsString();
   }
@@ -63,14 +64,14 @@ TEST_P(EveryCase, IsRemeshedAndItsMapsLeadToTheParentToTheBit) {
 
   auto before = arrays(base.revision().id());
   auto after = arrays(child.revision().id());
-  const auto original = values<double>(before[v1::NODES]);
-  const auto nodes = values<double>(after[v1::NODES]);
-  const auto origins = values<std::uint8_t>(after[v1::NODE_ORIGINS]);
-  const auto sources = values<std::int32_t>(after[v1::ORIGINAL_NODES]);
-  const auto by = values<std::int32_t>(after[v1::NODE_TRANSFORMS]);
-  const auto transforms = values<Transform>(after[v1::TRANSFORMS]);
-  const auto ids = values<std::uint64_t>(after[v1::NODE_IDS]);
-  const auto original_ids = values<std::uint64_t>(before[v1::NODE_IDS]);
+  const auto original = values<double>(before[v1::MESH_ARRAY_NODES]);
+  const auto nodes = values<double>(after[v1::MESH_ARRAY_NODES]);
+  const auto origins = values<std::uint8_t>(after[v1::MESH_ARRAY_NODE_ORIGINS]);
+  const auto sources = values<std::int32_t>(after[v1::MESH_ARRAY_ORIGINAL_NODES]);
+  const auto by = values<std::int32_t>(after[v1::MESH_ARRAY_NODE_TRANSFORMS]);
+  const auto transforms = values<Transform>(after[v1::MESH_ARRAY_TRANSFORMS]);
+  const auto ids = values<std::uint64_t>(after[v1::MESH_ARRAY_NODE_IDS]);
+  const auto original_ids = values<std::uint64_t>(before[v1::MESH_ARRAY_NODE_IDS]);
   std::uint32_t kept = 0;
   for (std::size_t n = 0; n < origins.size(); ++n) {
     if (origins[n] == 0) continue;
@@ -84,11 +85,11 @@ TEST_P(EveryCase, IsRemeshedAndItsMapsLeadToTheParentToTheBit) {
   }
   EXPECT_EQ(kept, child.report().nodes_kept());
 
-  const auto tets = values<std::array<std::int32_t, 4>>(after[v1::TETS]);
-  const auto original_tets = values<std::array<std::int32_t, 4>>(before[v1::TETS]);
+  const auto tets = values<std::array<std::int32_t, 4>>(after[v1::MESH_ARRAY_TETS]);
+  const auto original_tets = values<std::array<std::int32_t, 4>>(before[v1::MESH_ARRAY_TETS]);
   std::uint32_t kept_tets = 0;
   for (std::size_t t = 0;
-       const std::int32_t source : values<std::int32_t>(after[v1::ORIGINAL_TETS])) {
+       const std::int32_t source : values<std::int32_t>(after[v1::MESH_ARRAY_ORIGINAL_TETS])) {
     const auto tet = tets[t++];
     if (source < 0) continue;
     ++kept_tets;
@@ -114,6 +115,39 @@ INSTANTIATE_TEST_SUITE_P(Paper, EveryCase,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+/// A group's facets lie on chords, and on a seam that crosses facets they cover its faces only
+/// about.
+TEST_F(RealEngine, AuditsEveryGroupOfFacetsOfTheMesh) {
+  for (const char* name : {"tool1-a", "tool2-a", "tool3-a", "fig10-a", "simple-a"}) {
+    SCOPED_TRACE(name);
+    const v1::Report report = create(coarse(name)).report();
+    std::string lines = arrays(name)[v1::MESH_ARRAY_FACET_GROUPS];
+    std::replace(lines.begin(), lines.end(), ' ', '+');
+    std::string audited;
+    std::uint32_t facets = 0;
+    double exact = 0, meshed = 0;
+    for (const v1::GroupAudit& group : report.groups()) {
+      SCOPED_TRACE(group.group());
+      audited += group.group() + "\n";
+      facets += group.facets();
+      meshed += group.mesh_area();
+      exact += group.exact_area();
+      EXPECT_GT(group.exact_area(), 0);
+      EXPECT_EQ(group.centroid_size(), 3);
+      EXPECT_EQ(group.normal_size(), 3);
+    }
+    EXPECT_EQ(audited, lines);
+    EXPECT_EQ(facets, report.boundary_facets());
+    grpc::ClientContext context;
+    v1::ValidateModelRequest request;
+    *request.mutable_model() = model(name);
+    v1::ValidateModelResponse checked;
+    ASSERT_TRUE(stub().ValidateModel(&context, request, &checked).ok());
+    EXPECT_NEAR(exact, checked.check().area(), 1e-6 * exact);
+    EXPECT_NEAR(meshed, exact, 0.02 * exact);
+  }
+}
 
 TEST_F(RealEngine, ALoadedBaseGivesTheSameBytesAsTheOneInMemory) {
   use_store();
@@ -142,7 +176,7 @@ TEST_F(RealEngine, CancellingTheCallFreesItsWorkerInEveryStage) {
     *request.mutable_create() = create_request(model("tool1-a"), 15000);
     request.mutable_create()->mutable_options()->set_seed(i);
     ASSERT_TRUE(stream->Write(request));
-    v1::EditStreamReply reply;
+    v1::EditStreamResponse reply;
     bool ended = false;
     while (!ended && stream->Read(&reply)) {
       ended = !reply.has_progress();
@@ -151,24 +185,24 @@ TEST_F(RealEngine, CancellingTheCallFreesItsWorkerInEveryStage) {
     const auto start = std::chrono::steady_clock::now();
     context.TryCancel();
     stream->Finish();
-    while (info().running() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (info().load().running() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;
     RecordProperty("ms_in_" + stages[i], std::to_string(spent.count()));
     EXPECT_FALSE(ended) << stages[i] << " went by unseen";
   }
-  EXPECT_EQ(info().revisions(), 0U);
+  EXPECT_EQ(info().load().revisions(), 0U);
 }
 
 TEST_F(RealEngine, ValidatesAModelByItsExactVolume) {
   grpc::ClientContext context;
   v1::ValidateModelRequest request;
   *request.mutable_model() = model("tool1-a");
-  v1::ValidateReply reply;
+  v1::ValidateModelResponse reply;
   const auto status = stub().ValidateModel(&context, request, &reply);
   ASSERT_TRUE(status.ok()) << status.error_message();
-  EXPECT_THAT(reply.volume(), DoubleNear(109525.344682, 1e-3));
-  EXPECT_GT(reply.cells(), 10U);
+  EXPECT_THAT(reply.check().volume(), DoubleNear(109525.344682, 1e-3));
+  EXPECT_GT(reply.check().cells(), 10U);
 }
 
 TEST_F(RealEngine, RefusesEmptyAndDisconnectedModelsByName) {
@@ -176,17 +210,17 @@ TEST_F(RealEngine, RefusesEmptyAndDisconnectedModelsByName) {
   auto& hole = *swallowed.mutable_features(1);
   hole.set_type("block");
   hole.clear_parameters();
-  for (const char* side : {"dx", "dy", "dz"})
-    (*hole.mutable_parameters())[side].set_number_value(200);
-  v1::RevisionReply reply;
-  EXPECT_EQ(detail(try_create(create_request(swallowed), &reply)).reason(), "EmptyModel");
+  for (const char* side : {"dx", "dy", "dz"}) parameter(hole, side).set_number_value(200);
+  v1::RevisionResult reply;
+  EXPECT_EQ(detail(try_create(create_request(swallowed), &reply)).reason(), v1::Error::EMPTY_MODEL);
 
   auto torn = plate(2, 0);
   auto& island = *torn.add_features();
   island = torn.features(0);
   island.set_id("island");
   island.mutable_placement()->mutable_origin(0)->set_number_value(500);
-  EXPECT_EQ(detail(try_create(create_request(torn), &reply)).reason(), "DisconnectedModel");
+  EXPECT_EQ(detail(try_create(create_request(torn), &reply)).reason(),
+            v1::Error::DISCONNECTED_MODEL);
   EXPECT_TRUE(serves());
 }
 
@@ -197,19 +231,19 @@ TEST_F(RealEngine, RefusesAnEditFarTooLargeBeforeAnythingIsComputed) {
   change.set_feature("plate");
   change.set_name("dx");
   change.mutable_value()->set_number_value(1e9);
-  v1::RevisionReply made;
+  v1::RevisionResult made;
   const auto expect_refused = [&](const grpc::Status& status) {
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-    EXPECT_EQ(detail(status).reason(), "MeshTooLarge");
+    EXPECT_EQ(detail(status).reason(), v1::Error::MESH_TOO_LARGE);
     // Only the closed formulas of the features tell which one it is.
-    EXPECT_EQ(detail(status).feature(), "plate");
+    EXPECT_EQ(detail(status).features(0), "plate");
   };
   expect_refused(try_edit(edit_request("plate", longer), &made));
   grpc::ClientContext context;
   v1::ValidateEditRequest request;
   request.set_base("plate");
   *request.mutable_edit() = longer;
-  v1::ValidateReply reply;
+  v1::ValidateEditResponse reply;
   expect_refused(stub().ValidateEdit(&context, request, &reply));
   EXPECT_TRUE(serves());
 }
@@ -227,13 +261,13 @@ TEST_F(RealEngine, ValidatesTheNodesThatAModelNeedsByItsExactVolume) {
     v1::ValidateModelRequest request;
     *request.mutable_model() = same;
     request.mutable_options()->set_size(size);
-    v1::ValidateReply reply;
+    v1::ValidateModelResponse reply;
     return stub().ValidateModel(&context, request, &reply);
   };
   EXPECT_TRUE(validate(4).ok());
   const auto status = validate(2.5);
   EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(detail(status).reason(), "MeshTooLarge");
+  EXPECT_EQ(detail(status).reason(), v1::Error::MESH_TOO_LARGE);
 }
 
 TEST_F(RealEngine, WorksOnTheControlMeshOfThePaperToo) {
@@ -253,9 +287,10 @@ TEST_F(RealEngine, ComparesAsThePapersFigureElevenShows) {
   v1::CompareRequest request;
   *request.mutable_original()->mutable_model() = model("fig11-a");
   *request.mutable_modified()->mutable_edit() = change("fig11-ab");
-  v1::Comparison reply;
-  const auto status = stub().Compare(&context, request, &reply);
+  v1::CompareResponse response;
+  const auto status = stub().Compare(&context, request, &response);
   ASSERT_TRUE(status.ok()) << status.error_message();
+  const v1::Comparison& reply = response.comparison();
   std::map<std::string, std::map<std::string, double>> cells;
   for (const auto& feature : reply.features())
     cells[feature.id()] = {feature.cells().begin(), feature.cells().end()};

@@ -36,8 +36,9 @@ class Comparison:
     def quality_gap(self, when):
         """How far the remesh's cumulative histogram of volume-length lies above (is worse than)
         the regular run's where it does most; `when` is `quality_before` (the clean-up) or `quality`."""
-        share = [np.cumsum(r[when]["histogram"]) / sum(r[when]["histogram"])
-                 for r in (self.remesh, self.regular)]
+        bins = [(r if when in r else r["diagnostics"])[when]["histogram"]
+                for r in (self.remesh, self.regular)]
+        share = [np.cumsum(b) / sum(b) for b in bins]
         return float((share[0] - share[1]).max())
 
 

@@ -87,7 +87,7 @@ class Row:
     def markdown(self):
         r = self.runs[0]
         paper = self.case.paper.get((self.nodes, self.iterations))
-        cells = [self.case.name, f"{r.regular['samples']:,}", f"{r.regular['nodes']:,}–{r.remesh['nodes']:,}",
+        cells = [self.case.name, f"{r.regular['diagnostics']['samples']:,}", f"{r.regular['nodes']:,}–{r.remesh['nodes']:,}",
                  self.iterations]
         cells += [f"{self.seconds('regular', p):.3f}" for p in REGULAR]
         cells += [f"{self.seconds('remesh', p):.3f}" for p in REMESH]

@@ -17,7 +17,7 @@ class Cancel : public DaemonTest {
 
 TEST_F(Cancel, OfTheCallStopsTheComputation) {
   grpc::ClientContext context;
-  v1::RevisionReply reply;
+  v1::CreateRevisionResponse reply;
   grpc::Status status;
   std::thread client(
       [&] { status = stub().CreateRevision(&context, create_request(plate()), &reply); });
@@ -28,13 +28,13 @@ TEST_F(Cancel, OfTheCallStopsTheComputation) {
   // The gate stays closed: only the stop request can have ended it.
   EXPECT_TRUE(engine_.wait_stopped(1));
   EXPECT_EQ(engine_.made(), 0);
-  EXPECT_EQ(info().revisions(), 0U);
+  EXPECT_EQ(info().load().revisions(), 0U);
 }
 
 TEST_F(Cancel, ByDeadlineStopsTheComputation) {
   grpc::ClientContext context;
   context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(1));
-  v1::RevisionReply reply;
+  v1::CreateRevisionResponse reply;
   const auto status = stub().CreateRevision(&context, create_request(plate()), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::DEADLINE_EXCEEDED);
   EXPECT_TRUE(engine_.wait_stopped(1));
@@ -42,7 +42,8 @@ TEST_F(Cancel, ByDeadlineStopsTheComputation) {
 
 TEST_F(Cancel, OfOneOfTwoWhoWaitLeavesTheOtherItsRevision) {
   grpc::ClientContext impatient;
-  v1::RevisionReply first, second;
+  v1::CreateRevisionResponse first;
+  v1::RevisionResult second;
   std::thread one([&] {
     EXPECT_EQ(stub().CreateRevision(&impatient, create_request(plate()), &first).error_code(),
               StatusCode::CANCELLED);
@@ -59,19 +60,19 @@ TEST_F(Cancel, OfOneOfTwoWhoWaitLeavesTheOtherItsRevision) {
 TEST_F(Cancel, OfAWaitingRequestTakesItOutOfTheQueue) {
   options_.workers = 1;
   start();
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   std::thread busy([&] { EXPECT_TRUE(try_create(create_request(plate()), &reply).ok()); });
   ASSERT_TRUE(engine_.wait_at_gate(1));
   grpc::ClientContext context;
-  v1::RevisionReply none;
+  v1::CreateRevisionResponse none;
   std::thread waiting([&] {
     EXPECT_EQ(stub().CreateRevision(&context, create_request(plate(6)), &none).error_code(),
               StatusCode::CANCELLED);
   });
-  while (info().queued() == 0) std::this_thread::yield();
+  while (info().load().queued() == 0) std::this_thread::yield();
   context.TryCancel();
   waiting.join();
-  while (info().queued() != 0) std::this_thread::yield();
+  while (info().load().queued() != 0) std::this_thread::yield();
   engine_.open_gate();
   busy.join();
   EXPECT_EQ(engine_.started(), 1);
@@ -79,7 +80,7 @@ TEST_F(Cancel, OfAWaitingRequestTakesItOutOfTheQueue) {
 
 TEST_F(Cancel, LeavesTheSameRequestFreeToComeAgain) {
   grpc::ClientContext context;
-  v1::RevisionReply reply;
+  v1::CreateRevisionResponse reply;
   std::thread client(
       [&] { EXPECT_FALSE(stub().CreateRevision(&context, create_request(plate()), &reply).ok()); });
   ASSERT_TRUE(engine_.wait_at_gate(1));
@@ -91,7 +92,7 @@ TEST_F(Cancel, LeavesTheSameRequestFreeToComeAgain) {
 }
 
 TEST_F(Cancel, ShutdownAnswersWithUnavailableAndStopsComputations) {
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   grpc::Status status;
   std::thread client([&] { status = try_create(create_request(plate()), &reply); });
   ASSERT_TRUE(engine_.wait_at_gate(1));

@@ -84,8 +84,8 @@ class Connections : public DaemonTest {
         grpc::CreateCustomChannel(address, grpc::InsecureChannelCredentials(), arguments);
     if (keep != nullptr) *keep = channel;
     grpc::ClientContext context;
-    v1::ServerInfo reply;
-    return v1::Remesh::NewStub(channel)->GetServerInfo(&context, {}, &reply);
+    v1::GetServerInfoResponse reply;
+    return v1::RemeshService::NewStub(channel)->GetServerInfo(&context, {}, &reply);
   }
 };
 

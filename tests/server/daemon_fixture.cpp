@@ -9,6 +9,20 @@
 
 namespace remeshd::test {
 
+google::protobuf::Value& parameter(v1::FeatureModel& model, const std::string& name) {
+  for (v1::Parameter& each : *model.mutable_parameters())
+    if (each.name() == name) return *each.mutable_value();
+  model.add_parameters()->set_name(name);
+  return *model.mutable_parameters()->rbegin()->mutable_value();
+}
+
+google::protobuf::Value& parameter(v1::Feature& feature, const std::string& name) {
+  for (v1::FeatureParameter& each : *feature.mutable_parameters())
+    if (each.name() == name) return *each.mutable_value();
+  feature.add_parameters()->set_name(name);
+  return *feature.mutable_parameters()->rbegin()->mutable_value();
+}
+
 v1::FeatureModel plate(double r, double at, const std::string& name) {
   v1::FeatureModel model = parse_model(R"({
     "name": "", "unit": "mm", "parameters": {"r": 0, "at": 0},
@@ -18,8 +32,8 @@ v1::FeatureModel plate(double r, double at, const std::string& name) {
       {"id": "hole", "nature": "SUBTRACTIVE", "type": "cylinder",
        "parameters": {"radius": "r", "height": 10}, "placement": {"origin": ["at", 0, 0]}}]})");
   model.set_name(name);
-  (*model.mutable_parameters())["r"].set_number_value(r);
-  (*model.mutable_parameters())["at"].set_number_value(at);
+  parameter(model, "r").set_number_value(r);
+  parameter(model, "at").set_number_value(at);
   return model;
 }
 
@@ -61,7 +75,7 @@ void DaemonTest::start() {
   arguments.SetMaxSendMessageSize(-1);
   channel_ = grpc::CreateCustomChannel("127.0.0.1:" + std::to_string(daemon_->port()),
                                        grpc::InsecureChannelCredentials(), arguments);
-  stub_ = v1::Remesh::NewStub(channel_);
+  stub_ = v1::RemeshService::NewStub(channel_);
 }
 
 void DaemonTest::stop() {
@@ -95,70 +109,76 @@ v1::EditRevisionRequest DaemonTest::edit_request(const std::string& base,
 }
 
 grpc::Status DaemonTest::try_create(const v1::CreateRevisionRequest& request,
-                                    v1::RevisionReply* reply) {
+                                    v1::RevisionResult* reply) {
   grpc::ClientContext context;
-  return stub().CreateRevision(&context, request, reply);
+  v1::CreateRevisionResponse response;
+  const grpc::Status status = stub().CreateRevision(&context, request, &response);
+  *reply = response.result();
+  return status;
 }
 grpc::Status DaemonTest::try_edit(const v1::EditRevisionRequest& request,
-                                  v1::RevisionReply* reply) {
+                                  v1::RevisionResult* reply) {
   grpc::ClientContext context;
-  return stub().EditRevision(&context, request, reply);
+  v1::EditRevisionResponse response;
+  const grpc::Status status = stub().EditRevision(&context, request, &response);
+  *reply = response.result();
+  return status;
 }
 
-v1::RevisionReply DaemonTest::create(const v1::CreateRevisionRequest& request) {
-  v1::RevisionReply reply;
+v1::RevisionResult DaemonTest::create(const v1::CreateRevisionRequest& request) {
+  v1::RevisionResult reply;
   const grpc::Status status = try_create(request, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
   return reply;
 }
-v1::RevisionReply DaemonTest::edit(const v1::EditRevisionRequest& request) {
-  v1::RevisionReply reply;
+v1::RevisionResult DaemonTest::edit(const v1::EditRevisionRequest& request) {
+  v1::RevisionResult reply;
   const grpc::Status status = try_edit(request, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
   return reply;
 }
 
-v1::RevisionDescription DaemonTest::describe(const std::string& revision) {
+v1::GetRevisionResponse DaemonTest::describe(const std::string& revision) {
   grpc::ClientContext context;
-  v1::DescribeRevisionRequest request;
+  v1::GetRevisionRequest request;
   request.set_revision(revision);
-  v1::RevisionDescription reply;
-  const grpc::Status status = stub().DescribeRevision(&context, request, &reply);
+  v1::GetRevisionResponse reply;
+  const grpc::Status status = stub().GetRevision(&context, request, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
   return reply;
 }
 
-v1::ListRevisionsReply DaemonTest::list(const std::string& design) {
+v1::ListRevisionsResponse DaemonTest::list(const std::string& design) {
   grpc::ClientContext context;
   v1::ListRevisionsRequest request;
-  request.set_design(design);
-  v1::ListRevisionsReply reply;
+  request.mutable_filter()->set_design(design);
+  v1::ListRevisionsResponse reply;
   const grpc::Status status = stub().ListRevisions(&context, request, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
   return reply;
 }
 
 grpc::Status DaemonTest::remove(const std::string& revision, bool allow_head,
-                                v1::DeleteRevisionReply* reply) {
+                                v1::DeleteRevisionResponse* reply) {
   grpc::ClientContext context;
   v1::DeleteRevisionRequest request;
   request.set_revision(revision);
   request.set_allow_head(allow_head);
-  v1::DeleteRevisionReply unused;
+  v1::DeleteRevisionResponse unused;
   return stub().DeleteRevision(&context, request, reply != nullptr ? reply : &unused);
 }
 
 v1::ServerInfo DaemonTest::info() {
   grpc::ClientContext context;
-  v1::ServerInfo reply;
+  v1::GetServerInfoResponse reply;
   const grpc::Status status = stub().GetServerInfo(&context, {}, &reply);
   EXPECT_TRUE(status.ok()) << status.error_message();
-  return reply;
+  return reply.server();
 }
 
 bool DaemonTest::serves() {
   grpc::ClientContext context;
-  v1::ServerInfo reply;
+  v1::GetServerInfoResponse reply;
   return stub().GetServerInfo(&context, {}, &reply).ok();
 }
 
@@ -186,7 +206,7 @@ std::vector<v1::MeshMessage> DaemonTest::mesh(const v1::GetMeshRequest& request)
   grpc::ClientContext context;
   const auto reader = stub().GetMesh(&context, request);
   std::vector<v1::MeshMessage> messages;
-  for (v1::MeshMessage message; reader->Read(&message);) messages.push_back(message);
+  for (v1::GetMeshResponse part; reader->Read(&part);) messages.push_back(part.mesh());
   const grpc::Status status = reader->Finish();
   EXPECT_TRUE(status.ok()) << status.error_message();
   return messages;

@@ -17,6 +17,10 @@ namespace remeshd::test {
 
 namespace v1 = remesh::v1;
 
+/// The value of a parameter, which is added if it is not there.
+google::protobuf::Value& parameter(v1::FeatureModel& model, const std::string& name);
+google::protobuf::Value& parameter(v1::Feature& feature, const std::string& name);
+
 /// A plate with a hole of radius `r` at x = `at`.
 v1::FeatureModel plate(double r = 5, double at = 10, const std::string& name = "plate");
 /// The edit that sets a parameter of the model.
@@ -43,7 +47,7 @@ class DaemonTest : public testing::Test {
   /// Makes a fresh folder the store; gone after the test.
   void use_store();
 
-  v1::Remesh::Stub& stub() {
+  v1::RemeshService::Stub& stub() {
     if (!stub_) start();
     return *stub_;
   }
@@ -52,19 +56,19 @@ class DaemonTest : public testing::Test {
                                                   std::uint32_t nodes = 100);
   v1::EditRevisionRequest edit_request(const std::string& base, const v1::ModelEdit& edit);
 
-  grpc::Status try_create(const v1::CreateRevisionRequest& request, v1::RevisionReply* reply);
-  grpc::Status try_edit(const v1::EditRevisionRequest& request, v1::RevisionReply* reply);
+  grpc::Status try_create(const v1::CreateRevisionRequest& request, v1::RevisionResult* reply);
+  grpc::Status try_edit(const v1::EditRevisionRequest& request, v1::RevisionResult* reply);
   /// These fail the test on an error.
-  v1::RevisionReply create(const v1::CreateRevisionRequest& request);
-  v1::RevisionReply create(const v1::FeatureModel& model) { return create(create_request(model)); }
-  v1::RevisionReply edit(const v1::EditRevisionRequest& request);
-  v1::RevisionReply edit(const std::string& base, const v1::ModelEdit& changes) {
+  v1::RevisionResult create(const v1::CreateRevisionRequest& request);
+  v1::RevisionResult create(const v1::FeatureModel& model) { return create(create_request(model)); }
+  v1::RevisionResult edit(const v1::EditRevisionRequest& request);
+  v1::RevisionResult edit(const std::string& base, const v1::ModelEdit& changes) {
     return edit(edit_request(base, changes));
   }
-  v1::RevisionDescription describe(const std::string& revision);
-  v1::ListRevisionsReply list(const std::string& design = "");
+  v1::GetRevisionResponse describe(const std::string& revision);
+  v1::ListRevisionsResponse list(const std::string& design = "");
   grpc::Status remove(const std::string& revision, bool allow_head,
-                      v1::DeleteRevisionReply* reply = nullptr);
+                      v1::DeleteRevisionResponse* reply = nullptr);
   v1::ServerInfo info();
   /// All messages of a mesh.
   std::vector<v1::MeshMessage> mesh(const v1::GetMeshRequest& request);
@@ -78,7 +82,7 @@ class DaemonTest : public testing::Test {
   FakeEngine engine_;
   std::unique_ptr<Daemon> daemon_;
   std::shared_ptr<grpc::Channel> channel_;
-  std::unique_ptr<v1::Remesh::Stub> stub_;
+  std::unique_ptr<v1::RemeshService::Stub> stub_;
   std::filesystem::path folder_;
 };
 

@@ -26,11 +26,11 @@ TEST_F(Daemons, ServeInTheirOwnProcessWithoutAPort) {
   options_.listen.clear();
   Daemon daemon(options_, engine_.engine());
   EXPECT_EQ(daemon.port(), 0);
-  const auto stub = v1::Remesh::NewStub(daemon.in_process_channel());
+  const auto stub = v1::RemeshService::NewStub(daemon.in_process_channel());
   grpc::ClientContext context;
-  v1::RevisionReply reply;
+  v1::CreateRevisionResponse reply;
   EXPECT_TRUE(stub->CreateRevision(&context, create_request(plate()), &reply).ok());
-  EXPECT_EQ(reply.revision().nodes(), 100U);
+  EXPECT_EQ(reply.result().revision().nodes(), 100U);
 }
 
 TEST_F(Daemons, GiveTheSameBytesInTheirOwnProcessAsOverThePort) {
@@ -38,11 +38,11 @@ TEST_F(Daemons, GiveTheSameBytesInTheirOwnProcessAsOverThePort) {
   const auto over_port = create(plate());
   options_.listen.clear();
   Daemon daemon(options_, engine_.engine());
-  const auto stub = v1::Remesh::NewStub(daemon.in_process_channel());
+  const auto stub = v1::RemeshService::NewStub(daemon.in_process_channel());
   grpc::ClientContext context;
-  v1::RevisionReply reply;
+  v1::CreateRevisionResponse reply;
   ASSERT_TRUE(stub->CreateRevision(&context, create_request(plate()), &reply).ok());
-  EXPECT_EQ(reply.revision().id(), over_port.revision().id());
+  EXPECT_EQ(reply.result().revision().id(), over_port.revision().id());
 }
 
 TEST_F(Daemons, DoNotShareAPort) {
@@ -65,7 +65,7 @@ TEST_F(Daemons, AnswerTheHealthService) {
   start();
   std::string reply;
   // HealthCheckRequest.service is field 1; HealthCheckResponse.status is field 1, SERVING 1.
-  const std::string name = "remesh.v1.Remesh";
+  const std::string name = "remesh.v1.RemeshService";
   std::string request = "\x0a";
   request += static_cast<char>(name.size());
   request += name;
@@ -100,7 +100,7 @@ TEST_F(Daemons, ReflectTheirService) {
   grpc::Slice all;
   ASSERT_TRUE(answer.DumpToSingleSlice(&all).ok());
   EXPECT_THAT(std::string(reinterpret_cast<const char*>(all.begin()), all.size()),
-              HasSubstr("remesh.v1.Remesh"));
+              HasSubstr("remesh.v1.RemeshService"));
   call->WritesDone(nullptr);
   wait();
   grpc::Status status;
@@ -111,17 +111,18 @@ TEST_F(Daemons, ReflectTheirService) {
 TEST_F(Daemons, AnswerUnknownMethodsWithUnimplemented) {
   start();
   std::string reply;
-  EXPECT_EQ(call("/remesh.v1.Remesh/Nothing", "", &reply).error_code(),
+  EXPECT_EQ(call("/remesh.v1.RemeshService/Nothing", "", &reply).error_code(),
             grpc::StatusCode::UNIMPLEMENTED);
 }
 
 TEST_F(Daemons, SurviveBytesThatAreNoMessage) {
   start();
   std::string reply;
-  for (const char* method : {"CreateRevision", "EditRevision", "Compare", "DescribeRevision"}) {
-    const auto status = call(std::string("/remesh.v1.Remesh/") + method, "\xFF\xFF\xFF", &reply);
+  for (const char* method : {"CreateRevision", "EditRevision", "Compare", "GetRevision"}) {
+    const auto status =
+        call(std::string("/remesh.v1.RemeshService/") + method, "\xFF\xFF\xFF", &reply);
     EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << method;
-    EXPECT_EQ(detail(status).reason(), "MessageUnreadable");
+    EXPECT_EQ(detail(status).reason(), v1::Error::MESSAGE_UNREADABLE);
   }
   EXPECT_TRUE(serves());
 }
@@ -132,20 +133,25 @@ TEST_F(Daemons, TellTheirLimitsAndLoad) {
   const auto about = info();
   EXPECT_EQ(about.protocol(), "remesh.v1");
   EXPECT_EQ(about.algorithm_version(), engine_.engine().algorithm_version);
-  EXPECT_EQ(about.workers(), 2U);
-  EXPECT_EQ(about.threads(), 3U);
-  EXPECT_EQ(about.revisions(), 1U);
-  EXPECT_EQ(about.designs(), 1U);
-  EXPECT_EQ(about.cached_revisions(), 1U);
-  EXPECT_GT(about.cached_bytes(), 100U * 24);
-  EXPECT_EQ(about.cache_budget_bytes(), 123U << 20);
-  EXPECT_FALSE(about.persistent());
+  EXPECT_EQ(about.limits().workers(), 2U);
+  EXPECT_EQ(about.limits().threads(), 3U);
+  EXPECT_EQ(about.load().revisions(), 1U);
+  EXPECT_EQ(about.load().designs(), 1U);
+  EXPECT_EQ(about.load().cached_revisions(), 1U);
+  EXPECT_GT(about.load().memory_bytes(), 100U * 24);
+  EXPECT_EQ(about.limits().memory_bytes(), 123U << 20);
+  EXPECT_EQ(about.limits().connections(), 1024U);
+  EXPECT_EQ(about.limits().streams(), 256U);
+  EXPECT_EQ(about.limits().nodes(), 5000000U);
+  EXPECT_TRUE(about.ready());
+  EXPECT_EQ(about.load().disk_bytes(), 0U);
+  EXPECT_FALSE(about.load().persistent());
   EXPECT_FALSE(about.version().empty());
 }
 
 TEST_F(Daemons, TellFeatureTypes) {
   grpc::ClientContext context;
-  v1::ListFeatureTypesReply reply;
+  v1::ListFeatureTypesResponse reply;
   ASSERT_TRUE(stub().ListFeatureTypes(&context, {}, &reply).ok());
   ASSERT_EQ(reply.types_size(), 8);
   EXPECT_EQ(reply.types(0).name(), "block");
@@ -154,22 +160,23 @@ TEST_F(Daemons, TellFeatureTypes) {
 }
 
 TEST_F(Daemons, ValidateModelsAndEditsWithoutMeshing) {
-  v1::ValidateReply reply;
   {
     grpc::ClientContext context;
     v1::ValidateModelRequest request;
     *request.mutable_model() = plate();
+    v1::ValidateModelResponse reply;
     ASSERT_TRUE(stub().ValidateModel(&context, request, &reply).ok());
-    EXPECT_EQ(reply.volume(), 2000);
+    EXPECT_EQ(reply.check().volume(), 2000);
   }
+  v1::ValidateEditResponse reply;
   v1::ValidateEditRequest request;
-  *request.mutable_model() = plate();
+  *request.mutable_base_model() = plate();
   request.mutable_edit()->add_edits()->mutable_remove_feature()->set_feature("hole");
   {
     grpc::ClientContext context;
     ASSERT_TRUE(stub().ValidateEdit(&context, request, &reply).ok());
-    EXPECT_EQ(reply.volume(), 1000);
-    EXPECT_EQ(reply.model().features_size(), 1);
+    EXPECT_EQ(reply.check().volume(), 1000);
+    EXPECT_EQ(reply.check().model().features_size(), 1);
   }
   EXPECT_EQ(engine_.started(), 0);
   create(plate());
@@ -177,17 +184,17 @@ TEST_F(Daemons, ValidateModelsAndEditsWithoutMeshing) {
   {
     grpc::ClientContext context;
     ASSERT_TRUE(stub().ValidateEdit(&context, request, &reply).ok());
-    EXPECT_EQ(reply.volume(), 1000);
+    EXPECT_EQ(reply.check().volume(), 1000);
   }
   request.mutable_edit()->mutable_edits(0)->mutable_remove_feature()->set_feature("knob");
   grpc::ClientContext context;
-  EXPECT_EQ(detail(stub().ValidateEdit(&context, request, &reply)).feature(), "knob");
+  EXPECT_EQ(detail(stub().ValidateEdit(&context, request, &reply)).features(0), "knob");
   EXPECT_EQ(engine_.started(), 1);
 }
 
 TEST_F(Daemons, CompareRevisionsModelsAndEdits) {
   create(plate());
-  v1::Comparison reply;
+  v1::CompareResponse reply;
   v1::CompareRequest request;
   request.mutable_original()->set_revision("plate");
   request.mutable_modified()->mutable_edit()->add_edits()->mutable_remove_feature()->set_feature(
@@ -195,22 +202,22 @@ TEST_F(Daemons, CompareRevisionsModelsAndEdits) {
   {
     grpc::ClientContext context;
     ASSERT_TRUE(stub().Compare(&context, request, &reply).ok());
-    ASSERT_EQ(reply.features_size(), 1);
-    EXPECT_EQ(reply.features(0).id(), "plate");
-    EXPECT_EQ(reply.features(0).cells().at(".+"), 2);
-    EXPECT_EQ(reply.copycells(), 2);
-    EXPECT_EQ(reply.method(), "membership");
+    ASSERT_EQ(reply.comparison().features_size(), 1);
+    EXPECT_EQ(reply.comparison().features(0).id(), "plate");
+    EXPECT_EQ(reply.comparison().features(0).cells().at(".+"), 2);
+    EXPECT_EQ(reply.comparison().copycells(), 2);
+    EXPECT_EQ(reply.comparison().method(), "membership");
   }
   *request.mutable_modified()->mutable_model() = plate(7);
   {
     grpc::ClientContext context;
     ASSERT_TRUE(stub().Compare(&context, request, &reply).ok());
-    EXPECT_EQ(reply.features_size(), 2);
+    EXPECT_EQ(reply.comparison().features_size(), 2);
   }
   *request.mutable_original()->mutable_edit() = set("at", 3);
   {
     grpc::ClientContext context;
-    EXPECT_EQ(detail(stub().Compare(&context, request, &reply)).reason(), "SideInvalid");
+    EXPECT_EQ(detail(stub().Compare(&context, request, &reply)).reason(), v1::Error::SIDE_INVALID);
   }
   request.clear_original();
   grpc::ClientContext context;
@@ -225,7 +232,7 @@ TEST_F(Daemons, LogOneLineACallWithIdDurationAndStatus) {
   auto request = create_request(plate());
   request.set_request_id("try 7\nforged=line");
   create(request);
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   EXPECT_FALSE(try_edit(edit_request("plank", set("at", 1)), &reply).ok());
   stop();
   const std::string log = text.str();
@@ -233,7 +240,7 @@ TEST_F(Daemons, LogOneLineACallWithIdDurationAndStatus) {
   EXPECT_THAT(log, testing::ContainsRegex("call=[0-9]+ method=CreateRevision peer=[^ ]+ "
                                           "ms=[0-9.]+ status=OK request=try_7_forged=line"));
   EXPECT_THAT(log, HasSubstr("method=EditRevision"));
-  EXPECT_THAT(log, HasSubstr("status=NOT_FOUND reason=RevisionNotFound"));
+  EXPECT_THAT(log, HasSubstr("status=NOT_FOUND reason=REVISION_NOT_FOUND"));
 }
 
 TEST_F(Daemons, EndTwiceAsOnce) {

@@ -9,7 +9,7 @@ using testing::ElementsAre;
 
 class EditStreams : public DaemonTest {
  protected:
-  using Stream = grpc::ClientReaderWriterInterface<v1::EditStreamRequest, v1::EditStreamReply>;
+  using Stream = grpc::ClientReaderWriterInterface<v1::EditStreamRequest, v1::EditStreamResponse>;
 
   void open() {
     context_ = std::make_unique<grpc::ClientContext>();
@@ -35,8 +35,8 @@ class EditStreams : public DaemonTest {
     ASSERT_TRUE(stream_->Write(request));
   }
   /// The next reply that ends a request; progress on the way is gathered.
-  v1::EditStreamReply answer() {
-    v1::EditStreamReply reply;
+  v1::EditStreamResponse answer() {
+    v1::EditStreamResponse reply;
     while (stream_->Read(&reply)) {
       if (!reply.has_progress()) return reply;
       progress_.push_back(reply);
@@ -46,29 +46,29 @@ class EditStreams : public DaemonTest {
   }
   grpc::Status close() {
     stream_->WritesDone();
-    v1::EditStreamReply reply;
+    v1::EditStreamResponse reply;
     while (stream_->Read(&reply)) EXPECT_TRUE(reply.has_progress());
     return stream_->Finish();
   }
 
   std::unique_ptr<grpc::ClientContext> context_;
   std::unique_ptr<Stream> stream_;
-  std::vector<v1::EditStreamReply> progress_;
+  std::vector<v1::EditStreamResponse> progress_;
 };
 
 TEST_F(EditStreams, AnswersPipelinedEditsInOrderEachOnTheHeadThatTheLastLeft) {
   open();
   send_create("base", plate());
   for (int i = 0; i < 20; ++i) send_edit("edit" + std::to_string(i), 11 + i);
-  std::string head = answer().revision().revision().id();
+  std::string head = answer().result().revision().id();
   for (int i = 0; i < 20; ++i) {
     const auto reply = answer();
     EXPECT_EQ(reply.request_id(), "edit" + std::to_string(i));
-    EXPECT_EQ(reply.revision().request_id(), reply.request_id());
-    EXPECT_EQ(reply.revision().revision().parent(), head);
-    EXPECT_EQ(reply.revision().revision().number(), static_cast<std::uint32_t>(i + 2));
-    EXPECT_FALSE(reply.revision().head_moved());
-    head = reply.revision().revision().id();
+    EXPECT_EQ(reply.result().request_id(), reply.request_id());
+    EXPECT_EQ(reply.result().revision().parent(), head);
+    EXPECT_EQ(reply.result().revision().number(), static_cast<std::uint32_t>(i + 2));
+    EXPECT_FALSE(reply.result().head_conflict());
+    head = reply.result().revision().id();
   }
   EXPECT_TRUE(close().ok());
 }
@@ -97,16 +97,16 @@ TEST_F(EditStreams, ErrorsComeInBandAndTheStreamLivesOn) {
   ASSERT_TRUE(stream_->Write({}));  // neither edit nor create nor cancel
   send_edit("lost", 12, "plank");
   send_edit("right", 12);
-  EXPECT_TRUE(answer().has_revision());
+  EXPECT_TRUE(answer().has_result());
   const auto error = answer();
   EXPECT_EQ(error.request_id(), "wrong");
-  EXPECT_EQ(error.error().feature(), "knob");
+  EXPECT_EQ(error.error().features(0), "knob");
   EXPECT_EQ(error.error().edit_index(), 0U);
-  EXPECT_EQ(answer().error().code(), v1::Error::INVALID_ARGUMENT);
-  EXPECT_EQ(answer().error().code(), v1::Error::NOT_FOUND);
+  EXPECT_EQ(answer().error().code(), v1::Error::CODE_INVALID_ARGUMENT);
+  EXPECT_EQ(answer().error().code(), v1::Error::CODE_NOT_FOUND);
   const auto right = answer();
   EXPECT_EQ(right.request_id(), "right");
-  EXPECT_EQ(right.revision().revision().number(), 2U);
+  EXPECT_EQ(right.result().revision().number(), 2U);
   EXPECT_TRUE(close().ok());
 }
 
@@ -123,10 +123,10 @@ TEST_F(EditStreams, ARequestAtWorkIsCancelledByItsIdAndTheNextGoesOn) {
   engine_.open_gate();
   const auto cancelled = answer();
   EXPECT_EQ(cancelled.request_id(), "slow");
-  EXPECT_EQ(cancelled.error().code(), v1::Error::CANCELLED);
+  EXPECT_EQ(cancelled.error().code(), v1::Error::CODE_CANCELLED);
   const auto next = answer();
   EXPECT_EQ(next.request_id(), "next");
-  EXPECT_EQ(next.revision().revision().number(), 2U);
+  EXPECT_EQ(next.result().revision().number(), 2U);
   EXPECT_TRUE(close().ok());
 }
 
@@ -161,16 +161,16 @@ TEST_F(EditStreams, ALostCompareAndSetIsMarked) {
   send_edit("two", 12, "plate@1");
   const auto one = answer();
   const auto two = answer();
-  EXPECT_FALSE(one.revision().head_moved());
-  EXPECT_TRUE(two.revision().head_moved());
-  EXPECT_EQ(two.revision().head(), one.revision().revision().id());
+  EXPECT_FALSE(one.result().head_conflict());
+  EXPECT_TRUE(two.result().head_conflict());
+  EXPECT_EQ(two.result().head(), one.result().revision().id());
 }
 
 TEST_F(EditStreams, TheFirstEditMustNameItsBase) {
   create(plate());
   open();
   send_edit("homeless", 11);
-  EXPECT_EQ(answer().error().reason(), "RevisionMissing");
+  EXPECT_EQ(answer().error().reason(), v1::Error::REVISION_MISSING);
 }
 
 TEST_F(EditStreams, ClosingTheSendingSideLetsWhatWasSentFinish) {
@@ -178,8 +178,8 @@ TEST_F(EditStreams, ClosingTheSendingSideLetsWhatWasSentFinish) {
   send_create("base", plate());
   for (int i = 0; i < 5; ++i) send_edit(std::to_string(i), 11 + i);
   stream_->WritesDone();
-  for (int i = 0; i < 6; ++i) EXPECT_TRUE(answer().has_revision());
-  v1::EditStreamReply reply;
+  for (int i = 0; i < 6; ++i) EXPECT_TRUE(answer().has_result());
+  v1::EditStreamResponse reply;
   EXPECT_FALSE(stream_->Read(&reply));
   EXPECT_TRUE(stream_->Finish().ok());
 }
@@ -239,10 +239,10 @@ TEST_F(EditStreams, SeveralAtATimeDoNotMixTheirAnswers) {
       }
       stream->WritesDone();
       std::uint32_t number = 0;
-      for (v1::EditStreamReply reply; stream->Read(&reply);) {
+      for (v1::EditStreamResponse reply; stream->Read(&reply);) {
         if (reply.has_progress()) continue;
-        EXPECT_EQ(reply.revision().revision().design(), design);
-        EXPECT_EQ(reply.revision().revision().number(), ++number);
+        EXPECT_EQ(reply.result().revision().design(), design);
+        EXPECT_EQ(reply.result().revision().number(), ++number);
       }
       EXPECT_EQ(number, 11U);
       EXPECT_TRUE(stream->Finish().ok());

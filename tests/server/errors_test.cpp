@@ -14,7 +14,7 @@ class Errors : public DaemonTest {
  protected:
   /// The Error that a model is refused with; the daemon must serve on.
   v1::Error refused(const v1::FeatureModel& model, StatusCode code = StatusCode::INVALID_ARGUMENT) {
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     const auto status = try_create(create_request(model), &reply);
     EXPECT_EQ(status.error_code(), code) << status.error_message();
     EXPECT_TRUE(serves());
@@ -23,26 +23,26 @@ class Errors : public DaemonTest {
   v1::Error refused_edit(const v1::ModelEdit& changes,
                          StatusCode code = StatusCode::INVALID_ARGUMENT) {
     create(plate());
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     const auto status = try_edit(edit_request("plate", changes), &reply);
     EXPECT_EQ(status.error_code(), code) << status.error_message();
     EXPECT_TRUE(serves());
     return detail(status);
   }
-  static google::protobuf::Value& parameter(v1::FeatureModel& model, int feature,
-                                            const std::string& name) {
-    return (*model.mutable_features(feature)->mutable_parameters())[name];
+  static google::protobuf::Value& parameter_of(v1::FeatureModel& model, int feature,
+                                               const std::string& name) {
+    return parameter(*model.mutable_features(feature), name);
   }
 };
 
 TEST_F(Errors, NameFeatureAndParameterAndCarryAHint) {
   auto model = plate();
-  parameter(model, 1, "radius").set_number_value(-1);
+  parameter_of(model, 1, "radius").set_number_value(-1);
   const auto error = refused(model);
-  EXPECT_EQ(error.code(), v1::Error::INVALID_ARGUMENT);
-  EXPECT_EQ(error.feature(), "hole");
+  EXPECT_EQ(error.code(), v1::Error::CODE_INVALID_ARGUMENT);
+  EXPECT_EQ(error.features(0), "hole");
   EXPECT_EQ(error.parameter(), "radius");
-  EXPECT_FALSE(error.reason().empty());
+  EXPECT_EQ(error.reason(), v1::Error::DEGENERATE_FEATURE);
   EXPECT_FALSE(error.message().empty());
   EXPECT_FALSE(error.stage().empty());
 }
@@ -50,22 +50,22 @@ TEST_F(Errors, NameFeatureAndParameterAndCarryAHint) {
 TEST_F(Errors, ValuesThatNoDocumentCanHoldAreRefusedOnTheWire) {
   for (const double number : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     auto model = plate();
-    parameter(model, 1, "radius").set_number_value(number);
+    parameter_of(model, 1, "radius").set_number_value(number);
     const auto error = refused(model);
-    EXPECT_EQ(error.reason(), "NotFinite");
-    EXPECT_EQ(error.feature(), "hole");
+    EXPECT_EQ(error.reason(), v1::Error::NOT_FINITE);
+    EXPECT_EQ(error.features(0), "hole");
     EXPECT_EQ(error.parameter(), "radius");
   }
   auto model = plate();
-  parameter(model, 1, "radius").set_null_value({});
+  parameter_of(model, 1, "radius").set_null_value({});
   EXPECT_THAT(refused(model).message(), HasSubstr("null"));
-  parameter(model, 1, "radius").set_bool_value(true);
+  parameter_of(model, 1, "radius").set_bool_value(true);
   EXPECT_THAT(refused(model).message(), HasSubstr("true or false"));
-  parameter(model, 1, "radius").mutable_list_value();
+  parameter_of(model, 1, "radius").mutable_list_value();
   EXPECT_THAT(refused(model).message(), HasSubstr("a list"));
-  parameter(model, 1, "radius").clear_kind();
+  parameter_of(model, 1, "radius").clear_kind();
   EXPECT_THAT(refused(model).message(), HasSubstr("nothing"));
-  parameter(model, 1, "radius").set_string_value(std::string("r\0r", 3));
+  parameter_of(model, 1, "radius").set_string_value(std::string("r\0r", 3));
   EXPECT_THAT(refused(model).message(), HasSubstr("NUL"));
 
   model = plate();
@@ -88,8 +88,8 @@ TEST_F(Errors, ProfilesAreLookedAtEntryByEntry) {
   prism.set_id("rib");
   prism.set_nature(v1::Feature::ADDITIVE);
   prism.set_type("prism");
-  (*prism.mutable_parameters())["height"].set_number_value(1);
-  auto& profile = (*prism.mutable_parameters())["profile"];
+  parameter(prism, "height").set_number_value(1);
+  auto& profile = parameter(prism, "profile");
   profile.set_number_value(1);
   EXPECT_EQ(refused(model).parameter(), "profile");
   auto& entry = *profile.mutable_list_value()->add_values();
@@ -99,10 +99,10 @@ TEST_F(Errors, ProfilesAreLookedAtEntryByEntry) {
   EXPECT_EQ(refused(model).parameter(), "profile[0][1]");
   auto& arc = *entry.mutable_struct_value()->mutable_fields();
   arc["to"].mutable_list_value();
-  EXPECT_EQ(refused(model).reason(), "MissingField");
+  EXPECT_EQ(refused(model).reason(), v1::Error::MISSING_FIELD);
   arc["through"].mutable_list_value();
   arc["radius"].set_number_value(1);
-  EXPECT_EQ(refused(model).reason(), "UnknownField");
+  EXPECT_EQ(refused(model).reason(), v1::Error::UNKNOWN_FIELD);
 }
 
 TEST_F(Errors, ListsNestedAHundredThousandDeepOnTheWireAreAnsweredInWords) {
@@ -148,9 +148,10 @@ TEST_F(Errors, ListsNestedAHundredThousandDeepOnTheWireAreAnsweredInWords) {
   const std::string request = tagged('\x0a', tagged('\x1a', entry));
   for (const char* method : {"CreateRevision", "ValidateModel"}) {
     std::string reply;
-    const grpc::Status status = call(std::string("/remesh.v1.Remesh/") + method, request, &reply);
+    const grpc::Status status =
+        call(std::string("/remesh.v1.RemeshService/") + method, request, &reply);
     EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT) << status.error_message();
-    EXPECT_EQ(detail(status).reason(), "MessageUnreadable");
+    EXPECT_EQ(detail(status).reason(), v1::Error::MESSAGE_UNREADABLE);
     EXPECT_THAT(status.error_message(), HasSubstr("nested too deep"));
     EXPECT_TRUE(serves());
   }
@@ -158,26 +159,26 @@ TEST_F(Errors, ListsNestedAHundredThousandDeepOnTheWireAreAnsweredInWords) {
 
 TEST_F(Errors, SixtyListsInsideEachOtherAreAnsweredInWords) {
   auto model = plate();
-  auto* value = &parameter(model, 1, "radius");
+  auto* value = &parameter_of(model, 1, "radius");
   for (int i = 0; i < 60; ++i) value = value->mutable_list_value()->add_values();
   value->set_number_value(1);
-  EXPECT_EQ(refused(model).reason(), "MessageUnreadable");
+  EXPECT_EQ(refused(model).reason(), v1::Error::MESSAGE_UNREADABLE);
 }
 
 TEST_F(Errors, TenMegabytesAreRefusedInWords) {
   auto model = plate();
-  std::string& text = *parameter(model, 1, "radius").mutable_string_value();
+  std::string& text = *parameter_of(model, 1, "radius").mutable_string_value();
   text.resize(10'000'000, '1');
   const auto error = refused(model);
-  EXPECT_EQ(error.reason(), "MessageTooLarge");
+  EXPECT_EQ(error.reason(), v1::Error::MESSAGE_TOO_LARGE);
   EXPECT_THAT(error.message(), HasSubstr("8388608"));
 }
 
 TEST_F(Errors, TwentyMegabytesAreRefusedByGrpc) {
   auto model = plate();
-  std::string& text = *parameter(model, 1, "radius").mutable_string_value();
+  std::string& text = *parameter_of(model, 1, "radius").mutable_string_value();
   text.resize(20'000'000, '1');
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   const auto status = try_create(create_request(model), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(status.error_message(), HasSubstr("16777216"));
@@ -187,10 +188,10 @@ TEST_F(Errors, TwentyMegabytesAreRefusedByGrpc) {
 TEST_F(Errors, RequestIdsOfMoreThan128BytesAreRefusedAndNotEchoedWhole) {
   auto request = create_request(plate());
   request.set_request_id(std::string(129, 'x'));
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   auto status = try_create(request, &reply);
   EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(detail(status).reason(), "RequestIdTooLong");
+  EXPECT_EQ(detail(status).reason(), v1::Error::REQUEST_ID_TOO_LONG);
   EXPECT_EQ(detail(status).parameter(), "request_id");
   request.set_request_id(std::string(128, 'x'));
   EXPECT_EQ(create(request).request_id(), request.request_id());
@@ -205,9 +206,9 @@ TEST_F(Errors, RequestIdsOfMoreThan128BytesAreRefusedAndNotEchoedWhole) {
   *message.mutable_create() = request;
   message.mutable_create()->set_request_id(std::string(1'000'000, 'x'));
   ASSERT_TRUE(stream->Write(message));
-  v1::EditStreamReply answer;
+  v1::EditStreamResponse answer;
   ASSERT_TRUE(stream->Read(&answer));
-  EXPECT_EQ(answer.error().reason(), "RequestIdTooLong");
+  EXPECT_EQ(answer.error().reason(), v1::Error::REQUEST_ID_TOO_LONG);
   EXPECT_EQ(answer.request_id(), std::string(125, 'x') + "...");
   context.TryCancel();
   EXPECT_FALSE(stream->Finish().ok());
@@ -219,13 +220,13 @@ TEST_F(Errors, AnEditNamesItsIndexAndTheFeatureThatIsNotThere) {
   const auto error = refused_edit(changes, StatusCode::NOT_FOUND);
   EXPECT_TRUE(error.has_edit_index());
   EXPECT_EQ(error.edit_index(), 1U);
-  EXPECT_EQ(error.feature(), "knob");
+  EXPECT_EQ(error.features(0), "knob");
 
   v1::ModelEdit empty;
   empty.add_edits();
   EXPECT_EQ(refused_edit(empty).edit_index(), 0U);
   v1::ModelEdit nan = set("at", std::nan(""));
-  EXPECT_EQ(refused_edit(nan).reason(), "NotFinite");
+  EXPECT_EQ(refused_edit(nan).reason(), v1::Error::NOT_FINITE);
 }
 
 TEST_F(Errors, AModelThatIsEmptyAfterTheEditIsRefusedAndNothingIsLeftOfIt) {
@@ -234,7 +235,7 @@ TEST_F(Errors, AModelThatIsEmptyAfterTheEditIsRefusedAndNothingIsLeftOfIt) {
   refused_edit(changes);
   // The hole takes the whole plate: only the engine can find out.
   const auto error = refused_edit(set("r", 100), StatusCode::FAILED_PRECONDITION);
-  EXPECT_EQ(error.reason(), "EmptyModel");
+  EXPECT_EQ(error.reason(), v1::Error::EMPTY_MODEL);
   EXPECT_EQ(error.stage(), "cells");
   EXPECT_EQ(describe("plate").revision().number(), 1U);
   EXPECT_EQ(list().revisions_size(), 1);
@@ -244,7 +245,7 @@ TEST_F(Errors, OptionsOutOfRangeAreNamed) {
   const auto option = [&](auto&& change) {
     auto request = create_request(plate());
     change(*request.mutable_options());
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     const auto status = try_create(request, &reply);
     EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
     return detail(status).parameter();
@@ -269,8 +270,8 @@ TEST_F(Errors, AMeshThatCanNeverFitIsInvalidAndNotToBeTriedAgain) {
   change.set_name("dx");
   change.mutable_value()->set_number_value(1e9);
   const auto error = refused_edit(changes);
-  EXPECT_EQ(error.reason(), "MeshTooLarge");
-  EXPECT_EQ(error.feature(), "plate");
+  EXPECT_EQ(error.reason(), v1::Error::MESH_TOO_LARGE);
+  EXPECT_EQ(error.features(0), "plate");
   EXPECT_THAT(error.message(), HasSubstr("5000000"));
   EXPECT_FALSE(error.hint().empty());
   EXPECT_EQ(error.retry_after(), 0);
@@ -278,10 +279,10 @@ TEST_F(Errors, AMeshThatCanNeverFitIsInvalidAndNotToBeTriedAgain) {
 }
 
 TEST_F(Errors, MissingPartsOfRequestsAreNamed) {
-  v1::RevisionReply reply;
-  EXPECT_EQ(detail(try_create({}, &reply)).reason(), "MissingField");
+  v1::RevisionResult reply;
+  EXPECT_EQ(detail(try_create({}, &reply)).reason(), v1::Error::MISSING_FIELD);
   v1::EditRevisionRequest edit;
-  EXPECT_EQ(detail(try_edit(edit, &reply)).reason(), "MissingField");
+  EXPECT_EQ(detail(try_edit(edit, &reply)).reason(), v1::Error::MISSING_FIELD);
   *edit.mutable_edit() = set("at", 1);
   EXPECT_EQ(detail(try_edit(edit, &reply)).parameter(), "base");
 }
@@ -292,18 +293,24 @@ TEST_F(Errors, ABusyDaemonSaysWhenToTryAgain) {
   start();
   engine_.close_gate();
   std::vector<std::thread> clients;
-  std::vector<v1::RevisionReply> replies(2);
+  std::vector<v1::RevisionResult> replies(2);
   clients.emplace_back(
       [&] { EXPECT_TRUE(try_create(create_request(plate(1)), &replies[0]).ok()); });
   ASSERT_TRUE(engine_.wait_at_gate(1));
   clients.emplace_back(
       [&] { EXPECT_TRUE(try_create(create_request(plate(2)), &replies[1]).ok()); });
-  while (info().queued() == 0) std::this_thread::yield();
-  v1::RevisionReply reply;
-  const auto status = try_create(create_request(plate(3)), &reply);
+  while (info().load().queued() == 0) std::this_thread::yield();
+  grpc::ClientContext context;
+  v1::CreateRevisionResponse reply;
+  const auto status = stub().CreateRevision(&context, create_request(plate(3)), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(detail(status).reason(), "Busy");
+  EXPECT_EQ(detail(status).reason(), v1::Error::BUSY);
   EXPECT_GT(detail(status).retry_after(), 0);
+  const auto& trailing = context.GetServerTrailingMetadata();
+  const auto pushback = trailing.find("grpc-retry-pushback-ms");
+  ASSERT_NE(pushback, trailing.end());
+  EXPECT_EQ(std::stod(std::string(pushback->second.data(), pushback->second.size())),
+            std::ceil(1000 * detail(status).retry_after()));
   engine_.open_gate();
   for (auto& client : clients) client.join();
 }
@@ -313,12 +320,12 @@ TEST_F(Errors, WhoWaitsTooLongIsRefused) {
   options_.queue_wait = 0.05;
   start();
   engine_.close_gate();
-  v1::RevisionReply first, second;
+  v1::RevisionResult first, second;
   std::thread client([&] { EXPECT_TRUE(try_create(create_request(plate(1)), &first).ok()); });
   ASSERT_TRUE(engine_.wait_at_gate(1));
   const auto status = try_create(create_request(plate(2)), &second);
   EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(detail(status).reason(), "WaitedTooLong");
+  EXPECT_EQ(detail(status).reason(), v1::Error::WAITED_TOO_LONG);
   engine_.open_gate();
   client.join();
 }
@@ -326,10 +333,10 @@ TEST_F(Errors, WhoWaitsTooLongIsRefused) {
 TEST_F(Errors, WithoutAStoreFullMemoryRefusesNewRevisionsAndDeletingHelps) {
   options_.memory = 20000;
   create(create_request(plate(1), 1000));
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   const auto status = try_create(create_request(plate(2), 1000), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(detail(status).reason(), "MemoryFull");
+  EXPECT_EQ(detail(status).reason(), v1::Error::MEMORY_FULL);
   ASSERT_TRUE(remove("plate", true).ok());
   EXPECT_EQ(create(create_request(plate(2), 1000)).revision().number(), 2U);
 }
@@ -337,7 +344,7 @@ TEST_F(Errors, WithoutAStoreFullMemoryRefusesNewRevisionsAndDeletingHelps) {
 TEST_F(Errors, StayBelowFourKilobytesWhateverTheyQuote) {
   auto model = plate();
   model.mutable_features(1)->set_id(std::string(100000, 'x') + "\xC3\xA4");
-  v1::RevisionReply reply;
+  v1::RevisionResult reply;
   const auto status = try_create(create_request(model), &reply);
   EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
   EXPECT_LT(status.error_details().size(), 4096U);

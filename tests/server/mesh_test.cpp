@@ -14,10 +14,20 @@ v1::GetMeshRequest all_of(const std::string& revision) {
   return request;
 }
 
+/// SHA-256 over the SHA-256s of blocks of 16 KiB, as mesh.proto has it.
+std::string block_digest(const std::string& data) {
+  Sha256 whole;
+  for (std::size_t at = 0; at < data.size(); at += 16384) {
+    Sha256 block;
+    block.update(std::string_view(data).substr(at, 16384));
+    whole.update(block.finish());
+  }
+  return to_hex(whole.finish());
+}
+
 /// The arrays of a stream by name, put together from its parts, which are checked on the way.
 std::map<v1::MeshArray, std::string> assemble(const std::vector<v1::MeshMessage>& messages) {
   std::map<v1::MeshArray, std::string> arrays;
-  Sha256 sum;
   std::uint64_t bytes = 0;
   std::uint32_t parts = 0;
   EXPECT_TRUE(messages.front().has_header());
@@ -29,15 +39,18 @@ std::map<v1::MeshArray, std::string> assemble(const std::vector<v1::MeshMessage>
     EXPECT_EQ(part.offset(), arrays[part.array()].size());
     EXPECT_EQ(part.crc32c(), crc32c(part.data()));
     arrays[part.array()] += part.data();
-    sum.update(part.data());
     bytes += part.data().size();
     ++parts;
   }
-  EXPECT_EQ(messages.back().end().sha256(), sum.finish());
   EXPECT_EQ(messages.back().end().bytes(), bytes);
   EXPECT_EQ(messages.back().end().parts(), parts);
-  for (const auto& array : messages.front().header().arrays())
-    EXPECT_EQ(arrays[array.array()].size(), array.bytes()) << array.array();
+  for (const auto& array : messages.front().header().arrays()) {
+    const std::string& data = arrays[array.array()];
+    EXPECT_EQ(data.size(), array.bytes()) << array.array();
+    EXPECT_EQ(array.data_bytes(), array.bytes());
+    EXPECT_EQ(array.encoding(), v1::MeshHeader::ENCODING_WHOLE);
+    EXPECT_EQ(array.digest(), block_digest(data)) << array.array();
+  }
   return arrays;
 }
 
@@ -60,35 +73,39 @@ TEST_F(Mesh, ComesAsHeaderPartsAndEndWithEveryArray) {
   EXPECT_EQ(header.facets(), 2U);
 
   auto arrays = assemble(messages);
-  EXPECT_EQ(arrays.size(), 14U);
-  EXPECT_EQ(values<double>(arrays[v1::NODES]).size(), 300U);
-  EXPECT_EQ(values<std::int32_t>(arrays[v1::TETS])[5], 2);  // second tet: 1 2 3 4
-  EXPECT_EQ(values<std::uint64_t>(arrays[v1::NODE_IDS])[7], 1007U);
-  EXPECT_EQ(values<std::int32_t>(arrays[v1::FACETS]),
-            (std::vector<std::int32_t>{0, 1, 2, 0, 0, 1, 2, 3, 0, 1}));
-  EXPECT_EQ(arrays[v1::FACET_GROUPS], "plate.top\nhole.wall plate.top\n");
-  EXPECT_EQ(arrays[v1::CELL_OWNERS], "plate hole\n");
-  EXPECT_EQ(arrays[v1::NODE_ORIGINS].substr(0, 4), std::string("\1\0\1\0", 4));
-  EXPECT_EQ(values<std::int32_t>(arrays[v1::ORIGINAL_NODES])[1], -1);
-  const auto transforms = values<double>(arrays[v1::TRANSFORMS]);
+  EXPECT_EQ(arrays.size(), 16U);
+  EXPECT_EQ(values<double>(arrays[v1::MESH_ARRAY_NODES]).size(), 300U);
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::MESH_ARRAY_TETS])[5], 2);  // second tet: 1 2 3 4
+  EXPECT_EQ(values<std::uint64_t>(arrays[v1::MESH_ARRAY_NODE_IDS])[7], 1007U);
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::MESH_ARRAY_FACETS]),
+            (std::vector<std::int32_t>{0, 1, 2, 1, 2, 3}));
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::MESH_ARRAY_FACET_TETS]),
+            (std::vector<std::int32_t>{0, 0}));
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::MESH_ARRAY_FACET_GROUP]),
+            (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(arrays[v1::MESH_ARRAY_FACET_GROUPS], "plate.top\nhole.wall plate.top\n");
+  EXPECT_EQ(arrays[v1::MESH_ARRAY_CELL_OWNERS], "plate hole\n");
+  EXPECT_EQ(arrays[v1::MESH_ARRAY_NODE_ORIGINS].substr(0, 4), std::string("\1\0\1\0", 4));
+  EXPECT_EQ(values<std::int32_t>(arrays[v1::MESH_ARRAY_ORIGINAL_NODES])[1], -1);
+  const auto transforms = values<double>(arrays[v1::MESH_ARRAY_TRANSFORMS]);
   ASSERT_EQ(transforms.size(), 24U);
   EXPECT_EQ(transforms[23], 3);  // the third row's translation of the second one
-  EXPECT_EQ(arrays[v1::TRANSFORM_FEATURES], "plate\nrib\n");
+  EXPECT_EQ(arrays[v1::MESH_ARRAY_TRANSFORM_FEATURES], "plate\nrib\n");
 }
 
 TEST_F(Mesh, LargerThanAMessageComesInSeveralParts) {
   create(create_request(plate(), 200000));
   const auto messages = mesh(all_of("plate"));
   auto arrays = assemble(messages);
-  EXPECT_EQ(arrays[v1::NODES].size(), 200000U * 24);
+  EXPECT_EQ(arrays[v1::MESH_ARRAY_NODES].size(), 200000U * 24);
   EXPECT_GT(messages.size(), 15U);
 }
 
 TEST_F(Mesh, ComesInTheArraysAskedForAlone) {
   create(plate());
   auto request = all_of("plate");
-  request.add_arrays(v1::TETS);
-  request.add_arrays(v1::NODES);
+  request.mutable_selection()->add_arrays(v1::MESH_ARRAY_TETS);
+  request.mutable_selection()->add_arrays(v1::MESH_ARRAY_NODES);
   const auto arrays = assemble(mesh(request));
   EXPECT_EQ(arrays.size(), 2U);
 }
@@ -102,13 +119,13 @@ TEST_F(Mesh, OfAnUnknownRevisionOrArrayIsAnError) {
   create(plate());
   auto request = all_of("plank");
   grpc::ClientContext first;
-  v1::MeshMessage message;
+  v1::GetMeshResponse message;
   auto reader = stub().GetMesh(&first, request);
   EXPECT_FALSE(reader->Read(&message));
-  EXPECT_EQ(detail(reader->Finish()).reason(), "RevisionNotFound");
+  EXPECT_EQ(detail(reader->Finish()).reason(), v1::Error::REVISION_NOT_FOUND);
 
   request.set_revision("plate");
-  request.add_arrays(static_cast<v1::MeshArray>(99));
+  request.mutable_selection()->add_arrays(static_cast<v1::MeshArray>(99));
   grpc::ClientContext second;
   reader = stub().GetMesh(&second, request);
   EXPECT_FALSE(reader->Read(&message));
@@ -120,7 +137,7 @@ TEST_F(Mesh, LeftInTheMiddleDoesNotDisturbTheDaemon) {
   {
     grpc::ClientContext context;
     auto reader = stub().GetMesh(&context, all_of("plate"));
-    v1::MeshMessage message;
+    v1::GetMeshResponse message;
     ASSERT_TRUE(reader->Read(&message));
     context.TryCancel();
   }

@@ -25,14 +25,14 @@ class FailingEngine : public DaemonTest {
     create(plate());
     fail_ = throwing_;
     start();
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     statuses_.push_back(try_create(create_request(plate(6)), &reply));
     {
       grpc::ClientContext context;
       v1::CompareRequest request;
       *request.mutable_original()->mutable_model() = plate();
       *request.mutable_modified()->mutable_model() = plate(6);
-      v1::Comparison comparison;
+      v1::CompareResponse comparison;
       statuses_.push_back(stub().Compare(&context, request, &comparison));
     }
     {
@@ -40,7 +40,7 @@ class FailingEngine : public DaemonTest {
       v1::GetMeshRequest request;
       request.set_revision("plate");
       const auto reader = stub().GetMesh(&context, request);
-      v1::MeshMessage message;
+      v1::GetMeshResponse message;
       EXPECT_FALSE(reader->Read(&message));
       statuses_.push_back(reader->Finish());
     }
@@ -50,7 +50,7 @@ class FailingEngine : public DaemonTest {
     *request.mutable_create() = create_request(plate(7));
     EXPECT_TRUE(stream->Write(request));
     stream->WritesDone();
-    for (v1::EditStreamReply part; stream->Read(&part);)
+    for (v1::EditStreamResponse part; stream->Read(&part);)
       if (part.has_error()) in_band_ = part.error();
     EXPECT_TRUE(stream->Finish().ok());
     EXPECT_TRUE(serves());
@@ -66,10 +66,10 @@ TEST_F(FailingEngine, WithoutMemoryIsToldAsResourceExhausted) {
   call_all();
   for (const grpc::Status& status : statuses_) {
     EXPECT_EQ(status.error_code(), StatusCode::RESOURCE_EXHAUSTED) << status.error_message();
-    EXPECT_EQ(detail(status).reason(), "OutOfMemory");
+    EXPECT_EQ(detail(status).reason(), v1::Error::OUT_OF_MEMORY);
   }
-  EXPECT_EQ(in_band_.code(), v1::Error::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(in_band_.reason(), "OutOfMemory");
+  EXPECT_EQ(in_band_.code(), v1::Error::CODE_RESOURCE_EXHAUSTED);
+  EXPECT_EQ(in_band_.reason(), v1::Error::OUT_OF_MEMORY);
 }
 
 TEST_F(FailingEngine, ByWhatIsNoExceptionClassIsToldAsInternal) {
@@ -77,7 +77,7 @@ TEST_F(FailingEngine, ByWhatIsNoExceptionClassIsToldAsInternal) {
   call_all();
   for (const grpc::Status& status : statuses_)
     EXPECT_EQ(status.error_code(), StatusCode::INTERNAL) << status.error_message();
-  EXPECT_EQ(in_band_.code(), v1::Error::INTERNAL);
+  EXPECT_EQ(in_band_.code(), v1::Error::CODE_INTERNAL);
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ class Persistence : public DaemonTest {
   }
   v1::Error describe_error(const std::string& revision) {
     grpc::ClientContext context;
-    v1::DescribeRevisionRequest request;
+    v1::GetRevisionRequest request;
     request.set_revision(revision);
-    v1::RevisionDescription reply;
-    return detail(stub().DescribeRevision(&context, request, &reply));
+    v1::GetRevisionResponse reply;
+    return detail(stub().GetRevision(&context, request, &reply));
   }
   std::string journal() const {
     std::ifstream in(folder_ / "journal.a", std::ios::binary);
@@ -56,13 +56,14 @@ TEST_F(Persistence, RevisionsDesignsAndMeshesAreThereAfterARestartToTheByte) {
   EXPECT_EQ(engine_.loaded(), 0);
   EXPECT_EQ(list().SerializeAsString(), listed);
   EXPECT_TRUE(MessageDifferencer::Equals(describe("plate"), [&] {
-    v1::RevisionDescription before;
+    v1::GetRevisionResponse before;
     before.ParseFromString(described);
     return before;
   }()));
   EXPECT_TRUE(mesh_bytes("plate") == bytes);
   EXPECT_EQ(engine_.made(), 2);
-  EXPECT_TRUE(info().persistent());
+  EXPECT_TRUE(info().load().persistent());
+  EXPECT_GT(info().load().disk_bytes(), 2U * 100 * 24);
 }
 
 TEST_F(Persistence, AStoredAnswerIsTheCachedOneOfBefore) {
@@ -91,8 +92,8 @@ TEST_F(Persistence, RevisionsBeyondTheMemoryBudgetGoToTheStoreAndComeBack) {
   std::vector<std::string> ids;
   for (int i = 0; i < 5; ++i)
     ids.push_back(create(create_request(plate(1 + i), 1000)).revision().id());
-  EXPECT_LT(info().cached_revisions(), 5U);
-  EXPECT_LE(info().cached_bytes(), 200000U);
+  EXPECT_LT(info().load().cached_revisions(), 5U);
+  EXPECT_LE(info().load().memory_bytes(), 200000U);
   for (const auto& id : ids) EXPECT_EQ(describe(id).revision().id(), id);
   EXPECT_GT(engine_.loaded(), 0);
   EXPECT_EQ(engine_.made(), 5);
@@ -107,8 +108,8 @@ TEST_F(Persistence, ADamagedFileIsNoticedAndTheRequestThatMadeItHealsIt) {
     stop();
     flip_byte(packs()[0], at);
     const auto error = describe_error("plate");
-    EXPECT_EQ(error.reason(), "StoreCorrupted");
-    EXPECT_EQ(error.code(), v1::Error::INTERNAL);
+    EXPECT_EQ(error.reason(), v1::Error::STORE_CORRUPTED);
+    EXPECT_EQ(error.code(), v1::Error::CODE_INTERNAL);
     const auto again = create(plate());
     EXPECT_FALSE(again.report().cached());
     EXPECT_EQ(again.revision().number(), 1U);
@@ -123,7 +124,7 @@ TEST_F(Persistence, AMissingFileIsNoticed) {
   create(plate());
   stop();
   fs::remove(packs()[0]);
-  EXPECT_EQ(describe_error("plate").reason(), "StoreCorrupted");
+  EXPECT_EQ(describe_error("plate").reason(), v1::Error::STORE_CORRUPTED);
   EXPECT_TRUE(serves());
 }
 
@@ -172,7 +173,7 @@ TEST_F(Persistence, OneProcessAtATimeHasAStore) {
     const Daemon second(options_, engine_.engine());
     FAIL() << "two daemons share a store";
   } catch (const Error& error) {
-    EXPECT_EQ(error.info().reason, "StoreLocked");
+    EXPECT_EQ(error.info().reason, "STORE_LOCKED");
   }
 }
 

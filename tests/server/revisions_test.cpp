@@ -25,7 +25,7 @@ TEST_F(Revisions, AFirstMeshIsNumberOneAndHeadOfTheDesignNamedLikeTheModel) {
   EXPECT_EQ(reply.report().revision(), reply.revision().id());
   EXPECT_EQ(reply.report().nodes(), 100U);
   EXPECT_FALSE(reply.report().cached());
-  EXPECT_FALSE(reply.head_moved());
+  EXPECT_FALSE(reply.head_conflict());
   EXPECT_GT(reply.revision().created().seconds(), 1600000000);
 }
 
@@ -50,7 +50,7 @@ TEST_F(Revisions, TheSameRequestAgainComputesNothingMakesNoNumberAndGivesTheSame
 TEST_F(Revisions, IdenticalRequestsAtTheSameTimeComputeOnce) {
   start();
   engine_.close_gate();
-  std::vector<v1::RevisionReply> replies(8);
+  std::vector<v1::RevisionResult> replies(8);
   std::vector<std::thread> clients;
   for (auto& reply : replies)
     clients.emplace_back([&] { EXPECT_TRUE(try_create(create_request(plate()), &reply).ok()); });
@@ -81,7 +81,7 @@ TEST_F(Revisions, OptionsSeedAndModelAsWrittenChangeTheIdThreadsDoNot) {
   EXPECT_NE(create(request).revision().id(), id);
   // The same shape written otherwise is another document to edit.
   auto written_otherwise = plate();
-  (*written_otherwise.mutable_features(1)->mutable_parameters())["radius"].set_number_value(5);
+  parameter(*written_otherwise.mutable_features(1), "radius").set_number_value(5);
   EXPECT_NE(create(written_otherwise).revision().id(), id);
 }
 
@@ -130,8 +130,12 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   // The density is inherited, not the count.
   EXPECT_EQ(description.options().target_case(), v1::MeshOptions::kSize);
   EXPECT_EQ(description.options().size(), 2.5);
-  EXPECT_EQ(description.model().parameters().at("at").number_value(), 12);
-  EXPECT_EQ(describe("plate@1").model().parameters().at("at").number_value(), 10);
+  const auto at = [this](const std::string& revision) {
+    auto model = describe(revision).model();
+    return parameter(model, "at").number_value();
+  };
+  EXPECT_EQ(at("plate@2"), 12);
+  EXPECT_EQ(at("plate@1"), 10);
   EXPECT_THAT(describe("plate@1").children(), ElementsAre(child.revision().id()));
 }
 
@@ -160,7 +164,7 @@ TEST_F(Revisions, ABaseIsADesignANumberAnIdOrAPrefixOfEightDigits) {
                                                        {id.substr(0, 7), StatusCode::NOT_FOUND},
                                                        {id + "0", StatusCode::NOT_FOUND},
                                                        {"", StatusCode::INVALID_ARGUMENT}}) {
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     const auto status = try_edit(edit_request(name, set("at", 12)), &reply);
     EXPECT_EQ(status.error_code(), code) << name;
     EXPECT_FALSE(detail(status).hint().empty() && name != "plank@1") << name;
@@ -169,13 +173,13 @@ TEST_F(Revisions, ABaseIsADesignANumberAnIdOrAPrefixOfEightDigits) {
 
 TEST_F(Revisions, ALineSearchTriesEditsOnOneBaseAndKeepsOne) {
   const std::string base = create(plate()).revision().id();
-  std::vector<v1::RevisionReply> tries;
+  std::vector<v1::RevisionResult> tries;
   for (const double at : {11.0, 12.0, 13.0}) {
     auto request = edit_request(base, set("at", at));
     request.mutable_head()->set_advance(false);
     tries.push_back(edit(request));
     EXPECT_EQ(tries.back().head(), base);
-    EXPECT_FALSE(tries.back().head_moved());
+    EXPECT_FALSE(tries.back().head_conflict());
     EXPECT_FALSE(tries.back().revision().head());
   }
   const auto kept = edit(base, set("at", 12));
@@ -189,13 +193,13 @@ TEST_F(Revisions, ALostCompareAndSetStillGivesTheRevisionAndTheHead) {
   const std::string base = create(plate()).revision().id();
   const auto winner = edit(base, set("at", 11));
   const auto loser = edit(base, set("at", 12));
-  EXPECT_FALSE(winner.head_moved());
-  EXPECT_TRUE(loser.head_moved());
+  EXPECT_FALSE(winner.head_conflict());
+  EXPECT_TRUE(loser.head_conflict());
   EXPECT_EQ(loser.head(), winner.revision().id());
   EXPECT_EQ(loser.head_number(), 2U);
   EXPECT_EQ(loser.revision().number(), 3U);
   // The winner asking again has what it wants.
-  EXPECT_FALSE(edit(base, set("at", 11)).head_moved());
+  EXPECT_FALSE(edit(base, set("at", 11)).head_conflict());
 }
 
 TEST_F(Revisions, AFirstMeshSentAgainDoesNotTakeTheHeadBack) {
@@ -203,9 +207,14 @@ TEST_F(Revisions, AFirstMeshSentAgainDoesNotTakeTheHeadBack) {
   const auto child = edit("plate", set("at", 11));
   const auto again = create(plate());
   EXPECT_EQ(again.head(), child.revision().id());
-  EXPECT_FALSE(again.head_moved());
-  // Unless it says what it expects.
+  EXPECT_FALSE(again.head_conflict());
+  // Unless it asks for it.
   auto request = create_request(plate());
+  request.mutable_head()->set_expected(again.revision().id());
+  request.mutable_head()->set_advance(true);
+  const auto lost = create(request);
+  EXPECT_EQ(lost.head(), child.revision().id());
+  EXPECT_TRUE(lost.head_conflict());
   request.mutable_head()->set_expected(child.revision().id());
   EXPECT_EQ(create(request).head(), again.revision().id());
 }
@@ -231,10 +240,10 @@ TEST_F(Revisions, NamesOfDesignsAreChecked) {
        {std::string("a@b"), std::string("a\nb"), std::string(129, 'x'), std::string(64, 'a')}) {
     auto request = create_request(plate());
     request.set_design(name);
-    v1::RevisionReply reply;
+    v1::RevisionResult reply;
     const auto status = try_create(request, &reply);
     EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
-    EXPECT_EQ(detail(status).reason(), "DesignNameInvalid");
+    EXPECT_EQ(detail(status).reason(), v1::Error::DESIGN_NAME_INVALID);
   }
 }
 
@@ -244,8 +253,8 @@ TEST_F(Revisions, AHeadIsDeletedOnlyIfThatIsAllowedAndTheGreatestNumberLeftFollo
   edit("plate", set("at", 12));
   const auto refused = remove("plate", false);
   EXPECT_EQ(refused.error_code(), StatusCode::FAILED_PRECONDITION);
-  EXPECT_EQ(detail(refused).reason(), "HeadProtected");
-  v1::DeleteRevisionReply removed;
+  EXPECT_EQ(detail(refused).reason(), v1::Error::HEAD_PROTECTED);
+  v1::DeleteRevisionResponse removed;
   ASSERT_TRUE(remove("plate", true, &removed).ok());
   EXPECT_TRUE(removed.mesh_deleted());
   EXPECT_EQ(removed.removed(0).number(), 3U);
@@ -256,8 +265,9 @@ TEST_F(Revisions, NumbersAreNeverReusedNotEvenInAnEmptiedDesign) {
   create(plate());
   ASSERT_TRUE(remove("plate", true).ok());
   EXPECT_EQ(list().revisions_size(), 0);
-  v1::RevisionReply none;
-  EXPECT_EQ(detail(try_edit(edit_request("plate", set("at", 1)), &none)).reason(), "DesignEmpty");
+  v1::RevisionResult none;
+  EXPECT_EQ(detail(try_edit(edit_request("plate", set("at", 1)), &none)).reason(),
+            v1::Error::DESIGN_EMPTY);
   EXPECT_EQ(create(plate()).revision().number(), 2U);
   EXPECT_EQ(engine_.made(), 2);
 }
@@ -275,17 +285,17 @@ TEST_F(Revisions, ANumberIsTakenOutOfItsDesignAloneAnIdOutOfAll) {
   auto request = create_request(plate());
   request.set_design("other");
   const std::string id = create(request).revision().id();
-  v1::DeleteRevisionReply removed;
+  v1::DeleteRevisionResponse removed;
   ASSERT_TRUE(remove("plate@1", true, &removed).ok());
   EXPECT_FALSE(removed.mesh_deleted());
   EXPECT_EQ(describe(id).places_size(), 1);
   ASSERT_TRUE(remove(id, true, &removed).ok());
   EXPECT_TRUE(removed.mesh_deleted());
   grpc::ClientContext context;
-  v1::DescribeRevisionRequest gone;
+  v1::GetRevisionRequest gone;
   gone.set_revision(id);
-  v1::RevisionDescription reply;
-  EXPECT_EQ(stub().DescribeRevision(&context, gone, &reply).error_code(), StatusCode::NOT_FOUND);
+  v1::GetRevisionResponse reply;
+  EXPECT_EQ(stub().GetRevision(&context, gone, &reply).error_code(), StatusCode::NOT_FOUND);
 }
 
 TEST_F(Revisions, ListsComeInPagesByDesignAndNumber) {
@@ -297,7 +307,7 @@ TEST_F(Revisions, ListsComeInPagesByDesignAndNumber) {
   request.set_page_size(2);
   do {
     grpc::ClientContext context;
-    v1::ListRevisionsReply reply;
+    v1::ListRevisionsResponse reply;
     ASSERT_TRUE(stub().ListRevisions(&context, request, &reply).ok());
     EXPECT_LE(reply.revisions_size(), 2);
     for (const auto& row : reply.revisions())
@@ -307,7 +317,7 @@ TEST_F(Revisions, ListsComeInPagesByDesignAndNumber) {
   EXPECT_THAT(seen, ElementsAre("a@1*", "b@1", "b@2", "b@3", "b@4*"));
 
   grpc::ClientContext context;
-  v1::ListRevisionsReply reply;
+  v1::ListRevisionsResponse reply;
   request.set_page_token("nonsense");
   EXPECT_EQ(stub().ListRevisions(&context, request, &reply).error_code(),
             StatusCode::INVALID_ARGUMENT);
@@ -318,7 +328,7 @@ TEST_F(Revisions, DesignsTellTheirHeadAndNextNumber) {
   const auto child = edit("b", set("at", 11));
   create(plate(5, 10, "a"));
   grpc::ClientContext context;
-  v1::ListDesignsReply reply;
+  v1::ListDesignsResponse reply;
   ASSERT_TRUE(stub().ListDesigns(&context, {}, &reply).ok());
   ASSERT_EQ(reply.designs_size(), 2);
   EXPECT_EQ(reply.designs(0).name(), "a");

@@ -75,6 +75,13 @@ TEST(HeldRevisions, InsertedAgainCountOnce) {
   EXPECT_EQ(held.bytes(), bytes);
 }
 
+TEST(HeldRevisions, TheDocumentOfAnEditCounts) {
+  const HeldRevisionPtr plain = revision("a", 10);
+  auto edited = std::make_shared<HeldRevision>(*plain);
+  edited->edit = std::string(5000, ' ');
+  EXPECT_EQ(bytes_of(edited), bytes_of(plain) + 5000);
+}
+
 TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
   const HeldRevisionPtr parent = revision("a", 10000);
   auto heir = std::make_shared<HeldRevision>(*parent);

@@ -1,0 +1,145 @@
+#include "remesh/v1/cache.grpc.pb.h"
+#include "tests/server/daemon_fixture.h"
+
+namespace remeshd::test {
+namespace {
+
+using grpc::StatusCode;
+
+/// What the protocol has and this daemon does not do is refused by name.
+class Unsupported : public DaemonTest {
+ protected:
+  void SetUp() override { create(plate()); }
+
+  static void expect_refused(const grpc::Status& status, const std::string& what) {
+    EXPECT_EQ(status.error_code(), StatusCode::UNIMPLEMENTED) << what;
+    EXPECT_EQ(detail(status).reason(), v1::Error::UNSUPPORTED) << what;
+    EXPECT_EQ(detail(status).parameter(), what);
+  }
+  template <typename Change>
+  void expect_no_first_mesh(const std::string& what, Change change) {
+    auto request = create_request(plate(6));
+    change(request);
+    v1::RevisionResult result;
+    expect_refused(try_create(request, &result), what);
+  }
+  template <typename Change>
+  void expect_no_edit(const std::string& what, Change change) {
+    v1::ModelEdit edit = set("at", 11);
+    change(*edit.add_edits());
+    v1::RevisionResult result;
+    const auto status = try_edit(edit_request("plate", edit), &result);
+    expect_refused(status, what);
+    EXPECT_EQ(detail(status).edit_index(), 1U);
+  }
+  template <typename Change>
+  void expect_no_mesh(const std::string& what, Change change) {
+    v1::GetMeshRequest request;
+    request.set_revision("plate");
+    change(request);
+    grpc::ClientContext context;
+    const auto reader = stub().GetMesh(&context, request);
+    v1::GetMeshResponse response;
+    EXPECT_FALSE(reader->Read(&response));
+    expect_refused(reader->Finish(), what);
+  }
+};
+
+TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
+  expect_no_first_mesh("sizes", [](auto& r) { r.mutable_model()->add_sizes(); });
+  expect_no_first_mesh("groups", [](auto& r) { r.mutable_model()->add_groups(); });
+  expect_no_first_mesh("sizing", [](auto& r) { r.mutable_options()->mutable_sizing(); });
+  expect_no_first_mesh("order", [](auto& r) { r.mutable_options()->set_order(2); });
+  expect_no_first_mesh("head.file", [](auto& r) { r.mutable_head()->set_file(false); });
+  auto request = create_request(plate(6));
+  request.mutable_options()->set_order(1);
+  request.mutable_head()->set_file(true);
+  create(request);
+}
+
+TEST_F(Unsupported, EditsOfSizesAndGroupsAreNamed) {
+  expect_no_edit("set_size", [](v1::Edit& e) { e.mutable_set_size(); });
+  expect_no_edit("remove_size", [](v1::Edit& e) { e.mutable_remove_size(); });
+  expect_no_edit("set_group", [](v1::Edit& e) { e.mutable_set_group(); });
+  expect_no_edit("remove_group", [](v1::Edit& e) { e.mutable_remove_group(); });
+}
+
+TEST_F(Unsupported, FieldsOfAMeshAreNamed) {
+  expect_no_mesh("selection.delta", [](auto& r) { r.mutable_selection()->set_delta(true); });
+  expect_no_mesh("resume_from", [](auto& r) { r.mutable_resume_from(); });
+  for (int array = v1::MESH_ARRAY_GROUP_NAMES; v1::MeshArray_IsValid(array); ++array) {
+    const auto name = static_cast<v1::MeshArray>(array);
+    expect_no_mesh(v1::MeshArray_Name(name),
+                   [&](auto& r) { r.mutable_selection()->add_arrays(name); });
+  }
+}
+
+TEST_F(Unsupported, AMeshInAStreamIsNamedAndTheStreamLivesOn) {
+  grpc::ClientContext context;
+  const auto stream = stub().EditStream(&context);
+  v1::EditStreamRequest request;
+  *request.mutable_edit() = edit_request("plate", set("at", 11));
+  request.mutable_mesh();
+  ASSERT_TRUE(stream->Write(request));
+  request.clear_mesh();
+  ASSERT_TRUE(stream->Write(request));
+  v1::EditStreamResponse reply;
+  ASSERT_TRUE(stream->Read(&reply));
+  EXPECT_EQ(reply.error().code(), v1::Error::CODE_UNIMPLEMENTED);
+  EXPECT_EQ(reply.error().parameter(), "mesh");
+  do ASSERT_TRUE(stream->Read(&reply));
+  while (reply.has_progress());
+  EXPECT_TRUE(reply.has_result());
+  stream->WritesDone();
+  EXPECT_TRUE(stream->Finish().ok());
+}
+
+TEST_F(Unsupported, CallsAreNamed) {
+  {
+    grpc::ClientContext context;
+    v1::GetRecipeResponse reply;
+    expect_refused(stub().GetRecipe(&context, {}, &reply), "GetRecipe");
+  }
+  {
+    grpc::ClientContext context;
+    v1::RemakeRevisionResponse reply;
+    expect_refused(stub().RemakeRevision(&context, {}, &reply), "RemakeRevision");
+  }
+  const auto cache = v1::CacheService::NewStub(channel_);
+  {
+    grpc::ClientContext context;
+    v1::ListCacheEntriesResponse reply;
+    expect_refused(cache->ListCacheEntries(&context, {}, &reply), "ListCacheEntries");
+  }
+  {
+    grpc::ClientContext context;
+    v1::GetCacheStatsResponse reply;
+    expect_refused(cache->GetCacheStats(&context, {}, &reply), "GetCacheStats");
+  }
+  {
+    grpc::ClientContext context;
+    v1::CollectGarbageResponse reply;
+    expect_refused(cache->CollectGarbage(&context, {}, &reply), "CollectGarbage");
+  }
+  {
+    grpc::ClientContext context;
+    v1::SetPinResponse reply;
+    expect_refused(cache->SetPin(&context, {}, &reply), "SetPin");
+  }
+  grpc::ClientContext context;
+  const auto reader = cache->VerifyCache(&context, {});
+  v1::VerifyCacheResponse reply;
+  EXPECT_FALSE(reader->Read(&reply));
+  expect_refused(reader->Finish(), "VerifyCache");
+}
+
+TEST_F(Unsupported, AndNotAmongTheCapabilities) {
+  const v1::ServerCapabilities can = info().capabilities();
+  EXPECT_EQ(can.capabilities_size(), 0);
+  EXPECT_THAT(can.orders(), testing::ElementsAre(1));
+  EXPECT_EQ(can.arrays_size(), 16);
+  EXPECT_EQ(can.formats_size(), 0);
+}
+
+}  // namespace
+}  // namespace remeshd::test
