@@ -89,14 +89,14 @@ TEST(BetweenMarks, KeepsTheRestOfTheDocument) {
 
 TEST(ChainTable, ShowsTheWaysAndWhatARevisionKeeps) {
   Sample chain = ours(.11, 10);
-  chain.way = "19 local, 1 rebased";
+  chain.way = "19 local, 1 renewed";
   chain.retained_bytes = 600 * 15155;
   const Results results{.groups = {{.name = "tool1-ac",
                                     .nodes = 15000,
                                     .series = {{"single", {ours(.1, 10)}}, {"chain", {chain}}}}}};
   EXPECT_THAT(
       chain_table(results),
-      HasSubstr("| tool1-ac | 15,155 | 0.100 | 0.110 | 1.10 | 19 local, 1 rebased | 600 |"));
+      HasSubstr("| tool1-ac | 15,155 | 0.100 | 0.110 | 1.10 | 19 local, 1 renewed | 600 |"));
 }
 
 TEST(GoalTable, CountsAndMarksWhatIsMissed) {

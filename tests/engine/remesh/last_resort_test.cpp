@@ -164,6 +164,7 @@ TEST(LastResort, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
                       "(41, 0, 12)"}};
   const ErrorInfo info = test::error_of([&] { last_resort(input, failed, kRun); });
   EXPECT_EQ(test::place_of(info), "BOUNDARY_NOT_RECOVERED hole1,plate -");
+  EXPECT_EQ(info.place, below_rim);
   EXPECT_NE(info.message.find("(41, 0, 12), between hole1.wall and plate.top; TetGen"),
             std::string::npos)
       << info.message;
