@@ -66,8 +66,8 @@ class Archive {
   Removed remove(const std::string& text, bool allow_head);
 
   /// Makes the revision the head of `design`, or where that is empty of the one that `text` names.
-  /// Throws Error: NotFound, MISSING_FIELD where no design is named, HEAD_CONFLICT where the head is
-  /// not `expected` (empty: any).
+  /// Throws Error: NotFound, MISSING_FIELD where no design is named, HEAD_CONFLICT where the head
+  /// is not `expected` (empty: any).
   HeadSet set_head(const std::string& text, const std::string& design, const std::string& expected);
 
   /// Takes all revisions out of a design, deletes those that no other has, and takes the design off
