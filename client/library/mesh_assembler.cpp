@@ -83,7 +83,8 @@ void MeshAssembler::check_entry(const MeshHeader::Array& entry) {
     mesh_damaged(name + " has another size than its rows");
   switch (entry.encoding()) {
     case MeshHeader::ENCODING_WHOLE:
-      if (entry.data_bytes() != entry.bytes()) mesh_damaged(name + " is sent whole, but not all of it");
+      if (entry.data_bytes() != entry.bytes())
+        mesh_damaged(name + " is sent whole, but not all of it");
       return;
     case MeshHeader::ENCODING_SAME:
       if (entry.data_bytes() != 0) mesh_damaged(name + " is sent although it is the base's");
@@ -153,7 +154,7 @@ void MeshAssembler::end_array() {
 
 std::string MeshAssembler::decode(const MeshHeader::Array& entry) {
   if (entry.encoding() == MeshHeader::ENCODING_WHOLE) return std::move(data_);
-  const std::string of_base = find_array(entry.array())->write(*base_);
+  std::string of_base = find_array(entry.array())->write(*base_);
   if (entry.encoding() == MeshHeader::ENCODING_SAME) return of_base;
   remesh::v1::ArrayDelta delta;
   if (!delta.ParseFromString(data_))
