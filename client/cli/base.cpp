@@ -14,8 +14,9 @@ bool is_file_name(const std::string& name) {
 
 Named resolve(const std::string& name) {
   if (!is_file_name(name)) return name;
-  return std::visit([](auto&& document) -> Named { return std::move(document); },
-                    read_either(name));
+  auto document = read_either(name);
+  if (auto* model = std::get_if<remesh::v1::FeatureModel>(&document)) return std::move(*model);
+  return std::get<remesh::v1::ModelEdit>(std::move(document));
 }
 
 std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit> read_either(const std::string& file) {
