@@ -15,9 +15,9 @@ namespace remeshd {
 /// its owner only (0600), and goes with the object.
 class ListeningSockets {
  public:
-  /// Throws Error(FailedPrecondition) `LISTEN_FAILED`: the address is in use, or not this machine's;
-  /// where the Unix socket's file is to be there is another file than the socket of an own daemon
-  /// that has ended.
+  /// Throws Error(FailedPrecondition) `LISTEN_FAILED`: the address is in use, or not this
+  /// machine's; where the Unix socket's file is to be there is another file than the socket of an
+  /// own daemon that has ended.
   explicit ListeningSockets(const ListenAddress& address);
   /// As `close`.
   ~ListeningSockets() { close(); }
