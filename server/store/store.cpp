@@ -152,9 +152,13 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
     const std::string& design = head.first.design;
     const auto now = catalogue_->design(design);
     const bool taken = catalogue_->at(design, head.first.number).has_value();
-    Transaction adopt{
-        AddRevision{head.record},
-        AddPlace{design, taken ? now->next_number : head.first.number, head.record.id}};
+    Transaction adopt{AddRevision{head.record}};
+    // A later line of the journal may have told of its place.
+    const auto places = catalogue_->places(head.record.id);
+    if (std::none_of(places.begin(), places.end(),
+                     [&](const PlaceRecord& place) { return place.design == design; }))
+      adopt.emplace_back(
+          AddPlace{design, taken ? now->next_number : head.first.number, head.record.id});
     // As the edit that made it did, unless it asked for something else.
     if (!now || now->head.empty() || now->head == head.record.parent)
       adopt.emplace_back(SetHead{design, head.record.id});

@@ -4,6 +4,7 @@
 
 #include "engine/base/error.h"
 #include "server/store/checked_line.h"
+#include "server/store/journal_line.h"
 #include "tests/server/store/store_folder.h"
 
 namespace remeshd::test {
@@ -186,6 +187,16 @@ TEST_F(StoreTest, AnAdoptedRevisionWhoseNumberIsTakenGetsTheNextOne) {
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
+}
+
+TEST_F(StoreTest, AnAdoptedRevisionKeepsThePlaceThatTheJournalStillTells) {
+  make(1);
+  const std::string line = write_journal_line(
+      {.number = 2, .transaction = {AddPlace{"d", 7, id(1)}, SetHead{"d", id(1)}}});
+  damage_both_journals([&](const std::string&) { return line; });
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@7 = 1 head\n");
+  EXPECT_EQ(read(store, 1), bytes_of(1));
 }
 
 TEST_F(StoreTest, APackOfAnUnfinishedRequestDoesNotTakeTheHeadOfAnotherBranch) {
