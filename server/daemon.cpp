@@ -34,7 +34,8 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .threads = options.threads > 0 ? options.threads : processors(),
           .queue = options.queue,
           .wait = options.queue_wait,
-          .memory = options.memory,
+          .memory = options.all_memory,
+          .held = std::min(options.memory, options.all_memory),
           .max_nodes = options.max_nodes,
           .dumps = options.dumps};
 }

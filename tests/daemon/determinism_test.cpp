@@ -223,7 +223,8 @@ TEST_F(Determinism, AColdCacheGivesTheSameBytesAsAWarmOne) {
       answers.push_back(run.answers());
     }
     expect_same(warm, answers);
-    EXPECT_EQ(info().load().cached_revisions(), 1U);
+    // The last result, and its base, which was in use when that came.
+    EXPECT_LE(info().load().cached_revisions(), 2U);
   }
 }
 

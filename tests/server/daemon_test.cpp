@@ -128,7 +128,7 @@ TEST_F(Daemons, SurviveBytesThatAreNoMessage) {
 }
 
 TEST_F(Daemons, TellTheirLimitsAndLoad) {
-  options_.memory = 123 << 20;
+  options_.all_memory = 123 << 20;
   create(plate());
   const auto about = info();
   EXPECT_EQ(about.protocol(), "remesh.v1");
