@@ -214,7 +214,7 @@ TEST_F(Determinism, AnyNumberOfThreadsGivesTheSameBytes) {
 TEST_F(Determinism, AColdCacheGivesTheSameBytesAsAWarmOne) {
   const Answers warm = local();
   use_store();
-  options_.memory = 1;
+  options_.cache = 1;
   for (const std::size_t known : {0U, 1U}) {
     std::vector<ChainRun> all = interleaved(stub());
     Answers answers;
