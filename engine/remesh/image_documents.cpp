@@ -1,3 +1,5 @@
+#include "engine/remesh/image_documents.h"
+
 #include <cereal/archives/portable_binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/map.hpp>
@@ -9,9 +11,6 @@
 
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_parts.h"
-#include "engine/mesh/tet_boxes.h"
-#include "engine/remesh/master.h"
-#include "engine/remesh/remesh.h"
 
 // One `serialize` a struct, in the order of its members; cereal finds them by their arguments.
 namespace remeshd::kernel {
@@ -45,20 +44,9 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: older bytes are refused, never misread.
-constexpr std::uint32_t kFormat = 8;
+constexpr std::uint32_t kFormat = 9;
 }  // namespace
 
-/// As a vector is.
-template <class A, class T>
-void save(A& a, const Pages<T>& pages) {
-  a(pages.flat());
-}
-template <class A, class T>
-void load(A& a, Pages<T>& pages) {
-  std::vector<T> values;
-  a(values);
-  pages = Pages<T>(values);
-}
 template <class A>
 void serialize(A& a, Vec3& v) {
   a(v.x, v.y, v.z);
@@ -88,10 +76,6 @@ void serialize(A& a, MeshOptions& o) {
   a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.rebuild, o.clean_up, o.threshold);
 }
 template <class A>
-void serialize(A& a, Support& s) {
-  a(s.kind, s.entity);
-}
-template <class A>
 void serialize(A& a, Box& b) {
   a(b.lo, b.hi);
 }
@@ -110,40 +94,6 @@ void serialize(A& a, BoundaryPiece& p) {
 template <class A>
 void serialize(A& a, BoundaryParts& p) {
   a(p.brep, p.pieces);
-}
-template <class A>
-void serialize(A& a, Cluster& c) {
-  a(c.delaunay, c.delivered);
-}
-template <class A>
-void serialize(A& a, Master& m) {
-  m.mesh.visit_state(a);
-  a(m.supports, m.tet_of_slot, m.clusters, m.next_node_id, m.next_tet_id);
-}
-template <class A>
-void serialize(A& a, PagedMesh& m) {
-  a(m.nodes, m.tets);
-}
-template <class A>
-void serialize(A& a, MeshFacet& f) {
-  a(f.nodes, f.tet, f.group);
-}
-template <class A>
-void serialize(A& a, MeshGroups& g) {
-  a(g.facets, g.facet_groups, g.tet_cell, g.cell_owners);
-}
-template <class A>
-void serialize(A& a, NodeMap& m) {
-  a(m.node_origin, m.original_node, m.node_transform, m.original_tet, m.transforms,
-    m.transform_features);
-}
-template <class A>
-void serialize(A& a, Delivery& d) {
-  a(d.mesh, d.node_ids, d.tet_ids, d.groups, d.map);
-}
-template <class A>
-void serialize(A& a, PhaseSeconds& s) {
-  a(s.setup, s.optimise, s.extract, s.difference, s.copy, s.verify, s.total);
 }
 template <class A>
 void serialize(A& a, Counts& c) {
@@ -170,30 +120,27 @@ void serialize(A& a, VerificationFigures& v) {
 }
 template <class A>
 void serialize(A& a, Report& r) {
-  a(r.revision, r.cached, r.way, r.seconds, r.counts, r.free_share, r.edge_length, r.volume,
-    r.exact_volume, r.quality_before, r.quality, r.quality_away, r.sharp_tets, r.verification,
-    r.groups, r.warnings);
+  a(r.way, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
+    r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.warnings);
 }
 
-std::string serialise(const Revision& revision) {
+std::string write_documents(const Revision& revision) {
   std::ostringstream out(std::ios::binary);
   {
     cereal::PortableBinaryOutputArchive archive(out);
+    const MeshGroups& groups = revision.delivery.groups;
     archive(kFormat, revision.source, revision.meshed_source, revision.options,
-            revision.edge_length, *revision.cells.parts, *revision.master, revision.delivery,
-            revision.report, revision.reference, revision.anchor != nullptr);
-    if (revision.anchor)
-      archive(revision.anchor->source, revision.anchor->nodes, revision.anchor->supports);
+            revision.edge_length, *revision.cells.parts, groups.facet_groups, groups.cell_owners,
+            revision.delivery.map.transform_features, revision.report, revision.reference,
+            revision.master->mesh.far_corners(), revision.master->next_node_id,
+            revision.master->next_tet_id, revision.anchor != nullptr);
+    if (revision.anchor) archive(revision.anchor->source);
   }
   return std::move(out).str();
 }
 
-Revision deserialise(const std::string& bytes, const Run& run) {
-  Revision revision;
-  BoundaryParts parts;
-  Master master;
-  Anchor anchor;
-  bool anchored = false;
+Documents read_documents(const std::string& bytes, Revision& revision) {
+  Documents documents;
   try {
     std::istringstream in(bytes, std::ios::binary);
     cereal::PortableBinaryInputArchive archive(in);
@@ -201,26 +148,20 @@ Revision deserialise(const std::string& bytes, const Run& run) {
     archive(format);
     if (format != kFormat) throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
-    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, parts,
-            master, revision.delivery, revision.report, revision.reference, anchored);
-    if (anchored) archive(anchor.source, anchor.nodes, anchor.supports);
+    MeshGroups& groups = revision.delivery.groups;
+    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length,
+            documents.parts, groups.facet_groups, groups.cell_owners,
+            revision.delivery.map.transform_features, revision.report, revision.reference,
+            documents.master.mesh.far_corners(), documents.master.next_node_id,
+            documents.master.next_tet_id, documents.anchored);
+    if (documents.anchored) archive(documents.anchor_source);
 #endif
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
     throw error::internal("store", std::string("a stored revision cannot be read: ") + e.what());
   }
-  revision.model = evaluate(revision.source);
-  revision.meshed_model = evaluate(revision.meshed_source);
-  revision.cells = restore_cells(revision.model, std::move(parts));
-  revision.boxes = boxes_round(revision.delivery.mesh);
-  revision.measures = measure_tets(revision.delivery.mesh.nodes, revision.delivery.mesh.tets, run);
-  revision.master = std::make_shared<const Master>(std::move(master));
-  if (anchored) {
-    anchor.model = evaluate(anchor.source);
-    revision.anchor = std::make_shared<const Anchor>(std::move(anchor));
-  }
-  return revision;
+  return documents;
 }
 
 }  // namespace remeshd
