@@ -16,8 +16,10 @@ namespace {
 
 // A higher level saves some 5 % and takes twice as long.
 constexpr int kLevel = 1;
-// Where more of the pages differ, rows may have moved, and a patch may be the shorter.
-constexpr std::size_t kFewPages = 4;                          // one in so many
+// Where more of the pages differ, rows may have moved, and a patch may be the shorter. To look for
+// one in a large array takes longer than it saves.
+constexpr std::size_t kFewPages = 4;  // one in so many
+constexpr std::size_t kMostPatched = std::size_t{1} << 18;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;  // of a decoded array
 
 struct FreeContext {
@@ -42,7 +44,6 @@ std::string compress(std::string_view bytes, std::string_view prefix = {}) {
   if (!prefix.empty()) {
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog,
                            window_for(prefix.size() + bytes.size()));
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_enableLongDistanceMatching, 1);
     ZSTD_CCtx_refPrefix(context.get(), prefix.data(), prefix.size());
   }
   std::string out(ZSTD_compressBound(bytes.size()), '\0');
@@ -69,19 +70,24 @@ std::string decompress(const std::string& name, std::string_view data, std::uint
 }
 
 /// Byte 0 of all numbers, then byte 1 of all, and so on: alike bytes lie together.
-std::string transposed(std::string_view bytes, std::size_t width) {
+template <std::size_t width>
+std::string transposed_by(std::string_view bytes, bool back) {
   const std::size_t count = bytes.size() / width;
   std::string out(bytes.size(), '\0');
-  for (std::size_t b = 0; b < width; ++b)
-    for (std::size_t i = 0; i < count; ++i) out[b * count + i] = bytes[i * width + b];
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t b = 0; b < width; ++b) {
+      const std::size_t apart = b * count + i, together = i * width + b;
+      out[back ? together : apart] = bytes[back ? apart : together];
+    }
   return out;
 }
+std::string transposed(std::string_view bytes, std::size_t width, bool back = false) {
+  return width == 8   ? transposed_by<8>(bytes, back)
+         : width == 4 ? transposed_by<4>(bytes, back)
+                      : std::string(bytes);
+}
 std::string transposed_back(std::string_view bytes, std::size_t width) {
-  const std::size_t count = bytes.size() / width;
-  std::string out(bytes.size(), '\0');
-  for (std::size_t b = 0; b < width; ++b)
-    for (std::size_t i = 0; i < count; ++i) out[i * width + b] = bytes[b * count + i];
-  return out;
+  return transposed(bytes, width, true);
 }
 
 /// `page` becomes its difference to `base`, or the page again; what the base lacks counts as zero.
@@ -161,7 +167,7 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
   const std::uint8_t deepest =
       base->depths.empty() ? 0 : *std::max_element(base->depths.begin(), base->depths.end());
   const std::string flat = array.flat();
-  if (deepest < kMostDepth && base->array.size() > 0) {
+  if (deepest < kMostDepth && base->array.size() > 0 && out.bytes <= kMostPatched) {
     std::string patch = compress(flat, base->array.flat());
     if (patch.size() < out.data.size()) {
       out.encoding = ArrayEncoding::Patch;
@@ -169,6 +175,8 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
       depths.assign(array.pieces.size(), deepest + 1);
     }
   }
+  // Nearly everything differs.
+  if (out.data.size() * kFewPages < out.bytes) return out;
   std::string full = compress(transposed(flat, width));
   if (full.size() < out.data.size()) {
     out.encoding = ArrayEncoding::Full;
