@@ -20,6 +20,8 @@ constexpr std::size_t bytes_of(NumberType type) {
 /// An array as it is kept outside of memory: its bytes, and what they are.
 struct StoredArray {
   std::string name;  ///< unique in its set: `delivery.nodes`
+  /// Name of the array that it may be close to in a set that has none of its own name; maybe empty.
+  std::string like{};
   NumberType type = NumberType::U8;
   std::uint32_t components = 1;  ///< numbers of an element
   /// The bytes in pieces of `piece_bytes`, but for the last, which may be shorter. Arrays that

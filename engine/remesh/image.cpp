@@ -9,6 +9,7 @@
 
 #include "engine/base/error.h"
 #include "engine/mesh/tet_boxes.h"
+#include "engine/remesh/first_format.h"
 #include "engine/remesh/image_check.h"
 #include "engine/remesh/image_documents.h"
 #include "engine/remesh/master.h"
@@ -47,8 +48,9 @@ constexpr Layout layout_of() {
 class Writer {
  public:
   template <class T>
-  void operator()(const char* name, const Pages<T>& values) {
+  void operator()(const char* name, const Pages<T>& values, const std::string& like = {}) {
     StoredArray& array = begin<T>(name);
+    array.like = like;
     array.piece_bytes = Pages<T>::page_bytes();
     for (std::size_t k = 0; k < values.pages(); ++k) {
       const std::span<const T> page = values.page(k);
@@ -56,8 +58,10 @@ class Writer {
     }
   }
   template <class T>
-  void operator()(const char* name, const std::vector<T>& values) {
-    begin<T>(name).own({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  void operator()(const char* name, const std::vector<T>& values, const std::string& like = {}) {
+    StoredArray& array = begin<T>(name);
+    array.like = like;
+    array.own({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
   }
   void bytes(const char* name, std::string text) { begin<std::uint8_t>(name).own(std::move(text)); }
   StoredArrays take() { return std::move(image_); }
@@ -136,10 +140,11 @@ Pages<Support> together(const Supports& parts, const Pages<Support>* alike) {
     all[i] = {static_cast<Support::Kind>(parts.kinds[i]), parts.entities[i]};
   return alike ? Pages<Support>(std::span<const Support>(all), *alike) : Pages<Support>(all);
 }
-void write_supports(Writer& write, const std::string& name, const Pages<Support>& supports) {
+void write_supports(Writer& write, const std::string& name, const Pages<Support>& supports,
+                    const std::string& like = {}) {
   const Supports parts = apart(supports);
-  write((name + ".kind").c_str(), parts.kinds);
-  write((name + ".entity").c_str(), parts.entities);
+  write((name + ".kind").c_str(), parts.kinds, like.empty() ? "" : like + ".kind");
+  write((name + ".entity").c_str(), parts.entities, like.empty() ? "" : like + ".entity");
 }
 Pages<Support> read_supports(const Reader& read, const std::string& name,
                              const Pages<Support>* alike) {
@@ -233,14 +238,17 @@ StoredArrays image_of(const Revision& revision) {
   write("master.tet_of_slot", m.tet_of_slot);
   write("master.clusters", flattened(m.clusters));
   if (const Anchor* anchor = revision.anchor.get()) {
-    write("anchor.nodes", anchor->nodes);
-    write_supports(write, "anchor.supports", anchor->supports);
+    // When the connectivity is kept for the first time, these are the base's.
+    write("anchor.nodes", anchor->nodes, "delivery.nodes");
+    write_supports(write, "anchor.supports", anchor->supports, "master.supports");
   }
   write.bytes(kDocuments, write_documents(revision));
   return write.take();
 }
 
 Revision revision_of(const StoredArrays& image, const Revision* alike, const Run& run) {
+  if (const StoredArray* first = image.find("first_layout"))
+    return read_first_format(first->flat(), run);
   const Reader read(image);
   Revision revision;
   Documents documents = read_documents(read.bytes(kDocuments), revision);

@@ -10,7 +10,8 @@ namespace remeshd {
 /// `report.cached` stay out. The arrays lie in the revision, which has to outlive them.
 StoredArrays image_of(const Revision& revision);
 
-/// Restores a revision, and its boundary to the bit. `alike`: one that is to share the memory of
+/// Restores a revision, and its boundary to the bit; from the one array `first_layout` too, as
+/// revisions were kept before. `alike`: one that is to share the memory of
 /// what is the same; null for none.
 /// Throws Error(Internal) where arrays are missing, malformed or contradict each other: every index
 /// is looked at, so that no image makes the engine read beyond an array.

@@ -1,10 +1,29 @@
 #include "server/session/archive.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "server/session/session_error.h"
 
 namespace remeshd {
+namespace {
+
+/// Members in the order in which a record keeps them: new ones come last.
+constexpr double PhaseSeconds::*kSeconds[] = {
+    &PhaseSeconds::setup, &PhaseSeconds::optimise, &PhaseSeconds::extract,
+    &PhaseSeconds::difference, &PhaseSeconds::copy, &PhaseSeconds::verify, &PhaseSeconds::total};
+
+std::vector<double> seconds_of(const PhaseSeconds& seconds) {
+  std::vector<double> values;
+  for (const auto member : kSeconds) values.push_back(seconds.*member);
+  return values;
+}
+void set_seconds(PhaseSeconds& seconds, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < std::min(values.size(), std::size(kSeconds)); ++i)
+    seconds.*kSeconds[i] = values[i];
+}
+
+}  // namespace
 
 Archive::Archive(const Engine& engine, Store& store, std::uint64_t memory)
     : engine_(engine), store_(store), held_(memory, store.persistent(), engine.memory_blocks) {}
@@ -21,7 +40,12 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   auto held = std::make_shared<HeldRevision>();
   held->record = *record;
   try {
-    held->revision = engine_.deserialise(store_.get(*record), run);
+    const HeldRevisionPtr parent = held_.find(record->parent);
+    held->revision =
+        engine_.revision_of(store_.get(id), parent ? &parent->revision : nullptr, run);
+    Report& report = held->revision.report;
+    report.revision = id;
+    set_seconds(report.seconds, record->seconds);
   } catch (const Error& failure) {
     if (failure.info().kind == ErrorKind::Internal) {
       const std::scoped_lock lock(filing_);
@@ -61,8 +85,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
   });
   filed.record = known.value_or(revision->record);
   const bool write = !known || damaged_.contains(id);
-  if (write && store_.persistent())
-    store_.put(filed.record, filed.place, engine_.serialise(revision->revision));
+  if (write && store_.persistent()) put(*revision, filed);
 
   store_.commit([&](Catalogue& catalogue) {
     Transaction changes;
@@ -92,6 +115,16 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
   // It may have been dropped, unfiled or deleted, since the caller found it.
   if (!held_.contains(id)) held_.insert(revision);
   return filed;
+}
+
+void Archive::put(const HeldRevision& revision, Filed& filed) {
+  filed.record.seconds = seconds_of(revision.revision.report.seconds);
+  const StoredArrays arrays = engine_.image_of(revision.revision);
+  const HeldRevisionPtr parent = held_.find(revision.record.parent);
+  if (!parent) return store_.put(filed.record, filed.place, arrays);
+  const StoredArrays like = engine_.image_of(parent->revision);
+  const Packs::Base base{parent->record.id, &like};
+  store_.put(filed.record, filed.place, arrays, &base);
 }
 
 Archive::Removed Archive::remove(const std::string& text, bool allow_head) {

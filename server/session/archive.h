@@ -53,6 +53,8 @@ class Archive {
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
  private:
+  void put(const HeldRevision& revision, Filed& filed);
+
   const Engine& engine_;
   Store& store_;
   HeldRevisions held_;

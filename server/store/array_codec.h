@@ -22,12 +22,14 @@ inline constexpr std::uint8_t kMostDepth = 8;
 /// An array as it is written to a pack.
 struct EncodedArray {
   std::string name;
+  std::string base;  ///< name of the base's array that it is encoded against
   NumberType type = NumberType::U8;
   std::uint32_t components = 1;
   std::uint64_t bytes = 0;        ///< decoded
   std::uint64_t piece_bytes = 0;  ///< of the pages
   ArrayEncoding encoding = ArrayEncoding::Full;
-  std::string data;  ///< compressed
+  std::uint64_t data_bytes = 0;
+  std::string data{};  ///< compressed
 };
 
 /// Of each page of an array, how many differences have to be added up to have it.

@@ -1,6 +1,8 @@
 #include "server/store/catalogue.h"
 
+#include <cstring>
 #include <set>
+#include <string_view>
 
 #include "engine/base/error.h"
 
@@ -11,8 +13,9 @@ constexpr const char* kSchema = R"(
 CREATE TABLE revisions(
   id TEXT PRIMARY KEY, parent TEXT NOT NULL, model_name TEXT NOT NULL,
   created_ns INTEGER NOT NULL, nodes INTEGER NOT NULL, tets INTEGER NOT NULL,
-  bytes INTEGER NOT NULL) WITHOUT ROWID;
+  bytes INTEGER NOT NULL, base TEXT NOT NULL, seconds TEXT NOT NULL) WITHOUT ROWID;
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
+CREATE INDEX revisions_by_base ON revisions(base);
 CREATE TABLE designs(
   name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE places(
@@ -22,7 +25,16 @@ CREATE INDEX places_by_id ON places(id);
 )";
 
 constexpr const char* kRevisionColumns =
-    "r.id, r.parent, r.model_name, r.created_ns, r.nodes, r.tets, r.bytes";
+    "r.id, r.parent, r.model_name, r.created_ns, r.nodes, r.tets, r.bytes, r.base, r.seconds";
+
+std::string_view bytes_of(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+std::vector<double> numbers_in(const std::string& bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
 
 RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
   return {.id = row.text(first),
@@ -31,7 +43,9 @@ RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .created_ns = row.number(first + 3),
           .nodes = static_cast<std::uint32_t>(row.number(first + 4)),
           .tets = static_cast<std::uint32_t>(row.number(first + 5)),
-          .bytes = static_cast<std::uint64_t>(row.number(first + 6))};
+          .bytes = static_cast<std::uint64_t>(row.number(first + 6)),
+          .base = row.text(first + 7),
+          .seconds = numbers_in(row.text(first + 8))};
 }
 
 constexpr const char* kSelectDesigns =
@@ -104,7 +118,7 @@ std::vector<Transaction> Catalogue::snapshot() {
 void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
-    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?)")
+    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
         .bind(r.model_name)
@@ -112,6 +126,8 @@ void Catalogue::apply_one(const Operation& operation) {
         .bind(std::int64_t{r.nodes})
         .bind(std::int64_t{r.tets})
         .bind(static_cast<std::int64_t>(r.bytes))
+        .bind(r.base)
+        .bind(bytes_of(r.seconds))
         .run();
   } else if (const auto* design = std::get_if<AddDesign>(&operation)) {
     grow_numbers(design->name, design->next_number);
@@ -236,6 +252,12 @@ std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
   std::vector<std::string> ids;
   while (row.step()) ids.push_back(row.text(0));
   return ids;
+}
+
+bool Catalogue::is_base(const std::string& id) {
+  auto row = database_.prepare("SELECT 1 FROM revisions WHERE base = ? LIMIT 1");
+  row.bind(id);
+  return row.step();
 }
 
 std::uint32_t Catalogue::count_revisions() {

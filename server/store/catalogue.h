@@ -47,6 +47,8 @@ class Catalogue {
                                    std::uint32_t after_number, int limit);
   std::vector<DesignRecord> designs(const std::string& after, int limit);
   std::vector<std::string> children(const std::string& id, int limit);
+  /// Whether a revision's bytes are differences to those of `id`.
+  bool is_base(const std::string& id);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();
 

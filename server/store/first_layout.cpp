@@ -56,7 +56,9 @@ void FirstLayout::bring_in(Packs& packs, Quarantine& quarantine) const {
     } else if (packs.head(head->record.id)) {
       quarantine.take(file, "there is another copy of its revision");
     } else {
-      packs.put(head->record, head->first, std::string_view(bytes).substr(head->size));
+      StoredArray whole{.name = kFirstLayoutArray};
+      whole.own(bytes.substr(head->size));
+      packs.put(head->record, head->first, {{std::move(whole)}}, nullptr);
       remove_file(file);
     }
   }

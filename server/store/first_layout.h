@@ -10,6 +10,9 @@
 
 namespace remeshd {
 
+/// The bytes of a revision of the first layout, as the only array of its pack.
+inline constexpr const char* kFirstLayoutArray = "first_layout";
+
 /// The layout of stores before they had a FORMAT: `objects/`, files named by the hash of what is in
 /// them; `journal`, whose lines have no numbers; `index.sqlite`. An older program leaves it behind
 /// in a store of today too.

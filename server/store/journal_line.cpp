@@ -14,13 +14,9 @@ constexpr int kVersion = 2;
 struct ToJson {
   json operator()(const AddRevision& op) const {
     const RevisionRecord& r = op.record;
-    return {{"add_revision", r.id},
-            {"parent", r.parent},
-            {"model_name", r.model_name},
-            {"created_ns", r.created_ns},
-            {"nodes", r.nodes},
-            {"tets", r.tets},
-            {"bytes", r.bytes}};
+    return {{"add_revision", r.id},       {"parent", r.parent}, {"model_name", r.model_name},
+            {"created_ns", r.created_ns}, {"nodes", r.nodes},   {"tets", r.tets},
+            {"bytes", r.bytes},           {"base", r.base},     {"seconds", r.seconds}};
   }
   json operator()(const AddPlace& op) const {
     return {{"add_place", op.design}, {"number", op.number}, {"id", op.id}};
@@ -47,6 +43,9 @@ Operation from_json(const json& j) {
     j.at("nodes").get_to(r.nodes);
     j.at("tets").get_to(r.tets);
     j.at("bytes").get_to(r.bytes);
+    // The first version of the journal had none.
+    r.base = j.value("base", "");
+    r.seconds = j.value("seconds", std::vector<double>());
     return AddRevision{r};
   }
   if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};

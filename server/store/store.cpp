@@ -118,7 +118,7 @@ void Store::lock_folder(double wait) {
 void Store::load(std::vector<Transaction> transactions) {
   for (const Transaction& transaction : transactions)
     for (const Operation& operation : transaction) {
-      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_[gone->id];
       if (const auto* added = std::get_if<AddRevision>(&operation))
         leftovers_.erase(added->record.id);
     }
@@ -128,14 +128,14 @@ void Store::load(std::vector<Transaction> transactions) {
 
 void Store::adopt_unknown_packs(Quarantine& quarantine) {
   std::vector<PackHead> found;
-  std::set<std::string> gone;
+  std::map<std::string, std::string> gone;
   for (const std::string& id : packs_->list()) {
     if (catalogue_->revision(id)) continue;
+    auto head = packs_->head(id);
     if (leftovers_.contains(id)) {
-      gone.insert(id);
+      gone[id] = head ? head->record.base : "";
       continue;
     }
-    auto head = packs_->head(id);
     if (!head || head->record.id != id) {
       quarantine.take(packs_->path_of(id), "its head cannot be read");
     } else {
@@ -148,7 +148,8 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
            std::tie(b.first.design, b.first.number, b.record.id);
   };
   std::sort(found.begin(), found.end(), by_number);
-  for (const PackHead& head : found) {
+  for (PackHead& head : found) {
+    head.record.created_ns = packs_->written_ns(head.record.id);
     const std::string& design = head.first.design;
     const auto now = catalogue_->design(design);
     const bool taken = catalogue_->at(design, head.first.number).has_value();
@@ -166,21 +167,28 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
                    " revisions that the journal does not name were entered again");
 }
 
-void Store::put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes) {
+void Store::put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
+                const Packs::Base* base) {
   if (!persistent()) return;
   {
     const std::scoped_lock lock(mutex_);
     leftovers_.erase(record.id);
   }
-  record.bytes = packs_->put(record, first, bytes);
+  const Packs::Written written = packs_->put(record, first, arrays, base);
+  record.bytes = written.bytes;
+  record.base = written.base;
 }
 
-std::string Store::get(const RevisionRecord& record) { return packs_->get(record); }
+StoredArrays Store::get(const std::string& id) { return packs_->get(id); }
 
 void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
   const std::scoped_lock lock(mutex_);
   const Transaction transaction = make(*catalogue_);
   if (transaction.empty()) return;
+  std::map<std::string, std::string> removed;
+  for (const Operation& operation : transaction)
+    if (const auto* gone = std::get_if<RemoveRevision>(&operation))
+      if (const auto record = catalogue_->revision(gone->id)) removed[gone->id] = record->base;
   try {
     catalogue_->apply(transaction, [&] { enter(transaction); });
   } catch (...) {
@@ -188,8 +196,7 @@ void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
     throw;
   }
   if (!persistent()) return;
-  for (const Operation& operation : transaction)
-    if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+  leftovers_.merge(removed);
   tidy();
 }
 
@@ -205,7 +212,7 @@ void Store::enter(const Transaction& transaction) {
 
 void Store::rewrite_journal() {
   std::vector<Transaction> all = catalogue_->snapshot();
-  for (const std::string& id : leftovers_)
+  for (const auto& [id, base] : leftovers_)
     if (!catalogue_->revision(id)) all.push_back({RemoveRevision{id}});
   journal_->rewrite(all);
   journal_behind_ = false;
@@ -216,7 +223,7 @@ void Store::drop_added(const Transaction& transaction) {
   for (const Operation& operation : transaction) {
     const auto* added = std::get_if<AddRevision>(&operation);
     if (added == nullptr || catalogue_->revision(added->record.id)) continue;
-    leftovers_.insert(added->record.id);
+    leftovers_[added->record.id] = added->record.base;
   }
   // Where the disk may have the line all the same, the bytes stay until the journal is rewritten.
   if (!journal_->uncertain()) tidy();
@@ -231,9 +238,17 @@ void Store::tidy() {
       return false;  // the next commit tries again
     }
   };
-  std::erase_if(leftovers_, [&](const std::string& id) {
-    return catalogue_->revision(id) || removed([&] { packs_->remove(id); });
-  });
+  // Deleting one may set free the one that it is told by.
+  const auto needed = [&](const std::string& id) {
+    return catalogue_->is_base(id) ||
+           std::any_of(leftovers_.begin(), leftovers_.end(),
+                       [&](const auto& other) { return other.second == id; });
+  };
+  while (std::erase_if(leftovers_, [&](const auto& leftover) {
+           const std::string& id = leftover.first;
+           return catalogue_->revision(id) || (!needed(id) && removed([&] { packs_->remove(id); }));
+         }) > 0) {
+  }
   std::erase_if(old_scratch_,
                 [&](const fs::path& file) { return removed([&] { remove_file(file); }); });
 }

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,16 +44,18 @@ class Store {
   /// What was mended or could not be used on opening; one line each.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Writes a revision's bytes, in place of those that are there; `record` gets `bytes`. `first` is
+  /// Writes a revision's arrays, in place of those that are there; `record` gets `bytes` and
+  /// `base`. `base`: a revision that they may be told by as differences; null for none. `first` is
   /// written beside them, for the case that the journal is lost. May not overlap with a `commit`
-  /// that removes the revision.
-  void put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
-  /// The bytes of a revision. Throws Error(StoreCorrupted).
-  std::string get(const RevisionRecord& record);
+  /// that removes the revision or its base.
+  void put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
+           const Packs::Base* base = nullptr);
+  /// The arrays of a revision. Throws Error(STORE_CORRUPTED).
+  StoredArrays get(const std::string& id);
 
   /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.
-  /// An empty one changes nothing. The packs of removed revisions are deleted, and where it throws,
-  /// those of revisions that it would have added.
+  /// An empty one changes nothing. The packs of removed revisions are deleted once no other needs
+  /// them, and where it throws, those of revisions that it would have added.
   void commit(const std::function<Transaction(Catalogue&)>& make);
   /// Reads the catalogue with nothing in between.
   template <typename Read>
@@ -80,8 +82,8 @@ class Store {
   std::unique_ptr<Catalogue> catalogue_;
   bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
   /// Revisions that the journal says were removed, or that could not be added, and that may have a
-  /// pack.
-  std::set<std::string> leftovers_;
+  /// pack: with its base.
+  std::map<std::string, std::string> leftovers_;
   std::vector<std::filesystem::path> old_scratch_;  ///< of earlier processes
   std::vector<std::string> notes_;
 };

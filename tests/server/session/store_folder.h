@@ -25,9 +25,9 @@ class StoreFolder {
 
   [[nodiscard]] std::unique_ptr<Store> open() const { return std::make_unique<Store>(path_); }
 
-  /// Changes the last byte of every object.
+  /// Changes the last byte of every pack.
   void damage_objects() const {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_ / "objects")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_ / "packs")) {
       if (!entry.is_regular_file()) continue;
       std::fstream file(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
       file.seekg(-1, std::ios::end);

@@ -182,7 +182,7 @@ TEST_F(StoreTest, AnAdoptedRevisionWhoseNumberIsTakenGetsTheNextOne) {
   {
     Store store(folder_);
     RevisionRecord same = record(5, "elsewhere");
-    store.put(same, {.design = "d", .number = 2, .id = id(5)}, bytes_of(5));
+    store.put(same, {.design = "d", .number = 2, .id = id(5)}, arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -193,7 +193,7 @@ TEST_F(StoreTest, APackOfAnUnfinishedRequestDoesNotTakeTheHeadOfAnotherBranch) {
   {
     Store store(folder_);
     RevisionRecord child = record(5, id(1));
-    store.put(child, {.design = "d", .number = 3, .id = id(5)}, bytes_of(5));
+    store.put(child, {.design = "d", .number = 3, .id = id(5)}, arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -222,7 +222,7 @@ TEST_F(StoreTest, AMissingOrDamagedPackIsToldAndCanBeStoredAgain) {
       EXPECT_THAT(failure.info().message, Not(HasSubstr(folder_.string())));
     }
     RevisionRecord again = record(n);
-    store.put(again, {.design = "d", .number = 1, .id = id(n)}, bytes_of(n));
+    store.put(again, {.design = "d", .number = 1, .id = id(n)}, arrays_of(bytes_of(n)));
     EXPECT_EQ(read(store, n), bytes_of(n));
   }
 }
