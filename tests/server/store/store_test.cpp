@@ -121,6 +121,27 @@ TEST_F(StoreTest, ADeletedRevisionMayBeStoredAgain) {
   EXPECT_EQ(listing(store), "d@1 = 1\nd@3 = 2 head\n");
 }
 
+TEST_F(StoreTest, APackStaysForAsLongAsAnotherStandsOnIt) {
+  make(3);
+  {
+    Store store(folder_);
+    remove(store, 1);
+    remove(store, 2);
+    EXPECT_TRUE(fs::exists(pack(1)));
+    EXPECT_TRUE(fs::exists(pack(2)));
+    EXPECT_EQ(read(store, 3), bytes_of(3));
+  }
+  {
+    Store store(folder_);  // knows them for what they are
+    EXPECT_EQ(listing(store), "d@3 = 3 head\n");
+    EXPECT_TRUE(store.notes().empty());
+    file(store, 4, "e");
+    EXPECT_EQ(read(store, 3), bytes_of(3));
+    remove(store, 3);
+  }
+  for (int n = 1; n <= 3; ++n) EXPECT_FALSE(fs::exists(pack(n))) << n;
+}
+
 TEST_F(StoreTest, WithoutItsJournalTheStoreIsMadeAgainFromThePacks) {
   for (const char* journal : {"missing", "empty"}) {
     fs::remove_all(folder_);
