@@ -65,18 +65,15 @@ std::uint64_t bytes_below(const fs::path& folder) {
 /// The next edit of tool1-a: small steps that stay where the part is sound.
 void change(ModelSource& source, int number, bool pins, std::mt19937& random) {
   const auto share = [&] { return static_cast<double>(random() % 1000) / 1000; };
-  switch (pins ? 0 : number % 4) {
+  switch (pins ? 0 : number % 3) {
     case 0:
       parameter(source, "pin_radius") = 3.5 + share();
       break;
     case 1:
-      parameter(source, "hole_radius") = 4.5 + share();
-      break;
-    case 2:
-      parameter(source, "pin_turn") = 10 * share();
+      parameter(source, "hole_circle") = 35.75 + share() / 2;
       break;
     default:
-      parameter(source, "hole_circle") = 35.5 + share();
+      parameter(source, "hole_turn") = share();
       break;
   }
 }
@@ -146,7 +143,7 @@ int run(const Settings& settings) {
   const double share = of_edits / settings.edits / static_cast<double>(first_bytes);
   const double more = median(durable) - median(in_memory);
   std::printf("edits                        %d of tool1-a at %u nodes, %s\n", settings.edits,
-              settings.nodes, settings.pins ? "pin_radius" : "four parameters in turn");
+              settings.nodes, settings.pins ? "pin_radius" : "three parameters in turn");
   std::printf("first revision               %.3f MB\n", 1e-6 * static_cast<double>(first_bytes));
   std::printf("an edit                      %.3f MB at the mean, %.3f MB at most\n",
               1e-6 * of_edits / settings.edits, 1e-6 * static_cast<double>(largest_edit));
