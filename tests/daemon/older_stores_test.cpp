@@ -37,7 +37,8 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
   for (const char* opening : {"first", "second"}) {
     SCOPED_TRACE(opening);
     Store store(folder_);
-    Archive archive(engine_, store, 1 << 30);
+    MemoryBudget memory(1 << 30);
+    Archive archive(engine_, store, memory, memory.total());
     const auto designs = store.read([](Catalogue& c) { return c.designs({}, {}); });
     ASSERT_EQ(designs.size(), 1U);
     EXPECT_EQ(designs[0].name, "simple-a");
@@ -67,7 +68,8 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
   std::string id(64, 'a');
   {
     Store store(folder_);
-    Archive archive(engine_, store, 1 << 30);
+    MemoryBudget memory(1 << 30);
+    Archive archive(engine_, store, memory, memory.total());
     const HeldRevisionPtr base = archive.get(archive.resolve("simple-a").id, kRun);
     ModelSource source = base->revision.source;
     parameter(source, "top_x") = 5.0;
@@ -77,7 +79,8 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
     EXPECT_EQ(archive.file(made, "simple-a", {}).place.number, 3U);
   }
   Store store(folder_);
-  Archive archive(engine_, store, 1 << 30);
+  MemoryBudget memory(1 << 30);
+  Archive archive(engine_, store, memory, memory.total());
   EXPECT_EQ(archive.resolve("simple-a@3").id, id);
   EXPECT_GT(archive.get(id, kRun)->revision.delivery.mesh.nodes.size(), 0U);
 }
