@@ -10,6 +10,7 @@
 #include "client/library/edit_stream_impl.h"
 #include "client/library/mesh_assembler.h"
 #include "client/library/mesh_selection.h"
+#include "client/library/reconnecting.h"
 #include "client/library/status.h"
 
 namespace remeshd::client {
@@ -56,7 +57,7 @@ bool is_loopback(const std::string& address) {
 struct Client::Impl {
   explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
       : stub(RemeshService::NewStub(channel)) {}
-  std::unique_ptr<Stub> stub;
+  const std::shared_ptr<Stub> stub;
 };
 
 Client Client::connect(const std::string& address, const ConnectOptions& options) {
@@ -84,30 +85,37 @@ remesh::v1::RevisionResult Client::edit_revision(const remesh::v1::EditRevisionR
 }
 
 EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions& call) const {
-  return EditStream(std::make_unique<EditStream::Impl>(*impl_->stub, std::move(on_progress), call));
+  return EditStream(std::make_unique<EditStream::Impl>(impl_->stub, std::move(on_progress), call));
 }
 
 Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
                       const OnTransfer& on_transfer, const MeshWanted& wanted) const {
-  CallContext context(call);
   remesh::v1::GetMeshRequest request;
   request.set_revision(revision);
   *request.mutable_selection() = to_message(wanted);
-  const auto reader = impl_->stub->GetMesh(context.get(), request);
   MeshAssembler assembler(wanted.arrays, {wanted.base});
-  remesh::v1::GetMeshResponse response;
-  try {
-    while (reader->Read(&response)) {
-      assembler.add(response.mesh());
-      if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
+  Reconnecting patience(call);
+  while (true) {
+    CallContext context(patience.rest());
+    const auto reader = impl_->stub->GetMesh(context.get(), request);
+    remesh::v1::GetMeshResponse response;
+    try {
+      while (reader->Read(&response)) {
+        patience.heard();
+        assembler.add(response.mesh());
+        if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
+      }
+    } catch (...) {
+      context.cancel();
+      reader->Finish();
+      throw;
     }
-  } catch (...) {
-    context.cancel();
-    reader->Finish();
-    throw;
+    const grpc::Status status = reader->Finish();
+    if (status.ok()) return assembler.finish();
+    const auto position = assembler.resume();
+    if (!position || !patience.tries_again(status)) check(status);
+    *request.mutable_resume_from() = *position;
   }
-  check(reader->Finish());
-  return assembler.finish();
 }
 
 remesh::v1::GetRevisionResponse Client::get_revision(const std::string& revision,

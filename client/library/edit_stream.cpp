@@ -1,26 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "remeshd/edit_stream.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
 #include "client/library/mesh_selection.h"
+#include "client/library/resend.h"
 #include "client/library/status.h"
 
 namespace remeshd::client {
 namespace {
 
-remesh::v1::Error stream_ended() {
-  remesh::v1::Error error;
-  error.set_code(remesh::v1::Error::CODE_UNAVAILABLE);
-  error.set_reason(remesh::v1::Error::STREAM_ENDED);
+using remesh::v1::Error;
+
+Error stream_ended() {
+  Error error;
+  error.set_code(Error::CODE_UNAVAILABLE);
+  error.set_reason(Error::STREAM_ENDED);
   error.set_message("the stream ended before this request was answered");
   return error;
 }
 
+Error not_sent_again() {
+  Error error = stream_ended();
+  error.set_message(
+      "the stream broke before this request was answered, and the daemon may have done it");
+  error.set_hint("look at the head of its design");
+  return error;
+}
+
+Error cancelled_unsent() {
+  Error error;
+  error.set_code(Error::CODE_CANCELLED);
+  error.set_reason(Error::CANCELLED);
+  error.set_message("the request was cancelled");
+  return error;
+}
+
 /// Answers that have come already.
-EditStream::Answers failed(const remesh::v1::Error& error, std::optional<MeshWanted> mesh) {
+EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
   OpenRequest request(std::move(mesh));
   auto answers = request.answers();
   request.fail(error);
@@ -29,23 +49,35 @@ EditStream::Answers failed(const remesh::v1::Error& error, std::optional<MeshWan
 
 }  // namespace
 
-EditStream::Impl::Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener,
-                       const CallOptions& call)
-    : context(call), on_progress(std::move(listener)), stream(stub.EditStream(context.get())) {
+EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
+                       const CallOptions& call_options)
+    : stub(std::move(service)),
+      on_progress(std::move(listener)),
+      options(call_options),
+      patience(call_options),
+      call(new_call()) {
   reader = std::thread([this] { read(); });
 }
 
 EditStream::Impl::~Impl() {
   if (!reader.joinable()) return;
-  context.cancel();
+  cancel_all();
   reader.join();
+}
+
+std::shared_ptr<EditStream::Impl::Call> EditStream::Impl::new_call() const {
+  return std::make_shared<Call>(*stub, patience.rest());
+}
+
+EditStream::Impl::Requests::iterator EditStream::Impl::find(const std::string& id) {
+  return std::ranges::find(unanswered, id, &Unanswered::id);
 }
 
 std::string EditStream::Impl::fresh_id() {
   const std::lock_guard lock(state);
   std::string id;
   do id = "request-" + std::to_string(next_id++);
-  while (open.contains(id));
+  while (find(id) != unanswered.end());
   return id;
 }
 
@@ -78,18 +110,65 @@ EditStream::Answers EditStream::Impl::send(const std::string& id,
   }
   if (mesh) *request.mutable_mesh() = to_message(*mesh);
   const std::lock_guard one_write(writing);
-  if (closed) throw std::logic_error("EditStream: nothing can be sent after finish()");
   Answers answers;
   {
     const std::lock_guard lock(state);
+    if (closed) throw std::logic_error("EditStream: nothing can be sent after finish()");
     if (end) return failed(*end, std::move(mesh));
-    const auto [entry, added] = open.try_emplace(id, std::move(mesh));
-    if (!added) throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
-    answers = entry->second.answers();
+    if (find(id) != unanswered.end())
+      throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
+    unanswered.push_back({id, std::move(request), OpenRequest(std::move(mesh))});
+    answers = unanswered.back().request.answers();
   }
-  // A write that fails means that the stream is at its end: the reading thread answers.
-  stream->Write(request);
+  send_waiting();
   return answers;
+}
+
+/// The message of a request that waits to be sent; nothing where it has to wait for those before
+/// it. Pre: under `state`; all before it have been sent.
+std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Unanswered& next) {
+  const bool first = &next == &unanswered.front();
+  if (next.sent_before) {
+    if (how_to_resend(next.message, last ? &*last : nullptr) == Resend::AsItIs) return next.message;
+    if (!first) return std::nullopt;
+    return on_last(next.message, *last);
+  }
+  // A new call knows nothing of what the last one left off at.
+  const bool follows = next.message.has_edit() && next.message.edit().base().empty() &&
+                       next.message.edit().design().empty();
+  if (!follows || call->used || !last) return next.message;
+  remesh::v1::EditStreamRequest message = next.message;
+  const auto& revision = last->revision();
+  message.mutable_edit()->set_base(revision.design().empty() ? revision.id() : revision.design());
+  return message;
+}
+
+/// Pre: under `writing`.
+void EditStream::Impl::send_waiting() {
+  while (true) {
+    std::shared_ptr<Call> to;
+    std::optional<remesh::v1::EditStreamRequest> message;
+    {
+      const std::lock_guard lock(state);
+      to = call;
+      const auto next = std::ranges::find(unanswered, false, &Unanswered::sent);
+      if (next == unanswered.end()) {
+        if (!closed || to->writes_done) return;
+        to->writes_done = true;
+      } else {
+        message = to_send(*next);
+        if (!message) return;
+        next->sent = true;
+        to->used = true;
+      }
+    }
+    // A write that fails means that the call is at its end: the reading thread sees to it.
+    if (!message) {
+      to->stream->WritesDone();
+      return;
+    }
+    to->stream->Write(*message);
+  }
 }
 
 void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
@@ -98,30 +177,134 @@ void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
     return;
   }
   OpenRequest* request = nullptr;
-  decltype(open)::node_type ended;
+  Requests done;
   {
     const std::lock_guard lock(state);
-    const auto entry = open.find(response.request_id());
-    if (entry == open.end()) return;
-    request = &entry->second;  // stays where it is until this thread takes it out
+    const auto entry = find(response.request_id());
+    if (entry == unanswered.end()) return;
+    // The daemon that ends hands back what it has not done: another one will.
+    if (response.error().reason() == Error::SHUTTING_DOWN && options.reconnect > 0) return;
+    request = &entry->request;  // stays where it is until this thread takes it out
+    if (response.has_result()) entry->result = response.result();
     // Before its future is kept: who has the answer may use the id again.
-    if (request->is_last(response)) ended = open.extract(entry);
+    if (request->is_last(response)) {
+      if (entry->result) last = entry->result;
+      done.splice(done.begin(), unanswered, entry);
+    }
   }
   if (response.has_result()) request->take_result(response.result());
   if (response.has_mesh()) request->take_mesh(response.mesh(), last_mesh);
   if (response.has_error()) request->fail(response.error());
-  if (!ended.empty()) request->fail(stream_ended());  // what the daemon left unanswered
+  if (done.empty()) return;
+  request->fail(stream_ended());  // what the daemon left unanswered
+  bool waiting = false;
+  {
+    const std::lock_guard lock(state);
+    waiting = !unanswered.empty() && !unanswered.back().sent;
+  }
+  if (!waiting) return;
+  const std::lock_guard one_write(writing);
+  send_waiting();
+}
+
+/// Opens the stream again where it broke on its way; false where it is at its end.
+bool EditStream::Impl::reopen(const grpc::Status& status) {
+  {
+    const std::lock_guard lock(state);
+    if (cancelled || (closed && unanswered.empty())) return false;
+  }
+  if (!patience.tries_again(status)) return false;
+  Requests lost;
+  const std::lock_guard one_write(writing);
+  {
+    const std::lock_guard lock(state);
+    if (cancelled) return false;
+    for (auto entry = unanswered.begin(); entry != unanswered.end();) {
+      const auto next = std::next(entry);
+      entry->sent_before = entry->sent_before || entry->sent;
+      entry->sent = false;
+      entry->request.restart();
+      if (entry->sent_before &&
+          how_to_resend(entry->message, last ? &*last : nullptr) == Resend::Impossible)
+        lost.splice(lost.end(), unanswered, entry);
+      entry = next;
+    }
+    call = new_call();
+  }
+  for (Unanswered& entry : lost) entry.request.fail(not_sent_again());
+  send_waiting();
+  return true;
+}
+
+void EditStream::Impl::end_with(const grpc::Status& status) {
+  Requests open;
+  Error error;
+  {
+    const std::lock_guard lock(state);
+    ended_well = status.ok();
+    error = ended_well ? stream_ended() : error_of(status);
+    end = error;
+    open.swap(unanswered);
+  }
+  for (Unanswered& entry : open) entry.request.fail(error);
 }
 
 void EditStream::Impl::read() {
-  remesh::v1::EditStreamResponse response;
-  while (stream->Read(&response)) take(response);
-  const grpc::Status status = stream->Finish();
+  while (true) {
+    std::shared_ptr<Call> from;
+    {
+      const std::lock_guard lock(state);
+      from = call;
+    }
+    remesh::v1::EditStreamResponse response;
+    while (from->stream->Read(&response)) {
+      patience.heard();
+      take(response);
+    }
+    const grpc::Status status = from->stream->Finish();
+    if (!reopen(status)) return end_with(status);
+  }
+}
+
+void EditStream::Impl::cancel(const std::string& request_id) {
+  remesh::v1::EditStreamRequest message;
+  message.mutable_cancel()->set_request_id(request_id);
+  Requests unsent;
+  const std::lock_guard one_write(writing);
+  std::shared_ptr<Call> to;
+  {
+    const std::lock_guard lock(state);
+    if (closed) return;
+    to = call;
+    const auto entry = find(request_id);
+    if (entry != unanswered.end() && !entry->sent) unsent.splice(unsent.begin(), unanswered, entry);
+  }
+  if (unsent.empty()) {
+    to->stream->Write(message);
+  } else {
+    unsent.front().request.fail(cancelled_unsent());
+  }
+}
+
+void EditStream::Impl::cancel_all() {
   const std::lock_guard lock(state);
-  ended_well = status.ok();
-  end = ended_well ? stream_ended() : error_of(status);
-  for (auto& [id, request] : open) request.fail(*end);
-  open.clear();
+  cancelled = true;
+  patience.stop();
+  call->context.cancel();
+}
+
+void EditStream::Impl::finish() {
+  {
+    const std::lock_guard one_write(writing);
+    {
+      const std::lock_guard lock(state);
+      closed = true;
+    }
+    send_waiting();
+  }
+  if (reader.joinable()) reader.join();
+  const std::lock_guard lock(state);
+  if (!ended_well) throw CallError(*end);
 }
 
 EditStream::EditStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -146,24 +329,8 @@ EditStream::Answers EditStream::create(remesh::v1::CreateRevisionRequest request
   return impl_->create(std::move(request), std::move(mesh));
 }
 
-void EditStream::cancel(const std::string& request_id) {
-  remesh::v1::EditStreamRequest message;
-  message.mutable_cancel()->set_request_id(request_id);
-  const std::lock_guard one_write(impl_->writing);
-  if (!impl_->closed) impl_->stream->Write(message);
-}
-
-void EditStream::cancel_all() { impl_->context.cancel(); }
-
-void EditStream::finish() {
-  {
-    const std::lock_guard one_write(impl_->writing);
-    if (!impl_->closed) impl_->stream->WritesDone();
-    impl_->closed = true;
-  }
-  if (impl_->reader.joinable()) impl_->reader.join();
-  const std::lock_guard lock(impl_->state);
-  if (!impl_->ended_well) throw CallError(*impl_->end);
-}
+void EditStream::cancel(const std::string& request_id) { impl_->cancel(request_id); }
+void EditStream::cancel_all() { impl_->cancel_all(); }
+void EditStream::finish() { impl_->finish(); }
 
 }  // namespace remeshd::client

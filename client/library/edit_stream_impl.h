@@ -3,13 +3,15 @@
 
 #include <grpcpp/support/sync_stream.h>
 
-#include <map>
+#include <list>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "client/library/call_context.h"
 #include "client/library/open_request.h"
+#include "client/library/reconnecting.h"
 #include "remesh/v1/remesh.grpc.pb.h"
 #include "remeshd/edit_stream.h"
 
@@ -17,33 +19,69 @@ namespace remeshd::client {
 
 /// The state behind an EditStream.
 ///
-/// Inv: every request sent and not yet answered is in `open`; the reading thread answers it, or,
-/// when the stream ends, gives all of them the stream's error. Only that thread takes one out.
+/// Inv: every request sent and not yet answered is in `unanswered`; the reading thread answers it,
+/// or, when the stream ends, gives all of them the stream's error. Only that thread takes one out.
 struct EditStream::Impl {
-  Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener, const CallOptions& call);
+  using Stub = remesh::v1::RemeshService::Stub;
+
+  Impl(std::shared_ptr<Stub> service, OnProgress listener, const CallOptions& call);
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   Answers edit(remesh::v1::EditRevisionRequest request, std::optional<MeshWanted> mesh);
   Answers create(remesh::v1::CreateRevisionRequest request, std::optional<MeshWanted> mesh);
+  void cancel(const std::string& request_id);
+  void cancel_all();
+  void finish();
+
+ private:
+  /// One call of EditStream; a stream that broke goes on in another one.
+  struct Call {
+    Call(Stub& stub, const CallOptions& options)
+        : context(options), stream(stub.EditStream(context.get())) {}
+    CallContext context;
+    std::unique_ptr<
+        grpc::ClientReaderWriter<remesh::v1::EditStreamRequest, remesh::v1::EditStreamResponse>>
+        stream;
+    bool used = false;  ///< something was sent
+    bool writes_done = false;
+  };
+  struct Unanswered {
+    std::string id;
+    remesh::v1::EditStreamRequest message;
+    OpenRequest request;
+    std::optional<remesh::v1::RevisionResult> result{};  ///< where its mesh is to come yet
+    bool sent = false;                                   ///< in the call that there is
+    bool sent_before = false;                            ///< in one that broke
+  };
+  using Requests = std::list<Unanswered>;
+
   Answers send(const std::string& id, remesh::v1::EditStreamRequest request,
                std::optional<MeshWanted> mesh);
   std::string fresh_id();
+  Requests::iterator find(const std::string& id);
+  [[nodiscard]] std::optional<remesh::v1::EditStreamRequest> to_send(const Unanswered& next);
+  void send_waiting();
   void read();
   void take(const remesh::v1::EditStreamResponse& response);
+  bool reopen(const grpc::Status& status);
+  [[nodiscard]] std::shared_ptr<Call> new_call() const;
+  void end_with(const grpc::Status& status);
 
-  CallContext context;
-  OnProgress on_progress;
-  std::unique_ptr<
-      grpc::ClientReaderWriter<remesh::v1::EditStreamRequest, remesh::v1::EditStreamResponse>>
-      stream;
+  const std::shared_ptr<Stub> stub;
+  const OnProgress on_progress;
+  const CallOptions options;
+  Reconnecting patience;                  ///< of the reading thread, but for `rest` and `stop`
   std::shared_ptr<const Mesh> last_mesh;  ///< that the stream brought; of the reading thread
 
-  std::mutex writing;  ///< one write at a time; guards `closed`
-  bool closed = false;
-  std::mutex state;  ///< guards what follows
-  std::map<std::string, OpenRequest> open;
+  std::mutex writing;  ///< one write at a time; taken before `state`
+  std::mutex state;    ///< guards what follows
+  std::shared_ptr<Call> call;
+  Requests unanswered;                             ///< in the order of their coming
+  std::optional<remesh::v1::RevisionResult> last;  ///< of a request that is done with
+  bool closed = false;                             ///< no more requests
+  bool cancelled = false;
   std::optional<remesh::v1::Error> end;  ///< set once the stream has ended: what late requests get
   bool ended_well = false;
   std::uint64_t next_id = 1;

@@ -58,6 +58,7 @@ void MeshAssembler::add(const remesh::v1::MeshMessage& message) {
 }
 
 void MeshAssembler::add_header(const MeshHeader& header) {
+  if (resumed_) return add_header_again(header);
   if (has_header_) mesh_damaged("a second header");
   has_header_ = true;
   header_ = header;
@@ -68,6 +69,30 @@ void MeshAssembler::add_header(const MeshHeader& header) {
     expected_ += entry.data_bytes();
   }
   find_base();
+}
+
+std::optional<remesh::v1::MeshPosition> MeshAssembler::resume() {
+  if (!has_header_) return std::nullopt;
+  resumed_ = true;
+  remesh::v1::MeshPosition position;
+  if (current_ < header_.arrays_size()) {
+    position.set_array(header_.arrays(current_).array());
+    position.set_offset(data_.size());
+  } else if (header_.arrays_size() > 0) {
+    const MeshHeader::Array& last = *header_.arrays().rbegin();
+    position.set_array(last.array());
+    position.set_offset(last.data_bytes());
+  }
+  return position;
+}
+
+void MeshAssembler::add_header_again(const MeshHeader& header) {
+  resumed_ = false;
+  parts_ = 0;
+  part_bytes_ = 0;
+  // Digests and lengths in it say that the data are the same.
+  if (header.SerializeAsString() != header_.SerializeAsString())
+    mesh_damaged("it is another one than before its transfer broke");
 }
 
 void MeshAssembler::check_entry(const MeshHeader::Array& entry) {
@@ -125,13 +150,14 @@ void MeshAssembler::add_part(const remesh::v1::MeshPart& part) {
     mesh_damaged("wrong CRC-32C in part " + std::to_string(parts_) + " of " + name);
   data_ += part.data();
   received_ += part.data().size();
+  part_bytes_ += part.data().size();
   ++parts_;
 }
 
 void MeshAssembler::add_end(const remesh::v1::MeshEnd& end) {
   if (!has_header_) mesh_damaged("an end comes before the header");
   while (current_ < header_.arrays_size()) end_array();
-  if (end.parts() != parts_ || end.bytes() != received_) mesh_damaged("parts are missing");
+  if (end.parts() != parts_ || end.bytes() != part_bytes_) mesh_damaged("parts are missing");
   ended_ = true;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +27,9 @@ class MeshAssembler {
 
   void add(const remesh::v1::MeshMessage& message);
   [[nodiscard]] bool ended() const { return ended_; }
+  /// Where to go on after a transfer that broke: the header comes once more, and then what has not
+  /// come yet. Nothing where no header has come.
+  [[nodiscard]] std::optional<remesh::v1::MeshPosition> resume();
   /// The mesh, once the end has come; nothing may be called after it.
   [[nodiscard]] Mesh finish();
 
@@ -34,6 +38,7 @@ class MeshAssembler {
   [[nodiscard]] std::uint64_t bytes_expected() const { return expected_; }
 
  private:
+  void add_header_again(const remesh::v1::MeshHeader& header);
   void add_header(const remesh::v1::MeshHeader& header);
   void add_part(const remesh::v1::MeshPart& part);
   void add_end(const remesh::v1::MeshEnd& end);
@@ -48,9 +53,11 @@ class MeshAssembler {
   remesh::v1::MeshHeader header_;
   bool has_header_ = false;
   bool ended_ = false;
-  int current_ = 0;   ///< place in the header of the array that comes now
-  std::string data_;  ///< of that array, as sent
-  std::uint32_t parts_ = 0;
+  int current_ = 0;          ///< place in the header of the array that comes now
+  std::string data_;         ///< of that array, as sent
+  bool resumed_ = false;     ///< the header is to come again
+  std::uint32_t parts_ = 0;  ///< since the last header
+  std::uint64_t part_bytes_ = 0;
   std::uint64_t received_ = 0;
   std::uint64_t expected_ = 0;
   std::set<remesh::v1::MeshArray> arrays_;  ///< that `mesh_` has

@@ -23,6 +23,8 @@ class OpenRequest {
   /// `last`: the mesh that the stream keeps as a base; replaced by this one where deltas are
   /// wanted. What is wrong with the mesh goes to its future.
   void take_mesh(const remesh::v1::MeshMessage& message, std::shared_ptr<const Mesh>& last);
+  /// Forgets what of the mesh has come: the request is sent again.
+  void restart() { assembler_.reset(); }
   /// Gives what is still open this error.
   void fail(const remesh::v1::Error& error);
   /// Whether nothing more comes after this answer.

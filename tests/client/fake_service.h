@@ -59,6 +59,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   /// Breaks the stream with this status before it answers anything.
   std::optional<remesh::v1::Error> stream_failure;
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
+  /// Breaks every GetMesh off after so many messages.
+  std::optional<int> mesh_break;
   Mesh mesh = sample_mesh(1);
   /// The meshes of `rev-1`, `rev-2`, ... of the stream; beyond the last: `mesh`.
   std::vector<Mesh> stream_meshes;
@@ -136,7 +138,12 @@ class FakeService final : public remesh::v1::RemeshService::Service {
                        grpc::ServerWriter<remesh::v1::GetMeshResponse>* writer) override {
     mesh_requests.push_back(*request);
     if (failure) return status_of(*failure);
-    for (const auto& message : messages_of(mesh, request->selection(), nullptr)) {
+    auto messages = messages_of(mesh, request->selection(), nullptr);
+    if (request->has_resume_from()) drop_before(request->resume_from(), messages);
+    int written = 0;
+    for (const auto& message : messages) {
+      if (mesh_break && written++ == *mesh_break)
+        return {grpc::StatusCode::UNAVAILABLE, "told by the test"};
       remesh::v1::GetMeshResponse response;
       *response.mutable_mesh() = message;
       writer->Write(response);
@@ -246,6 +253,22 @@ class FakeService final : public remesh::v1::RemeshService::Service {
  private:
   using Stream =
       grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>;
+
+  /// Leaves out the parts before a position, as the daemon does.
+  static void drop_before(const remesh::v1::MeshPosition& position,
+                          std::vector<remesh::v1::MeshMessage>& messages) {
+    bool reached = false;
+    std::erase_if(messages, [&](const remesh::v1::MeshMessage& message) {
+      if (!message.has_part()) return false;
+      const auto& part = message.part();
+      reached = reached || (part.array() == position.array() && part.offset() >= position.offset());
+      return !reached;
+    });
+    auto& end = *messages.back().mutable_end();
+    end.set_parts(static_cast<std::uint32_t>(messages.size() - 2));
+    end.set_bytes(0);
+    for (const auto& message : messages) end.set_bytes(end.bytes() + message.part().data().size());
+  }
 
   void fill(remesh::v1::ModelCheck& check) const {
     check.set_volume(258000);

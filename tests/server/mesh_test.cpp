@@ -6,7 +6,17 @@
 namespace remeshd::test {
 namespace {
 
-class Mesh : public DaemonTest {};
+class Mesh : public DaemonTest {
+ protected:
+  /// How a transfer ends.
+  grpc::Status mesh_status(const v1::GetMeshRequest& request) {
+    grpc::ClientContext context;
+    v1::GetMeshResponse message;
+    const auto reader = stub().GetMesh(&context, request);
+    while (reader->Read(&message)) continue;
+    return reader->Finish();
+  }
+};
 
 v1::GetMeshRequest all_of(const std::string& revision) {
   v1::GetMeshRequest request;
@@ -130,6 +140,39 @@ TEST_F(Mesh, OfAnUnknownRevisionOrArrayIsAnError) {
   reader = stub().GetMesh(&second, request);
   EXPECT_FALSE(reader->Read(&message));
   EXPECT_EQ(reader->Finish().error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+}
+
+TEST_F(Mesh, GoesOnFromAnyPlaceInItsData) {
+  create(create_request(plate(), 60000));
+  const auto whole = mesh(all_of("plate"));
+  const auto arrays = assemble(whole);
+  for (const std::uint64_t offset : {0U, 1000000U, 1440000U}) {
+    auto request = all_of("plate");
+    request.mutable_resume_from()->set_array(v1::MESH_ARRAY_NODES);
+    request.mutable_resume_from()->set_offset(offset);
+    const auto rest = mesh(request);
+    EXPECT_EQ(rest.front().SerializeAsString(), whole.front().SerializeAsString());
+    std::string nodes = arrays.at(v1::MESH_ARRAY_NODES).substr(0, offset);
+    std::uint64_t bytes = 0;
+    for (const v1::MeshMessage& message : rest) {
+      bytes += message.part().data().size();
+      if (message.part().array() == v1::MESH_ARRAY_NODES) nodes += message.part().data();
+    }
+    EXPECT_EQ(nodes, arrays.at(v1::MESH_ARRAY_NODES));
+    EXPECT_EQ(rest.back().end().bytes(), bytes);
+    EXPECT_EQ(bytes + offset, whole.back().end().bytes());
+  }
+}
+
+TEST_F(Mesh, DoesNotGoOnFromWhereItNeverWas) {
+  create(create_request(plate(), 100));
+  auto request = all_of("plate");
+  request.mutable_resume_from()->set_array(v1::MESH_ARRAY_NODES);
+  request.mutable_resume_from()->set_offset(1 << 20);
+  EXPECT_EQ(mesh_status(request).error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  request.mutable_resume_from()->set_offset(0);
+  request.mutable_selection()->add_arrays(v1::MESH_ARRAY_TETS);
+  EXPECT_EQ(mesh_status(request).error_code(), grpc::StatusCode::INVALID_ARGUMENT);
 }
 
 TEST_F(Mesh, LeftInTheMiddleDoesNotDisturbTheDaemon) {

@@ -10,6 +10,8 @@ namespace remeshd::client {
 struct CallOptions {
   std::stop_token stop;           ///< a stop request cancels the call: CallError CANCELLED
   std::optional<double> timeout;  ///< s; afterwards CallError DEADLINE_EXCEEDED
+  /// s for which a transfer or stream whose connection broke is tried to be taken up again.
+  double reconnect = 30;
 };
 
 }  // namespace remeshd::client

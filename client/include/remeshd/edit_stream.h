@@ -17,6 +17,11 @@ namespace remeshd::client {
 /// Requests may be sent ahead of their answers. Answers are read on a thread of the stream's own,
 /// so a caller that computes between two edits keeps the connection alive. All functions may be
 /// called from any thread.
+///
+/// Where the connection breaks, or the daemon starts anew, the stream is opened again and what is
+/// not answered is sent again, edits with the id of the last result for their base: what the daemon
+/// did already it answers from its cache, and no head moves twice. One request alone cannot be sent
+/// again: the first of a stream where its base is a design, whose head it may have moved.
 class EditStream {
  public:
   /// Called on the reading thread: the id of the request and how far it is. Must not block for

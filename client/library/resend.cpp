@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "client/library/resend.h"
+
+#include <string>
+
+namespace remeshd::client {
+namespace {
+
+/// An id, its beginning, or a revision of a design by its number: never another one later.
+bool names_one_revision(const std::string& reference) {
+  if (reference.find('@') != std::string::npos) return true;
+  return reference.size() >= 8 &&
+         reference.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+}  // namespace
+
+Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
+                     const remesh::v1::RevisionResult* last) {
+  if (!request.has_edit()) return Resend::AsItIs;
+  const std::string& base = request.edit().base();
+  if (names_one_revision(base)) return Resend::AsItIs;
+  if (last != nullptr && (base.empty() || base == last->revision().design())) return Resend::OnLast;
+  // Without a base and without a result before it, the daemon can only refuse it.
+  return base.empty() && request.edit().design().empty() ? Resend::AsItIs : Resend::Impossible;
+}
+
+remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
+                                      const remesh::v1::RevisionResult& last) {
+  auto& edit = *request.mutable_edit();
+  if (edit.design().empty()) edit.set_design(last.revision().design());
+  edit.set_base(last.revision().id());
+  return request;
+}
+
+}  // namespace remeshd::client

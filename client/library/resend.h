@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "remesh/v1/remesh.pb.h"
+
+namespace remeshd::client {
+
+/// How a request that a broken stream left unanswered can be sent again. The daemon may have worked
+/// on it: what is the same is then answered from its cache, but an edit of a head that it has moved
+/// itself would be done a second time.
+enum class Resend {
+  AsItIs,     ///< it says by itself what it is made of
+  OnLast,     ///< once all before it are answered, with the id of the last of them for its base
+  Impossible  ///< its base is the head of a design that the stream knows nothing of
+};
+
+/// `last`: the last result of the stream; null before there is one.
+Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
+                     const remesh::v1::RevisionResult* last);
+
+/// The same request with the id of the last result for its base, filed where it would have been.
+remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
+                                      const remesh::v1::RevisionResult& last);
+
+}  // namespace remeshd::client

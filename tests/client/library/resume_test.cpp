@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/library/resend.h"
+#include "remeshd/client.h"
+#include "tests/client/fake_service.h"
+
+namespace remeshd::client {
+namespace {
+
+using remesh::v1::EditStreamRequest;
+using remesh::v1::Error;
+
+EditStreamRequest edit_of(const std::string& base, const std::string& design = "") {
+  EditStreamRequest request;
+  request.mutable_edit()->set_base(base);
+  request.mutable_edit()->set_design(design);
+  return request;
+}
+
+remesh::v1::RevisionResult result_of(const std::string& id, const std::string& design) {
+  remesh::v1::RevisionResult result;
+  result.mutable_revision()->set_id(id);
+  result.mutable_revision()->set_design(design);
+  return result;
+}
+
+TEST(Resend, WhatSaysByItselfWhatItIsMadeOfIsSentAsItIs) {
+  const auto last = result_of("0123456789abcdef", "plate");
+  EditStreamRequest create;
+  create.mutable_create();
+  EXPECT_EQ(how_to_resend(create, &last), Resend::AsItIs);
+  for (const char* base : {"plate@3", "0123456789", "other@1"})
+    EXPECT_EQ(how_to_resend(edit_of(base), &last), Resend::AsItIs) << base;
+}
+
+TEST(Resend, AnEditOfTheHeadIsSentWithTheIdOfTheLastResultAndItsDesign) {
+  const auto last = result_of("0123456789abcdef", "plate");
+  for (const char* base : {"", "plate"}) {
+    ASSERT_EQ(how_to_resend(edit_of(base), &last), Resend::OnLast) << base;
+    const auto sent = on_last(edit_of(base), last);
+    EXPECT_EQ(sent.edit().base(), "0123456789abcdef");
+    EXPECT_EQ(sent.edit().design(), "plate");
+  }
+  EXPECT_EQ(on_last(edit_of("", "mine"), last).edit().design(), "mine");
+}
+
+TEST(Resend, AnEditOfAHeadThatTheStreamKnowsNothingOfIsNotSentAgain) {
+  const auto last = result_of("0123456789abcdef", "plate");
+  EXPECT_EQ(how_to_resend(edit_of("other"), &last), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(edit_of("plate"), nullptr), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(edit_of("", "plate"), nullptr), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(edit_of(""), nullptr), Resend::AsItIs);
+}
+
+TEST(GetMesh, GoesOnWhereItBroke) {
+  FakeDaemon daemon;
+  daemon.service.mesh_break = 3;  // the header and two parts
+  std::uint64_t done = 0, total = 0;
+  const auto note = [&](std::uint64_t d, std::uint64_t t) {
+    done = d;
+    total = t;
+  };
+  const Mesh mesh = Client::connect(daemon.address).get_mesh("a", {}, note);
+  EXPECT_EQ(mesh, daemon.service.mesh);
+  EXPECT_EQ(done, total);
+  EXPECT_GT(daemon.service.mesh_requests.size(), 3U);
+  EXPECT_TRUE(daemon.service.mesh_requests.back().has_resume_from());
+}
+
+TEST(GetMesh, OfAnotherMeshThanBeforeItBrokeIsDamage) {
+  FakeDaemon daemon;
+  daemon.service.mesh_break = 2;
+  int transfers = 0;
+  daemon.service.damage = [&](std::vector<remesh::v1::MeshMessage>& messages) {
+    if (++transfers > 1) messages.front().mutable_header()->set_model_name("another");
+  };
+  try {
+    (void)Client::connect(daemon.address).get_mesh("a");
+    FAIL() << "accepted";
+  } catch (const CallError& e) {
+    EXPECT_EQ(e.reason(), Error::MESH_DAMAGED);
+  }
+}
+
+TEST(GetMesh, IsGivenUpWhereItIsNotToBeTriedAgain) {
+  FakeDaemon daemon;
+  daemon.service.mesh_break = 2;
+  CallOptions once;
+  once.reconnect = 0;
+  try {
+    (void)Client::connect(daemon.address).get_mesh("a", once);
+    FAIL() << "accepted";
+  } catch (const CallError& e) {
+    EXPECT_EQ(e.code(), Error::CODE_UNAVAILABLE);
+  }
+  EXPECT_EQ(daemon.service.mesh_requests.size(), 1U);
+}
+
+}  // namespace
+}  // namespace remeshd::client
