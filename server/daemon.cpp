@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/observe/readiness.h"
+#include "server/service/front_desk.h"
 #include "server/service/remesh_service.h"
 #include "server/session/session.h"
 #include "server/transport/accept_loop.h"
@@ -62,6 +64,8 @@ std::size_t max_connections(const DaemonOptions& options) {
 
 struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
+  Readiness readiness;
+  const std::shared_ptr<FrontDesk> desk;
   Session session;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
@@ -71,15 +75,32 @@ struct Daemon::Parts {
 
   Parts(const DaemonOptions& options, Engine engine)
       : log(options.log),
+        desk(std::make_shared<FrontDesk>(FrontDesk{.log = options.log})),
         session(std::move(engine), open_store(options), session_limits(options)),
         max_connections(remeshd::max_connections(options)),
-        service(make_remesh_service(session, {.facts = facts(), .log = options.log})),
-        cache_service(make_cache_service(options.log)) {}
+        service(make_remesh_service(session, {.facts = facts(), .desk = desk})),
+        cache_service(make_cache_service(desk)) {}
 
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
             .connections = static_cast<std::uint32_t>(max_connections),
-            .streams = kMostStreams};
+            .streams = kMostStreams,
+            .readiness = &readiness};
+  }
+
+  /// The health service answers for the process under `` and `liveness`, for its readiness under
+  /// the service's name.
+  void tell_health() {
+    grpc::HealthCheckServiceInterface* const health = server->GetHealthCheckService();
+    if (health == nullptr) return;
+    health->SetServingStatus("liveness", true);
+    readiness.on_change(
+        [this, health, was_ready = true](bool ready, const std::string& why_not) mutable {
+          health->SetServingStatus("remesh.v1.RemeshService", ready);
+          if (log && !ready && !desk->gate->closed()) log->warn("not ready: {}", why_not);
+          if (log && ready && !was_ready) log->info("ready again");
+          was_ready = ready;
+        });
   }
 };
 
@@ -104,8 +125,7 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
   builder.RegisterService(parts_->cache_service.get());
   parts_->server = builder.BuildAndStart();
   if (!parts_->server) throw std::runtime_error("gRPC does not start");
-  if (auto* health = parts_->server->GetHealthCheckService())
-    health->SetServingStatus("remesh.v1.RemeshService", true);
+  parts_->tell_health();
   if (sockets.empty()) return;
   const auto hand_over = [acceptor](int listener, Descriptor connection) {
     grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
@@ -145,10 +165,15 @@ std::string Daemon::address() const {
   return all.empty() ? "" : all.front();
 }
 
-void Daemon::shutdown() {
-  std::call_once(parts_->ended, [this] {
-    if (parts_->connections) parts_->connections->stop();
+void Daemon::shutdown(double grace) {
+  std::call_once(parts_->ended, [this, grace] {
     if (!parts_->server) return;
+    parts_->desk->gate->close();
+    parts_->readiness.set("end", "the daemon is shutting down");
+    // New connections are still taken, so that probes and callers hear the truth.
+    parts_->desk->gate->wait_until_empty(std::chrono::duration<double>(grace));
+    if (parts_->connections) parts_->connections->stop();
+    parts_->readiness.on_change({});
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
     // First the session: its answers still reach their clients. What then is left are idle streams.
     parts_->session.stop();

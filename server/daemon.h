@@ -11,7 +11,7 @@
 
 namespace grpc {
 class Channel;
-}
+}  // namespace grpc
 namespace spdlog {
 class logger;
 }
@@ -55,9 +55,10 @@ class Daemon {
   [[nodiscard]] std::vector<std::string> addresses() const;
   /// The first of them; empty where it does not listen.
   [[nodiscard]] std::string address() const;
-  /// Answers what is under way with UNAVAILABLE, stops every computation and returns when all is at
-  /// rest. A second call does nothing.
-  void shutdown();
+  /// Ends the daemon. From now on it is not ready and refuses new requests as UNAVAILABLE, with a
+  /// delay; what is under way may go on for `grace` s, and is then answered with UNAVAILABLE. Stops
+  /// every computation and returns when all is at rest. A second call does nothing.
+  void shutdown(double grace = 0);
 
  private:
   struct Parts;

@@ -28,6 +28,8 @@ Configuration read_configuration(std::vector<std::string> arguments,
   const CommandLine command_line = read_command_line(std::move(arguments));
   out.task = command_line.task;
   out.answer = command_line.answer;
+  out.health_address = command_line.health_address;
+  out.health_service = command_line.health_service;
   if (out.answer) return out;
   const Environment variables = read_environment(environment);
   out.warnings = variables.warnings;
@@ -42,6 +44,17 @@ Configuration read_configuration(std::vector<std::string> arguments,
 void check_settings(const Settings& settings) {
   if (settings.daemon.listen.empty()) throw ConfigError("listen: no address is given");
   for (const std::string& address : settings.daemon.listen) parse_listen_address(address);
+}
+
+std::string health_address(const Configuration& configuration) {
+  if (!configuration.health_address.empty()) return configuration.health_address;
+  const Settings& settings = configuration.settings;
+  if (!settings.health_socket.empty()) return "unix:" + settings.health_socket.string();
+  for (const std::string& address : settings.daemon.listen)
+    if (address.starts_with("unix:")) return address;
+  if (settings.daemon.listen.empty() || settings.daemon.listen.front().ends_with(":0"))
+    throw ConfigError("--health: name the address, or configure a health-socket");
+  return settings.daemon.listen.front();
 }
 
 std::string print_config(const Settings& settings) {

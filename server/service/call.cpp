@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "server/service/status.h"
+#include "server/service/trace_parent.h"
 
 namespace remeshd {
 namespace {
@@ -64,6 +65,15 @@ std::string loggable(std::string text) {
   return text;
 }
 
+/// The client's `traceparent`, where it sent one that is valid: nothing else goes into the log.
+std::string trace_parent_of(const grpc::ServerContextBase& context) {
+  const auto& metadata = context.client_metadata();
+  const auto sent = metadata.find("traceparent");
+  if (sent == metadata.end()) return "";
+  const std::string_view text(sent->second.data(), sent->second.size());
+  return is_trace_parent(text) ? std::string(text) : "";
+}
+
 }  // namespace
 
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
@@ -101,11 +111,17 @@ void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Mes
   parse(reader, message);
 }
 
-CallRecord::CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer)
-    : log_(std::move(log)), method_(std::move(method)), peer_(std::move(peer)) {
+CallRecord::CallRecord(FrontDeskPtr desk, std::string method,
+                       const grpc::ServerContextBase& context)
+    : desk_(std::move(desk)),
+      method_(std::move(method)),
+      peer_(context.peer()),
+      trace_parent_(trace_parent_of(context)) {
   static std::atomic<std::uint64_t> counter{0};
   number_ = ++counter;
 }
+
+void CallRecord::admit() { pass_ = enter(); }
 
 void CallRecord::set_request_id(std::string id) {
   const std::scoped_lock lock(mutex_);
@@ -125,16 +141,18 @@ void CallRecord::set_note(std::string note) {
   note_ = std::move(note);
 }
 
-void CallRecord::end() const noexcept try {
-  if (!log_) return;
+void CallRecord::end() noexcept try {
   const std::scoped_lock lock(mutex_);
+  pass_.reset();
+  if (!desk_->log) return;
   const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start_;
   std::string line = fmt::format("call={} method={} peer={} ms={:.1f} status={}", number_, method_,
                                  peer_, spent.count(), status_);
   if (!request_id_.empty()) line += " request=" + request_id_;
   if (!reason_.empty()) line += " reason=" + reason_;
   if (!note_.empty()) line += " " + note_;
-  log_->info(line);
+  if (!trace_parent_.empty()) line += " traceparent=" + trace_parent_;
+  desk_->log->info(line);
 } catch (...) {
 }
 

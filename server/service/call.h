@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "server/service/front_desk.h"
 #include "server/session/guarded.h"
 
 namespace remeshd {
@@ -33,23 +34,33 @@ void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Mes
 /// The first check of `from_bytes`.
 void check_size(std::size_t bytes, std::size_t limit);
 
-/// One line of the log, written when a call ends: number, method, peer, request id, duration,
-/// status. Without memory for it, the line is left out.
+/// A call at the front desk. When it ends it writes one line of the log: number, method, peer,
+/// request id, duration, status, `traceparent` of the client. Without memory for it, the line is
+/// left out.
 class CallRecord {
  public:
-  CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer);
+  CallRecord(FrontDeskPtr desk, std::string method, const grpc::ServerContextBase& context);
+
+  /// Lets the call in; it counts as under way until it has ended. Before anything is done for it.
+  /// Throws what CallGate::enter throws.
+  void admit();
+  /// As CallGate::enter: for calls that do more than one thing, and count each.
+  [[nodiscard]] CallGate::Pass enter() const { return desk_->gate->enter(); }
 
   void set_request_id(std::string id);
   void set_status(const grpc::Status& status, const std::string& reason = {}) noexcept;
   /// For the calls that do more than one thing: what they did.
   void set_note(std::string note);
-  /// Writes the line.
-  void end() const noexcept;
+  /// The call has ended: writes the line.
+  void end() noexcept;
 
  private:
-  std::shared_ptr<spdlog::logger> log_;
+  const FrontDeskPtr desk_;
   std::uint64_t number_;
-  std::string method_, peer_;
+  const std::string method_;
+  const std::string peer_;
+  std::string trace_parent_;  ///< empty where the client sent none
+  CallGate::Pass pass_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   mutable std::mutex mutex_;
   const char* status_ = "CANCELLED";

@@ -5,6 +5,7 @@
 
 #include "server/service/decode.h"
 #include "server/service/encode.h"
+#include "server/service/refused_call.h"
 #include "server/service/request_id.h"
 #include "server/service/status.h"
 #include "server/service/stream_request.h"
@@ -34,8 +35,15 @@ EditStream::EditStream(Session& session, const RequestLimits& limits,
                        std::shared_ptr<CallRecord> record)
     : session_(session), limits_(limits), record_(std::move(record)) {}
 
-EditStream* EditStream::start(Session& session, const RequestLimits& limits,
-                              std::shared_ptr<CallRecord> record) {
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
+    Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+    std::shared_ptr<CallRecord> record) {
+  using Refused = RefusedCall<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>;
+  try {
+    static_cast<void>(record->enter());
+  } catch (const Error& why) {
+    return new Refused(context, why, std::move(record));
+  }
   const auto stream = std::make_shared<EditStream>(session, limits, std::move(record));
   stream->self_ = stream;
   stream->advance();
@@ -65,6 +73,7 @@ void EditStream::answering(std::uint64_t turn, Work&& work) noexcept {
     const std::scoped_lock lock(mutex_);
     queue_.answer(turn, {});  // closed, so that it keeps no reply
     request_ = nullptr;
+    pass_.reset();
   }
   advance();
 }
@@ -136,6 +145,11 @@ void EditStream::begin() {
 void EditStream::hand_over(Request& request) {
   if (request.cancelled) throw error::cancelled();
   if (request.refused) throw Error(*request.refused);
+  CallGate::Pass pass = record_->enter();
+  {
+    const std::scoped_lock lock(mutex_);
+    pass_ = std::move(pass);
+  }
   v1::EditStreamRequest message;
   from_bytes(request.bytes, limits_.message_bytes, message);
   release(request.bytes);
@@ -206,6 +220,7 @@ void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStrea
     const std::scoped_lock lock(mutex_);
     if (!queue_.answer(turn, std::move(bytes))) return;
     request_ = nullptr;
+    pass_.reset();
     reply.has_error() ? ++failed_ : ++answered_;
   }
   advance();

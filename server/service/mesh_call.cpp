@@ -12,6 +12,7 @@ MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context
   auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
+    call->record_->admit();
     session.later(
         [call, &session, request, message_limit] {
           answering(*call, [&] {

@@ -55,7 +55,8 @@ class RawRemeshService final : public RawService {
     return refuse("RemakeRevision", context, out);
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
-    return remeshd::EditStream::start(session_, options_.limits, record("EditStream", context));
+    return remeshd::EditStream::start(session_, options_.limits, context,
+                                      record("EditStream", context));
   }
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
     return MeshCall::start(session_, context, *in, options_.limits.message_bytes,
@@ -168,7 +169,7 @@ class RawRemeshService final : public RawService {
   [[nodiscard]] const DocumentLimits& documents() const { return options_.limits.document; }
 
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(options_.log, method, context->peer());
+    return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
   /// Runs `work` on the quick pool with the call's request: a long document takes its time to read,
@@ -177,6 +178,7 @@ class RawRemeshService final : public RawService {
   Reply* later(const char* method, Context* context, const Bytes* in, Bytes* out, Work work) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
+      call->record().admit();
       session_.later(
           [this, call, in, work] {
             answering(*call, [&] {
