@@ -30,8 +30,10 @@ EditStream::Answers failed(const remesh::v1::Error& error, std::optional<MeshWan
 }  // namespace
 
 EditStream::Impl::Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener,
-                       const CallOptions& call)
-    : context(call), on_progress(std::move(listener)), stream(stub.EditStream(context.get())) {
+                       const CallOptions& call, const std::string& token)
+    : context(call, token),
+      on_progress(std::move(listener)),
+      stream(stub.EditStream(context.get())) {
   reader = std::thread([this] { read(); });
 }
 

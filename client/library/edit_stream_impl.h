@@ -20,7 +20,8 @@ namespace remeshd::client {
 /// Inv: every request sent and not yet answered is in `open`; the reading thread answers it, or,
 /// when the stream ends, gives all of them the stream's error. Only that thread takes one out.
 struct EditStream::Impl {
-  Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener, const CallOptions& call);
+  Impl(remesh::v1::RemeshService::Stub& stub, OnProgress listener, const CallOptions& call,
+       const std::string& token);
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;

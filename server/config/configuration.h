@@ -25,7 +25,7 @@ Configuration read_configuration(std::vector<std::string> arguments,
                                  const std::vector<std::string>& environment);
 
 /// What can be told of the settings before the daemon starts, beyond each value's range.
-/// Throws ConfigError or Error(LISTEN_INVALID).
+/// Throws ConfigError, SecretFileError or Error(LISTEN_INVALID).
 void check_settings(const Settings& settings);
 
 /// Whom `--health` asks: the address that it names, else the daemon of these settings, at its Unix

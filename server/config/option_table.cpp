@@ -48,6 +48,17 @@ Option choice(std::string name, std::vector<std::string> words, Member member, s
 }
 
 template <typename Member>
+Option on_off(std::string name, Member member, std::string help) {
+  return {.name = std::move(name),
+          .kind = OptionKind::Switch,
+          .argument = {},
+          .help = std::move(help),
+          .set = [member](Settings& to,
+                          const OptionValue& value) { *member(to) = std::get<bool>(value); },
+          .get = [member](const Settings& from) { return read(member, from); }};
+}
+
+template <typename Member>
 Option list(std::string name, std::string argument, Member member, std::string help) {
   return {.name = std::move(name),
           .kind = OptionKind::List,
@@ -125,6 +136,30 @@ std::vector<Option> make_table() {
           "listen", "ADDRESS", [](S& s) { return &s.daemon.listen; },
           "HOST:PORT to serve on; port 0 takes a free one; or unix:/PATH, a Unix socket; may be "
           "given several times"),
+      text(
+          "tls-cert", "FILE", [](S& s) { return &s.daemon.tls.certificate; },
+          "certificate in PEM, with its chain: TLS on every address but Unix sockets"),
+      text(
+          "tls-key", "FILE", [](S& s) { return &s.daemon.tls.key; }, "its key in PEM"),
+      text(
+          "tls-client-ca", "FILE", [](S& s) { return &s.daemon.tls.client_ca; },
+          "certificates in PEM of who signs the clients': each client has to show one"),
+      text(
+          "token-file", "FILE", [](S& s) { return &s.token_file; },
+          "lines `TENANT TOKEN`: each call has to bring one of the tokens; read anew on SIGHUP"),
+      on_off(
+          "reflection", [](S& s) { return &s.daemon.reflection; },
+          "let anyone ask for the protocol (gRPC reflection)"),
+      on_off(
+          "behind-proxy", [](S& s) { return &s.behind_proxy; },
+          "serve addresses that other machines reach without mutual TLS: right only where a "
+          "maintained proxy alone can reach them"),
+      text(
+          "metrics", "HOST:PORT", [](S& s) { return &s.metrics; },
+          "serve metrics for Prometheus here, under /metrics"),
+      on_off(
+          "insecure-metrics", [](S& s) { return &s.insecure_metrics; },
+          "serve metrics on an address that other machines reach: whoever does may read them"),
       text(
           "health-socket", "PATH", [](S& s) { return &s.health_socket; },
           "Unix socket to listen on too, for --health"),

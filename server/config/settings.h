@@ -13,7 +13,11 @@ struct Settings {
   LogOptions log;
   std::filesystem::path health_socket;  ///< a Unix socket to listen on too; empty: none
   std::filesystem::path port_file;      ///< that tells where it serves; empty: none
-  double grace = 10;                    ///< s that requests may go on after a signal to end
+  std::string metrics;                  ///< HOST:PORT to serve metrics on; empty: none
+  bool insecure_metrics = false;        ///< `metrics` may be reached from elsewhere
+  std::filesystem::path token_file;     ///< of Doorman; empty: none
+  bool behind_proxy = false;  ///< what may be reached from elsewhere need not have mutual TLS
+  double grace = 10;          ///< s that requests may go on after a signal to end
 };
 
 }  // namespace remeshd

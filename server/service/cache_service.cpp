@@ -33,8 +33,14 @@ class CacheServiceWithoutCalls final : public RawService {
     return refuse("CollectGarbage", context, out);
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* /*in*/) override {
-    return new RefusedCall<grpc::ServerWriteReactor<Bytes>>(
-        context, error::unsupported("VerifyCache"), record("VerifyCache", context));
+    auto call = record("VerifyCache", context);
+    Error why = error::unsupported("VerifyCache");
+    try {
+      call->admit(*context);
+    } catch (const Error& refusal) {
+      why = refusal;
+    }
+    return new RefusedCall<grpc::ServerWriteReactor<Bytes>>(context, why, std::move(call));
   }
   Reply* SetPin(Context* context, const Bytes* /*in*/, Bytes* out) override {
     return refuse("SetPin", context, out);
@@ -47,7 +53,10 @@ class CacheServiceWithoutCalls final : public RawService {
 
   Reply* refuse(const char* method, Context* context, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
+    answering(*call, [&] {
+      call->record().admit(*context);
+      throw error::unsupported(method);
+    });
     return call.get();
   }
 

@@ -42,15 +42,24 @@ class CallRecord {
   CallRecord(FrontDeskPtr desk, std::string method, const grpc::ServerContextBase& context);
 
   /// Lets the call in; it counts as under way until it has ended. Before anything is done for it.
-  /// Throws what CallGate::enter throws.
-  void admit();
-  /// As CallGate::enter: for calls that do more than one thing, and count each.
+  /// Throws what Doorman::tenant_of and CallGate::enter throw.
+  void admit(const grpc::ServerContextBase& context);
+  /// The same for a stream, of which each request counts by itself: `enter`.
+  void admit_stream(const grpc::ServerContextBase& context);
   [[nodiscard]] CallGate::Pass enter() const { return desk_->gate->enter(); }
+  /// Whose call it is; set by `admit`. Empty where the daemon asks for no tokens.
+  [[nodiscard]] const std::string& tenant() const { return tenant_; }
+  [[nodiscard]] const FrontDesk& desk() const { return *desk_; }
 
   void set_request_id(std::string id);
   void set_status(const grpc::Status& status, const std::string& reason = {}) noexcept;
   /// For the calls that do more than one thing: what they did.
   void set_note(std::string note);
+  /// The call keeps its connection busy for as long as its client likes.
+  void count_as_stream();
+  /// A request of a stream has ended.
+  void count_request(grpc::StatusCode code, const std::string& reason,
+                     double seconds) const noexcept;
   /// The call has ended: writes the line.
   void end() noexcept;
 
@@ -60,7 +69,9 @@ class CallRecord {
   const std::string method_;
   const std::string peer_;
   std::string trace_parent_;  ///< empty where the client sent none
+  std::string tenant_;
   CallGate::Pass pass_;
+  bool streams_ = false;  ///< counts as an open stream
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   mutable std::mutex mutex_;
   const char* status_ = "CANCELLED";

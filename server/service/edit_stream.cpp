@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/encode.h"
 #include "server/service/refused_call.h"
@@ -40,7 +41,9 @@ grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
     std::shared_ptr<CallRecord> record) {
   using Refused = RefusedCall<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>;
   try {
+    record->admit_stream(*context);
     static_cast<void>(record->enter());
+    record->count_as_stream();
   } catch (const Error& why) {
     return new Refused(context, why, std::move(record));
   }
@@ -135,6 +138,7 @@ void EditStream::begin() {
     if (!queue_.may_begin()) return;  // closed meanwhile
     cancel_at_work_ = false;
     request = queue_.begin();
+    began_ = std::chrono::steady_clock::now();
   }
   answering(request.turn, [&] {
     guarded([&] { hand_over(request); },
@@ -191,6 +195,7 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
                       [&] {
                         v1::EditStreamResponse reply;
                         *reply.mutable_result() = encode(made, id);
+                        count_made(self->record_->desk(), made);
                         {
                           const std::scoped_lock lock(self->mutex_);
                           const std::string& design = made.filed.place.design;
@@ -216,13 +221,17 @@ void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& wh
 void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply) {
   reply.set_request_id(id);
   grpc::ByteBuffer bytes = to_bytes(reply);
+  std::chrono::duration<double> spent{};
   {
     const std::scoped_lock lock(mutex_);
     if (!queue_.answer(turn, std::move(bytes))) return;
     request_ = nullptr;
     pass_.reset();
     reply.has_error() ? ++failed_ : ++answered_;
+    spent = std::chrono::steady_clock::now() - began_;
   }
+  record_->count_request(static_cast<grpc::StatusCode>(reply.error().code()),
+                         v1::Error::Reason_Name(reply.error().reason()), spent.count());
   advance();
 }
 

@@ -3,6 +3,7 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -82,6 +83,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   StreamQueue queue_;
   MakeRequestPtr request_;  ///< at work; null until the session has returned it
   CallGate::Pass pass_;  ///< of the one at work: an idle stream does not hold the daemon's end up
+  std::chrono::steady_clock::time_point began_;  ///< the one at work
   bool cancel_at_work_ = false;
   /// What an edit without a base is made of: the design of the last result, or that where it is in
   /// none.

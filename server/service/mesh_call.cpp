@@ -12,7 +12,8 @@ MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context
   auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
-    call->record_->admit();
+    call->record_->admit(*context);
+    call->record_->count_as_stream();
     session.later(
         [call, &session, request, message_limit] {
           answering(*call, [&] {

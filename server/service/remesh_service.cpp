@@ -4,6 +4,7 @@
 
 #include "remesh/v1/remesh.grpc.pb.h"
 #include "server/service/call.h"
+#include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
@@ -178,7 +179,7 @@ class RawRemeshService final : public RawService {
   Reply* later(const char* method, Context* context, const Bytes* in, Bytes* out, Work work) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
-      call->record().admit();
+      call->record().admit(*context);
       session_.later(
           [this, call, in, work] {
             answering(*call, [&] {
@@ -204,6 +205,7 @@ class RawRemeshService final : public RawService {
           const auto answer = [call, id](const Made& made) {
             answering(*call, [&] {
               call->record().set_note("revision=" + made.filed.record.id.substr(0, 12));
+              count_made(call->record().desk(), made);
               Response response;
               *response.mutable_result() = encode(made, id);
               call->reply(response);
@@ -230,7 +232,10 @@ class RawRemeshService final : public RawService {
   /// A call that this daemon does not do.
   Reply* refuse(const char* method, Context* context, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
+    answering(*call, [&] {
+      call->record().admit(*context);
+      throw error::unsupported(method);
+    });
     return call.get();
   }
 

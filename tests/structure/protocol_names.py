@@ -17,7 +17,7 @@ LATER = {
     "DUPLICATE_NAME", "UNKNOWN_SIZE", "UNKNOWN_GROUP",                    # sizes and groups
     "SELECTOR_INVALID", "SELECTOR_EMPTY", "POLICY_BROKEN",
     "TOO_MANY_STREAMS", "STARTING",                                       # load
-    "CREDENTIALS_MISSING", "CREDENTIALS_INVALID", "NOT_ALLOWED",          # access
+    "NOT_ALLOWED",                                                        # access
     "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients
 }
 # Texts of that form that are no names of the protocol.

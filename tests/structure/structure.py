@@ -12,7 +12,7 @@ STATIONS = ("base mesh kernel model cellular difference plan boundary nodes opti
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
 APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt"}
-SERVER_LAYERS = "process config transport service session store observe".split()  # each sees those after it, and engine
+SERVER_LAYERS = "process config transport service guard session store observe".split()  # each sees those after it, and engine
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 GEOMETRY_KERNEL = re.compile(r"CGAL/|tetgen\.h$|.*\.[hl]xx$")  # OpenCASCADE's headers end in xx
