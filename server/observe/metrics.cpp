@@ -31,7 +31,7 @@ void add(std::vector<MetricFamily>& out, const char* name, const char* help,
   out.push_back(std::move(each));
 }
 
-/// Counting must not fail what is counted.
+/// Counting must not fail what is counted, nor end the thread of whoever looks.
 template <typename Count>
 void count(Count&& work) noexcept {
   try {
@@ -72,7 +72,7 @@ std::vector<MetricFamily> Metrics::Parts::Collect() const {
   MetricsReadings now;
   {
     const std::scoped_lock lock(mutex);
-    for (const auto& [name, source] : sources) source(now);
+    for (const auto& [name, source] : sources) count([&] { source(now); });
   }
   std::vector<MetricFamily> out = registry.Collect();
   if (now.ready) add(out, "remeshd_ready", "1 while the daemon is ready", *now.ready ? 1 : 0);

@@ -57,8 +57,8 @@ class Metrics {
   void evicted(Tier from) noexcept;
   void helper_crashed() noexcept;
 
-  /// `source` is called at each look, on the thread of whoever looks; in place of the one before of
-  /// this name; an empty one: none. Once this has returned the one before is called no more.
+  /// `source` is called at each look, by whoever looks; what it throws is dropped. In place of the
+  /// one before of this name, which is called no more once this has returned; an empty one: none.
   void set_source(const std::string& name, Source source);
 
   /// In Prometheus' text format.

@@ -58,6 +58,13 @@ TEST(MetricsTexts, HaveWhatSourcesTellNowAndLeaveOutWhatNoneKnows) {
   EXPECT_THAT(metrics.text(), Not(HasSubstr("remeshd_ready")));
 }
 
+TEST(MetricsTexts, SurviveASourceThatThrows) {
+  Metrics metrics("1.2.3", 13);
+  metrics.set_source("broken", [](MetricsReadings&) { throw std::runtime_error("no"); });
+  metrics.set_source("log", [](MetricsReadings& out) { out.log_dropped = 7; });
+  EXPECT_THAT(metrics.text(), HasSubstr("remeshd_log_dropped_total 7"));
+}
+
 /// The answer to a GET of HTTP/1.0.
 std::string get(int port, const std::string& path) {
   const Descriptor connection = connect_to("127.0.0.1:" + std::to_string(port));
