@@ -6,12 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "server/guard/tls_files.h"
+#include "server/observe/metrics.h"
+#include "server/observe/readiness.h"
+#include "server/service/front_desk.h"
 #include "server/service/remesh_service.h"
 #include "server/session/session.h"
 #include "server/transport/accept_loop.h"
@@ -60,10 +65,45 @@ std::size_t max_connections(const DaemonOptions& options) {
   return most;
 }
 
+using Acceptor = std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor>;
+/// By the descriptor of the listening socket.
+using Acceptors = std::map<int, Acceptor>;
+
+/// The way into gRPC for the connections of each socket: in the clear over a Unix socket, which its
+/// owner alone can reach, else by TLS where there is one.
+Acceptors add_acceptors(grpc::ServerBuilder& builder, const std::vector<ListeningSockets>& sockets,
+                        const TlsFiles& tls) {
+  using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
+  Acceptor clear, encrypted;
+  Acceptors out;
+  for (const ListeningSockets& each : sockets) {
+    const bool encrypts = tls.used() && !each.is_unix();
+    Acceptor& acceptor = encrypts ? encrypted : clear;
+    if (!acceptor)
+      acceptor = builder.experimental().AddExternalConnectionAcceptor(
+          Type::FROM_FD, encrypts ? make_tls_credentials(tls) : grpc::InsecureServerCredentials());
+    for (const Descriptor& listener : each.descriptors()) out.emplace(listener.get(), acceptor);
+  }
+  return out;
+}
+
+/// gRPC's library of reflection turns it on for every server of the process; this turns it off for
+/// one.
+struct NoReflection final : grpc::ServerBuilderOption {
+  void UpdateArguments(grpc::ChannelArguments* /*arguments*/) override {}
+  void UpdatePlugins(std::vector<std::unique_ptr<grpc::ServerBuilderPlugin>>* plugins) override {
+    std::erase_if(*plugins, [](const std::unique_ptr<grpc::ServerBuilderPlugin>& plugin) {
+      return dynamic_cast<grpc::reflection::ProtoServerReflectionPlugin*>(plugin.get()) != nullptr;
+    });
+  }
+};
+
 }  // namespace
 
 struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
+  Readiness readiness;
+  const std::shared_ptr<FrontDesk> desk;
   Session session;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
@@ -73,15 +113,48 @@ struct Daemon::Parts {
 
   Parts(const DaemonOptions& options, Engine engine)
       : log(options.log),
+        desk(std::make_shared<FrontDesk>(
+            FrontDesk{.log = options.log, .metrics = options.metrics, .doorman = options.doorman})),
         session(std::move(engine), open_store(options), session_limits(options)),
         max_connections(remeshd::max_connections(options)),
-        service(make_remesh_service(session, {.facts = facts(), .log = options.log})),
-        cache_service(make_cache_service(options.log)) {}
+        service(make_remesh_service(session, {.facts = facts(), .desk = desk})),
+        cache_service(make_cache_service(desk)) {}
 
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
             .connections = static_cast<std::uint32_t>(max_connections),
-            .streams = kMostStreams};
+            .streams = kMostStreams,
+            .readiness = &readiness};
+  }
+
+  void tell_metrics() {
+    if (!desk->metrics) return;
+    desk->metrics->set_source("daemon", [this](MetricsReadings& out) {
+      const Load load = session.load();
+      out.ready = readiness.ready();
+      out.queue_depth.emplace_back("computation", load.queued);
+      out.computations_running = load.running;
+      out.memory_bytes = load.held_bytes;
+      out.memory_budget_bytes = session.limits().memory;
+      if (session.persistent()) out.disk_bytes = load.disk_bytes;
+      out.revisions = load.revisions;
+      if (connections) out.connections = connections->count();
+    });
+  }
+
+  /// The health service answers for the process under `` and `liveness`, for its readiness under
+  /// the service's name.
+  void tell_health() {
+    grpc::HealthCheckServiceInterface* const health = server->GetHealthCheckService();
+    if (health == nullptr) return;
+    health->SetServingStatus("liveness", true);
+    readiness.on_change(
+        [this, health, was_ready = true](bool ready, const std::string& why_not) mutable {
+          health->SetServingStatus("remesh.v1.RemeshService", ready);
+          if (log && !ready && !desk->gate->closed()) log->warn("not ready: {}", why_not);
+          if (log && ready && !was_ready) log->info("ready again");
+          was_ready = ready;
+        });
   }
 };
 
@@ -96,27 +169,24 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;
+  if (!options.reflection) builder.SetOption(std::make_unique<NoReflection>());
   set_transport_limits(builder);
-  using Experimental = grpc::ServerBuilder::experimental_type;
-  std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor;
-  if (!sockets.empty())
-    acceptor = builder.experimental().AddExternalConnectionAcceptor(
-        Experimental::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
+  Acceptors acceptors = add_acceptors(builder, sockets, options.tls);
   builder.RegisterService(parts_->service.get());
   builder.RegisterService(parts_->cache_service.get());
   parts_->server = builder.BuildAndStart();
   if (!parts_->server) throw std::runtime_error("gRPC does not start");
-  if (auto* health = parts_->server->GetHealthCheckService())
-    health->SetServingStatus("remesh.v1.RemeshService", true);
+  parts_->tell_health();
   if (sockets.empty()) return;
-  const auto hand_over = [acceptor](int listener, Descriptor connection) {
+  const auto hand_over = [acceptors = std::move(acceptors)](int listener, Descriptor connection) {
     grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
     parameters.listener_fd = listener;
     parameters.fd = connection.release();
-    acceptor->HandleNewConnection(&parameters);
+    acceptors.at(listener)->HandleNewConnection(&parameters);
   };
   parts_->connections = std::make_unique<AcceptLoop>(std::move(sockets), parts_->max_connections,
                                                      hand_over, options.log);
+  parts_->tell_metrics();
 }
 
 Daemon::~Daemon() { shutdown(); }
@@ -147,10 +217,16 @@ std::string Daemon::address() const {
   return all.empty() ? "" : all.front();
 }
 
-void Daemon::shutdown() {
-  std::call_once(parts_->ended, [this] {
-    if (parts_->connections) parts_->connections->stop();
+void Daemon::shutdown(double grace) {
+  std::call_once(parts_->ended, [this, grace] {
     if (!parts_->server) return;
+    parts_->desk->gate->close();
+    parts_->readiness.set("end", "the daemon is shutting down");
+    // New connections are still taken, so that probes and callers hear the truth.
+    parts_->desk->gate->wait_until_empty(std::chrono::duration<double>(grace));
+    if (parts_->desk->metrics) parts_->desk->metrics->set_source("daemon", {});
+    if (parts_->connections) parts_->connections->stop();
+    parts_->readiness.on_change({});
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
     // First the session: its answers still reach their clients. What then is left are idle streams.
     parts_->session.stop();

@@ -7,16 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "server/guard/tls_files.h"
 #include "server/session/engine.h"
 
 namespace grpc {
 class Channel;
-}
+}  // namespace grpc
 namespace spdlog {
 class logger;
 }
 
 namespace remeshd {
+
+class Doorman;
+class Metrics;
 
 struct DaemonOptions {
   /// As `parse_listen_address` takes them; port 0 takes a free one. None: nothing is listened on,
@@ -35,13 +39,17 @@ struct DaemonOptions {
   std::uint32_t max_nodes = 5000000;    ///< that may be asked for
   std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;  ///< null: no log
+  std::shared_ptr<Metrics> metrics;     ///< null: nothing is counted
+  TlsFiles tls;                         ///< for what is no Unix socket
+  std::shared_ptr<Doorman> doorman;     ///< asks callers for tokens; null: everybody is let in
+  bool reflection = false;              ///< whether the protocol can be asked for
 };
 
 /// remeshd as an object: the service over a session over a store, on a port or in this process.
 class Daemon {
  public:
   /// Serves from when this returns. Throws Error: `LISTEN_INVALID` before anything else, what Store
-  /// throws, `LISTEN_FAILED`.
+  /// throws, `LISTEN_FAILED`; SecretFileError for `tls`.
   Daemon(const DaemonOptions& options, Engine engine);
   /// As `shutdown`.
   ~Daemon();
@@ -57,9 +65,10 @@ class Daemon {
   [[nodiscard]] std::vector<std::string> addresses() const;
   /// The first of them; empty where it does not listen.
   [[nodiscard]] std::string address() const;
-  /// Answers what is under way with UNAVAILABLE, stops every computation and returns when all is at
-  /// rest. A second call does nothing.
-  void shutdown();
+  /// Ends the daemon. From now on it is not ready and refuses new requests as UNAVAILABLE, with a
+  /// delay; what is under way may go on for `grace` s, and is then answered with UNAVAILABLE. Stops
+  /// every computation and returns when all is at rest. A second call does nothing.
+  void shutdown(double grace = 0);
 
  private:
   struct Parts;

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "client/cli/connect_options.h"
 #include "client/cli/store_folder.h"
 #include "server/daemon.h"
 
@@ -24,7 +25,7 @@ struct LocalDaemon {
 }  // namespace
 
 client::Client connect(const GlobalOptions& options) {
-  if (!options.local) return client::Client::connect(options.address);
+  if (!options.local) return client::Client::connect(options.address, connect_options(options));
   DaemonOptions daemon;
   daemon.listen.clear();
   daemon.store = options.store.empty() ? default_store_folder() : options.store;

@@ -35,6 +35,16 @@ void build(CLI::App& app, Line& line) {
   app.add_option("--address", line.options.address, "Where the daemon listens [127.0.0.1:50051]")
       ->envname("REMESH_ADDRESS")
       ->type_name("HOST:PORT");
+  const auto file = [&app](const char* flag, const char* variable, std::filesystem::path& path,
+                           const char* help) {
+    app.add_option(flag, path, help)->envname(variable)->type_name("FILE");
+  };
+  file("--tls-ca", "REMESH_TLS_CA", line.options.tls_ca,
+       "Use TLS: certificates (PEM) of who signs the daemon's");
+  file("--tls-cert", "REMESH_TLS_CERT", line.options.tls_cert, "Own certificate (PEM) to show");
+  file("--tls-key", "REMESH_TLS_KEY", line.options.tls_key, "Its key (PEM)");
+  file("--token-file", "REMESH_TOKEN_FILE", line.options.token_file,
+       "File with the token that the daemon knows its user by");
   auto* local =
       app.add_flag("--local", line.options.local, "Work without a daemon, in this process");
   app.add_option("--store", line.options.store,

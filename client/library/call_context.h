@@ -8,15 +8,18 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 
 #include "remeshd/call_options.h"
 
 namespace remeshd::client {
 
-/// The context of one call: its deadline, and its cancellation by a stop request.
+/// The context of one call: who calls, its deadline, and its cancellation by a stop request.
 class CallContext {
  public:
-  explicit CallContext(const CallOptions& options) {
+  /// `token`: as ConnectOptions has it.
+  CallContext(const CallOptions& options, const std::string& token) {
+    if (!token.empty()) context_.AddMetadata("authorization", "Bearer " + token);
     if (options.timeout)
       context_.set_deadline(std::chrono::system_clock::now() +
                             std::chrono::microseconds(std::llround(*options.timeout * 1e6)));

@@ -5,6 +5,8 @@
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/support/channel_arguments.h>
 
+#include <utility>
+
 #include "client/library/call_context.h"
 #include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
@@ -27,18 +29,22 @@ constexpr int kKeepaliveTimeout = 20'000;
 template <class Request, class Reply>
 using Method = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Reply*);
 
+/// `impl`: of the client.
 template <class Request, class Reply>
-Reply unary(Stub& stub, Method<Request, Reply> method, const Request& request,
+Reply unary(const auto& impl, Method<Request, Reply> method, const Request& request,
             const CallOptions& options) {
-  CallContext context(options);
+  CallContext context(options, impl.token);
   Reply reply;
-  check((stub.*method)(context.get(), request, &reply));
+  check(((*impl.stub).*method)(context.get(), request, &reply));
   return reply;
 }
 
+bool encrypts(const ConnectOptions& options) {
+  return !options.root_certificates.empty() || !options.certificate.empty();
+}
+
 std::shared_ptr<grpc::ChannelCredentials> credentials(const ConnectOptions& options) {
-  if (options.root_certificates.empty() && options.certificate.empty())
-    return grpc::InsecureChannelCredentials();
+  if (!encrypts(options)) return grpc::InsecureChannelCredentials();
   grpc::SslCredentialsOptions tls;
   tls.pem_root_certs = options.root_certificates;
   tls.pem_cert_chain = options.certificate;
@@ -52,40 +58,59 @@ bool is_loopback(const std::string& address) {
          address.starts_with("[::1]:");
 }
 
+/// A token is as good as a password: it goes where nobody can read it on its way.
+void check_token(const std::string& address, const ConnectOptions& options) {
+  if (options.token.empty() || encrypts(options)) return;
+  if (is_loopback(address) || address.starts_with("unix:")) return;
+  remesh::v1::Error error;
+  error.set_code(remesh::v1::Error::CODE_INVALID_ARGUMENT);
+  error.set_stage("request");
+  error.set_parameter("token");
+  error.set_message("a token would be sent to " + address + " for anyone to read");
+  error.set_hint("use TLS: root_certificates; of `remesh`: --tls-ca FILE");
+  throw CallError(std::move(error));
+}
+
 }  // namespace
 
 struct Client::Impl {
-  explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
-      : stub(RemeshService::NewStub(channel)) {}
+  explicit Impl(const std::shared_ptr<grpc::Channel>& channel, std::string token_to_send = {})
+      : stub(RemeshService::NewStub(channel)), token(std::move(token_to_send)) {}
   const std::shared_ptr<Stub> stub;
+  const std::string token;
 };
 
 Client Client::connect(const std::string& address, const ConnectOptions& options) {
+  check_token(address, options);
   grpc::ChannelArguments arguments;
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, options.keepalive * 1000);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeout);
   arguments.SetMaxReceiveMessageSize(kMaxMessage);
   if (is_loopback(address)) arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
-  return Client(grpc::CreateCustomChannel(address, credentials(options), arguments));
+  return Client(std::make_shared<const Impl>(
+      grpc::CreateCustomChannel(address, credentials(options), arguments), options.token));
 }
 
 Client::Client(std::shared_ptr<grpc::Channel> channel)
-    : impl_(std::make_shared<const Impl>(channel)) {}
+    : Client(std::make_shared<const Impl>(channel)) {}
+
+Client::Client(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
 remesh::v1::RevisionResult Client::create_revision(const remesh::v1::CreateRevisionRequest& request,
                                                    const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_->stub, &Stub::CreateRevision, request, call).result();
+  return unary(*impl_, &Stub::CreateRevision, request, call).result();
 }
 
 remesh::v1::RevisionResult Client::edit_revision(const remesh::v1::EditRevisionRequest& request,
                                                  const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_->stub, &Stub::EditRevision, request, call).result();
+  return unary(*impl_, &Stub::EditRevision, request, call).result();
 }
 
 EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions& call) const {
-  return EditStream(std::make_unique<EditStream::Impl>(impl_->stub, std::move(on_progress), call));
+  return EditStream(
+      std::make_unique<EditStream::Impl>(impl_->stub, std::move(on_progress), call, impl_->token));
 }
 
 Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
@@ -96,7 +121,7 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
   MeshAssembler assembler(wanted.arrays, {wanted.base});
   Reconnecting patience(call);
   while (true) {
-    CallContext context(patience.rest());
+    CallContext context(patience.rest(), impl_->token);
     const auto reader = impl_->stub->GetMesh(context.get(), request);
     remesh::v1::GetMeshResponse response;
     try {
@@ -122,7 +147,7 @@ remesh::v1::GetRevisionResponse Client::get_revision(const std::string& revision
                                                      const CallOptions& call) const {
   remesh::v1::GetRevisionRequest request;
   request.set_revision(revision);
-  return unary(*impl_->stub, &Stub::GetRevision, request, call);
+  return unary(*impl_, &Stub::GetRevision, request, call);
 }
 
 std::vector<remesh::v1::RevisionInfo> Client::list_revisions(
@@ -130,7 +155,7 @@ std::vector<remesh::v1::RevisionInfo> Client::list_revisions(
   std::vector<remesh::v1::RevisionInfo> revisions;
   request.clear_page_token();
   do {
-    const auto page = unary(*impl_->stub, &Stub::ListRevisions, request, call);
+    const auto page = unary(*impl_, &Stub::ListRevisions, request, call);
     revisions.insert(revisions.end(), page.revisions().begin(), page.revisions().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
@@ -149,7 +174,7 @@ std::vector<remesh::v1::DesignInfo> Client::list_designs(remesh::v1::ListDesigns
   std::vector<remesh::v1::DesignInfo> designs;
   request.clear_page_token();
   do {
-    const auto page = unary(*impl_->stub, &Stub::ListDesigns, request, call);
+    const auto page = unary(*impl_, &Stub::ListDesigns, request, call);
     designs.insert(designs.end(), page.designs().begin(), page.designs().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
@@ -158,7 +183,7 @@ std::vector<remesh::v1::DesignInfo> Client::list_designs(remesh::v1::ListDesigns
 
 remesh::v1::SetHeadResponse Client::set_head(const remesh::v1::SetHeadRequest& request,
                                              const CallOptions& call) const {
-  return unary(*impl_->stub, &Stub::SetHead, request, call);
+  return unary(*impl_, &Stub::SetHead, request, call);
 }
 
 remesh::v1::DeleteRevisionResponse Client::delete_revision(const std::string& revision,
@@ -167,39 +192,39 @@ remesh::v1::DeleteRevisionResponse Client::delete_revision(const std::string& re
   remesh::v1::DeleteRevisionRequest request;
   request.set_revision(revision);
   request.set_allow_head(allow_head);
-  return unary(*impl_->stub, &Stub::DeleteRevision, request, call);
+  return unary(*impl_, &Stub::DeleteRevision, request, call);
 }
 
 remesh::v1::DeleteDesignResponse Client::delete_design(
     const remesh::v1::DeleteDesignRequest& request, const CallOptions& call) const {
-  return unary(*impl_->stub, &Stub::DeleteDesign, request, call);
+  return unary(*impl_, &Stub::DeleteDesign, request, call);
 }
 
 remesh::v1::Comparison Client::compare(const remesh::v1::CompareRequest& request,
                                        const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_->stub, &Stub::Compare, request, call).comparison();
+  return unary(*impl_, &Stub::Compare, request, call).comparison();
 }
 
 remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateModelRequest& request,
                                         const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_->stub, &Stub::ValidateModel, request, call).check();
+  return unary(*impl_, &Stub::ValidateModel, request, call).check();
 }
 
 remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateEditRequest& request,
                                         const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_->stub, &Stub::ValidateEdit, request, call).check();
+  return unary(*impl_, &Stub::ValidateEdit, request, call).check();
 }
 
 std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) const {
-  const auto reply = unary(*impl_->stub, &Stub::ListFeatureTypes, {}, call);
+  const auto reply = unary(*impl_, &Stub::ListFeatureTypes, {}, call);
   return {reply.types().begin(), reply.types().end()};
 }
 
 remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
-  return unary(*impl_->stub, &Stub::GetServerInfo, {}, call).server();
+  return unary(*impl_, &Stub::GetServerInfo, {}, call).server();
 }
 
 }  // namespace remeshd::client

@@ -50,10 +50,11 @@ EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
 }  // namespace
 
 EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
-                       const CallOptions& call_options)
+                       const CallOptions& call_options, std::string bearer_token)
     : stub(std::move(service)),
       on_progress(std::move(listener)),
       options(call_options),
+      token(std::move(bearer_token)),
       patience(call_options),
       call(new_call()) {
   reader = std::thread([this] { read(); });
@@ -66,7 +67,7 @@ EditStream::Impl::~Impl() {
 }
 
 std::shared_ptr<EditStream::Impl::Call> EditStream::Impl::new_call() const {
-  return std::make_shared<Call>(*stub, patience.rest());
+  return std::make_shared<Call>(*stub, patience.rest(), token);
 }
 
 EditStream::Impl::Requests::iterator EditStream::Impl::find(const std::string& id) {

@@ -24,7 +24,8 @@ namespace remeshd::client {
 struct EditStream::Impl {
   using Stub = remesh::v1::RemeshService::Stub;
 
-  Impl(std::shared_ptr<Stub> service, OnProgress listener, const CallOptions& call);
+  Impl(std::shared_ptr<Stub> service, OnProgress listener, const CallOptions& call,
+       std::string bearer_token);
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -38,8 +39,8 @@ struct EditStream::Impl {
  private:
   /// One call of EditStream; a stream that broke goes on in another one.
   struct Call {
-    Call(Stub& stub, const CallOptions& options)
-        : context(options), stream(stub.EditStream(context.get())) {}
+    Call(Stub& stub, const CallOptions& options, const std::string& token)
+        : context(options, token), stream(stub.EditStream(context.get())) {}
     CallContext context;
     std::unique_ptr<
         grpc::ClientReaderWriter<remesh::v1::EditStreamRequest, remesh::v1::EditStreamResponse>>
@@ -72,6 +73,7 @@ struct EditStream::Impl {
   const std::shared_ptr<Stub> stub;
   const OnProgress on_progress;
   const CallOptions options;
+  const std::string token;
   Reconnecting patience;                  ///< of the reading thread, but for `rest` and `stop`
   std::shared_ptr<const Mesh> last_mesh;  ///< that the stream brought; of the reading thread
 

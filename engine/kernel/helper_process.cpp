@@ -94,7 +94,10 @@ int spawn(const std::filesystem::path& program, std::vector<std::string>& argume
   posix_spawnattr_setflags(&attributes,
                            POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 
-  const int failure = posix_spawn(&pid, path.c_str(), &actions, &attributes, argv.data(), environ);
+  // The daemon's environment may hold what is none of the helper's business.
+  std::array<char*, 1> environment{nullptr};
+  const int failure =
+      posix_spawn(&pid, path.c_str(), &actions, &attributes, argv.data(), environment.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return failure;

@@ -71,8 +71,10 @@ Error out_of_memory() {
 }
 
 Error shutting_down() {
-  return Error(
-      request_info(ErrorKind::Unavailable, "SHUTTING_DOWN", "the daemon is shutting down"));
+  ErrorInfo info =
+      request_info(ErrorKind::Unavailable, "SHUTTING_DOWN", "the daemon is shutting down");
+  info.retry_after = 1;  // where it is started again, or another one takes its place
+  return Error(std::move(info));
 }
 
 }  // namespace remeshd::error

@@ -80,6 +80,14 @@ CommandLine read_command_line(std::vector<std::string> arguments) {
   bool check = false, print = false;
   app.add_flag("--check-config", check, "tell what is wrong with the configuration, and end");
   app.add_flag("--print-config", print, "print the configuration as a file for --config, and end");
+  CLI::Option* const health = app.add_option(
+      "--health", out.health_address,
+      "ask the daemon at this address, or at its own, how it is, and end: exit code 0 serving, 1 "
+      "not serving, 2 unreachable");
+  health->type_name("[ADDRESS]")->expected(0, 1);
+  bool live = false;
+  app.add_flag("--live", live,
+               "with --health: whether its process answers, not whether it is ready");
   std::vector<Flag> flags;
   for (const Option& option : option_table()) flags.push_back(add_flag(app, option));
 
@@ -103,6 +111,8 @@ CommandLine read_command_line(std::vector<std::string> arguments) {
   for (const Flag& flag : flags)
     if (flag.parsed->count() > 0)
       out.given.push_back({flag.option, value_of(flag), flag.option->flag()});
+  out.health_service = live ? "liveness" : "remesh.v1.RemeshService";
+  if (health->count() > 0) out.task = Task::Health;
   if (check) out.task = Task::CheckConfig;
   if (print) out.task = Task::PrintConfig;
   return out;

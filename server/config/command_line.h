@@ -9,12 +9,14 @@
 namespace remeshd {
 
 /// What the program is to do.
-enum class Task : std::uint8_t { Serve, CheckConfig, PrintConfig };
+enum class Task : std::uint8_t { Serve, CheckConfig, PrintConfig, Health };
 
 struct CommandLine {
   Task task = Task::Serve;
   std::vector<GivenOption> given;
   std::string config_file;            ///< --config; empty: none
+  std::string health_address;         ///< of `--health ADDRESS`; empty: the daemon's own
+  std::string health_service;         ///< which of its names the health service is asked for
   std::optional<std::string> answer;  ///< to --help or --version: nothing else is to be done
 };
 

@@ -5,6 +5,8 @@
 #include "server/config/config_error.h"
 #include "server/config/config_file.h"
 #include "server/config/environment.h"
+#include "server/guard/tls_files.h"
+#include "server/guard/tokens.h"
 #include "server/transport/listen_address.h"
 
 namespace remeshd {
@@ -20,6 +22,24 @@ void set_all(const std::vector<GivenOption>& given, Settings& settings) {
   }
 }
 
+/// What other machines reach is guarded by certificates on both sides: a stranger without one gets
+/// no further than the handshake. A token alone is looked at after gRPC has read the call.
+void check_reach(const std::string& address, const Settings& settings) {
+  if (parse_listen_address(address).is_loopback()) return;
+  if (settings.daemon.tls.mutual() || settings.behind_proxy) return;
+  throw ConfigError("listen: other machines can reach " + address +
+                    ": that needs tls-cert, tls-key and tls-client-ca, or behind-proxy where a "
+                    "proxy guards it");
+}
+
+void check_metrics(const Settings& settings) {
+  const ListenAddress address = parse_listen_address(settings.metrics);
+  if (address.is_unix()) throw ConfigError("metrics: is to be HOST:PORT");
+  if (!address.is_loopback() && !settings.insecure_metrics)
+    throw ConfigError("metrics: other machines can reach " + settings.metrics +
+                      ", and whoever does may read them; insecure-metrics allows it");
+}
+
 }  // namespace
 
 Configuration read_configuration(std::vector<std::string> arguments,
@@ -28,6 +48,8 @@ Configuration read_configuration(std::vector<std::string> arguments,
   const CommandLine command_line = read_command_line(std::move(arguments));
   out.task = command_line.task;
   out.answer = command_line.answer;
+  out.health_address = command_line.health_address;
+  out.health_service = command_line.health_service;
   if (out.answer) return out;
   const Environment variables = read_environment(environment);
   out.warnings = variables.warnings;
@@ -41,7 +63,23 @@ Configuration read_configuration(std::vector<std::string> arguments,
 
 void check_settings(const Settings& settings) {
   if (settings.daemon.listen.empty()) throw ConfigError("listen: no address is given");
-  for (const std::string& address : settings.daemon.listen) parse_listen_address(address);
+  for (const std::string& address : settings.daemon.listen) check_reach(address, settings);
+  if (!settings.health_socket.empty())
+    parse_listen_address("unix:" + settings.health_socket.string());
+  if (!settings.metrics.empty()) check_metrics(settings);
+  check_tls_files(settings.daemon.tls);
+  if (!settings.token_file.empty()) Tokens::read(settings.token_file);
+}
+
+std::string health_address(const Configuration& configuration) {
+  if (!configuration.health_address.empty()) return configuration.health_address;
+  const Settings& settings = configuration.settings;
+  if (!settings.health_socket.empty()) return "unix:" + settings.health_socket.string();
+  for (const std::string& address : settings.daemon.listen)
+    if (address.starts_with("unix:")) return address;
+  if (settings.daemon.listen.empty() || settings.daemon.listen.front().ends_with(":0"))
+    throw ConfigError("--health: name the address, or configure a health-socket");
+  return settings.daemon.listen.front();
 }
 
 std::string print_config(const Settings& settings) {

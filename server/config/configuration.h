@@ -13,6 +13,8 @@ struct Configuration {
   Task task = Task::Serve;
   Settings settings;
   std::vector<std::string> warnings;
+  std::string health_address;  ///< as CommandLine has them
+  std::string health_service;
   std::optional<std::string> answer;  ///< as CommandLine::answer
 };
 
@@ -23,8 +25,12 @@ Configuration read_configuration(std::vector<std::string> arguments,
                                  const std::vector<std::string>& environment);
 
 /// What can be told of the settings before the daemon starts, beyond each value's range.
-/// Throws ConfigError or Error(LISTEN_INVALID).
+/// Throws ConfigError, SecretFileError or Error(LISTEN_INVALID).
 void check_settings(const Settings& settings);
+
+/// Whom `--health` asks: the address that it names, else the daemon of these settings, at its Unix
+/// socket where it has one. Throws ConfigError where that is not known (port 0).
+std::string health_address(const Configuration& configuration);
 
 /// As a file that `read_config_file` reads back: every option, with its help as a comment.
 std::string print_config(const Settings& settings);

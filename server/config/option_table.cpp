@@ -13,11 +13,11 @@ namespace {
 
 using Numbers = std::numeric_limits<std::int64_t>;
 
-// Each takes the member that it sets as a function `Settings& -> Member&`.
+// Each takes the member that it sets as a function `Settings& -> Member*`.
 
 template <typename Member>
 OptionValue read(Member member, const Settings& settings) {
-  return member(const_cast<Settings&>(settings));  // `member` only names a place
+  return *member(const_cast<Settings&>(settings));  // `member` only names a place
 }
 
 template <typename Member>
@@ -27,9 +27,9 @@ Option text(std::string name, std::string argument, Member member, std::string h
           .argument = std::move(argument),
           .help = std::move(help),
           .set = [member](Settings& to,
-                          const OptionValue& value) { member(to) = std::get<std::string>(value); },
+                          const OptionValue& value) { *member(to) = std::get<std::string>(value); },
           .get = [member](const Settings& from) -> OptionValue {
-            return std::string(member(const_cast<Settings&>(from)));
+            return std::string(*member(const_cast<Settings&>(from)));
           }};
 }
 
@@ -42,9 +42,20 @@ Option choice(std::string name, std::vector<std::string> words, Member member, s
     const auto& word = std::get<std::string>(value);
     if (std::find(words.begin(), words.end(), word) == words.end())
       throw ConfigError(fmt::format("`{}` is none of: {}", word, all));
-    member(to) = word;
+    *member(to) = word;
   };
   return option;
+}
+
+template <typename Member>
+Option on_off(std::string name, Member member, std::string help) {
+  return {.name = std::move(name),
+          .kind = OptionKind::Switch,
+          .argument = {},
+          .help = std::move(help),
+          .set = [member](Settings& to,
+                          const OptionValue& value) { *member(to) = std::get<bool>(value); },
+          .get = [member](const Settings& from) { return read(member, from); }};
 }
 
 template <typename Member>
@@ -55,7 +66,7 @@ Option list(std::string name, std::string argument, Member member, std::string h
           .help = std::move(help),
           .set =
               [member](Settings& to, const OptionValue& value) {
-                member(to) = std::get<std::vector<std::string>>(value);
+                *member(to) = std::get<std::vector<std::string>>(value);
               },
           .get = [member](const Settings& from) { return read(member, from); }};
 }
@@ -77,11 +88,11 @@ Option whole(std::string name, Range range, Member member, std::string help) {
                   throw ConfigError(fmt::format("{} is less than {}", number, range.least));
                 if (number > range.most)
                   throw ConfigError(fmt::format("{} is more than {}", number, range.most));
-                auto& place = member(to);
+                auto& place = *member(to);
                 place = static_cast<std::remove_reference_t<decltype(place)>>(number);
               },
           .get = [member](const Settings& from) -> OptionValue {
-            return static_cast<std::int64_t>(member(const_cast<Settings&>(from)));
+            return static_cast<std::int64_t>(*member(const_cast<Settings&>(from)));
           }};
 }
 
@@ -91,10 +102,10 @@ Option mebibytes(std::string name, Member member, std::string help) {
   option.argument = "MIB";
   option.set = [set = option.set, member](Settings& to, const OptionValue& value) {
     set(to, value);
-    member(to) <<= 20U;
+    *member(to) <<= 20U;
   };
   option.get = [member](const Settings& from) -> OptionValue {
-    return static_cast<std::int64_t>(member(const_cast<Settings&>(from)) >> 20U);
+    return static_cast<std::int64_t>(*member(const_cast<Settings&>(from)) >> 20U);
   };
   return option;
 }
@@ -113,7 +124,7 @@ Option seconds(std::string name, double least, Member member, std::string help) 
                   throw ConfigError(fmt::format("{} is less than {}", number, least));
                 if (number > kYear)
                   throw ConfigError(fmt::format("{} is more than a year", number));
-                member(to) = number;
+                *member(to) = number;
               },
           .get = [member](const Settings& from) { return read(member, from); }};
 }
@@ -122,48 +133,83 @@ std::vector<Option> make_table() {
   using S = Settings;
   return {
       list(
-          "listen", "ADDRESS", [](S & s) -> auto& { return s.daemon.listen; },
+          "listen", "ADDRESS", [](S& s) { return &s.daemon.listen; },
           "HOST:PORT to serve on; port 0 takes a free one; or unix:/PATH, a Unix socket; may be "
           "given several times"),
+      text(
+          "tls-cert", "FILE", [](S& s) { return &s.daemon.tls.certificate; },
+          "certificate in PEM, with its chain: TLS on every address but Unix sockets"),
+      text(
+          "tls-key", "FILE", [](S& s) { return &s.daemon.tls.key; }, "its key in PEM"),
+      text(
+          "tls-client-ca", "FILE", [](S& s) { return &s.daemon.tls.client_ca; },
+          "certificates in PEM of who signs the clients': each client has to show one"),
+      text(
+          "token-file", "FILE", [](S& s) { return &s.token_file; },
+          "lines `TENANT TOKEN`: each call has to bring one of the tokens; read anew on SIGHUP"),
+      on_off(
+          "reflection", [](S& s) { return &s.daemon.reflection; },
+          "let anyone ask for the protocol (gRPC reflection)"),
+      on_off(
+          "behind-proxy", [](S& s) { return &s.behind_proxy; },
+          "serve addresses that other machines reach without mutual TLS: right only where a "
+          "maintained proxy alone can reach them"),
+      text(
+          "metrics", "HOST:PORT", [](S& s) { return &s.metrics; },
+          "serve metrics for Prometheus here, under /metrics"),
+      on_off(
+          "insecure-metrics", [](S& s) { return &s.insecure_metrics; },
+          "serve metrics on an address that other machines reach: whoever does may read them"),
+      text(
+          "health-socket", "PATH", [](S& s) { return &s.health_socket; },
+          "Unix socket to listen on too, for --health"),
+      text(
+          "port-file", "FILE", [](S& s) { return &s.port_file; },
+          "file that tells the addresses, one a line, while the daemon serves"),
+      seconds(
+          "grace", 0, [](S& s) { return &s.grace; },
+          "that requests may go on after SIGTERM or SIGINT"),
       whole(
-          "max-connections", {1, 1000000}, [](S & s) -> auto& { return s.daemon.max_connections; },
+          "max-connections", {1, 1000000}, [](S& s) { return &s.daemon.max_connections; },
           "connections at a time"),
       text(
-          "store", "FOLDER", [](S & s) -> auto& { return s.daemon.store; },
+          "store", "FOLDER", [](S& s) { return &s.daemon.store; },
           "folder that keeps the revisions; without it they live in memory only"),
       whole(
-          "workers", {0, 1024}, [](S & s) -> auto& { return s.daemon.workers; },
+          "workers", {0, 1024}, [](S& s) { return &s.daemon.workers; },
           "computations at a time; 0: one per processor"),
       whole(
-          "threads", {0, 1024}, [](S & s) -> auto& { return s.daemon.threads; },
+          "threads", {0, 1024}, [](S& s) { return &s.daemon.threads; },
           "most threads of one computation; 0: one per processor"),
       whole(
-          "queue", {0, 1000000}, [](S & s) -> auto& { return s.daemon.queue; },
+          "queue", {0, 1000000}, [](S& s) { return &s.daemon.queue; },
           "computations that may wait for a worker"),
       seconds(
-          "queue-wait", 0.001, [](S & s) -> auto& { return s.daemon.queue_wait; },
-          "that one may wait"),
+          "queue-wait", 0.001, [](S& s) { return &s.daemon.queue_wait; }, "that one may wait"),
       seconds(
-          "compute-limit", 0, [](S & s) -> auto& { return s.daemon.compute_limit; },
+          "compute-limit", 0, [](S& s) { return &s.daemon.compute_limit; },
           "that one computation may take; 0: any"),
       mebibytes(
-          "memory", [](S & s) -> auto& { return s.daemon.memory; },
+          "memory", [](S& s) { return &s.daemon.memory; },
           "MiB that computations, loads and revisions in memory may take"),
       mebibytes(
-          "cache", [](S & s) -> auto& { return s.daemon.cache; },
+          "cache", [](S& s) { return &s.daemon.cache; },
           "MiB of the memory that revisions held for later requests may take"),
       whole(
-          "max-nodes", {20, 5000000}, [](S & s) -> auto& { return s.daemon.max_nodes; },
+          "max-nodes", {20, 5000000}, [](S& s) { return &s.daemon.max_nodes; },
           "most nodes that a request may ask for"),
       text(
-          "dumps", "FOLDER", [](S & s) -> auto& { return s.daemon.dumps; },
+          "dumps", "FOLDER", [](S& s) { return &s.daemon.dumps; },
           "folder in which every computation leaves its stages, for debugging"),
       choice(
           "log-level", {"trace", "debug", "info", "warning", "error", "off"},
-          [](S & s) -> auto& { return s.log_level; }, "least important lines that are logged"),
+          [](S& s) { return &s.log.level; }, "least important lines that are logged"),
       text(
-          "log-file", "FILE", [](S & s) -> auto& { return s.log_file; },
-          "file to append the log to, instead of stderr"),
+          "log-file", "FILE", [](S& s) { return &s.log.file; },
+          "file to append the log to, instead of stderr; opened anew on SIGHUP"),
+      choice(
+          "log-format", {"text", "json"}, [](S& s) { return &s.log.format; },
+          "form of the log's lines"),
   };
 }
 

@@ -1,17 +1,23 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 #include "server/daemon.h"
+#include "server/observe/log.h"
 
 namespace remeshd {
 
 /// All that can be configured, each by the option of its name (option_table.h).
 struct Settings {
   DaemonOptions daemon;
-  std::string log_level = "info";  ///< trace, debug, info, warning, error, off
-  std::filesystem::path log_file;  ///< empty: stderr
+  LogOptions log;
+  std::filesystem::path health_socket;  ///< a Unix socket to listen on too; empty: none
+  std::filesystem::path port_file;      ///< that tells where it serves; empty: none
+  std::string metrics;                  ///< HOST:PORT to serve metrics on; empty: none
+  bool insecure_metrics = false;        ///< `metrics` may be reached from elsewhere
+  std::filesystem::path token_file;     ///< of Doorman; empty: none
+  bool behind_proxy = false;  ///< what may be reached from elsewhere need not have mutual TLS
+  double grace = 10;          ///< s that requests may go on after a signal to end
 };
 
 }  // namespace remeshd

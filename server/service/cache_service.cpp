@@ -1,8 +1,8 @@
 #include "remesh/v1/cache.grpc.pb.h"
 #include "server/service/call.h"
 #include "server/service/raw_service.h"
+#include "server/service/refused_call.h"
 #include "server/service/remesh_service.h"
-#include "server/service/status.h"
 
 namespace remeshd {
 namespace {
@@ -19,26 +19,9 @@ using RawService =
                Cache::WithRawCallbackMethod_CollectGarbage,
                Cache::WithRawCallbackMethod_VerifyCache, Cache::WithRawCallbackMethod_SetPin>::Type;
 
-/// A stream that ends before it has begun.
-class RefusedStream final : public grpc::ServerWriteReactor<Bytes> {
- public:
-  RefusedStream(const Error& why, std::shared_ptr<CallRecord> record) : record_(std::move(record)) {
-    const grpc::Status status = to_status(why);
-    record_->set_status(status, why.info().reason);
-    Finish(status);
-  }
-  void OnDone() override {
-    record_->end();
-    delete this;
-  }
-
- private:
-  const std::shared_ptr<CallRecord> record_;
-};
-
 class CacheServiceWithoutCalls final : public RawService {
  public:
-  explicit CacheServiceWithoutCalls(std::shared_ptr<spdlog::logger> log) : log_(std::move(log)) {}
+  explicit CacheServiceWithoutCalls(FrontDeskPtr desk) : desk_(std::move(desk)) {}
 
   Reply* ListCacheEntries(Context* context, const Bytes* /*in*/, Bytes* out) override {
     return refuse("ListCacheEntries", context, out);
@@ -50,7 +33,14 @@ class CacheServiceWithoutCalls final : public RawService {
     return refuse("CollectGarbage", context, out);
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* /*in*/) override {
-    return new RefusedStream(error::unsupported("VerifyCache"), record("VerifyCache", context));
+    auto call = record("VerifyCache", context);
+    Error why = error::unsupported("VerifyCache");
+    try {
+      call->admit(*context);
+    } catch (const Error& refusal) {
+      why = refusal;
+    }
+    return new RefusedCall<grpc::ServerWriteReactor<Bytes>>(context, why, std::move(call));
   }
   Reply* SetPin(Context* context, const Bytes* /*in*/, Bytes* out) override {
     return refuse("SetPin", context, out);
@@ -58,22 +48,25 @@ class CacheServiceWithoutCalls final : public RawService {
 
  private:
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(log_, method, context->peer());
+    return std::make_shared<CallRecord>(desk_, method, *context);
   }
 
   Reply* refuse(const char* method, Context* context, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
+    answering(*call, [&] {
+      call->record().admit(*context);
+      throw error::unsupported(method);
+    });
     return call.get();
   }
 
-  const std::shared_ptr<spdlog::logger> log_;
+  const FrontDeskPtr desk_;
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> make_cache_service(std::shared_ptr<spdlog::logger> log) {
-  return std::make_unique<CacheServiceWithoutCalls>(std::move(log));
+std::unique_ptr<grpc::Service> make_cache_service(FrontDeskPtr desk) {
+  return std::make_unique<CacheServiceWithoutCalls>(std::move(desk));
 }
 
 }  // namespace remeshd

@@ -5,9 +5,11 @@
 #include <google/protobuf/stubs/logging.h>
 #include <grpcpp/support/proto_buffer_reader.h>
 
+#include <optional>
 #include <utility>
 
 #include "server/service/status.h"
+#include "server/service/trace_parent.h"
 
 namespace remeshd {
 namespace {
@@ -64,6 +66,24 @@ std::string loggable(std::string text) {
   return text;
 }
 
+/// The client's `traceparent`, where it sent one that is valid: nothing else goes into the log.
+std::string trace_parent_of(const grpc::ServerContextBase& context) {
+  const auto& metadata = context.client_metadata();
+  const auto sent = metadata.find("traceparent");
+  if (sent == metadata.end()) return "";
+  const std::string_view text(sent->second.data(), sent->second.size());
+  return is_trace_parent(text) ? std::string(text) : "";
+}
+
+/// Counts the end of a call, and that it was refused where that is what its code says.
+void count(Metrics& metrics, const std::string& method, const std::string& code,
+           const std::string& reason, double seconds) noexcept {
+  metrics.call_ended(method, code, seconds);
+  for (const std::string_view refusal :
+       {"RESOURCE_EXHAUSTED", "UNAVAILABLE", "UNAUTHENTICATED", "PERMISSION_DENIED"})
+    if (code == refusal && !reason.empty()) metrics.refused(reason);
+}
+
 }  // namespace
 
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
@@ -101,10 +121,29 @@ void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Mes
   parse(reader, message);
 }
 
-CallRecord::CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer)
-    : log_(std::move(log)), method_(std::move(method)), peer_(std::move(peer)) {
+CallRecord::CallRecord(FrontDeskPtr desk, std::string method,
+                       const grpc::ServerContextBase& context)
+    : desk_(std::move(desk)),
+      method_(std::move(method)),
+      peer_(context.peer()),
+      trace_parent_(trace_parent_of(context)) {
   static std::atomic<std::uint64_t> counter{0};
   number_ = ++counter;
+}
+
+void CallRecord::admit(const grpc::ServerContextBase& context) {
+  admit_stream(context);
+  pass_ = enter();
+}
+
+void CallRecord::admit_stream(const grpc::ServerContextBase& context) {
+  if (!desk_->doorman) return;
+  const auto& metadata = context.client_metadata();
+  const auto sent = metadata.find("authorization");
+  tenant_ = desk_->doorman->tenant_of(
+      sent == metadata.end()
+          ? std::nullopt
+          : std::optional(std::string_view(sent->second.data(), sent->second.size())));
 }
 
 void CallRecord::set_request_id(std::string id) {
@@ -125,16 +164,34 @@ void CallRecord::set_note(std::string note) {
   note_ = std::move(note);
 }
 
-void CallRecord::end() const noexcept try {
-  if (!log_) return;
+void CallRecord::count_as_stream() {
+  if (!desk_->metrics || std::exchange(streams_, true)) return;
+  desk_->metrics->stream_began();
+}
+
+void CallRecord::count_request(grpc::StatusCode code, const std::string& reason,
+                               double seconds) const noexcept try {
+  if (desk_->metrics) count(*desk_->metrics, method_ + ".request", name_of(code), reason, seconds);
+} catch (...) {
+}
+
+void CallRecord::end() noexcept try {
   const std::scoped_lock lock(mutex_);
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start_;
+  pass_.reset();
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+  if (desk_->metrics) {
+    count(*desk_->metrics, method_, status_, reason_, spent.count());
+    if (streams_) desk_->metrics->stream_ended();
+  }
+  if (!desk_->log) return;
   std::string line = fmt::format("call={} method={} peer={} ms={:.1f} status={}", number_, method_,
-                                 peer_, spent.count(), status_);
+                                 peer_, 1000 * spent.count(), status_);
+  if (!tenant_.empty()) line += " tenant=" + tenant_;
   if (!request_id_.empty()) line += " request=" + request_id_;
   if (!reason_.empty()) line += " reason=" + reason_;
   if (!note_.empty()) line += " " + note_;
-  log_->info(line);
+  if (!trace_parent_.empty()) line += " traceparent=" + trace_parent_;
+  desk_->log->info(line);
 } catch (...) {
 }
 

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "server/service/front_desk.h"
 #include "server/session/guarded.h"
 
 namespace remeshd {
@@ -33,23 +34,44 @@ void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Mes
 /// The first check of `from_bytes`.
 void check_size(std::size_t bytes, std::size_t limit);
 
-/// One line of the log, written when a call ends: number, method, peer, request id, duration,
-/// status. Without memory for it, the line is left out.
+/// A call at the front desk. When it ends it writes one line of the log: number, method, peer,
+/// request id, duration, status, `traceparent` of the client. Without memory for it, the line is
+/// left out.
 class CallRecord {
  public:
-  CallRecord(std::shared_ptr<spdlog::logger> log, std::string method, std::string peer);
+  CallRecord(FrontDeskPtr desk, std::string method, const grpc::ServerContextBase& context);
+
+  /// Lets the call in; it counts as under way until it has ended. Before anything is done for it.
+  /// Throws what Doorman::tenant_of and CallGate::enter throw.
+  void admit(const grpc::ServerContextBase& context);
+  /// The same for a stream, of which each request counts by itself: `enter`.
+  void admit_stream(const grpc::ServerContextBase& context);
+  [[nodiscard]] CallGate::Pass enter() const { return desk_->gate->enter(); }
+  /// Whose call it is; set by `admit`. Empty where the daemon asks for no tokens.
+  [[nodiscard]] const std::string& tenant() const { return tenant_; }
+  [[nodiscard]] const FrontDesk& desk() const { return *desk_; }
 
   void set_request_id(std::string id);
   void set_status(const grpc::Status& status, const std::string& reason = {}) noexcept;
   /// For the calls that do more than one thing: what they did.
   void set_note(std::string note);
-  /// Writes the line.
-  void end() const noexcept;
+  /// The call keeps its connection busy for as long as its client likes.
+  void count_as_stream();
+  /// A request of a stream has ended.
+  void count_request(grpc::StatusCode code, const std::string& reason,
+                     double seconds) const noexcept;
+  /// The call has ended: writes the line.
+  void end() noexcept;
 
  private:
-  std::shared_ptr<spdlog::logger> log_;
+  const FrontDeskPtr desk_;
   std::uint64_t number_;
-  std::string method_, peer_;
+  const std::string method_;
+  const std::string peer_;
+  std::string trace_parent_;  ///< empty where the client sent none
+  std::string tenant_;
+  CallGate::Pass pass_;
+  bool streams_ = false;  ///< counts as an open stream
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   mutable std::mutex mutex_;
   const char* status_ = "CANCELLED";

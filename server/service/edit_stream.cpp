@@ -3,9 +3,11 @@
 #include <new>
 #include <utility>
 
+#include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/encode.h"
 #include "server/service/mesh_messages.h"
+#include "server/service/refused_call.h"
 #include "server/service/request_id.h"
 #include "server/service/status.h"
 #include "server/service/stream_request.h"
@@ -71,8 +73,17 @@ EditStream::EditStream(Session& session, const RequestLimits& limits,
                        std::shared_ptr<CallRecord> record)
     : session_(session), limits_(limits), record_(std::move(record)) {}
 
-EditStream* EditStream::start(Session& session, const RequestLimits& limits,
-                              std::shared_ptr<CallRecord> record) {
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
+    Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+    std::shared_ptr<CallRecord> record) {
+  using Refused = RefusedCall<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>;
+  try {
+    record->admit_stream(*context);
+    static_cast<void>(record->enter());
+    record->count_as_stream();
+  } catch (const Error& why) {
+    return new Refused(context, why, std::move(record));
+  }
   const auto stream = std::make_shared<EditStream>(session, limits, std::move(record));
   stream->self_ = stream;
   stream->advance();
@@ -102,6 +113,7 @@ void EditStream::answering(std::uint64_t turn, Work&& work) noexcept {
     const std::scoped_lock lock(mutex_);
     queue_.answer(turn, {});  // closed, so that it keeps no reply
     request_ = nullptr;
+    pass_.reset();
   }
   advance();
 }
@@ -163,6 +175,7 @@ void EditStream::begin() {
     if (!queue_.may_begin()) return;  // closed meanwhile
     cancel_at_work_ = false;
     request = queue_.begin();
+    began_ = std::chrono::steady_clock::now();
   }
   answering(request.turn, [&] {
     guarded([&] { hand_over(request); },
@@ -173,11 +186,16 @@ void EditStream::begin() {
 void EditStream::hand_over(Request& request) {
   if (request.cancelled) throw error::cancelled();
   if (request.refused) throw Error(*request.refused);
+  CallGate::Pass pass = record_->enter();
+  {
+    const std::scoped_lock lock(mutex_);
+    pass_ = std::move(pass);
+  }
   const auto bytes = std::make_shared<std::string>(std::move(request.bytes));
   const auto mesh = std::make_shared<std::optional<v1::MeshSelection>>();
   const MakeRequestPtr started = session_.make(
       [self = shared_from_this(), bytes, mesh] { return self->command(*bytes, *mesh); },
-      listener(request.turn, request.id, mesh));
+      listener(request.turn, request.id, mesh), record_->tenant());
   bool cancel = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -219,6 +237,7 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id, Selecti
                       [&] {
                         v1::EditStreamResponse reply;
                         *reply.mutable_result() = encode(made, id);
+                        count_made(self->record_->desk(), made);
                         {
                           const std::scoped_lock lock(self->mutex_);
                           const std::string& design = made.filed.place.design;
@@ -260,12 +279,17 @@ void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStrea
                         ReplySourcePtr rest) {
   reply.set_request_id(id);
   grpc::ByteBuffer bytes = to_bytes(reply);
+  std::chrono::duration<double> spent{};
   {
     const std::scoped_lock lock(mutex_);
     if (!queue_.answer(turn, std::move(bytes), std::move(rest))) return;
     request_ = nullptr;
+    pass_.reset();
     reply.has_error() ? ++failed_ : ++answered_;
+    spent = std::chrono::steady_clock::now() - began_;
   }
+  record_->count_request(static_cast<grpc::StatusCode>(reply.error().code()),
+                         v1::Error::Reason_Name(reply.error().reason()), spent.count());
   advance();
 }
 

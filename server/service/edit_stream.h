@@ -3,6 +3,7 @@
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -26,8 +27,10 @@ namespace remeshd {
 class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public std::enable_shared_from_this<EditStream> {
  public:
-  static EditStream* start(Session& session, const RequestLimits& limits,
-                           std::shared_ptr<CallRecord> record);
+  /// A stream that is not let in ends at once.
+  static grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* start(
+      Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+      std::shared_ptr<CallRecord> record);
   /// Use `start`.
   EditStream(Session& session, const RequestLimits& limits, std::shared_ptr<CallRecord> record);
 
@@ -86,6 +89,8 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   std::mutex mutex_;
   StreamQueue queue_;
   MakeRequestPtr request_;  ///< at work; null until the session has returned it
+  CallGate::Pass pass_;  ///< of the one at work: an idle stream does not hold the daemon's end up
+  std::chrono::steady_clock::time_point began_;  ///< the one at work
   bool cancel_at_work_ = false;
   /// What an edit without a base is made of: the design of the last result, or that where it is in
   /// none.

@@ -12,8 +12,10 @@ MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context
   auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
+    call->record_->admit(*context);
+    call->record_->count_as_stream();
     session.later(Lane::Preparation,
-                  {.tenant = {},
+                  {.tenant = call->record_->tenant(),
                    .run =
                        [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
                          answering(*call, [&] {

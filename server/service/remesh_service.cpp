@@ -4,6 +4,7 @@
 
 #include "remesh/v1/remesh.grpc.pb.h"
 #include "server/service/call.h"
+#include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
@@ -51,7 +52,8 @@ class RawRemeshService final : public RawService {
     return refuse("RemakeRevision", context, out);
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
-    return remeshd::EditStream::start(session_, options_.limits, record("EditStream", context));
+    return remeshd::EditStream::start(session_, options_.limits, context,
+                                      record("EditStream", context));
   }
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
     return MeshCall::start(session_, context, *in, options_.limits.message_bytes,
@@ -171,7 +173,7 @@ class RawRemeshService final : public RawService {
   [[nodiscard]] const DocumentLimits& documents() const { return options_.limits.document; }
 
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(options_.log, method, context->peer());
+    return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
   /// A call that makes a revision. Its request is read once there is room for its work.
@@ -179,6 +181,7 @@ class RawRemeshService final : public RawService {
   Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
+      call->record().admit(*context);
       const auto id = std::make_shared<std::string>();
       // A copy of the buffer, not of its bytes: the call may be over before they are read.
       const auto read = [this, call, id, bytes = Bytes(*in)]() -> Command {
@@ -192,14 +195,15 @@ class RawRemeshService final : public RawService {
       const auto made = [call, id](const Made& result) {
         answering(*call, [&] {
           call->record().set_note("revision=" + result.filed.record.id.substr(0, 12));
+          count_made(call->record().desk(), result);
           Response response;
           *response.mutable_result() = encode(result, *id);
           call->reply(response);
         });
       };
       const auto failed = [call](const Error& why) { call->fail(why); };
-      const MakeRequestPtr under_way =
-          session_.make(read, Listener{.progress = {}, .made = made, .failed = failed});
+      const MakeRequestPtr under_way = session_.make(
+          read, Listener{.progress = {}, .made = made, .failed = failed}, call->record().tenant());
       call->on_cancel([under_way] { under_way->cancel(); });
     });
     return call.get();
@@ -211,9 +215,10 @@ class RawRemeshService final : public RawService {
                Answer answer) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
+      call->record().admit(*context);
       const auto refused = [call](const Error& why) { call->fail(why); };
       const WorkId work = session_.later(
-          lane, {.tenant = {},
+          lane, {.tenant = call->record().tenant(),
                  .run =
                      [this, call, answer, bytes = Bytes(*in)] {
                        answering(*call, [&] {
@@ -239,7 +244,10 @@ class RawRemeshService final : public RawService {
   /// A call that this daemon does not do.
   Reply* refuse(const char* method, Context* context, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
+    answering(*call, [&] {
+      call->record().admit(*context);
+      throw error::unsupported(method);
+    });
     return call.get();
   }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <grpcpp/impl/service_type.h>
-#include <spdlog/logger.h>
 
 #include <memory>
 
+#include "server/service/front_desk.h"
 #include "server/service/request_limits.h"
 #include "server/service/server_info.h"
 #include "server/session/session.h"
@@ -14,7 +14,7 @@ namespace remeshd {
 struct ServiceOptions {
   ServerFacts facts;
   RequestLimits limits;
-  std::shared_ptr<spdlog::logger> log;  ///< may be null
+  FrontDeskPtr desk = std::make_shared<FrontDesk>();
 };
 
 /// remesh.v1.RemeshService over a session, which must outlive it. All methods take and give raw
@@ -23,6 +23,6 @@ struct ServiceOptions {
 std::unique_ptr<grpc::Service> make_remesh_service(Session& session, ServiceOptions options);
 
 /// remesh.v1.CacheService, of which every call answers UNSUPPORTED.
-std::unique_ptr<grpc::Service> make_cache_service(std::shared_ptr<spdlog::logger> log);
+std::unique_ptr<grpc::Service> make_cache_service(FrontDeskPtr desk);
 
 }  // namespace remeshd

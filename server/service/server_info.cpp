@@ -51,7 +51,7 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   out.set_algorithm_version(session.algorithm_version());
   out.mutable_started()->set_seconds(
       std::chrono::duration_cast<std::chrono::seconds>(facts.started.time_since_epoch()).count());
-  out.set_ready(true);
+  out.set_ready(facts.readiness == nullptr || facts.readiness->ready());
   out.mutable_capabilities()->add_orders(1);
   for (const v1::MeshArray array : supported_arrays())
     out.mutable_capabilities()->add_arrays(array);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "remesh/v1/server.pb.h"
+#include "server/observe/readiness.h"
 #include "server/service/request_limits.h"
 #include "server/session/session.h"
 
@@ -16,6 +17,7 @@ struct ServerFacts {
   std::uint32_t connections = 0;  ///< at most; 0: no limit of its own
   std::uint32_t streams = 0;      ///< likewise, of calls at a time on one connection
   std::chrono::system_clock::time_point started = std::chrono::system_clock::now();
+  const Readiness* readiness = nullptr;  ///< null: always ready
 };
 
 /// Capabilities, limits and load of this daemon.

@@ -110,8 +110,18 @@ AcceptLoop::Outcome AcceptLoop::accept_from(int listener) noexcept try {
   return Outcome::NoRoom;
 }
 
+std::size_t AcceptLoop::count() const {
+  const std::scoped_lock lock(live_mutex_);
+  return live_.count();
+}
+
+bool AcceptLoop::remember(int connection) {
+  const std::scoped_lock lock(live_mutex_);
+  return live_.admit(connection);
+}
+
 void AcceptLoop::admit(int listener, Descriptor connection) {
-  if (!live_.admit(connection.get())) return warn("there are as many as --max-connections allows");
+  if (!remember(connection.get())) return warn("there are as many as --max-connections allows");
   prepare(connection.get());
   hand_over_(listener, std::move(connection));
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -33,6 +34,8 @@ class AcceptLoop {
   AcceptLoop& operator=(const AcceptLoop&) = delete;
 
   [[nodiscard]] const std::vector<ListeningSockets>& sockets() const { return sockets_; }
+  /// Connections that are open, at most some milliseconds ago.
+  [[nodiscard]] std::size_t count() const;
   /// Hands nothing over once this has returned, and listens no more.
   void stop();
 
@@ -45,11 +48,13 @@ class AcceptLoop {
   bool wait_for_stop(std::chrono::milliseconds pause) const;
   Outcome accept_from(int listener) noexcept;
   void admit(int listener, Descriptor connection);
+  bool remember(int connection);
   bool refuse_one(int listener);
   void warn(const char* what);
 
   std::vector<ListeningSockets> sockets_;
-  LiveConnections live_;
+  mutable std::mutex live_mutex_;
+  mutable LiveConnections live_;  ///< forgets what was closed when it is asked
   HandOver hand_over_;
   std::shared_ptr<spdlog::logger> log_;
   Descriptor wake_;   ///< readable once the loop is to end

@@ -137,6 +137,21 @@ bool ListenAddress::is_loopback() const {
                      [](const SocketAddress& socket) { return remeshd::is_loopback(socket); });
 }
 
+std::string numeric(const SocketAddress& address) {
+  char text[INET6_ADDRSTRLEN] = "";
+  if (address.storage.ss_family == AF_INET) {
+    sockaddr_in in{};
+    std::memcpy(&in, &address.storage, sizeof(in));
+    ::inet_ntop(AF_INET, &in.sin_addr, text, sizeof(text));
+    return std::string(text) + ':' + std::to_string(ntohs(in.sin_port));
+  }
+  if (address.storage.ss_family != AF_INET6) return "";
+  sockaddr_in6 in{};
+  std::memcpy(&in, &address.storage, sizeof(in));
+  ::inet_ntop(AF_INET6, &in.sin6_addr, text, sizeof(text));
+  return '[' + std::string(text) + "]:" + std::to_string(ntohs(in.sin6_port));
+}
+
 ListenAddress parse_listen_address(const std::string& text) {
   if (text.starts_with(kUnix)) return parse_unix(text);
   const std::size_t colon = text.rfind(':');

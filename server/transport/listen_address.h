@@ -26,6 +26,9 @@ struct ListenAddress {
   [[nodiscard]] bool is_loopback() const;
 };
 
+/// `127.0.0.1:80`, `[::1]:80`; empty for a Unix socket.
+std::string numeric(const SocketAddress& address);
+
 /// Reads HOST:PORT or unix:/PATH. HOST is an IPv4 address of four numbers, an IPv6 address in
 /// brackets, `localhost` (127.0.0.1 and ::1) or a host name that resolves; PORT has decimal digits
 /// alone, 0 to 65535; PATH is absolute. Nothing is guessed: what would be another address than it

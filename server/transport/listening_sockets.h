@@ -27,6 +27,7 @@ class ListeningSockets {
   /// Listens no more; a second call does nothing.
   void close();
   [[nodiscard]] const std::vector<Descriptor>& descriptors() const { return sockets_; }
+  [[nodiscard]] bool is_unix() const { return address_.is_unix(); }
   /// The port; 0 for a Unix socket.
   [[nodiscard]] int port() const { return address_.port; }
   /// As `--listen` takes it, with the real port.

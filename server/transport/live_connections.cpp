@@ -25,6 +25,11 @@ void LiveConnections::forget_closed() {
                 [](const auto& entry) { return socket_number(entry.first) != entry.second; });
 }
 
+std::size_t LiveConnections::count() {
+  forget_closed();
+  return sockets_.size();
+}
+
 bool LiveConnections::admit(int descriptor) {
   sockets_.erase(descriptor);  // whatever had the descriptor before has been closed
   if (sockets_.size() >= limit_) forget_closed();

@@ -17,6 +17,8 @@ class LiveConnections {
 
   /// Remembers an open connection; false, and not remembered, if there are as many as may be.
   bool admit(int descriptor);
+  /// Those that are open.
+  [[nodiscard]] std::size_t count();
   [[nodiscard]] std::size_t limit() const { return limit_; }
 
  private:

@@ -7,8 +7,8 @@ namespace fs = std::filesystem;
 
 class EndingProcess : public testing::TestWithParam<int> {};
 
-TEST_P(EndingProcess, EndsAComputationAndItselfWithExitZero) {
-  Process process({"--listen", "127.0.0.1:0"});
+TEST_P(EndingProcess, EndsAComputationAfterTheGraceTimeAndItselfWithExitZero) {
+  Process process({"--listen", "127.0.0.1:0", "--grace", "0.1"});
   const auto stub = connect(process);
   grpc::ClientContext context;
   const auto stream = stub->EditStream(&context);

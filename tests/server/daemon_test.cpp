@@ -75,7 +75,16 @@ TEST_F(Daemons, AnswerTheHealthService) {
   }
 }
 
-TEST_F(Daemons, ReflectTheirService) {
+TEST_F(Daemons, ReflectNothingUnlessTold) {
+  start();
+  std::string reply;
+  EXPECT_EQ(call("/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", "", &reply)
+                .error_code(),
+            grpc::StatusCode::UNIMPLEMENTED);
+}
+
+TEST_F(Daemons, ReflectTheirServiceWhereTold) {
+  options_.reflection = true;
   start();
   grpc::GenericStub generic(channel_);
   grpc::ClientContext context;

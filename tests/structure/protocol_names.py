@@ -17,11 +17,11 @@ LATER = {
     "DUPLICATE_NAME", "UNKNOWN_SIZE", "UNKNOWN_GROUP",                    # sizes and groups
     "SELECTOR_INVALID", "SELECTOR_EMPTY", "POLICY_BROKEN",
     "TOO_MANY_STREAMS", "STARTING",                                       # load
-    "CREDENTIALS_MISSING", "CREDENTIALS_INVALID", "NOT_ALLOWED",          # access
+    "NOT_ALLOWED",                                                        # access
     "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients
 }
 # Texts of that form that are no names of the protocol.
-OTHERS = re.compile(r"(REMESH|REMESHD|XDG)_")
+OTHERS = re.compile(r"(REMESH|REMESHD|XDG|NOTIFY)_")  # environment
 
 ENUMERATOR = re.compile(r"^\s*([A-Z][A-Z0-9_]*) = \d+;")
 TEXT = re.compile(r'"([A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)"')

@@ -13,7 +13,7 @@ APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats",
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
 APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt"}
 # Each sees those after it, and engine.
-SERVER_LAYERS = "config transport service session admission store".split()
+SERVER_LAYERS = "process config transport service guard session admission store observe".split()
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 GEOMETRY_KERNEL = re.compile(r"CGAL/|tetgen\.h$|.*\.[hl]xx$")  # OpenCASCADE's headers end in xx

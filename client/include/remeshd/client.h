@@ -27,6 +27,9 @@ struct ConnectOptions {
   /// PEM texts for TLS; all empty: a connection without encryption. With a certificate and key the
   /// client shows who it is.
   std::string root_certificates, certificate, private_key;
+  /// What the daemon knows this client by, where it asks for tokens; sent with each call, over TLS,
+  /// to this machine or over a Unix socket only.
+  std::string token;
 };
 
 /// Part of a mesh transfer so far: bytes received and bytes in all.
@@ -40,7 +43,8 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// sent: INVALID_ARGUMENT, DOCUMENT_TOO_LARGE.
 class Client {
  public:
-  /// Prepares a connection to `host:port`; the first call makes it.
+  /// Prepares a connection to `host:port` or `unix:/path`; the first call makes it.
+  /// INVALID_ARGUMENT for a token that others could read on its way.
   static Client connect(const std::string& address, const ConnectOptions& options = {});
   /// Uses a channel of the caller's making: other credentials, or a server in the same process.
   explicit Client(std::shared_ptr<grpc::Channel> channel);
@@ -101,6 +105,7 @@ class Client {
 
  private:
   struct Impl;
+  explicit Client(std::shared_ptr<const Impl> impl);
   std::shared_ptr<const Impl> impl_;
 };
 

@@ -217,11 +217,13 @@ int main(int argc, char** argv) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_AS, bytes);
   limit(RLIMIT_CPU, seconds);
+  limit(RLIMIT_FSIZE, 0);
 
   // TetGen prints what it meets to stdout, Q or not.
   const int to_parent = dup(STDOUT_FILENO);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (to_parent < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0) return kExitBrokenStream;
+  limit(RLIMIT_NOFILE, 0);  // it has all that it needs open
 
   Request request;
   tetgenio out;

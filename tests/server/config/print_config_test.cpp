@@ -11,7 +11,7 @@ TEST(PrintedConfigurations, ReadBackToTheSameSettings) {
   settings.daemon.queue_wait = 0.1;
   settings.daemon.memory = 5ULL << 40U;
   settings.daemon.workers = 3;
-  settings.log_level = "off";
+  settings.log.level = "off";
   const std::string text = print_config(settings);
   const ConfigFile file(text);
   const Settings back = read_configuration({"--config", file.path()}, {}).settings;

@@ -1,0 +1,121 @@
+#include "server/process/serve.h"
+
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "server/guard/doorman.h"
+#include "server/observe/log.h"
+#include "server/observe/metrics.h"
+#include "server/observe/metrics_server.h"
+#include "server/process/grpc_log.h"
+#include "server/process/port_file.h"
+#include "server/process/service_manager.h"
+#include "server/process/signal_watch.h"
+#include "server/transport/descriptor_limit.h"
+#include "server/transport/listen_address.h"
+
+#ifndef REMESHD_VERSION
+#error "the build gives the version"
+#endif
+
+namespace remeshd {
+namespace {
+
+/// Beyond the grace time: computations hear of their end within a fraction of a second.
+constexpr double kUntilRest = 8;
+
+std::string name_of(int signal) { return signal == SIGTERM ? "SIGTERM" : "SIGINT"; }
+
+/// What does not come to rest must not keep the process: what is stored is whole at any moment.
+void end_within(double seconds, Log& log) {
+  std::thread([seconds, &log] {
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    log.logger()->error("does not come to rest; ended by force");
+    log.flush(std::chrono::milliseconds(200));
+    std::_Exit(EXIT_FAILURE);
+  }).detach();
+}
+
+void warn_of_risks(const Configuration& configuration, spdlog::logger& log) {
+  for (const std::string& warning : configuration.warnings) log.warn(warning);
+  const Settings& settings = configuration.settings;
+  for (const std::string& address : settings.daemon.listen)
+    if (!settings.daemon.tls.mutual() && !parse_listen_address(address).is_loopback())
+      log.warn("{} can be reached from elsewhere, without mutual TLS", address);
+}
+
+/// civetweb takes addresses alone, and no names.
+std::string metrics_address(const std::string& text) {
+  const ListenAddress address = parse_listen_address(text);
+  return numeric(address.sockets.front());
+}
+
+/// Tokens that cannot be read stay what they were: a slip in the file locks nobody out.
+void reload(Log& log, Doorman* doorman) {
+  log.reopen();
+  try {
+    if (doorman != nullptr) doorman->reload();
+    log.logger()->info("reloaded on SIGHUP");
+  } catch (const std::exception& why) {
+    log.logger()->error("SIGHUP: the tokens stay as they are: {}", why.what());
+  }
+}
+
+}  // namespace
+
+void serve(const Configuration& configuration, Engine engine) {
+  const Settings& settings = configuration.settings;
+  ::umask(0077);  // what it writes is its own: revisions, log, dumps
+  raise_descriptor_limit();
+  Log log(settings.log);
+  const auto logger = log.logger();
+  redirect_grpc_log(logger);
+  const std::shared_ptr<Doorman> doorman =
+      settings.token_file.empty() ? nullptr : std::make_shared<Doorman>(settings.token_file);
+  SignalWatch signals([&] { reload(log, doorman.get()); },
+                      [&](int signal) {
+                        logger->warn("ended at once by {}", name_of(signal));
+                        log.flush(std::chrono::milliseconds(200));
+                      });
+  warn_of_risks(configuration, *logger);
+  const PortFile port_file(settings.port_file);
+  DaemonOptions options = settings.daemon;
+  options.log = logger;
+  options.doorman = doorman;
+  if (!settings.metrics.empty()) {
+    options.metrics = std::make_shared<Metrics>(REMESHD_VERSION, engine.algorithm_version);
+    options.metrics->set_source("log", [&log](MetricsReadings& out) {
+      out.log_dropped = static_cast<double>(log.dropped());
+    });
+  }
+  if (!settings.health_socket.empty())
+    options.listen.push_back("unix:" + settings.health_socket.string());
+  if (!options.store.empty()) logger->info("opening the store {}", options.store.string());
+  Daemon daemon(options, std::move(engine));
+  signals.serving();
+  for (const std::string& address : daemon.addresses())
+    logger->info("serving remesh.v1 on {}, {}", address,
+                 options.store.empty() ? "in memory" : "store " + options.store.string());
+  std::optional<MetricsServer> metrics;
+  if (options.metrics) {
+    metrics.emplace(*options.metrics, metrics_address(settings.metrics));
+    logger->info("serving metrics on port {}", metrics->port());
+  }
+  port_file.write(daemon.addresses());
+  if (!notify_service_manager("READY=1")) logger->warn("NOTIFY_SOCKET cannot be written to");
+
+  logger->info("ending on {}", name_of(signals.wait_for_end()));
+  notify_service_manager("STOPPING=1");
+  end_within(settings.grace + kUntilRest, log);
+  daemon.shutdown(settings.grace);
+  logger->info("ended");
+  redirect_grpc_log(nullptr);
+}
+
+}  // namespace remeshd
