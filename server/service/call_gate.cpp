@@ -3,7 +3,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "server/session/session_error.h"
+#include "server/admission/load_error.h"
 
 namespace remeshd {
 

@@ -257,12 +257,14 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   /// Leaves out the parts before a position, as the daemon does.
   static void drop_before(const remesh::v1::MeshPosition& position,
                           std::vector<remesh::v1::MeshMessage>& messages) {
-    bool reached = false;
+    bool met = false, behind = false;
     std::erase_if(messages, [&](const remesh::v1::MeshMessage& message) {
       if (!message.has_part()) return false;
-      const auto& part = message.part();
-      reached = reached || (part.array() == position.array() && part.offset() >= position.offset());
-      return !reached;
+      const bool in_array = message.part().array() == position.array();
+      behind = behind || (met && !in_array) ||
+               (in_array && message.part().offset() >= position.offset());
+      met = met || in_array;
+      return !behind;
     });
     auto& end = *messages.back().mutable_end();
     end.set_parts(static_cast<std::uint32_t>(messages.size() - 2));
