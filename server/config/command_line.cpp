@@ -72,7 +72,7 @@ CommandLine read_command_line(std::vector<std::string> arguments) {
   CLI::App app("Serves remesh.v1: tetrahedral meshes of feature models and of their edits.",
                "remeshd");
   app.footer(
-      "Every option can be given in three ways, the later before the earlier: in the file as "
+      "Every option can be given in three ways, in rising precedence: in the file as "
       "`maxNodes = 20000`, in the environment as REMESHD_MAX_NODES=20000, as a flag.");
   app.allow_extras();
   app.set_version_flag("--version", std::string("remeshd " REMESHD_VERSION));

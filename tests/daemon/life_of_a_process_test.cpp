@@ -1,7 +1,9 @@
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 
 #include "server/process/health_probe.h"
 #include "tests/daemon/process.h"
+#include "tests/server/transport/sockets.h"
 
 namespace remeshd::test {
 namespace {
@@ -76,6 +78,42 @@ TEST_F(LifeOfAProcess, EndsAtOnceOnASecondSignalAndNotWithExitZero) {
   process.signal(SIGINT);
   EXPECT_EQ(exit_code(process), 128 + SIGINT);
   EXPECT_THAT(process.log(), HasSubstr("ended at once by SIGINT"));
+}
+
+TEST_F(LifeOfAProcess, DoesNotEndWithExitZeroWhereAComputationHangs) {
+  const auto arguments = [&](const std::string& dumps) {
+    return std::vector<std::string>{"--listen", "127.0.0.1:0", "--grace",
+                                    "0",        "--dumps",     file(dumps)};
+  };
+  fs::path dump;  // the first that a computation leaves
+  {
+    Process process(arguments("dumps"));
+    const auto stub = connect(process);
+    grpc::ClientContext context;
+    const auto stream = stub->EditStream(&context);
+    begin(*stream, 5000);
+    for (v1::EditStreamResponse reply; stream->Read(&reply) && reply.has_progress();) {
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "dumps"))
+      if (entry.is_regular_file() && (dump.empty() || entry.path() < dump)) dump = entry.path();
+    ASSERT_FALSE(dump.empty());
+  }
+  const fs::path fifo = folder_ / "hangs" / fs::relative(dump, folder_ / "dumps");
+  fs::create_directories(fifo.parent_path());
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  const Descriptor reader(::open(fifo.c_str(), O_RDONLY | O_NONBLOCK));  // which never reads
+  Process process(arguments("hangs"));
+  const auto stub = connect(process);
+  grpc::ClientContext context;
+  const auto stream = stub->EditStream(&context);
+  begin(*stream, 5000);
+  ASSERT_TRUE(eventually([&] {
+    int bytes = 0;
+    return ::ioctl(reader.get(), FIONREAD, &bytes) == 0 && bytes > 50000;  // of 65,536
+  }));
+  process.signal(SIGTERM);
+  EXPECT_EQ(exit_code(process), 1);
+  EXPECT_THAT(process.log(), HasSubstr("does not come to rest"));
 }
 
 TEST_F(LifeOfAProcess, EndsOnASignalWhileTheStoreIsBeingOpened) {
