@@ -43,7 +43,7 @@ as_image() {
   if [ "$tool" = buildah ]; then
     buildah bud --isolation chroot --format docker "$@"
   else
-    docker buildx build --load "$@"
+    docker build "$@"
   fi
 }
 

@@ -1,16 +1,14 @@
 """Containers of the image under test, through podman."""
 import json
+import os
 import subprocess
 import time
 from pathlib import Path
 
+SETTINGS = Path(__file__).with_name("containers.conf")
 CASES = Path(__file__).resolve().parents[1] / "cases"
 USER = 65532
 
-# Debian's defaults ask for limits that only a process with CAP_SYS_RESOURCE may set, and for a
-# runtime and a service that a machine without systemd lacks.
-PODMAN = ["podman", "--runtime", "runc", "--cgroup-manager=cgroupfs"]
-LIMITS = ["--ulimit", "nofile=20000:20000", "--ulimit", "nproc=4096:4096"]
 # What deploy/README.md tells to give: nothing but the volume can be written to.
 LOCKED = ["--read-only", "--cap-drop", "all", "--security-opt", "no-new-privileges",
           "--network", "none"]
@@ -18,21 +16,18 @@ LOCKED = ["--read-only", "--cap-drop", "all", "--security-opt", "no-new-privileg
 
 def podman(*arguments, check=True):
     """Runs podman; its result, with what it printed as text."""
-    done = subprocess.run([*PODMAN, *arguments], capture_output=True, text=True)
+    done = subprocess.run(["podman", *map(str, arguments)], capture_output=True, text=True,
+                          env={**os.environ, "CONTAINERS_CONF": str(SETTINGS)})
     if check and done.returncode != 0:
-        raise AssertionError(f"podman {' '.join(arguments)}: {done.returncode}\n{done.stderr}")
+        raise AssertionError(f"podman {' '.join(map(str, arguments))}: {done.returncode}\n{done.stderr}")
     return done
 
 
 class Container:
-    """A running container with a volume for the store, the test cases at /cases and a folder of
-    this machine at /out."""
+    """A running container of remeshd."""
 
-    def __init__(self, name, image, volume, out, extra=()):
+    def __init__(self, name):
         self.name = name
-        podman("run", "--detach", "--name", name, *LOCKED, *LIMITS,
-               "--volume", f"{volume}:/var/lib/remeshd",
-               "--volume", f"{CASES}:/cases:ro", "--volume", f"{out}:/out", image, *extra)
 
     def remove(self):
         podman("rm", "--force", self.name, check=False)
@@ -43,8 +38,9 @@ class Container:
     def remesh(self, *arguments, check=True):
         return self.run("/usr/bin/remesh", *arguments, check=check)
 
-    def health(self):
-        return self.run("/usr/bin/remeshd", "--health", check=False).returncode
+    def health(self, *arguments):
+        """The exit code of the probe."""
+        return self.run("/usr/bin/remeshd", "--health", *arguments, check=False).returncode
 
     def wait_until_ready(self):
         """Throws with the container's log if it is not ready within a minute."""
@@ -67,6 +63,14 @@ class Container:
         return self.state()["ExitCode"]
 
     def process(self):
-        """/proc/PID/status of its first process, as seen by this machine."""
+        """/proc/PID/status of its first process, as this machine sees it."""
         status = Path(f"/proc/{self.state()['Pid']}/status").read_text()
         return dict(line.split(":\t", 1) for line in status.splitlines())
+
+
+def start(name, image, volume, out):
+    """A container without rights, as deploy/README.md tells to start it, with a volume for the
+    store, the test cases at /cases and a folder of this machine at /out."""
+    podman("run", "--detach", "--name", name, *LOCKED, "--volume", f"{volume}:/var/lib/remeshd",
+           "--volume", f"{CASES}:/cases:ro", "--volume", f"{out}:/out", image)
+    return Container(name)

@@ -11,7 +11,7 @@ import unittest
 import uuid
 from pathlib import Path
 
-from container import LIMITS, USER, Container, podman
+from container import USER, Container, podman, start
 
 IMAGE = "remeshd"
 
@@ -78,18 +78,18 @@ class ContainerTest(unittest.TestCase):
         podman("volume", "create", cls.volume)
         cls.containers = []
         try:
-            cls.container = cls.start()
+            cls.container = cls.another()
         except BaseException:
             cls.tearDownClass()
             raise
 
     @classmethod
-    def start(cls):
+    def another(cls):
         """One container more on the same volume, once it is ready."""
-        container = Container(f"{cls.volume}-{len(cls.containers)}", IMAGE, cls.volume, cls.out)
-        cls.containers.append(container)
-        container.wait_until_ready()
-        return container
+        name = f"{cls.volume}-{len(cls.containers)}"
+        cls.containers.append(Container(name))
+        start(name, IMAGE, cls.volume, cls.out).wait_until_ready()
+        return cls.containers[-1]
 
     @classmethod
     def tearDownClass(cls):
@@ -129,7 +129,7 @@ class ContainerTest(unittest.TestCase):
         self.assertIn("tool1-a@2", log)
 
         self.assertEqual(self.container.stop(), 0, self.container.log())
-        type(self).container = self.start()
+        type(self).container = self.another()
 
         self.assertEqual(self.container.remesh("log", "tool1-a").stdout, log)
         self.container.remesh("get", "tool1-a@2", "-o", "/out/again.vtu")
@@ -142,8 +142,8 @@ class ContainerTest(unittest.TestCase):
         self.assertEqual(json.loads((self.out / "t.json").read_text())["way"], "WAY_TETGEN")
 
     def test_7_is_not_healthy_where_the_daemon_does_not_run(self):
-        done = podman("run", "--rm", "--no-healthcheck", *LIMITS, "--network", "none", IMAGE,
-                      "--health", check=False)
+        done = podman("run", "--rm", "--no-healthcheck", "--network", "none", IMAGE, "--health",
+                      check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_8_ends_by_sigterm_with_exit_code_0(self):

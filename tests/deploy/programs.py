@@ -16,10 +16,11 @@ def program(name):
     return path
 
 
-def run(name, *arguments):
-    """What it printed on stdout; throws with all of it where it fails."""
+def run(name, *arguments, with_messages=False):
+    """What it printed on stdout, and on stderr where asked for; throws with all of it where it
+    fails."""
     done = subprocess.run([program(name), *map(str, arguments)], capture_output=True, text=True)
     if done.returncode != 0:
         raise AssertionError(f"{name} {' '.join(map(str, arguments))}: {done.returncode}\n"
                              f"{done.stdout}{done.stderr}")
-    return done.stdout
+    return done.stdout + (done.stderr if with_messages else "")
