@@ -14,10 +14,15 @@ LOCKED = ["--read-only", "--cap-drop", "all", "--security-opt", "no-new-privileg
           "--network", "none"]
 
 
+def environment():
+    """What podman is to run with."""
+    return {**os.environ, "CONTAINERS_CONF": str(SETTINGS)}
+
+
 def podman(*arguments, check=True):
     """Runs podman; its result, with what it printed as text."""
     done = subprocess.run(["podman", *map(str, arguments)], capture_output=True, text=True,
-                          env={**os.environ, "CONTAINERS_CONF": str(SETTINGS)})
+                          env=environment())
     if check and done.returncode != 0:
         raise AssertionError(f"podman {' '.join(map(str, arguments))}: {done.returncode}\n{done.stderr}")
     return done

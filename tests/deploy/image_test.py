@@ -5,14 +5,16 @@ Run by deploy/test-image.sh, which builds it: image_test.py IMAGE. Needs podman 
 import json
 import os
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
 import uuid
 from pathlib import Path
 
-from container import USER, Container, podman, start
+from container import CASES, USER, Container, environment, podman, start
 
+DEPLOY = Path(__file__).resolve().parents[2] / "deploy"
 IMAGE = "remeshd"
 
 
@@ -141,12 +143,23 @@ class ContainerTest(unittest.TestCase):
                               "--json", "/out/t.json")
         self.assertEqual(json.loads((self.out / "t.json").read_text())["way"], "WAY_TETGEN")
 
-    def test_7_is_not_healthy_where_the_daemon_does_not_run(self):
+    def test_7_does_a_job_of_the_farm(self):
+        artefacts = self.out / "artefacts"
+        job = subprocess.run([DEPLOY / "ci-job.sh", self.container.name, artefacts,
+                              CASES / "tool1-a.json", DEPLOY / "demo/pins-5.edit.json"],
+                             capture_output=True, text=True, env=environment())
+        self.assertEqual(job.returncode, 0, job.stderr)
+        self.assertEqual({each.name for each in artefacts.iterdir()},
+                         {"tool1-a.vtu", "tool1-a.json", "pins-5.edit.vtu", "pins-5.edit.json",
+                          "revisions.txt"})
+        self.assertEqual(len((artefacts / "revisions.txt").read_text().splitlines()), 2)
+
+    def test_8_is_not_healthy_where_the_daemon_does_not_run(self):
         done = podman("run", "--rm", "--no-healthcheck", "--network", "none", IMAGE, "--health",
                       check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
 
-    def test_8_ends_by_sigterm_with_exit_code_0(self):
+    def test_9_ends_by_sigterm_with_exit_code_0(self):
         self.assertEqual(self.container.stop(), 0, self.container.log())
 
 
