@@ -49,11 +49,9 @@ cp /etc/ssl/certs/ca-certificates.crt "$image/etc/ssl/certs/"
 cp LICENSE LICENSES/Apache-2.0.txt deploy/LICENSING.md "$image/usr/share/doc/remeshd/"
 
 # dpkg knows some libraries under /usr/lib and others under /lib, which are one folder.
-for library in $libraries; do
-  for path in "$library" "$(readlink -f "$library")" "$(readlink -f "$library" | sed 's#^/usr/lib#/lib#')"; do
-    dpkg -S "$path" 2>/dev/null && break
-  done | sed -n '1s/[:,].*//p'
-done | sort -u >"$out/packages"
+mapfile -t files < <(for library in $libraries; do readlink -f "$library"; done)
+{ dpkg -S $libraries "${files[@]}" "${files[@]#/usr}" 2>/dev/null || true; } |
+  sed 's/[:,].*//' | sort -u >"$out/packages"
 [ -s "$out/packages" ] || fail "no package owns the libraries"
 while read -r package; do
   dpkg-query -s "$package" >"$image/var/lib/dpkg/status.d/$package"

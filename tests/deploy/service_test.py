@@ -13,10 +13,10 @@ class ServiceTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        # The program need not be installed here, and verify asks whether it can be started.
+        # The programs need not be installed here, and verify asks whether they can be started.
         cls.unit = Path(cls.folder.name) / UNIT.name
-        cls.unit.write_text(re.sub("^ExecStart=.*", "ExecStart=" + program("true"),
-                                   UNIT.read_text(), flags=re.M))
+        cls.unit.write_text(re.sub(r"^(Exec\w+)=\S+", rf"\1={program('true')}", UNIT.read_text(),
+                                   flags=re.M))
 
     @classmethod
     def tearDownClass(cls):
