@@ -118,7 +118,9 @@ class ContainerTest(unittest.TestCase):
         self.assertEqual(podman("healthcheck", "run", self.container.name).returncode, 0)
 
     def test_4_logs_json(self):
-        for line in self.container.log().splitlines():
+        lines = self.container.log().splitlines()
+        self.assertTrue(lines)
+        for line in lines:
             self.assertIsInstance(json.loads(line), dict, line)
 
     def test_5_meshes_edits_and_keeps_the_revisions_over_a_restart(self):

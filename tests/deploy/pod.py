@@ -1,5 +1,4 @@
 """The StatefulSet as a pod, for `podman play kube`, which knows no StatefulSet."""
-import base64
 import copy
 from pathlib import Path
 
@@ -15,8 +14,9 @@ def pod(image, name, certificates):
     config = copy.deepcopy(objects["ConfigMap"])
     config["metadata"] = {"name": config["metadata"]["name"]}
     secret = {"apiVersion": "v1", "kind": "Secret", "metadata": {"name": "remeshd-tls"},
-              "data": {each: base64.b64encode((Path(certificates) / each).read_bytes()).decode()
-                       for each in ("tls.crt", "tls.key", "ca.crt")}}
+              # As text: podman 4.3 does not decode the base64 of `data`.
+              "stringData": {each: (Path(certificates) / each).read_text()
+                             for each in ("tls.crt", "tls.key", "ca.crt")}}
     statefulset = objects["StatefulSet"]["spec"]
     claims, volumes = [], copy.deepcopy(statefulset["template"]["spec"]["volumes"])
     for claim in statefulset["volumeClaimTemplates"]:
@@ -30,6 +30,7 @@ def pod(image, name, certificates):
         for source in ("secret", "configMap"):
             volume.get(source, {}).setdefault("optional", False)
     spec["containers"][0]["image"] = image
+    del spec["containers"][0]["livenessProbe"]  # podman asks by a shell, which the image has not
     del spec["containers"][0]["ports"]  # podman would publish them on all addresses of the machine
     pod_object = {"apiVersion": "v1", "kind": "Pod", "metadata": {"name": name}, "spec": spec}
     return yaml.safe_dump_all([secret, config, *claims, pod_object])
