@@ -41,29 +41,30 @@ class PodTest(unittest.TestCase):
 
     @classmethod
     def play(cls):
-        # What podman made of the objects before is in the way of the same objects.
-        podman("secret", "rm", "remeshd-tls", check=False)
-        podman("volume", "rm", "remeshd-tls", check=False)
-        podman("volume", "rm", manifests.rendered()["ConfigMap"]["metadata"]["name"], check=False)
         podman("play", "kube", "--network", "none", cls.yaml)
         cls.container.wait_until_ready()
 
     @classmethod
-    def tearDownClass(cls):
+    def end(cls):
+        """Ends the pod. What podman made of the ConfigMaps goes too, else it is in the way of the
+        next; the store stays."""
         podman("play", "kube", "--down", cls.yaml, check=False)
-        podman("secret", "rm", "remeshd-tls", check=False)
-        for volume in ("remeshd-tls", manifests.rendered()["ConfigMap"]["metadata"]["name"],
-                       f"{cls.name}-store"):
+        for volume in ("remeshd-tls", manifests.rendered()["ConfigMap"]["metadata"]["name"]):
             podman("volume", "rm", "--force", volume, check=False)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.end()
+        podman("volume", "rm", "--force", f"{cls.name}-store", check=False)
         shutil.rmtree(cls.folder)
 
     def remesh(self, *arguments, tls=(*TLS, *CLIENT)):
         """The command line in a container of its own beside the daemon's, as a job of the farm."""
         locked = [each for each in LOCKED if each not in ("--network", "none")]
         return podman("run", "--rm", "--no-healthcheck", *locked, "--entrypoint", "/usr/bin/remesh",
-                      "--network", f"container:{self.container.name}",
+                      "--pod", self.name,
                       "--volume", f"{self.folder}/tls:/tls:ro", "--volume", f"{CASES}:/cases:ro",
-                      "--tmpfs", f"/out:uid={USER},mode=0700", IMAGE,
+                      "--tmpfs", "/out:mode=1777", IMAGE,
                       "--address", "localhost:50051", *tls, *arguments, check=False)
 
     def test_1_the_probes_of_the_statefulset_succeed(self):
@@ -91,7 +92,7 @@ class PodTest(unittest.TestCase):
     def test_5_a_pod_that_follows_finds_the_revisions(self):
         before = self.remesh("log", "tool1-a")
         self.assertIn("tool1-a@1", before.stdout, before.stderr)
-        podman("play", "kube", "--down", self.yaml)
+        self.end()
         self.play()
         self.assertEqual(self.remesh("log", "tool1-a").stdout, before.stdout)
 
