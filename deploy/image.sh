@@ -2,11 +2,13 @@
 # Builds the image of remeshd with buildah, or docker where there is no buildah:
 #
 #   image.sh [--tag NAME] [--base IMAGE] [--bootstrap] [--built BUILD]
+#   image.sh --bootstrap-only
 #
 #   --tag NAME       name of the image (default: remeshd, tagged with the version and `latest`)
 #   --base IMAGE     Debian 12 image to compile in (default: that of deploy/Dockerfile)
 #   --bootstrap      make that image with mmdebstrap from Debian's packages, without any registry;
 #                    taken anyway where the registry cannot be reached and mmdebstrap is there
+#   --bootstrap-only make that image alone, as remeshd-base
 #   --built BUILD    compile nothing: take the programs of a build folder, and the libraries of this
 #                    machine, which must be Debian 12
 #
@@ -18,12 +20,13 @@ cd "$here/.."
 fail() { echo "image.sh: $*" >&2; exit 2; }
 
 version=$(sed -n 's/^project(remeshd VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-name=remeshd base= bootstrap=no built=
+name=remeshd base='' bootstrap=no built=''
 while [ $# -gt 0 ]; do
   case $1 in
     --tag) name=${2:?} && shift 2 ;;
     --base) base=${2:?} && shift 2 ;;
     --bootstrap) bootstrap=yes && shift ;;
+    --bootstrap-only) bootstrap=only && shift ;;
     --built) built=${2:?} && shift 2 ;;
     *) fail "unknown: $1 (the head of deploy/image.sh tells what there is)" ;;
   esac
@@ -57,6 +60,11 @@ bootstrap_base() {
   base=localhost/remeshd-base
   [ "$tool" = buildah ] || base=remeshd-base
 }
+
+if [ "$bootstrap" = only ]; then
+  bootstrap_base
+  exit 0
+fi
 
 arguments=(--build-arg "VERSION=$version"
            --build-arg "REVISION=$(git rev-parse HEAD 2>/dev/null || echo unknown)"
