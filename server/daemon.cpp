@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "server/service/remesh_service.h"
 #include "server/session/session.h"
@@ -34,7 +34,9 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .threads = options.threads > 0 ? options.threads : processors(),
           .queue = options.queue,
           .wait = options.queue_wait,
+          .compute = options.compute_limit,
           .memory = options.memory,
+          .held = std::min(options.cache, options.memory),
           .max_nodes = options.max_nodes,
           .dumps = options.dumps};
 }
@@ -84,11 +86,12 @@ struct Daemon::Parts {
 };
 
 Daemon::Daemon(const DaemonOptions& options, Engine engine) {
-  std::optional<ListenAddress> address;
-  if (!options.listen.empty()) address = parse_listen_address(options.listen);
+  std::vector<ListenAddress> addresses;
+  for (const std::string& text : options.listen) addresses.push_back(parse_listen_address(text));
   parts_ = std::make_unique<Parts>(options, std::move(engine));
-  std::optional<ListeningSockets> sockets;
-  if (address) sockets.emplace(*address);
+  std::vector<ListeningSockets> sockets;
+  sockets.reserve(addresses.size());
+  for (const ListenAddress& address : addresses) sockets.emplace_back(address);
 
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
@@ -96,7 +99,7 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
   set_transport_limits(builder);
   using Experimental = grpc::ServerBuilder::experimental_type;
   std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor;
-  if (sockets)
+  if (!sockets.empty())
     acceptor = builder.experimental().AddExternalConnectionAcceptor(
         Experimental::ExternalConnectionType::FROM_FD, grpc::InsecureServerCredentials());
   builder.RegisterService(parts_->service.get());
@@ -105,14 +108,14 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
   if (!parts_->server) throw std::runtime_error("gRPC does not start");
   if (auto* health = parts_->server->GetHealthCheckService())
     health->SetServingStatus("remesh.v1.RemeshService", true);
-  if (!sockets) return;
+  if (sockets.empty()) return;
   const auto hand_over = [acceptor](int listener, Descriptor connection) {
     grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
     parameters.listener_fd = listener;
     parameters.fd = connection.release();
     acceptor->HandleNewConnection(&parameters);
   };
-  parts_->connections = std::make_unique<AcceptLoop>(std::move(*sockets), parts_->max_connections,
+  parts_->connections = std::make_unique<AcceptLoop>(std::move(sockets), parts_->max_connections,
                                                      hand_over, options.log);
 }
 
@@ -124,10 +127,24 @@ std::shared_ptr<grpc::Channel> Daemon::in_process_channel() {
   return parts_->server->InProcessChannel(arguments);
 }
 
-int Daemon::port() const { return parts_->connections ? parts_->connections->sockets().port() : 0; }
+int Daemon::port() const {
+  if (!parts_->connections) return 0;
+  for (const ListeningSockets& sockets : parts_->connections->sockets())
+    if (sockets.port() != 0) return sockets.port();
+  return 0;
+}
+
+std::vector<std::string> Daemon::addresses() const {
+  std::vector<std::string> names;
+  if (!parts_->connections) return names;
+  for (const ListeningSockets& sockets : parts_->connections->sockets())
+    names.push_back(sockets.name());
+  return names;
+}
 
 std::string Daemon::address() const {
-  return parts_->connections ? parts_->connections->sockets().name() : "";
+  const std::vector<std::string> all = addresses();
+  return all.empty() ? "" : all.front();
 }
 
 void Daemon::shutdown() {

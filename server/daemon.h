@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/session/engine.h"
 
@@ -18,9 +19,9 @@ class logger;
 namespace remeshd {
 
 struct DaemonOptions {
-  /// As `parse_listen_address` takes it; port 0 takes a free one. Empty: nothing is listened on,
+  /// As `parse_listen_address` takes them; port 0 takes a free one. None: nothing is listened on,
   /// `in_process_channel` only.
-  std::string listen = "127.0.0.1:50051";
+  std::vector<std::string> listen = {"127.0.0.1:50051"};
   std::size_t max_connections = 1024;   ///< at a time; fewer where descriptors do not suffice
   std::filesystem::path store;          ///< empty: revisions live in memory and end with the daemon
   double store_wait = 0;                ///< s to wait for another process to let go of the store
@@ -28,7 +29,9 @@ struct DaemonOptions {
   int threads = 0;                      ///< at most, for one computation; 0: one per processor
   std::size_t queue = 64;               ///< computations that may wait for a worker
   double queue_wait = 60;               ///< s that one may wait
-  std::uint64_t memory = 1ULL << 30;    ///< bytes of revisions held in memory
+  double compute_limit = 600;           ///< s that one may take; 0: any
+  std::uint64_t memory = 1ULL << 31;    ///< bytes that computations, loads and revisions may take
+  std::uint64_t cache = 1ULL << 30;     ///< bytes of it that revisions held may take
   std::uint32_t max_nodes = 5000000;    ///< that may be asked for
   std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;  ///< null: no log
@@ -47,9 +50,12 @@ class Daemon {
 
   /// A channel to this daemon that uses no port.
   std::shared_ptr<grpc::Channel> in_process_channel();
-  /// The port it listens on; 0 where it does not.
+  /// The port it listens on, of several addresses the first's that has one; 0 where it does not.
   [[nodiscard]] int port() const;
-  /// Where it listens, as a client takes it: `127.0.0.1:50051`, `unix:/run/remeshd.sock`; or empty.
+  /// Where it listens, as a client takes it: `127.0.0.1:50051`, `unix:/run/remeshd.sock`; in the
+  /// order of `DaemonOptions::listen`.
+  [[nodiscard]] std::vector<std::string> addresses() const;
+  /// The first of them; empty where it does not listen.
   [[nodiscard]] std::string address() const;
   /// Answers what is under way with UNAVAILABLE, stops every computation and returns when all is at
   /// rest. A second call does nothing.

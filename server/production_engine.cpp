@@ -26,7 +26,7 @@ Engine production_engine() {
           .apply = apply,
           .check_node_limit = [](const Revision* base, const FeatureModel& model,
                                  const MeshOptions& options,
-                                 const Run& run) { check_node_limit(base, model, options, run); },
+                                 const Run& run) { return check_node_limit(base, model, options, run); },
           .summarise = summary_of,
           .make_revision = make_revision,
           .compare = compare,

@@ -63,16 +63,17 @@ Extent extent_of(const CellularModel& cells) {
   return {cells.volume, cells.area, std::fmax(along_edges, across_faces)};
 }
 
-void check_node_limit(const Revision* original, const FeatureModel& model,
-                      const MeshOptions& options, const Run& run) {
+double check_node_limit(const Revision* original, const FeatureModel& model,
+                        const MeshOptions& options, const Run& run) {
   check_count(options, run);
   std::optional<double> edge_length = options.size;
   if (original) edge_length = std::fmin(original->edge_length, edge_length.value_or(HUGE_VAL));
   // What a number of nodes comes to is known only with the volume.
-  if (!edge_length) return;
+  if (!edge_length) return options.nodes.value_or(0);
   const LeastNodes least = least_nodes(model, *edge_length, run.max_nodes);
   if (exceeds(least.nodes, run))
     throw too_large(original, options, *edge_length, least, "at least", run);
+  return std::fmax(least.nodes, options.nodes.value_or(0));
 }
 
 void check_node_limit(const Revision* original, const Extent& extent, double edge_length,

@@ -13,11 +13,12 @@ namespace remeshd {
 Extent extent_of(const CellularModel& cells);
 
 /// Before anything is computed, as far as closed formulas tell: what passes may still be refused
-/// once the model's cells are known. `original`: null for a first mesh.
+/// once the model's cells are known. `original`: null for a first mesh. Returns how many nodes the
+/// mesh will have at least, as far as that can be told.
 ///
 /// Throws Error(InvalidArgument) `MESH_TOO_LARGE`, naming the feature where one alone is too large.
-void check_node_limit(const Revision* original, const FeatureModel& model,
-                      const MeshOptions& options, const Run& run);
+double check_node_limit(const Revision* original, const FeatureModel& model,
+                        const MeshOptions& options, const Run& run);
 
 /// Exactly. `edge_length`: as resolved.
 ///

@@ -96,6 +96,13 @@ void add_warnings(const Revision* original, Revision& revision) {
     warnings.insert(warnings.end(), found.begin(), found.end());
 }
 
+/// Tets that an edit keeps are as likely of a last resort as those of its base.
+double last_resort_share(const Revision* original, const Report& report) {
+  if (report.way == Way::TetGen) return 1;
+  if (original == nullptr || report.counts.tets == 0) return 0;
+  return original->report.last_resort_share * report.counts.tets_kept / report.counts.tets;
+}
+
 }  // namespace
 
 const FeatureModel& Revision::master_model() const { return anchor ? anchor->model : meshed_model; }
@@ -132,6 +139,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
     const bool same = same_geometry(original->meshed_model, revision.model);
     if (same) repeat(*original, revision, run);
     if (same || continue_with(*original, revision, run)) {
+      report.last_resort_share = original->report.last_resort_share;
       add_warnings(original, revision);
       watch.lap(seconds.copy);
       seconds.total = watch.total();
@@ -146,7 +154,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.reference =
       by_rule && report.way != Way::Fresh ? original->reference : wear_reference(revision);
   if (by_rule && made.copied_from) renew_if_worn(*original, ways, revision, run);
-  report.last_resort_share = report.way == Way::TetGen ? 1 : 0;
+  report.last_resort_share = last_resort_share(original, report);
   add_warnings(original, revision);
   watch.lap(seconds.extract);
   seconds.total = watch.total();

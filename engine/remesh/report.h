@@ -75,7 +75,8 @@ struct Report {
   std::uint32_t sharp_tets = 0;  ///< the others
   VerificationFigures verification;
   std::vector<GroupArea> groups;
-  /// Of the tets: 1 where a last resort (TetGen) made the mesh, else 0.
+  /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
+  /// share of those that it keeps.
   double last_resort_share = 0;
   std::vector<Warning> warnings;
 };

@@ -91,6 +91,8 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   void on_cancel(std::function<void()> action);
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
+  /// Asks what works for the call to stop.
+  void stop() { stop_.request_stop(); }
   CallRecord& record() { return *record_; }
 
   void OnCancel() override;

@@ -136,24 +136,10 @@ void EditStream::begin() {
 void EditStream::hand_over(Request& request) {
   if (request.cancelled) throw error::cancelled();
   if (request.refused) throw Error(*request.refused);
-  v1::EditStreamRequest message;
-  from_bytes(request.bytes, limits_.message_bytes, message);
-  release(request.bytes);
-  if (message.has_mesh()) throw error::unsupported("mesh");
-  MakeRequestPtr started;
-  if (message.has_create()) {
-    started = session_.create(decode(message.create(), limits_.document),
-                              listener(request.turn, request.id));
-  } else if (message.has_edit()) {
-    EditCommand edit = decode(message.edit(), limits_.document);
-    if (edit.base.empty()) {
-      const std::scoped_lock lock(mutex_);
-      edit.base = edit.design.empty() ? next_base_ : edit.design;
-    }
-    started = session_.edit(std::move(edit), listener(request.turn, request.id));
-  } else {
-    throw error::side_invalid("request", "is empty");
-  }
+  const auto bytes = std::make_shared<std::string>(std::move(request.bytes));
+  const MakeRequestPtr started =
+      session_.make([self = shared_from_this(), bytes] { return self->command(*bytes); },
+                    listener(request.turn, request.id));
   bool cancel = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -162,6 +148,21 @@ void EditStream::hand_over(Request& request) {
     cancel = cancel_at_work_ || closed_;
   }
   if (cancel) started->cancel();
+}
+
+Command EditStream::command(std::string& bytes) {
+  v1::EditStreamRequest message;
+  from_bytes(bytes, limits_.message_bytes, message);
+  release(bytes);
+  if (message.has_mesh()) throw error::unsupported("mesh");
+  if (message.has_create()) return decode(message.create(), limits_.document);
+  if (!message.has_edit()) throw error::side_invalid("request", "is empty");
+  EditCommand edit = decode(message.edit(), limits_.document);
+  if (edit.base.empty()) {
+    const std::scoped_lock lock(mutex_);
+    edit.base = edit.design.empty() ? next_base_ : edit.design;
+  }
+  return edit;
 }
 
 Listener EditStream::listener(std::uint64_t turn, const std::string& id) {

@@ -48,6 +48,8 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   // What is handed to the session, and its answers.
   void begin();
   void hand_over(Request& request);
+  /// What a request asks for; its bytes are let go of. Throws what is wrong with it.
+  Command command(std::string& bytes);
   Listener listener(std::uint64_t turn, const std::string& id);
   void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply);
   void fail(std::uint64_t turn, const std::string& id, const Error& why);

@@ -12,14 +12,16 @@ MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context
   auto call = std::make_shared<MeshCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
-    session.later(
-        [call, &session, request, message_limit] {
-          answering(*call, [&] {
-            call->prepare(session, request, message_limit);
-            call->write_next();
-          });
-        },
-        [call](const Error& why) { call->fail(why); });
+    session.later(Lane::Preparation,
+                  {.tenant = {},
+                   .run =
+                       [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
+                         answering(*call, [&] {
+                           call->prepare(session, bytes, message_limit);
+                           call->write_next();
+                         });
+                       },
+                   .refused = [call](const Error& why) { call->fail(why); }});
   });
   return call.get();
 }

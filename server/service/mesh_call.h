@@ -15,9 +15,9 @@
 
 namespace remeshd {
 
-/// One GetMesh: the revision is found on the quick pool, then message follows message as the client
-/// takes them. One thing happens after the other: preparation, a write, the next write, the end. So
-/// no operation starts after `Finish`, and the call lives until then.
+/// One GetMesh: the revision is found in the lane of preparations, then message follows message as
+/// the client takes them. One thing happens after the other: preparation, a write, the next write,
+/// the end. So no operation starts after `Finish`, and the call lives until then.
 class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                        public std::enable_shared_from_this<MeshCall> {
  public:

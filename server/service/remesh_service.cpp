@@ -40,16 +40,12 @@ class RawRemeshService final : public RawService {
       : session_(session), options_(std::move(options)) {}
 
   Reply* CreateRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return make<v1::CreateRevisionRequest, v1::CreateRevisionResponse>(
-        "CreateRevision", context, in, out, [this](const auto& request, Listener listener) {
-          return session_.create(decode(request, documents()), std::move(listener));
-        });
+    return make<v1::CreateRevisionRequest, v1::CreateRevisionResponse>("CreateRevision", context,
+                                                                       in, out);
   }
   Reply* EditRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return make<v1::EditRevisionRequest, v1::EditRevisionResponse>(
-        "EditRevision", context, in, out, [this](const auto& request, Listener listener) {
-          return session_.edit(decode(request, documents()), std::move(listener));
-        });
+    return make<v1::EditRevisionRequest, v1::EditRevisionResponse>("EditRevision", context, in,
+                                                                   out);
   }
   Reply* RemakeRevision(Context* context, const Bytes* /*in*/, Bytes* out) override {
     return refuse("RemakeRevision", context, out);
@@ -63,28 +59,29 @@ class RawRemeshService final : public RawService {
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::GetRevisionRequest>(
-        "GetRevision", context, in, out, [this](const auto& request, const Run& run) {
-          return encode(session_.describe(request.revision(), run), request.documents());
-        });
+    return query<v1::GetRevisionRequest>("GetRevision", Lane::Preparation, context, in, out,
+                                         [this](const auto& request, const Run& run) {
+                                           return encode(session_.describe(request.revision(), run),
+                                                         request.documents());
+                                         });
   }
   Reply* GetRecipe(Context* context, const Bytes* /*in*/, Bytes* out) override {
     return refuse("GetRecipe", context, out);
   }
   Reply* ListRevisions(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListRevisionsRequest>(
-        "ListRevisions", context, in, out,
+        "ListRevisions", Lane::Metadata, context, in, out,
         [this](const auto& request, const Run&) { return list_revisions(session_, request); });
   }
   Reply* ListDesigns(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListDesignsRequest>(
-        "ListDesigns", context, in, out,
+        "ListDesigns", Lane::Metadata, context, in, out,
         [this](const auto& request, const Run&) { return list_designs(session_, request); });
   }
 
   Reply* SetHead(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::SetHeadRequest>(
-        "SetHead", context, in, out, [this](const auto& request, const Run&) {
+        "SetHead", Lane::Metadata, context, in, out, [this](const auto& request, const Run&) {
           if (request.revision().empty()) throw error::reference_missing("revision");
           const auto set =
               session_.set_head(request.revision(), request.design(), request.expected());
@@ -95,20 +92,23 @@ class RawRemeshService final : public RawService {
         });
   }
   Reply* DeleteRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::DeleteRevisionRequest>(
-        "DeleteRevision", context, in, out, [this](const auto& request, const Run&) {
-          if (request.revision().empty()) throw error::reference_missing("revision");
-          const auto removed = session_.remove(request.revision(), request.allow_head());
-          v1::DeleteRevisionResponse reply;
-          reply.set_id(removed.id);
-          for (const PlaceRecord& place : removed.places) *reply.add_removed() = encode(place);
-          reply.set_mesh_deleted(removed.mesh_deleted);
-          return reply;
-        });
+    return query<v1::DeleteRevisionRequest>("DeleteRevision", Lane::Metadata, context, in, out,
+                                            [this](const auto& request, const Run&) {
+                                              if (request.revision().empty())
+                                                throw error::reference_missing("revision");
+                                              const auto removed = session_.remove(
+                                                  request.revision(), request.allow_head());
+                                              v1::DeleteRevisionResponse reply;
+                                              reply.set_id(removed.id);
+                                              for (const PlaceRecord& place : removed.places)
+                                                *reply.add_removed() = encode(place);
+                                              reply.set_mesh_deleted(removed.mesh_deleted);
+                                              return reply;
+                                            });
   }
   Reply* DeleteDesign(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::DeleteDesignRequest>(
-        "DeleteDesign", context, in, out, [this](const auto& request, const Run&) {
+        "DeleteDesign", Lane::Metadata, context, in, out, [this](const auto& request, const Run&) {
           const auto removed = session_.remove_design(request.design(), request.expected());
           v1::DeleteDesignResponse reply;
           reply.set_revisions(removed.revisions);
@@ -119,7 +119,8 @@ class RawRemeshService final : public RawService {
 
   Reply* Compare(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::CompareRequest>(
-        "Compare", context, in, out, [this](const auto& request, const Run& run) {
+        "Compare", Lane::Computation, context, in, out,
+        [this](const auto& request, const Run& run) {
           v1::CompareResponse reply;
           *reply.mutable_comparison() =
               encode(session_.compare(decode(request.original(), "original", documents()),
@@ -129,7 +130,8 @@ class RawRemeshService final : public RawService {
   }
   Reply* ValidateModel(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ValidateModelRequest>(
-        "ValidateModel", context, in, out, [this](const auto& request, const Run& run) {
+        "ValidateModel", Lane::Computation, context, in, out,
+        [this](const auto& request, const Run& run) {
           v1::ValidateModelResponse reply;
           *reply.mutable_check() = encode(
               session_.validate(decode(request, documents()), decode(request.options()), run));
@@ -138,7 +140,8 @@ class RawRemeshService final : public RawService {
   }
   Reply* ValidateEdit(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ValidateEditRequest>(
-        "ValidateEdit", context, in, out, [this](const auto& request, const Run& run) {
+        "ValidateEdit", Lane::Computation, context, in, out,
+        [this](const auto& request, const Run& run) {
           const EditToValidate what = decode(request, documents());
           v1::ValidateEditResponse reply;
           *reply.mutable_check() =
@@ -148,7 +151,7 @@ class RawRemeshService final : public RawService {
   }
   Reply* ListFeatureTypes(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListFeatureTypesRequest>(
-        "ListFeatureTypes", context, in, out, [this](const auto&, const Run&) {
+        "ListFeatureTypes", Lane::Metadata, context, in, out, [this](const auto&, const Run&) {
           v1::ListFeatureTypesResponse reply;
           for (const FeatureTypeInfo& type : session_.feature_types())
             *reply.add_types() = encode(type);
@@ -157,7 +160,7 @@ class RawRemeshService final : public RawService {
   }
   Reply* GetServerInfo(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetServerInfoRequest>(
-        "GetServerInfo", context, in, out, [this](const auto&, const Run&) {
+        "GetServerInfo", Lane::Metadata, context, in, out, [this](const auto&, const Run&) {
           v1::GetServerInfoResponse reply;
           *reply.mutable_server() = server_info(session_, options_.facts, options_.limits);
           return reply;
@@ -171,58 +174,66 @@ class RawRemeshService final : public RawService {
     return std::make_shared<CallRecord>(options_.log, method, context->peer());
   }
 
-  /// Runs `work` on the quick pool with the call's request: a long document takes its time to read,
-  /// which no thread of gRPC's has.
-  template <typename Request, typename Work>
-  Reply* later(const char* method, Context* context, const Bytes* in, Bytes* out, Work work) {
+  /// A call that makes a revision. Its request is read once there is room for its work.
+  template <typename Request, typename Response>
+  Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out) {
     const auto call = UnaryCall::start(context, out, record(method, context));
     answering(*call, [&] {
-      session_.later(
-          [this, call, in, work] {
-            answering(*call, [&] {
-              Request request;
-              from_bytes(*in, options_.limits.message_bytes, request);
-              work(call, request);
-            });
-          },
-          [call](const Error& why) { call->fail(why); });
+      const auto id = std::make_shared<std::string>();
+      // A copy of the buffer, not of its bytes: the call may be over before they are read.
+      const auto read = [this, call, id, bytes = Bytes(*in)]() -> Command {
+        Request request;
+        from_bytes(bytes, options_.limits.message_bytes, request);
+        *id = request.request_id();
+        call->record().set_request_id(*id);
+        check_request_id(*id);
+        return decode(request, documents());
+      };
+      const auto made = [call, id](const Made& result) {
+        answering(*call, [&] {
+          call->record().set_note("revision=" + result.filed.record.id.substr(0, 12));
+          Response response;
+          *response.mutable_result() = encode(result, *id);
+          call->reply(response);
+        });
+      };
+      const auto failed = [call](const Error& why) { call->fail(why); };
+      const MakeRequestPtr under_way =
+          session_.make(read, Listener{.progress = {}, .made = made, .failed = failed});
+      call->on_cancel([under_way] { under_way->cancel(); });
     });
     return call.get();
   }
 
-  /// A call that makes a revision: decode, hand to the session, encode what comes back.
-  template <typename Request, typename Response, typename Start>
-  Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out, Start start) {
-    return later<Request>(
-        method, context, in, out,
-        [start](const std::shared_ptr<UnaryCall>& call, const Request& request) {
-          const std::string id = request.request_id();
-          call->record().set_request_id(id);
-          check_request_id(id);
-          const auto answer = [call, id](const Made& made) {
-            answering(*call, [&] {
-              call->record().set_note("revision=" + made.filed.record.id.substr(0, 12));
-              Response response;
-              *response.mutable_result() = encode(made, id);
-              call->reply(response);
-            });
-          };
-          const auto failed = [call](const Error& why) { call->fail(why); };
-          const MakeRequestPtr under_way =
-              start(request, Listener{.progress = {}, .made = answer, .failed = failed});
-          call->on_cancel([under_way] { under_way->cancel(); });
-        });
-  }
-
-  /// A call that is answered by a function.
+  /// A call that is answered by a function, in a lane. The request is read there too.
   template <typename Request, typename Answer>
-  Reply* query(const char* method, Context* context, const Bytes* in, Bytes* out, Answer answer) {
-    return later<Request>(method, context, in, out,
-                          [answer](const std::shared_ptr<UnaryCall>& call, const Request& request) {
-                            const Run run{
-                                .stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-                            call->reply(answer(request, run));
-                          });
+  Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
+               Answer answer) {
+    const auto call = UnaryCall::start(context, out, record(method, context));
+    answering(*call, [&] {
+      const auto refused = [call](const Error& why) { call->fail(why); };
+      const WorkId work = session_.later(
+          lane, {.tenant = {},
+                 .run =
+                     [this, call, answer, bytes = Bytes(*in)] {
+                       answering(*call, [&] {
+                         Request request;
+                         from_bytes(bytes, options_.limits.message_bytes, request);
+                         const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+                         call->reply(answer(request, run));
+                       });
+                     },
+                 .refused = refused,
+                 .overdue =
+                     [call](const Error& why) {
+                       call->fail(why);
+                       call->stop();
+                     }});
+      call->on_cancel([this, call, lane, work] {
+        if (session_.withdraw(lane, work)) call->fail(error::cancelled());
+      });
+    });
+    return call.get();
   }
 
   /// A call that this daemon does not do.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/admission/load_error.h"
 #include "server/session/clock.h"
 #include "server/session/edit_tail.h"
 #include "server/session/fail_on.h"
@@ -37,8 +38,11 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 
 }  // namespace
 
-Archive::Archive(const Engine& engine, Store& store, std::uint64_t memory)
-    : engine_(engine), store_(store), held_(memory, store.persistent(), engine.memory_blocks) {}
+Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, std::uint64_t most_held)
+    : engine_(engine),
+      store_(store),
+      memory_(memory),
+      held_(memory, most_held, store.persistent(), engine.memory_blocks) {}
 
 Reference Archive::resolve(const std::string& text) {
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
@@ -72,9 +76,12 @@ HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
   return held;
 }
 
-void Archive::check_room() const {
-  if (!store_.persistent() && held_.bytes() >= held_.budget())
-    throw error::memory_full(held_.bytes(), held_.budget());
+void Archive::check_room(std::uint64_t bytes) const {
+  if (bytes > memory_.total()) throw error::never_fits(bytes, memory_.total());
+  if (store_.persistent()) return;
+  const std::uint64_t held = held_.bytes();
+  if (held >= held_.most() || held + bytes > memory_.total())
+    throw error::memory_full(held, std::min(held_.most(), memory_.total()));
 }
 
 void Archive::drop_unfiled(const std::string& id) {

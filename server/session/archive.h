@@ -30,8 +30,8 @@ class Archive {
     std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
   };
 
-  /// `memory` in bytes; both references must outlive the archive.
-  Archive(const Engine& engine, Store& store, std::uint64_t memory);
+  /// `most_held`: bytes of revisions in memory. The references must outlive the archive.
+  Archive(const Engine& engine, Store& store, MemoryBudget& memory, std::uint64_t most_held);
 
   Reference resolve(const std::string& text);
   /// The revision, read from the store if need be; null if there is none.
@@ -40,8 +40,9 @@ class Archive {
   /// The same, for one that was resolved. Throws Error(`REVISION_NOT_FOUND`) too.
   HeldRevisionPtr get(const std::string& id, const Run& run);
 
-  /// Throws Error(`MEMORY_FULL`) where no more revisions can be held.
-  void check_room() const;
+  /// Throws Error: `MESH_TOO_LARGE` where a computation that needs so many bytes can never be,
+  /// `MEMORY_FULL` where it cannot until revisions are deleted.
+  void check_room(std::uint64_t bytes) const;
   /// Keeps a revision just made in memory, for those who ask for it before it is filed.
   void hold(HeldRevisionPtr revision) { held_.insert(std::move(revision)); }
   /// Lets go of it where it was filed nowhere.
@@ -87,6 +88,7 @@ class Archive {
 
   const Engine& engine_;
   Store& store_;
+  MemoryBudget& memory_;
   HeldRevisions held_;
   std::mutex filing_;              ///< bytes, catalogue and memory change together
   std::set<std::string> damaged_;  ///< ids whose copy in the store cannot be read; under filing_

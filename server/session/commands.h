@@ -57,6 +57,8 @@ struct EditCommand {
   int threads = 1;
 };
 
+using Command = std::variant<CreateCommand, EditCommand>;
+
 /// How a revision was entered in a design.
 struct Filed {
   RevisionRecord record;

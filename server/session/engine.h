@@ -27,8 +27,9 @@ struct Engine {
   std::function<FeatureModel(const ModelSource&)> evaluate;
   std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
   /// What can be told of `Run::max_nodes` before anything is computed; `base`: null for a first
-  /// mesh. Throws Error(`MESH_TOO_LARGE`).
-  std::function<void(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
+  /// mesh. Returns the least number of nodes that the mesh will have. Throws
+  /// Error(`MESH_TOO_LARGE`).
+  std::function<double(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
       check_node_limit;
   /// Throws what `make_revision` throws before it meshes.
   std::function<ModelSummary(const Revision* base, const FeatureModel&, const MeshOptions&,

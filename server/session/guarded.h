@@ -4,7 +4,8 @@
 #include <new>
 
 #include "engine/base/error.h"
-#include "server/session/session_error.h"
+#include "server/admission/contained.h"
+#include "server/admission/load_error.h"
 
 namespace remeshd {
 
@@ -21,16 +22,6 @@ void guarded(Work&& work, Failed&& failed) {
     failed(error::internal("request", failure.what()));
   } catch (...) {
     failed(error::internal("request", "an exception of unknown type"));
-  }
-}
-
-/// Calls what must not throw, a client's listener or a job: whatever it throws all the same ends
-/// here, so that the thread and everybody else's requests live on.
-template <typename Work>
-void contained(Work&& work) {
-  try {
-    work();
-  } catch (...) {
   }
 }
 

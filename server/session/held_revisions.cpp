@@ -1,5 +1,7 @@
 #include "server/session/held_revisions.h"
 
+#include <algorithm>
+
 namespace remeshd {
 namespace {
 
@@ -19,6 +21,15 @@ std::uint64_t own_memory(const HeldRevision& held) {
 
 }  // namespace
 
+HeldRevisions::HeldRevisions(MemoryBudget& budget, std::uint64_t most_held, bool evict,
+                             MemoryBlocks blocks_of)
+    : budget_(budget), most_(most_held), evict_(evict), blocks_of_(std::move(blocks_of)) {
+  budget_.set_reclaim([this](std::uint64_t most) {
+    const std::scoped_lock lock(mutex_);
+    return shrink(most);
+  });
+}
+
 HeldRevisionPtr HeldRevisions::find(const std::string& id) {
   const std::scoped_lock lock(mutex_);
   const auto entry = by_id_.find(id);
@@ -32,7 +43,7 @@ bool HeldRevisions::contains(const std::string& id) const {
   return by_id_.contains(id);
 }
 
-void HeldRevisions::drop(Order::iterator entry) {
+HeldRevisions::Order::iterator HeldRevisions::drop(Order::iterator entry) {
   const Revision& revision = (*entry)->revision;
   bytes_ -= own_memory(**entry);
   for (const MemoryBlock& block : blocks_of_(revision)) {
@@ -42,12 +53,25 @@ void HeldRevisions::drop(Order::iterator entry) {
     bytes_ -= block.bytes;
   }
   by_id_.erase((*entry)->record.id);
-  order_.erase(entry);
+  return order_.erase(entry);
+}
+
+/// Drops those used longest ago until all together have at most `most` bytes; returns how many they
+/// have. The newest stays however large it is: the next request most likely asks for it.
+std::uint64_t HeldRevisions::shrink(std::uint64_t most) {
+  if (!evict_) return bytes_;
+  for (auto entry = order_.end(); bytes_ > most && entry != order_.begin();) {
+    --entry;
+    if (entry == order_.begin()) break;
+    if (entry->use_count() == 1) entry = drop(entry);
+  }
+  return bytes_;
 }
 
 void HeldRevisions::insert(HeldRevisionPtr revision) {
   const std::uint64_t own = own_memory(*revision);
   const std::vector<MemoryBlock> blocks = blocks_of_(revision->revision);
+  const std::uint64_t most = std::min(most_, budget_.left());
   const std::scoped_lock lock(mutex_);
   const std::string& id = revision->record.id;
   if (const auto entry = by_id_.find(id); entry != by_id_.end()) drop(entry->second);
@@ -56,9 +80,7 @@ void HeldRevisions::insert(HeldRevisionPtr revision) {
   bytes_ += own;
   for (const MemoryBlock& block : blocks)
     if (blocks_[block.address]++ == 0) bytes_ += block.bytes;
-  if (!evict_) return;
-  // The newest stays however large it is: the next request most likely asks for it.
-  while (bytes_ > budget_ && order_.size() > 1) drop(std::prev(order_.end()));
+  shrink(most);
 }
 
 void HeldRevisions::erase(const std::string& id) {

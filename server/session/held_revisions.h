@@ -11,20 +11,21 @@
 #include <vector>
 
 #include "engine/remesh/memory.h"
+#include "server/admission/memory_budget.h"
 #include "server/session/held_revision.h"
 
 namespace remeshd {
 
 /// Revisions in memory; what several have in common counts once. Where others can be read from the
-/// store again, those used longest ago go as soon as all together pass the budget; whoever still
-/// uses one keeps it alive.
+/// store again, those used longest ago go as soon as all together pass `most_held` bytes, or what
+/// the budget leaves them. One that is in use stays, since its memory would too.
 class HeldRevisions {
  public:
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
 
   /// `blocks_of`: the memory of a revision that others may have a part of.
-  HeldRevisions(std::uint64_t budget, bool evict, MemoryBlocks blocks_of)
-      : budget_(budget), evict_(evict), blocks_of_(std::move(blocks_of)) {}
+  /// `evict`: whether the others can be read again.
+  HeldRevisions(MemoryBudget& budget, std::uint64_t most_held, bool evict, MemoryBlocks blocks_of);
 
   HeldRevisionPtr find(const std::string& id);
   [[nodiscard]] bool contains(const std::string& id) const;
@@ -33,14 +34,16 @@ class HeldRevisions {
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::uint64_t bytes() const;
-  [[nodiscard]] std::uint64_t budget() const { return budget_; }
+  [[nodiscard]] std::uint64_t most() const { return most_; }
 
  private:
   using Order = std::list<HeldRevisionPtr>;  ///< used last in front
 
-  void drop(Order::iterator entry);
+  Order::iterator drop(Order::iterator entry);
+  std::uint64_t shrink(std::uint64_t most);
 
-  const std::uint64_t budget_;
+  MemoryBudget& budget_;
+  const std::uint64_t most_;
   const bool evict_;
   const MemoryBlocks blocks_of_;
   mutable std::mutex mutex_;

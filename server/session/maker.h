@@ -1,34 +1,27 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <memory>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <string>
 
+#include "server/admission/admission.h"
+#include "server/admission/memory_budget.h"
+#include "server/admission/pool.h"
 #include "server/session/archive.h"
 #include "server/session/commands.h"
+#include "server/session/computations.h"
 #include "server/session/engine.h"
-#include "server/session/pool.h"
+#include "server/session/make_request.h"
+#include "server/session/preparation.h"
 
 namespace remeshd {
 
-/// A command on its way.
-class MakeRequest {
- public:
-  virtual ~MakeRequest() = default;
-  /// Answers the request with Cancelled at once, unless it is answered already. The computation
-  /// stops if nobody else waits for it.
-  virtual void cancel() = 0;
-};
-using MakeRequestPtr = std::shared_ptr<MakeRequest>;
-
-/// Makes revisions. A command is prepared (base read, edit applied, model validated, id found) by a
-/// quick pool; a revision that exists is handed out, one on its way is waited for together, and any
-/// other is computed by the pool of workers.
-///
-/// Inv: of one id at most one computation is under way that somebody waits for.
+/// Makes revisions. A command is read and prepared (base read, edit applied, model validated, id
+/// found) in the lane of preparations; a revision that exists is handed out, one on its way is
+/// waited for together, and any other is computed in the lane of computations, with a share of the
+/// memory budget for as long.
 class Maker {
  public:
   struct Limits {
@@ -38,62 +31,55 @@ class Maker {
     /// empty: none.
     std::filesystem::path dumps;
   };
+  /// What it works on and with; must outlive it.
+  struct Parts {
+    const Engine& engine;
+    Archive& archive;
+    MemoryBudget& memory;
+    Pool& preparation;
+    Pool& computation;
+  };
 
-  /// Everything referred to must outlive the maker.
-  Maker(const Engine& engine, Archive& archive, Pool& quick, Pool& workers, Limits limits);
+  Maker(Parts parts, Limits limits);
   /// As `stop`.
   ~Maker();
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
 
-  /// Never throws; what is wrong goes to the listener, maybe before these return. A listener that
+  /// `read` gives the command; it is called in the lane of preparations, once there is room for its
+  /// work, and may throw Error.
+  ///
+  /// Never throws; what is wrong goes to the listener, maybe before this returns. A listener that
   /// throws from `made` hears `failed` next; what it throws from the others is dropped.
-  MakeRequestPtr create(CreateCommand command, Listener listener);
-  MakeRequestPtr edit(EditCommand command, Listener listener);
+  MakeRequestPtr make(std::function<Command()> read, Listener listener, std::string tenant);
 
   /// Ends every request with Unavailable and asks the computations to stop.
   void stop();
 
   /// Requests that wait for a computation.
-  [[nodiscard]] std::size_t waiting() const;
-
-  /// Options of a first mesh; throws Error(`OPTIONS_INVALID`).
-  [[nodiscard]] static MeshOptions first_options(const OptionsPatch& patch);
-  /// Options of an edit of a revision that has `base`; throws Error(`OPTIONS_INVALID`).
-  [[nodiscard]] static MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
+  [[nodiscard]] std::size_t waiting() const { return computations_.waiting(); }
 
  private:
-  struct Computation;
-  struct Request;
-  struct Prepared;
-  using RequestPtr = std::shared_ptr<Request>;
-  using ComputationPtr = std::shared_ptr<Computation>;
+  using Clock = FairQueue::Clock;
 
-  MakeRequestPtr start(const RequestPtr& request, std::function<Prepared(const Run&)> prepare);
-  Prepared prepare_create(const CreateCommand& command, const Run& run) const;
-  Prepared prepare_edit(const EditCommand& command, const Run& run) const;
-  [[nodiscard]] RevisionRecord record_of(const Prepared& prepared) const;
-  [[nodiscard]] Run run_of(const Request& request) const;
-  void proceed(const RequestPtr& request, const Prepared& prepared, const Run& run);
-  HeldRevisionPtr find_intact(const std::string& id, const Run& run) const;
-  void launch(const RequestPtr& request, const Prepared& prepared);
+  void prepare(const WaitingRequestPtr& request, const std::function<Command()>& read);
+  void proceed(const WaitingRequestPtr& request, const Prepared& prepared);
+  HeldRevisionPtr find_intact(const std::string& id, const std::stop_token& stop) const;
   void compute(const ComputationPtr& computation);
-  void hand_out(const RequestPtr& request, const HeldRevisionPtr& revision, bool cached);
-  std::vector<RequestPtr> retire(const ComputationPtr& computation);
-  void leave(const RequestPtr& request);
-  bool close(const RequestPtr& request);
-  void fail(const RequestPtr& request, const Error& why);
+  HeldRevisionPtr make_revision(const ComputationPtr& computation);
+  void hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& revision, bool cached);
+  bool close(const WaitingRequestPtr& request);
+  void fail(const WaitingRequestPtr& request, const Error& why);
 
-  const Engine& engine_;
-  Archive& archive_;
-  Pool& quick_;
-  Pool& workers_;
+  const Parts parts_;
   const Limits limits_;
+  const Preparation preparation_;
+  Admission admission_;
+  Computations computations_;
 
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   bool stopped_ = false;
-  std::map<std::string, ComputationPtr> computing_;  ///< by id
-  std::set<RequestPtr> requests_;                    ///< not answered yet
+  std::set<WaitingRequestPtr> requests_;  ///< not answered yet
 };
 
 }  // namespace remeshd

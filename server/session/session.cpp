@@ -1,12 +1,13 @@
 #include "server/session/session.h"
 
+#include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
 
-constexpr int kQuickThreads = 4;
-constexpr std::size_t kQuickQueue = 1024;
+constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
+constexpr std::size_t kLaneQueue = 1024;
 constexpr int kMostChildren = 1000;
 
 /// What a side of a comparison comes to.
@@ -21,10 +22,15 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
     : engine_(std::move(engine)),
       limits_(std::move(limits)),
       store_(std::move(store)),
-      archive_(engine_, *store_, limits_.memory),
-      quick_({.workers = kQuickThreads, .queue = kQuickQueue, .wait = limits_.wait}),
-      workers_({.workers = limits_.workers, .queue = limits_.queue, .wait = limits_.wait}),
-      maker_(engine_, archive_, quick_, workers_,
+      memory_(limits_.memory),
+      archive_(engine_, *store_, memory_, limits_.held),
+      metadata_({.workers = kMetadataThreads, .queue = kLaneQueue, .wait = limits_.wait}),
+      preparation_({.workers = kPreparationThreads, .queue = kLaneQueue, .wait = limits_.wait}),
+      computation_({.workers = limits_.workers,
+                    .queue = limits_.queue,
+                    .wait = limits_.wait,
+                    .compute = limits_.compute}),
+      maker_({engine_, archive_, memory_, preparation_, computation_},
              {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
 }
 
@@ -32,8 +38,21 @@ Session::~Session() { stop(); }
 
 void Session::stop() {
   maker_.stop();
-  quick_.shutdown();
-  workers_.shutdown();
+  metadata_.shutdown();
+  preparation_.shutdown();
+  computation_.shutdown();
+}
+
+Pool& Session::pool(Lane lane) {
+  switch (lane) {
+    case Lane::Metadata:
+      return metadata_;
+    case Lane::Preparation:
+      return preparation_;
+    case Lane::Computation:
+      break;
+  }
+  return computation_;
 }
 
 HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
@@ -83,7 +102,7 @@ ModelComparison Session::compare(const ComparisonSide& original, const Compariso
 
 Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
                             const Run& run) {
-  return validated(nullptr, source, maker_.first_options(options), run);
+  return validated(nullptr, source, first_options(options), run);
 }
 
 Validated Session::validated(const Revision* base, const ModelSource& source,
@@ -104,7 +123,7 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
   const HeldRevisionPtr held = get(reference, run);
   const Revision& revision = held->revision;
   return validated(&revision, engine_.apply(revision.source, edit),
-                   maker_.edit_options(options, revision.options), run);
+                   edit_options(options, revision.options), run);
 }
 
 std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const RevisionPage& page) {
@@ -120,8 +139,8 @@ std::vector<DesignRecord> Session::designs(const DesignFilter& filter, const Des
 }
 
 Load Session::load() {
-  Load load{.running = workers_.running(),
-            .queued = workers_.queued(),
+  Load load{.running = computation_.running(),
+            .queued = computation_.queued(),
             .waiting = maker_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};

@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "server/admission/memory_budget.h"
+#include "server/admission/pool.h"
 #include "server/session/archive.h"
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/maker.h"
-#include "server/session/pool.h"
 #include "server/store/store.h"
 
 namespace remeshd {
@@ -21,7 +22,9 @@ struct SessionLimits {
   int threads = 1;                             ///< at most, for one computation
   std::size_t queue = 64;                      ///< computations that may wait
   double wait = 60;                            ///< s that one may wait
-  std::uint64_t memory = 1ULL << 30;           ///< bytes of revisions held
+  double compute = 600;                        ///< s that one may take; 0: any
+  std::uint64_t memory = 1ULL << 31;           ///< bytes of all that MemoryBudget counts
+  std::uint64_t held = 1ULL << 30;             ///< bytes of revisions held, at most
   std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
   std::filesystem::path dumps;                 ///< as Maker::Limits
 };
@@ -51,8 +54,15 @@ struct Load {
   std::uint64_t disk_bytes = 0;
 };
 
+/// Where a query is answered.
+enum class Lane {
+  Metadata,     ///< from the catalogue alone
+  Preparation,  ///< a revision may have to be read
+  Computation,  ///< geometry is worked on
+};
+
 /// Everything that clients may do, in the engine's terms. All functions may be called by any thread
-/// at the same time. Those with a Run block and belong on the quick pool (`later`).
+/// at the same time. Those with a Run block and belong in a lane (`later`).
 class Session {
  public:
   Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits);
@@ -61,17 +71,19 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  MakeRequestPtr create(CreateCommand command, Listener listener) {
-    return maker_.create(std::move(command), std::move(listener));
+  /// As Maker::make.
+  MakeRequestPtr make(std::function<Command()> read, Listener listener, std::string tenant = {}) {
+    return maker_.make(std::move(read), std::move(listener), std::move(tenant));
   }
-  MakeRequestPtr edit(EditCommand command, Listener listener) {
-    return maker_.edit(std::move(command), std::move(listener));
+  /// A command that has been read.
+  MakeRequestPtr make(Command command, Listener listener) {
+    return make([command = std::move(command)] { return command; }, std::move(listener));
   }
 
-  /// Runs `work` on the quick pool, or calls `refused`. Throws what Pool::submit throws.
-  void later(std::function<void()> work, std::function<void(const Error&)> refused) {
-    quick_.submit(std::move(work), std::move(refused));
-  }
+  /// Throws what Pool::submit throws.
+  WorkId later(Lane lane, Work work) { return pool(lane).submit(std::move(work)); }
+  /// As Pool::withdraw.
+  bool withdraw(Lane lane, WorkId id) { return pool(lane).withdraw(id); }
 
   HeldRevisionPtr get(const std::string& reference, const Run& run);
   Description describe(const std::string& reference, const Run& run);
@@ -114,15 +126,18 @@ class Session {
   void stop();
 
  private:
+  Pool& pool(Lane lane);
   Validated validated(const Revision* base, const ModelSource& source, const MeshOptions& options,
                       Run run);
 
   const Engine engine_;
   const SessionLimits limits_;
   const std::unique_ptr<Store> store_;
+  MemoryBudget memory_;
   Archive archive_;
-  Pool quick_;
-  Pool workers_;
+  Pool metadata_;
+  Pool preparation_;
+  Pool computation_;
   Maker maker_;
 };
 

@@ -115,42 +115,4 @@ Error side_invalid(std::string_view side, std::string_view why) {
   return Error(std::move(info));
 }
 
-Error busy(std::size_t waiting, double retry_after) {
-  ErrorInfo info =
-      request_info(ErrorKind::ResourceExhausted, "BUSY",
-                   "the daemon is busy: " + std::to_string(waiting) + " requests are waiting");
-  info.retry_after = retry_after;
-  info.hint = "try again later";
-  return Error(std::move(info));
-}
-
-Error waited_too_long(double seconds, double retry_after) {
-  ErrorInfo info = request_info(
-      ErrorKind::ResourceExhausted, "WAITED_TOO_LONG",
-      "the request waited " + std::to_string(static_cast<long>(seconds)) + " s for a worker");
-  info.retry_after = retry_after;
-  info.hint = "try again later";
-  return Error(std::move(info));
-}
-
-Error memory_full(std::uint64_t used, std::uint64_t budget) {
-  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "MEMORY_FULL",
-                                "revisions fill " + std::to_string(used >> 20U) + " MiB of the " +
-                                    std::to_string(budget >> 20U) + " MiB they may have");
-  info.hint = "delete revisions, or start remeshd with a --store or a larger --cache";
-  return Error(std::move(info));
-}
-
-Error out_of_memory() {
-  ErrorInfo info = request_info(ErrorKind::ResourceExhausted, "OUT_OF_MEMORY",
-                                "there is not enough memory for this request");
-  info.hint = "ask for fewer nodes";
-  return Error(std::move(info));
-}
-
-Error shutting_down() {
-  return Error(
-      request_info(ErrorKind::Unavailable, "SHUTTING_DOWN", "the daemon is shutting down"));
-}
-
 }  // namespace remeshd::error

@@ -22,10 +22,5 @@ Error field_missing(std::string_view field, std::string_view hint);
 Error warning_is_error(const Warning& warning);
 Error option_invalid(std::string_view option, std::string_view why);
 Error side_invalid(std::string_view side, std::string_view why);
-Error busy(std::size_t waiting, double retry_after);
-Error waited_too_long(double seconds, double retry_after);
-Error memory_full(std::uint64_t used, std::uint64_t budget);
-Error out_of_memory();
-Error shutting_down();
 
 }  // namespace remeshd::error

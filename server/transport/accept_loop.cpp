@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "server/transport/transport_limits.h"
 
@@ -34,8 +33,8 @@ void prepare(int connection) {
 
 }  // namespace
 
-AcceptLoop::AcceptLoop(ListeningSockets sockets, std::size_t max_connections, HandOver hand_over,
-                       std::shared_ptr<spdlog::logger> log)
+AcceptLoop::AcceptLoop(std::vector<ListeningSockets> sockets, std::size_t max_connections,
+                       HandOver hand_over, std::shared_ptr<spdlog::logger> log)
     : sockets_(std::move(sockets)),
       live_(max_connections),
       hand_over_(std::move(hand_over)),
@@ -50,7 +49,7 @@ void AcceptLoop::stop() {
   if (!thread_.joinable()) return;
   ::eventfd_write(wake_.get(), 1);
   thread_.join();
-  sockets_.close();
+  for (ListeningSockets& sockets : sockets_) sockets.close();
 }
 
 bool AcceptLoop::wait_for_stop(std::chrono::milliseconds pause) const {
@@ -62,8 +61,9 @@ bool AcceptLoop::wait_for_stop(std::chrono::milliseconds pause) const {
 void AcceptLoop::run() {
   constexpr int kAtATime = 64;  // connections from one address before the others' turn
   std::vector<pollfd> ready{{.fd = wake_.get(), .events = POLLIN, .revents = 0}};
-  for (const Descriptor& listener : sockets_.descriptors())
-    ready.push_back({.fd = listener.get(), .events = POLLIN, .revents = 0});
+  for (const ListeningSockets& sockets : sockets_)
+    for (const Descriptor& listener : sockets.descriptors())
+      ready.push_back({.fd = listener.get(), .events = POLLIN, .revents = 0});
   while (true) {
     ::poll(ready.data(), ready.size(), -1);
     if (ready.front().revents != 0) return;

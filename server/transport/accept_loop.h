@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "server/transport/descriptor.h"
 #include "server/transport/listening_sockets.h"
@@ -24,14 +25,14 @@ class AcceptLoop {
   using HandOver = std::function<void(int listener, Descriptor connection)>;
 
   /// `log` may be null.
-  AcceptLoop(ListeningSockets sockets, std::size_t max_connections, HandOver hand_over,
+  AcceptLoop(std::vector<ListeningSockets> sockets, std::size_t max_connections, HandOver hand_over,
              std::shared_ptr<spdlog::logger> log);
   /// As `stop`.
   ~AcceptLoop();
   AcceptLoop(const AcceptLoop&) = delete;
   AcceptLoop& operator=(const AcceptLoop&) = delete;
 
-  [[nodiscard]] const ListeningSockets& sockets() const { return sockets_; }
+  [[nodiscard]] const std::vector<ListeningSockets>& sockets() const { return sockets_; }
   /// Hands nothing over once this has returned, and listens no more.
   void stop();
 
@@ -47,7 +48,7 @@ class AcceptLoop {
   bool refuse_one(int listener);
   void warn(const char* what);
 
-  ListeningSockets sockets_;
+  std::vector<ListeningSockets> sockets_;
   LiveConnections live_;
   HandOver hand_over_;
   std::shared_ptr<spdlog::logger> log_;

@@ -214,7 +214,7 @@ TEST_F(Determinism, AnyNumberOfThreadsGivesTheSameBytes) {
 TEST_F(Determinism, AColdCacheGivesTheSameBytesAsAWarmOne) {
   const Answers warm = local();
   use_store();
-  options_.memory = 1;
+  options_.cache = 1;
   for (const std::size_t known : {0U, 1U}) {
     std::vector<ChainRun> all = interleaved(stub());
     Answers answers;
@@ -223,7 +223,8 @@ TEST_F(Determinism, AColdCacheGivesTheSameBytesAsAWarmOne) {
       answers.push_back(run.answers());
     }
     expect_same(warm, answers);
-    EXPECT_EQ(info().load().cached_revisions(), 1U);
+    // The last result, and its base, which was in use when that came.
+    EXPECT_LE(info().load().cached_revisions(), 2U);
   }
 }
 

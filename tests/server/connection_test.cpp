@@ -147,12 +147,23 @@ TEST_F(Connections, AboveTheLimitAreUnavailableUntilOthersEnd) {
 
 TEST_F(Connections, OverAUnixSocketServeAndTheFileGoesWithTheDaemon) {
   const Folder folder;
-  options_.listen = "unix:" + folder.file("socket");
+  options_.listen = {"unix:" + folder.file("socket")};
   daemon_ = std::make_unique<Daemon>(options_, make_engine());
-  EXPECT_EQ(daemon_->address(), options_.listen);
+  EXPECT_EQ(daemon_->addresses(), options_.listen);
   EXPECT_TRUE(call_on_new_channel(daemon_->address()).ok());
   daemon_->shutdown();
   EXPECT_FALSE(std::filesystem::exists(folder.file("socket")));
+}
+
+TEST_F(Connections, ReachADaemonOnEachOfItsAddresses) {
+  const Folder folder;
+  options_.listen = {"unix:" + folder.file("socket"), "127.0.0.1:0", "[::1]:0"};
+  daemon_ = std::make_unique<Daemon>(options_, make_engine());
+  const auto addresses = daemon_->addresses();
+  ASSERT_EQ(addresses.size(), 3U);
+  EXPECT_EQ(addresses[1], "127.0.0.1:" + std::to_string(daemon_->port()));
+  for (const std::string& address : addresses)
+    EXPECT_TRUE(call_on_new_channel(address).ok()) << address;
 }
 
 TEST_F(Connections, AreClosedByShutdownAndNewOnesRefused) {

@@ -33,7 +33,7 @@ v1::Error detail(const grpc::Status& status);
 class DaemonTest : public testing::Test {
  protected:
   DaemonTest() {
-    options_.listen = "127.0.0.1:0";
+    options_.listen = {"127.0.0.1:0"};
     options_.workers = 2;
     options_.threads = 3;
   }

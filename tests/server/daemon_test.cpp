@@ -47,7 +47,7 @@ TEST_F(Daemons, GiveTheSameBytesInTheirOwnProcessAsOverThePort) {
 
 TEST_F(Daemons, DoNotShareAPort) {
   start();
-  options_.listen = "127.0.0.1:" + std::to_string(daemon_->port());
+  options_.listen = {"127.0.0.1:" + std::to_string(daemon_->port())};
   try {
     const Daemon second(options_, engine_.engine());
     FAIL() << "two daemons share a port";
@@ -57,7 +57,7 @@ TEST_F(Daemons, DoNotShareAPort) {
 }
 
 TEST_F(Daemons, RefuseAnAddressThatIsNone) {
-  options_.listen = "nonsense";
+  options_.listen = {"nonsense"};
   EXPECT_THROW(Daemon(options_, engine_.engine()), Error);
 }
 

@@ -331,7 +331,7 @@ TEST_F(Errors, WhoWaitsTooLongIsRefused) {
 }
 
 TEST_F(Errors, WithoutAStoreFullMemoryRefusesNewRevisionsAndDeletingHelps) {
-  options_.memory = 20000;
+  options_.cache = 20000;
   create(create_request(plate(1), 1000));
   v1::RevisionResult reply;
   const auto status = try_create(create_request(plate(2), 1000), &reply);

@@ -119,8 +119,8 @@ void name_parts(Revision& r) {
 }
 
 /// The rule of the real one without its geometry: a node for each cube of the edge length.
-void check_node_limit_fake(const Revision* base, const FeatureModel& model,
-                           const MeshOptions& options, const Run& run) {
+double check_node_limit_fake(const Revision* base, const FeatureModel& model,
+                             const MeshOptions& options, const Run& run) {
   double nodes = options.nodes.value_or(0);
   if (!options.nodes) {
     const double edge_length = base != nullptr ? base->edge_length : *options.size;
@@ -131,6 +131,7 @@ void check_node_limit_fake(const Revision* base, const FeatureModel& model,
   if (nodes > run.max_nodes)
     throw error::mesh_too_large("this needs", nodes, run.max_nodes, options.nodes ? "nodes" : "",
                                 model.features.front().id, "ask for less");
+  return nodes;
 }
 
 Revision deserialise_fake(const std::string& bytes) {

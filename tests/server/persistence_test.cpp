@@ -88,7 +88,7 @@ TEST_F(Persistence, AnEditOfALoadedBaseIsTheEditOfTheOneInMemory) {
 }
 
 TEST_F(Persistence, RevisionsBeyondTheMemoryBudgetGoToTheStoreAndComeBack) {
-  options_.memory = 50000;
+  options_.cache = 50000;
   std::vector<std::string> ids;
   for (int i = 0; i < 5; ++i)
     ids.push_back(create(create_request(plate(1 + i), 1000)).revision().id());

@@ -12,7 +12,8 @@ STATIONS = ("base mesh kernel model cellular difference plan boundary nodes opti
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
 APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt"}
-SERVER_LAYERS = "transport service session store".split()  # each sees those after it, and engine
+# Each sees those after it, and engine.
+SERVER_LAYERS = "config transport service session admission store".split()
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 GEOMETRY_KERNEL = re.compile(r"CGAL/|tetgen\.h$|.*\.[hl]xx$")  # OpenCASCADE's headers end in xx
@@ -80,7 +81,7 @@ def protocol_stays_in_service(root):
             yield f"{path}:{number}: the engine includes {header}"
     for path, number, _, header in includes(root, "server"):
         layer = path.parts[1]
-        inner = layer in ("session", "store")
+        inner = layer in ("session", "admission", "store")
         transport = layer == "transport" and not header.startswith(("grpcpp/", "grpc/"))
         if PROTOCOL.match(header) and (inner or transport):
             yield f"{path}:{number}: {header} belongs in server/service"

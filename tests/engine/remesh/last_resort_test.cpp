@@ -224,6 +224,22 @@ TEST_F(RevisionByTetGen, CanBeEditedLikeAnyOther) {
   EXPECT_LT(flush.report.way, Way::TetGen);
 }
 
+TEST_F(RevisionByTetGen, LeavesItsShareToTheTetsThatAnEditKeeps) {
+  EXPECT_EQ(original_.report.last_resort_share, 1);
+  const Revision same = make_revision(&original_, original_.source, {}, kRun);
+  EXPECT_EQ(same.report.way, Way::Unchanged);
+  EXPECT_EQ(same.report.last_resort_share, 1);
+
+  const Revision flush = make_revision(&original_, test::case_model("tool2-c"), {}, kRun);
+  const Counts& counts = flush.report.counts;
+  EXPECT_EQ(flush.report.last_resort_share, 1.0 * counts.tets_kept / counts.tets);
+  const Revision after = make_revision(&flush, flush.source, {}, kRun);
+  EXPECT_EQ(after.report.last_resort_share, flush.report.last_resort_share);
+  const Revision regular =
+      make_revision(nullptr, test::case_model("tool2-c"), {.nodes = 2000}, kRun);
+  EXPECT_EQ(regular.report.last_resort_share, 0);
+}
+
 TEST_F(RevisionByTetGen, SurvivesItsBytes) {
   const Revision restored = deserialise(serialise(original_), kRun);
   EXPECT_EQ(restored.delivery.mesh.tets, original_.delivery.mesh.tets);

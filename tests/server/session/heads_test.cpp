@@ -42,13 +42,13 @@ class HeadsTest : public testing::Test {
   }
   Answer ask(CreateCommand command) {
     Answer answer;
-    session_->create(std::move(command), answer.listener());
+    session_->make(std::move(command), answer.listener());
     EXPECT_TRUE(answer.came());
     return answer;
   }
   Answer ask(EditCommand command) {
     Answer answer;
-    session_->edit(std::move(command), answer.listener());
+    session_->make(std::move(command), answer.listener());
     EXPECT_TRUE(answer.came());
     return answer;
   }

@@ -23,41 +23,78 @@ std::vector<MemoryBlock> blocks_of(const Revision& r) {
   return blocks;
 }
 
+constexpr std::uint64_t kAny = 1ULL << 40;
+
 /// What one takes.
 std::uint64_t bytes_of(const HeldRevisionPtr& revision) {
-  HeldRevisions held(1, false, blocks_of);
+  MemoryBudget budget(1);
+  HeldRevisions held(budget, kAny, false, blocks_of);
   held.insert(revision);
   return held.bytes();
 }
 
 TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
-  HeldRevisions held(3 * bytes_of(revision("", 1000)), true, blocks_of);
+  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  HeldRevisions held(budget, kAny, true, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_TRUE(held.find("a"));  // used now, so `b` is the oldest
   held.insert(revision("d", 1000));
   EXPECT_TRUE(held.contains("a"));
   EXPECT_FALSE(held.contains("b"));
   EXPECT_TRUE(held.contains("c"));
-  EXPECT_LE(held.bytes(), held.budget());
+  EXPECT_LE(held.bytes(), budget.total());
+}
+
+TEST(HeldRevisions, LetThemGoWhereTheyAreMoreThanThereMayBe) {
+  MemoryBudget budget(kAny);
+  HeldRevisions held(budget, 2 * bytes_of(revision("", 1000)), true, blocks_of);
+  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
+  EXPECT_EQ(held.count(), 2U);
 }
 
 TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
-  HeldRevisions held(1, false, blocks_of);
+  MemoryBudget budget(1);
+  HeldRevisions held(budget, kAny, false, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_EQ(held.count(), 3U);
-  EXPECT_GT(held.bytes(), held.budget());
+  EXPECT_GT(held.bytes(), budget.total());
 }
 
 TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
-  HeldRevisions held(1, true, blocks_of);
+  MemoryBudget budget(1);
+  HeldRevisions held(budget, kAny, true, blocks_of);
   held.insert(revision("a", 10));
   held.insert(revision("b", 1000));
   EXPECT_EQ(held.count(), 1U);
   EXPECT_TRUE(held.contains("b"));
 }
 
+TEST(HeldRevisions, WhatIsInUseIsNotLetGoOfForItsMemoryWouldStayTaken) {
+  MemoryBudget budget(2 * bytes_of(revision("", 1000)));
+  HeldRevisions held(budget, kAny, true, blocks_of);
+  held.insert(revision("a", 1000));
+  auto used = held.find("a");
+  for (const char* id : {"b", "c", "d"}) held.insert(revision(id, 1000));
+  EXPECT_TRUE(held.contains("a"));
+  EXPECT_EQ(held.count(), 2U);
+  used = nullptr;
+  held.insert(revision("e", 1000));
+  EXPECT_FALSE(held.contains("a"));
+}
+
+TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
+  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  HeldRevisions held(budget, kAny, true, blocks_of);
+  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
+  const auto share = budget.try_take(2 * bytes_of(revision("", 1000)));
+  EXPECT_TRUE(share);
+  EXPECT_EQ(held.count(), 1U);
+  EXPECT_TRUE(held.contains("c"));
+}
+
 TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
-  HeldRevisions held(1, true, blocks_of);
+  MemoryBudget budget(1);
+  HeldRevisions held(budget, kAny, true, blocks_of);
   held.insert(revision("a", 10));
   const auto used = held.find("a");
   held.erase("a");
@@ -67,7 +104,8 @@ TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
 }
 
 TEST(HeldRevisions, InsertedAgainCountOnce) {
-  HeldRevisions held(1 << 20, true, blocks_of);
+  MemoryBudget budget(1 << 20);
+  HeldRevisions held(budget, kAny, true, blocks_of);
   held.insert(revision("a", 10));
   const auto bytes = held.bytes();
   held.insert(revision("a", 10));
@@ -88,7 +126,8 @@ TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
   heir->record.id = "b";
   heir->revision.delivery.mesh.nodes.edit(17) = {1, 2, 3};
   const std::size_t page = Pages<Vec3>::page_bytes();
-  HeldRevisions held(1 << 20, true, blocks_of);
+  MemoryBudget budget(1 << 20);
+  HeldRevisions held(budget, kAny, true, blocks_of);
   held.insert(parent);
   const std::uint64_t alone = held.bytes();
   held.insert(heir);

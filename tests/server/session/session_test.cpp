@@ -56,7 +56,7 @@ TEST_F(SessionTest, EightRequestsThatWaitForOneComputationAreAnsweredByIt) {
   Session& session = start();
   fake_.close_gate();
   std::vector<Answer> answers(8);
-  for (Answer& answer : answers) session.create(command(), answer.listener());
+  for (Answer& answer : answers) session.make(command(), answer.listener());
   ASSERT_TRUE(comes([&] { return session.load().waiting == answers.size(); }));
   ASSERT_TRUE(fake_.wait_at_gate(1));
   EXPECT_EQ(session.load().running + session.load().queued, 1U);
@@ -82,13 +82,14 @@ TEST_F(SessionTest, WhatIsCancelledWhileItWaitsForItsPreparationIsNotPrepared) {
   Session& session = start();
   std::latch free(1), done(1);
   const auto no_refusal = [](const Error& why) { ADD_FAILURE() << why.what(); };
-  for (int k = 0; k < 64; ++k) session.later([&] { free.wait(); }, no_refusal);
+  for (int k = 0; k < 64; ++k)
+    session.later(Lane::Preparation, {.run = [&] { free.wait(); }, .refused = no_refusal});
   Answer answer;
-  const MakeRequestPtr request = session.create(command(), answer.listener());
+  const MakeRequestPtr request = session.make(command(), answer.listener());
   request->cancel();
   EXPECT_EQ(answer.error().reason, "CANCELLED");
   free.count_down();
-  session.later([&] { done.count_down(); }, no_refusal);
+  session.later(Lane::Preparation, {.run = [&] { done.count_down(); }, .refused = no_refusal});
   done.wait();
   session.stop();  // when every thread is at rest, so is the request's
   EXPECT_EQ(evaluated, 0);
@@ -100,10 +101,10 @@ TEST_F(SessionTest, AListenerThatThrowsOnItsRevisionHearsOfTheFailureOnce) {
   Answer answer, next;
   Listener listener = answer.listener();
   listener.made = [](const Made&) { throw std::runtime_error("no room for the answer"); };
-  session.create(command(), listener);
+  session.make(command(), listener);
   EXPECT_EQ(answer.error().kind, ErrorKind::Internal);
   EXPECT_THAT(answer.error().message, testing::HasSubstr("no room for the answer"));
-  EXPECT_TRUE(session.create(command(), next.listener()) && next.made().cached);
+  EXPECT_TRUE(session.make(command(), next.listener()) && next.made().cached);
   session.stop();
   EXPECT_EQ(answer.answers(), 1);
 }
@@ -113,15 +114,15 @@ TEST_F(SessionTest, AListenerThatThrowsWhateverItHearsHurtsNobodyElse) {
   fake_.close_gate();
   Answer answer;
   std::atomic<int> failures = 0;
-  session.create(command(), {.progress = [](const Progress&) { throw 1; },
-                             .made = [](const Made&) { throw 2; },
-                             .failed =
-                                 [&](const Error&) {
-                                   ++failures;
-                                   throw 3;
-                                 }});
+  session.make(command(), {.progress = [](const Progress&) { throw 1; },
+                           .made = [](const Made&) { throw 2; },
+                           .failed =
+                               [&](const Error&) {
+                                 ++failures;
+                                 throw 3;
+                               }});
   ASSERT_TRUE(comes([&] { return session.load().waiting == 1; }));
-  session.create(command(), answer.listener());
+  session.make(command(), answer.listener());
   ASSERT_TRUE(comes([&] { return session.load().waiting == 2; }));
   fake_.open_gate();
   EXPECT_TRUE(answer.made().revision);
@@ -140,7 +141,7 @@ TEST_F(SessionTest, ARevisionThatEverybodyGaveUpAtTheLastMomentLeavesMemory) {
   };
   Session& session = start();
   Answer answer;
-  request = session.create(command(), answer.listener());
+  request = session.make(command(), answer.listener());
   given = true;
   EXPECT_EQ(answer.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
@@ -154,7 +155,7 @@ TEST_F(SessionTest, ARevisionThatCouldNotBeFiledLeavesMemory) {
   engine_.serialise = [](const Revision&) -> std::string { throw error::internal("test", "no"); };
   Session& session = start(folder_.open());
   Answer answer;
-  session.create(command(), answer.listener());
+  session.make(command(), answer.listener());
   EXPECT_EQ(answer.error().kind, ErrorKind::Internal);
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   EXPECT_EQ(session.load().held, 0U);
@@ -165,7 +166,7 @@ class DamagedCopy : public SessionTest {
  protected:
   DamagedCopy() {
     Answer answer;
-    start(folder_.open()).create(command(), answer.listener());
+    start(folder_.open()).make(command(), answer.listener());
     EXPECT_EQ(answer.made().filed.place.number, 1U);
     session_.reset();
     folder_.damage_objects();
@@ -193,9 +194,9 @@ TEST_F(DamagedCopy, IsHealedByTheNextWaiterWhereTheFirstOneFails) {
   Session& session = start(folder_.open());
   fake_.close_gate();
   Answer first, second;
-  session.create(command(), first.listener());
+  session.make(command(), first.listener());
   ASSERT_TRUE(comes([&] { return session.load().waiting == 1; }));
-  session.create(command(), second.listener());
+  session.make(command(), second.listener());
   ASSERT_TRUE(comes([&] { return session.load().waiting == 2; }));
   fake_.open_gate();
   EXPECT_EQ(first.error().kind, ErrorKind::Internal);
@@ -213,12 +214,12 @@ TEST_F(DamagedCopy, IsHealedFromMemoryWhereWhoeverHadItMadeAnewGaveUp) {
   };
   Session& session = start(folder_.open());
   Answer first, second;
-  request = session.create(command(), first.listener());
+  request = session.make(command(), first.listener());
   given = true;
   EXPECT_EQ(first.error().reason, "CANCELLED");
   ASSERT_TRUE(comes([&] { return session.load().running == 0; }));
   ASSERT_EQ(session.load().held, 1U);
-  session.create(command(), second.listener());
+  session.make(command(), second.listener());
   EXPECT_TRUE(second.made().cached);
   EXPECT_TRUE(intact());
 }
@@ -233,7 +234,7 @@ class NodeLimit : public SessionTest {
   }
   HeldRevisionPtr make_plate() {
     Answer answer;
-    session_->create(command(), answer.listener());
+    session_->make(command(), answer.listener());
     return answer.made().revision;
   }
   static ModelEdit longer(double dx) {
@@ -241,12 +242,12 @@ class NodeLimit : public SessionTest {
   }
   ErrorInfo refused(CreateCommand create) {
     Answer answer;
-    session_->create(std::move(create), answer.listener());
+    session_->make(std::move(create), answer.listener());
     return answer.error();
   }
   ErrorInfo refused(EditCommand edit) {
     Answer answer;
-    session_->edit(std::move(edit), answer.listener());
+    session_->make(std::move(edit), answer.listener());
     return answer.error();
   }
 };
@@ -288,7 +289,10 @@ TEST_F(NodeLimit, ReachesTheComputationToo) {
 TEST_F(NodeLimit, AnEditIsValidatedWithTheEdgeLengthOfItsBase) {
   std::vector<MeshOptions> checked;
   engine_.check_node_limit = [&](const Revision*, const FeatureModel&, const MeshOptions& options,
-                                 const remeshd::Run&) { checked.push_back(options); };
+                                 const remeshd::Run&) {
+    checked.push_back(options);
+    return 0.0;
+  };
   start_limited();
   ASSERT_TRUE(make_plate());
   EXPECT_EQ(session_->validate_edit("plate", longer(81), {}, {}).summary.cells, 1U);

@@ -17,8 +17,10 @@ namespace {
 class AcceptLoops : public testing::Test {
  protected:
   void start(std::size_t most, const std::string& address = "127.0.0.1:0") {
+    std::vector<ListeningSockets> sockets;
+    sockets.emplace_back(parse_listen_address(address));
     loop_.emplace(
-        ListeningSockets(parse_listen_address(address)), most,
+        std::move(sockets), most,
         [this](int, Descriptor connection) {
           const std::scoped_lock lock(mutex_);
           taken_.push_back(std::move(connection));
@@ -26,7 +28,7 @@ class AcceptLoops : public testing::Test {
         },
         log_);
   }
-  [[nodiscard]] Descriptor connect() const { return connect_to(loop_->sockets().name()); }
+  [[nodiscard]] Descriptor connect() const { return connect_to(loop_->sockets().front().name()); }
   /// Waits until so many have been handed over.
   bool wait_taken(std::size_t connections) {
     std::unique_lock lock(mutex_);
@@ -117,7 +119,7 @@ class ClientsWithoutDescriptors : public AcceptLoops {
  protected:
   /// Connects sockets that exist already: the other ends find no descriptor.
   void connect_all() {
-    const ListenAddress address = parse_listen_address(loop_->sockets().name());
+    const ListenAddress address = parse_listen_address(loop_->sockets().front().name());
     const SocketAddress& socket = address.sockets.front();
     for (const Descriptor& client : clients_)
       EXPECT_EQ(
@@ -159,7 +161,7 @@ TEST_F(ClientsWithoutDescriptors, WaitWhereTheSpareOneIsOfNoUse) {
 
 TEST_F(AcceptLoops, ListenNoMoreOnceStopped) {
   start(10);
-  const std::string address = loop_->sockets().name();
+  const std::string address = loop_->sockets().front().name();
   loop_->stop();
   loop_->stop();
   EXPECT_FALSE(connect_to(address).is_open());

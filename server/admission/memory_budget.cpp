@@ -1,0 +1,62 @@
+#include "server/admission/memory_budget.h"
+
+#include <chrono>
+
+#include "server/admission/load_error.h"
+
+namespace remeshd {
+namespace {
+
+// s; readers that keep revisions in memory end without a word to the budget.
+constexpr double kLookAgain = 0.1;
+constexpr double kRetryAfter = 1;  // s
+
+}  // namespace
+
+bool MemoryBudget::take_now(std::uint64_t bytes) {
+  if (bytes > total_ || leased_ > total_ - bytes) return false;
+  const std::uint64_t left = total_ - leased_ - bytes;
+  if (reclaim_ && reclaim_(left) > left) return false;
+  leased_ += bytes;
+  return true;
+}
+
+MemoryBudget::Lease MemoryBudget::try_take(std::uint64_t bytes) {
+  const std::scoped_lock lock(mutex_);
+  return take_now(bytes) ? Lease(*this, bytes) : Lease();
+}
+
+MemoryBudget::Lease MemoryBudget::take(std::uint64_t bytes, const std::stop_token& stop,
+                                       double seconds) {
+  using Clock = std::chrono::steady_clock;
+  if (bytes > total_) throw error::never_fits(bytes, total_);
+  const auto until = Clock::now() + std::chrono::duration<double>(seconds);
+  std::unique_lock lock(mutex_);
+  while (!take_now(bytes)) {
+    if (stop.stop_requested()) return {};
+    if (Clock::now() >= until) throw error::memory_full(leased_, total_, kRetryAfter);
+    returned_.wait_for(lock, stop, std::chrono::duration<double>(kLookAgain),
+                       [&, before = leased_] { return leased_ < before; });
+  }
+  return {*this, bytes};
+}
+
+void MemoryBudget::give_back(std::uint64_t bytes) {
+  {
+    const std::scoped_lock lock(mutex_);
+    leased_ -= bytes;
+  }
+  returned_.notify_all();
+}
+
+std::uint64_t MemoryBudget::leased() const {
+  const std::scoped_lock lock(mutex_);
+  return leased_;
+}
+
+std::uint64_t MemoryBudget::left() const {
+  const std::scoped_lock lock(mutex_);
+  return total_ - leased_;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "server/admission/fair_queue.h"
+
+namespace remeshd {
+
+/// A lane: a bounded number of threads before a bounded queue that is fair to tenants.
+///
+/// Inv: of each submitted work exactly one happens: it runs, it is refused, or it is withdrawn.
+class Pool {
+ public:
+  struct Limits {
+    int workers = 1;
+    std::size_t queue = 64;  ///< of what may wait
+    double wait = 60;        ///< s; what waits longer is refused
+    double compute = 0;      ///< s; what runs longer hears of it; 0: none
+  };
+
+  explicit Pool(Limits limits);
+  /// As `shutdown`.
+  ~Pool();
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+
+  /// `refused` gets `WAITED_TOO_LONG` or `SHUTTING_DOWN`. What the functions throw is dropped:
+  /// whoever waits for an answer has to be told by the work itself. Throws Error(`BUSY`) with a
+  /// retry delay where the queue has no room, `SHUTTING_DOWN` after shutdown.
+  WorkId submit(Work work);
+  /// Takes it out of the queue; false if it is not there any more.
+  bool withdraw(WorkId id);
+  /// Refuses what waits and returns when what runs has ended. Not to be called by work.
+  void shutdown();
+
+  /// How much more a tenant could submit right now.
+  [[nodiscard]] std::size_t room(const std::string& tenant);
+  /// The refusal that `submit` would throw now. The delay is the time after which there should be
+  /// room, up to a fifth off, so that those who are refused together do not come back together.
+  [[nodiscard]] Error busy();
+  /// How long work took that came to its end: what delays are told by.
+  void took(double seconds);
+
+  [[nodiscard]] std::size_t running() const;
+  [[nodiscard]] std::size_t queued() const;
+  [[nodiscard]] const Limits& limits() const { return limits_; }
+
+ private:
+  using Clock = FairQueue::Clock;
+  struct Running {
+    Clock::time_point since;
+    std::function<void(const Error&)> overdue;  ///< empty once called
+  };
+
+  void work();
+  void watch();
+  void refuse_late(std::unique_lock<std::mutex>& lock);
+  void tell_overdue(std::unique_lock<std::mutex>& lock);
+  [[nodiscard]] Clock::time_point next_event() const;
+  [[nodiscard]] double retry_delay();
+
+  const Limits limits_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;        ///< workers
+  std::condition_variable wake_watch_;  ///< the thread that looks at the clock
+  FairQueue queue_;
+  std::map<WorkId, Running> running_;
+  WorkId next_id_ = 1;
+  double mean_seconds_ = 1;  ///< of work, newer weighs more
+  std::minstd_rand jitter_;
+  bool ending_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace remeshd

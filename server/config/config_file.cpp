@@ -1,0 +1,112 @@
+#include "server/config/config_file.h"
+
+#include <fmt/format.h>
+// In this file alone, so that the daemon needs no library of it.
+#define TOML_HEADER_ONLY 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <optional>
+
+#include "server/config/config_error.h"
+#include "server/config/nearest_name.h"
+
+namespace remeshd {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+
+const Option* find_option(std::string_view key) {
+  for (const Option& option : option_table())
+    if (key == option.key() || key == option.snake_key()) return &option;
+  return nullptr;
+}
+
+std::optional<std::vector<std::string>> list_of(const toml::node& node) {
+  std::vector<std::string> list;
+  if (const auto* array = node.as_array()) {
+    for (const toml::node& element : *array) {
+      const auto text = element.value_exact<std::string>();
+      if (!text) return std::nullopt;
+      list.push_back(*text);
+    }
+    return list;
+  }
+  // One element needs no brackets.
+  if (const auto text = node.value_exact<std::string>()) return std::vector{*text};
+  return std::nullopt;
+}
+
+template <typename Value>
+std::optional<OptionValue> exact(const toml::node& node) {
+  if (const auto value = node.value_exact<Value>()) return OptionValue(*value);
+  return std::nullopt;
+}
+
+std::optional<OptionValue> value_of(const toml::node& node, OptionKind kind) {
+  switch (kind) {
+    case OptionKind::Switch:
+      return exact<bool>(node);
+    case OptionKind::Whole:
+      return exact<std::int64_t>(node);
+    case OptionKind::Number:
+      // `5` is a number too. TOML's `inf` and `nan` are none that an option could have.
+      if (const auto value = node.value<double>();
+          value && node.is_number() && std::isfinite(*value))
+        return OptionValue(*value);
+      return std::nullopt;
+    case OptionKind::Text:
+      return exact<std::string>(node);
+    case OptionKind::List:
+      if (auto list = list_of(node)) return OptionValue(std::move(*list));
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+toml::table parse(std::string_view text, const std::string& name) {
+  try {
+    return toml::parse(text, name);
+  } catch (const toml::parse_error& failure) {
+    throw ConfigError(fmt::format("{}:{}: {}", name, failure.source().begin.line,
+                                  std::string_view(failure.description())));
+  }
+}
+
+}  // namespace
+
+std::vector<GivenOption> read_config_text(std::string_view text, const std::string& name) {
+  const toml::table table = parse(text, name);
+  std::vector<GivenOption> out;
+  for (const auto& [key, node] : table) {
+    const std::string place =
+        fmt::format("{}:{}: {}", name, key.source().begin.line, std::string_view(key.str()));
+    const Option* const option = find_option(key.str());
+    if (option == nullptr)
+      throw ConfigError(place + " is unknown" + suggestion(key.str(), option_names(&Option::key)));
+    if (std::any_of(out.begin(), out.end(),
+                    [option](const GivenOption& given) { return given.option == option; }))
+      throw ConfigError(fmt::format("{} is given twice: as `{}` and as `{}`", place, option->key(),
+                                    option->snake_key()));
+    auto value = value_of(node, option->kind);
+    if (!value) throw ConfigError(fmt::format("{} is to be {}", place, name_of(option->kind)));
+    out.push_back({option, std::move(*value), place});
+  }
+  return out;
+}
+
+std::vector<GivenOption> read_config_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kMostBytes + 1, '\0');
+  if (!in) throw ConfigError(fmt::format("{}: {}", file.string(), std::strerror(errno)));
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) throw ConfigError(fmt::format("{}: cannot be read", file.string()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kMostBytes)
+    throw ConfigError(fmt::format("{}: has more than {} bytes", file.string(), kMostBytes));
+  return read_config_text(text, file.string());
+}
+
+}  // namespace remeshd

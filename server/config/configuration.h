@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/config/command_line.h"
+#include "server/config/settings.h"
+
+namespace remeshd {
+
+/// What the program was told to do, and how.
+struct Configuration {
+  Task task = Task::Serve;
+  Settings settings;
+  std::vector<std::string> warnings;
+  std::optional<std::string> answer;  ///< as CommandLine::answer
+};
+
+/// Reads the configuration file, then the environment, then the arguments; each overrides what
+/// stands before it, lists as a whole.
+/// Throws ConfigError with the place of what is wrong.
+Configuration read_configuration(std::vector<std::string> arguments,
+                                 const std::vector<std::string>& environment);
+
+/// What can be told of the settings before the daemon starts, beyond each value's range.
+/// Throws ConfigError or Error(LISTEN_INVALID).
+void check_settings(const Settings& settings);
+
+/// As a file that `read_config_file` reads back: every option, with its help as a comment.
+std::string print_config(const Settings& settings);
+
+}  // namespace remeshd

@@ -1,0 +1,68 @@
+#include "server/admission/memory_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <future>
+
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+TEST(MemoryBudget, IsTakenByLeasesAndGivenBackByTheirEnd) {
+  MemoryBudget budget(100);
+  auto first = budget.try_take(60);
+  EXPECT_TRUE(first);
+  EXPECT_FALSE(budget.try_take(41));
+  EXPECT_TRUE(budget.try_take(40));  // ends at once
+  EXPECT_EQ(budget.leased(), 60U);
+  EXPECT_EQ(budget.left(), 40U);
+  first = {};
+  EXPECT_EQ(budget.leased(), 0U);
+}
+
+TEST(MemoryBudget, RevisionsHeldGiveWay) {
+  MemoryBudget budget(100);
+  std::uint64_t held = 90;
+  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  const auto lease = budget.try_take(30);
+  EXPECT_TRUE(lease);
+  EXPECT_EQ(held, 70U);
+}
+
+TEST(MemoryBudget, GivesNothingWhereTheRevisionsHeldAreInUse) {
+  MemoryBudget budget(100);
+  budget.set_reclaim([](std::uint64_t /*most*/) { return std::uint64_t{90}; });
+  EXPECT_FALSE(budget.try_take(30));
+  EXPECT_TRUE(budget.try_take(10));
+  EXPECT_EQ(test::error_of([&] { budget.take(30, {}, 0); }).reason, "MEMORY_FULL");
+}
+
+TEST(MemoryBudget, WaitsForWhatOthersGiveBack) {
+  MemoryBudget budget(100);
+  auto lease = budget.try_take(100);
+  auto next = std::async(std::launch::async, [&] { return budget.take(50, {}, 60); });
+  EXPECT_EQ(next.wait_for(std::chrono::milliseconds(10)), std::future_status::timeout);
+  lease = {};
+  EXPECT_TRUE(next.get());
+}
+
+TEST(MemoryBudget, WaitsNoMoreOnceAskedToStop) {
+  MemoryBudget budget(100);
+  const auto lease = budget.try_take(100);
+  std::stop_source stop;
+  auto next = std::async(std::launch::async, [&] { return budget.take(50, stop.get_token(), 60); });
+  stop.request_stop();
+  EXPECT_FALSE(next.get());
+}
+
+TEST(MemoryBudget, RefusesForGoodWhatIsMoreThanAllOfIt) {
+  MemoryBudget budget(100);
+  const ErrorInfo error = test::error_of([&] { budget.take(101, {}, 60); });
+  EXPECT_EQ(error.kind, ErrorKind::InvalidArgument);
+  EXPECT_EQ(error.reason, "MESH_TOO_LARGE");
+}
+
+}  // namespace
+}  // namespace remeshd
