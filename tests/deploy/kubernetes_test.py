@@ -1,4 +1,5 @@
 """Facts about deploy/kubernetes, as kubectl renders it."""
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -75,6 +76,13 @@ class KubernetesTest(unittest.TestCase):
             self.assertLessEqual({"cpu", "memory"}, self.container["resources"][kind].keys())
         self.assertEqual(self.container["resources"]["requests"]["memory"],
                          self.container["resources"]["limits"]["memory"])
+
+    def test_the_configuration_fits_the_limits(self):
+        config = tomllib.loads(self.objects["ConfigMap"]["data"]["remeshd.toml"])
+        limits = self.container["resources"]["limits"]
+        self.assertEqual(config["workers"], int(limits["cpu"]))
+        self.assertRegex(limits["memory"], "^[0-9]+Gi$")
+        self.assertLessEqual(config["memory"], int(limits["memory"][:-2]) * 1024 * 2 / 3)
 
     def test_the_program_itself_is_the_probe(self):
         for name in ("startupProbe", "readinessProbe", "livenessProbe"):
