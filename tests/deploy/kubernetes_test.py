@@ -19,7 +19,7 @@ class KubernetesTest(unittest.TestCase):
 
     def test_has_what_a_daemon_with_a_store_needs_and_no_more(self):
         self.assertEqual(set(self.objects), {"Namespace", "ConfigMap", "Service", "StatefulSet",
-                                             "PodDisruptionBudget"})
+                                             "PodDisruptionBudget", "NetworkPolicy"})
 
     def test_all_of_it_lies_in_its_namespace(self):
         for kind, each in self.objects.items():
@@ -36,12 +36,21 @@ class KubernetesTest(unittest.TestCase):
         labels = self.set["template"]["metadata"]["labels"]
         budget = self.objects["PodDisruptionBudget"]["spec"]["selector"]["matchLabels"]
         for selector in (self.set["selector"]["matchLabels"],
-                         self.objects["Service"]["spec"]["selector"], budget):
+                         self.objects["Service"]["spec"]["selector"], budget,
+                         self.objects["NetworkPolicy"]["spec"]["podSelector"]["matchLabels"]):
             self.assertTrue(selector)
             self.assertLessEqual(selector.items(), labels.items())
 
     def test_a_drain_takes_one_pod_at_a_time(self):
         self.assertEqual(self.objects["PodDisruptionBudget"]["spec"]["maxUnavailable"], 1)
+
+    def test_metrics_are_read_by_the_namespace_for_it_alone(self):
+        policy = self.objects["NetworkPolicy"]["spec"]
+        self.assertEqual(policy["policyTypes"], ["Ingress", "Egress"])
+        self.assertFalse(policy.get("egress"))
+        senders = {rule["ports"][0]["port"]: rule.get("from") for rule in policy["ingress"]}
+        self.assertEqual(senders.keys(), {port["name"] for port in self.container["ports"]})
+        self.assertTrue(senders["metrics"])
 
     def test_ports_of_the_service_are_the_container_s(self):
         ports = {port["name"] for port in self.container["ports"]}

@@ -46,11 +46,10 @@ class PodTest(unittest.TestCase):
 
     @classmethod
     def end(cls):
-        """Ends the pod. What podman made of the ConfigMaps goes too, else it is in the way of the
-        next; the store stays."""
+        """Ends the pod. The volume that podman made of the ConfigMap goes too; the store stays."""
         podman("play", "kube", "--down", cls.yaml, check=False)
-        for volume in ("remeshd-tls", manifests.rendered()["ConfigMap"]["metadata"]["name"]):
-            podman("volume", "rm", "--force", volume, check=False)
+        podman("volume", "rm", "--force", manifests.rendered()["ConfigMap"]["metadata"]["name"],
+               check=False)
 
     @classmethod
     def tearDownClass(cls):
@@ -89,7 +88,14 @@ class PodTest(unittest.TestCase):
             done = self.remesh("info", tls=tls)
             self.assertEqual(done.returncode, 5, f"{tls}: {done.stdout}{done.stderr}")
 
-    def test_5_a_pod_that_follows_finds_the_revisions(self):
+    def test_5_tells_its_metrics(self):
+        look = ("from urllib.request import urlopen\n"
+                "print(urlopen('http://127.0.0.1:50052/metrics').read().decode())")
+        told = subprocess.run(["nsenter", f"--net=/proc/{self.container.state()['Pid']}/ns/net",
+                               "/usr/bin/python3", "-c", look], capture_output=True, text=True)
+        self.assertIn("\nremeshd_ready 1\n", told.stdout, told.stderr)
+
+    def test_6_a_pod_that_follows_finds_the_revisions(self):
         before = self.remesh("log", "tool1-a")
         self.assertIn("tool1-a@1", before.stdout, before.stderr)
         self.end()
