@@ -22,13 +22,13 @@ cmake --install "$build" --component Unspecified --strip --prefix "$image/usr" >
 programs=("$image"/usr/bin/* "$image"/usr/libexec/remeshd/*)
 
 # `NAME => PATH (ADDRESS)`, or `PATH (ADDRESS)`: the loader.
-libraries=$(ldd "${programs[@]}" | sed -nE 's/^\t(.* => )?(.*) \(0x.*\)$/\2/p; s/^\t.*=> (not found)/\1/p' |
-  grep -v '^linux-vdso' | sort -u)
-[ -n "$libraries" ] || fail "the programs load no library"
-for library in $libraries; do
-  [[ $library = /* ]] || fail "a library is missing: $(ldd "${programs[@]}" | grep 'not found' | sort -u)"
+loaded=$(ldd "${programs[@]}")
+! grep 'not found' <<<"$loaded" >&2 || fail "these libraries are missing"
+mapfile -t libraries < <(sed -nE 's/^\t(.* => )?(\/.*) \(0x.*\)$/\2/p' <<<"$loaded" | sort -u)
+[ "${#libraries[@]}" -gt 0 ] || fail "the programs load no library"
+for library in "${libraries[@]}"; do
   case $library in
-    /lib64/*) target=$library ;; # the loader, by the path that is written into the programs
+    */ld-linux*) target=$library ;; # the loader: its path is written into the programs
     /lib/*) target=/usr$library ;;
     /usr/lib/*) target=$library ;;
     *) fail "$library is no library of Debian's" ;;
@@ -49,8 +49,8 @@ cp /etc/ssl/certs/ca-certificates.crt "$image/etc/ssl/certs/"
 cp LICENSE LICENSES/Apache-2.0.txt deploy/LICENSING.md "$image/usr/share/doc/remeshd/"
 
 # dpkg knows some libraries under /usr/lib and others under /lib, which are one folder.
-mapfile -t files < <(for library in $libraries; do readlink -f "$library"; done)
-{ dpkg -S $libraries "${files[@]}" "${files[@]#/usr}" 2>/dev/null || true; } |
+mapfile -t files < <(readlink -f "${libraries[@]}")
+{ dpkg -S "${libraries[@]}" "${files[@]}" "${files[@]#/usr}" 2>/dev/null || true; } |
   sed 's/[:,].*//' | sort -u >"$out/packages"
 [ -s "$out/packages" ] || fail "no package owns the libraries"
 while read -r package; do
