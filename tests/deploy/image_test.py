@@ -161,6 +161,14 @@ class ContainerTest(unittest.TestCase):
                       check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
 
+    def test_8_comes_back_after_it_was_killed(self):
+        before = self.container.remesh("log", "tool1-a").stdout
+        podman("kill", "--signal", "KILL", self.container.name)
+        podman("wait", self.container.name)
+        podman("start", self.container.name)
+        self.container.wait_until_ready()
+        self.assertEqual(self.container.remesh("log", "tool1-a").stdout, before)
+
     def test_9_ends_by_sigterm_with_exit_code_0(self):
         self.assertEqual(self.container.stop(), 0, self.container.log())
 
