@@ -6,8 +6,8 @@
 # a report (.json) per step, named after the documents, and revisions.txt. The exit code is that of
 # the step that failed (README.md, "The command line"), so that 6 (busy) can be tried again.
 #
-# CONTAINER_TOOL: podman (default; as root, for users are not mapped) or docker. REMESH_OPTIONS: more options for every step, as
-# "--nodes 20000 --fail-on FALLBACK".
+# CONTAINER_TOOL: podman (default; as root, for users are not mapped) or docker.
+# REMESH_OPTIONS: more options for every step, as "--nodes 20000 --fail-on FALLBACK".
 set -euo pipefail
 [ $# -ge 3 ] || { sed -n '2,11s/^# \?//p' "$0" >&2; exit 2; }
 container=$1 artefacts=$(mkdir -p "$2" && cd "$2" && pwd) tool=${CONTAINER_TOOL:-podman}
