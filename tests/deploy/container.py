@@ -35,7 +35,7 @@ class Container:
         self.name = name
 
     def remove(self):
-        podman("rm", "--force", self.name, check=False)
+        podman("rm", "--force", "--volumes", self.name, check=False)
 
     def run(self, *command, check=True):
         return podman("exec", self.name, *command, check=check)
