@@ -24,6 +24,12 @@ def check(arguments=(), variables=None):
     return done.stdout + done.stderr
 
 
+def variables_of(unit):
+    """The environment that a unit of systemd sets."""
+    text = unit.read_text().replace("%S", "/var/lib").replace("%t", "/run")
+    return dict(re.findall(r"^Environment=(\w+)=(.*)$", text, flags=re.M))
+
+
 class ConfigurationTest(unittest.TestCase):
     def setUp(self):
         """Certificates where the configurations have them, for their files must be there."""
@@ -49,10 +55,15 @@ class ConfigurationTest(unittest.TestCase):
         self.assertEqual(check(["--config", DEPLOY / "container.toml"], variables), "OK\n")
 
     def test_of_the_systemd_unit(self):
-        unit = (DEPLOY / "remeshd.service").read_text().replace("%S", "/var/lib").replace("%t", "/run")
-        variables = dict(re.findall(r"^Environment=(\w+)=(.*)$", unit, flags=re.M))
+        variables = variables_of(DEPLOY / "remeshd.service")
         self.assertIn("REMESHD_STORE", variables)
         self.assertEqual(check(variables=variables), "OK\n")
+
+    def test_of_the_systemd_unit_with_certificates(self):
+        added = variables_of(DEPLOY / "remeshd.service.d/tls.conf")
+        self.assertIn("REMESHD_TLS_KEY", added)
+        added = {name: self.moved(value) for name, value in added.items()}
+        self.assertEqual(check(variables={**variables_of(DEPLOY / "remeshd.service"), **added}), "OK\n")
 
     def test_unknown_options_are_seen(self):
         self.assertNotEqual(check(variables={"REMESHD_STORES": "/var/lib"}), "OK\n")

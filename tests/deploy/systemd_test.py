@@ -4,8 +4,10 @@ what the unit forbids, keeps its revisions, comes back after a crash.
 Run by deploy/test-image.sh, which builds the image: systemd_test.py IMAGE. Needs podman and root.
 """
 import json
+import re
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 import uuid
@@ -55,8 +57,12 @@ class SystemdTest(unittest.TestCase):
         limit = time.monotonic() + 60
         while not fact():
             if time.monotonic() > limit:
-                raise AssertionError(cls.run_in("journalctl", "--no-pager", "--lines=50"))
+                raise AssertionError(cls.journal())
             time.sleep(0.2)
+
+    @classmethod
+    def journal(cls):
+        return cls.run_in("journalctl", "--no-pager", "--lines=50")
 
     def unit(self, fact):
         return self.run_in("systemctl", "show", "--property", fact, "--value", "remeshd").strip()
@@ -65,7 +71,7 @@ class SystemdTest(unittest.TestCase):
         return self.run_in("remesh", "log", "tool1-a", check=True)
 
     def test_1_is_ready_once_started(self):
-        self.assertEqual(self.unit("ActiveState"), "active", self.run_in("journalctl", "-u", "remeshd"))
+        self.assertEqual(self.unit("ActiveState"), "active", self.journal())
 
     def test_2_has_no_right(self):
         status = self.run_in("cat", f"/proc/{self.unit('MainPID')}/status", check=True)
@@ -106,6 +112,25 @@ class SystemdTest(unittest.TestCase):
         self.until(lambda: self.unit("MainPID") not in ("0", process)
                    and self.unit("ActiveState") == "active")
         self.assertEqual(self.log(), before)
+
+    def test_8_serves_other_machines_by_certificates(self):
+        tls = "/etc/remeshd-tls"
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([TOP / "deploy/make-certificates.sh", f"{folder}/tls", "localhost"],
+                           check=True)
+            podman("cp", f"{folder}/tls", f"{self.name}:{tls}")
+        unit = TOP / "deploy/remeshd.service.d/tls.conf"
+        podman("cp", unit, f"{self.name}:/etc/systemd/system/remeshd.service.d/tls.conf")
+        # The commands that its head tells.
+        for command in re.findall("^#   (.*)$", unit.read_text(), flags=re.M):
+            self.run_in("sh", "-c", command, check=True)
+        self.run_in("systemctl", "daemon-reload", check=True)
+        self.run_in("systemctl", "restart", "remeshd")
+        self.assertEqual(self.unit("ActiveState"), "active", self.journal())
+        self.run_in("remesh", "--address", "localhost:50051", "--tls-ca", f"{tls}/ca.crt",
+                    "--tls-cert", f"{tls}/client.crt", "--tls-key", f"{tls}/client.key", "info",
+                    check=True)
+        self.assertEqual(podman("exec", self.name, "remesh", "info", check=False).returncode, 5)
 
 
 if __name__ == "__main__":
