@@ -1,4 +1,5 @@
 #include "engine/difference/compare.h"
+#include "engine/remesh/image.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/remesh/stages.h"
 #include "server/daemon.h"
@@ -30,8 +31,8 @@ Engine production_engine() {
           .summarise = summary_of,
           .make_revision = make_revision,
           .compare = compare,
-          .serialise = serialise,
-          .deserialise = deserialise,
+          .image_of = image_of,
+          .revision_of = revision_of,
           .feature_types = [] { return feature_types(); },
           .memory_blocks = memory_blocks};
 }

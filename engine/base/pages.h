@@ -5,9 +5,11 @@
 #include <bit>
 #include <compare>
 #include <cstddef>
+#include <cstring>
 #include <iterator>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,6 +74,19 @@ class Pages {
     size_ = values.size();
   }
   explicit Pages(const std::vector<T>& values) : Pages(std::span<const T>(values)) {}
+  /// Shares the pages of `alike` that are the same.
+  Pages(std::span<const T> values, const Pages& alike) {
+    for (std::size_t begin = 0; begin < values.size(); begin += kPage) {
+      const std::span<const T> some = values.subspan(begin, std::min(kPage, values.size() - begin));
+      const std::size_t k = begin / kPage;
+      if (k < alike.pages() && same_bits(some, alike.page(k))) {
+        pages_.push_back(alike.pages_[k]);
+      } else {
+        std::ranges::copy(some, add_page());
+      }
+    }
+    size_ = values.size();
+  }
   Pages(std::size_t size, const T& value) { resize(size, value); }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -146,6 +161,14 @@ class Pages {
   }
 
  private:
+  /// 0 and -0 are equal, and not the same.
+  static bool same_bits(std::span<const T> a, std::span<const T> b) {
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+    } else {
+      return std::ranges::equal(a, b);
+    }
+  }
   T* add_page() { return pages_.emplace_back(std::make_shared<T[]>(kPage)).get(); }
 
   std::vector<std::shared_ptr<T[]>> pages_;

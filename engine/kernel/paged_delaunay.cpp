@@ -201,4 +201,19 @@ PagedDelaunay::Ball PagedDelaunay::ball(std::int32_t slot) const {
   return {a + centre, norm(centre)};
 }
 
+bool PagedDelaunay::consistent() const {
+  const auto slots = static_cast<std::int32_t>(slots_.size());
+  const auto vertices = static_cast<std::int32_t>(points_.size()) + Delaunay::kFar;
+  bool good = boxes_.size() == slots_.pages();
+  slots_.for_each([&](std::size_t, const Slot& slot) {
+    if (slot.v[0] == Delaunay::kDead) return;
+    for (int i = 0; i < 4; ++i) {
+      good &= slot.v[i] >= 0 && slot.v[i] < vertices;
+      good &= slot.n[i] >= -1 && slot.n[i] / 4 < slots;
+    }
+  });
+  for (const std::int32_t slot : free_) good &= slot >= 0 && slot < slots;
+  return good;
+}
+
 }  // namespace remeshd::kernel

@@ -78,11 +78,19 @@ class PagedDelaunay {
   /// Number of tets, those at the far corners included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 
-  /// For storing: calls f with all that makes up the mesh.
+  /// For storing: the far corners, and calls f(name, array) with all else that makes up the mesh.
+  [[nodiscard]] const std::array<Vec3, Delaunay::kFar>& far_corners() const { return far_; }
+  [[nodiscard]] std::array<Vec3, Delaunay::kFar>& far_corners() { return far_; }
   template <class F>
-  void visit_state(F&& f) {
-    f(far_, points_, slots_, free_, boxes_);
+  void visit_named(F&& f) {
+    visit_named(*this, f);
   }
+  template <class F>
+  void visit_named(F&& f) const {
+    visit_named(*this, f);
+  }
+  /// Whether every index is one of a node or slot that there is, as after reading from outside.
+  [[nodiscard]] bool consistent() const;
   /// Calls f with the arrays that grow with the mesh.
   template <class F>
   void visit_arrays(F&& f) const {
@@ -91,6 +99,14 @@ class PagedDelaunay {
 
  private:
   using Slot = Delaunay::Slot;
+
+  template <class Self, class F>
+  static void visit_named(Self& self, F&& f) {
+    f("delaunay.points", self.points_);
+    f("delaunay.slots", self.slots_);
+    f("delaunay.free", self.free_);
+    f("delaunay.boxes", self.boxes_);
+  }
 
   [[nodiscard]] const Vec3& point(std::int32_t vertex) const {
     return vertex < Delaunay::kFar ? far_[vertex] : points_[vertex - Delaunay::kFar];

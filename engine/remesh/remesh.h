@@ -148,12 +148,4 @@ struct Revision {
 Revision make_revision(const Revision* original, const ModelSource& source,
                        const MeshOptions& options, const Run& run);
 
-/// Bytes of everything in a Revision that cannot be recomputed from its documents at once
-/// (options, edge length, parts of the boundary, master, delivery, report): equal revisions give
-/// equal bytes but for `report.seconds`.
-std::string serialise(const Revision& revision);
-/// Restores a revision from its bytes, and its boundary to the bit.
-/// Throws Error(Internal) on malformed bytes.
-Revision deserialise(const std::string& bytes, const Run& run);
-
 }  // namespace remeshd

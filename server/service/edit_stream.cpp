@@ -5,6 +5,7 @@
 
 #include "server/service/decode.h"
 #include "server/service/encode.h"
+#include "server/service/mesh_messages.h"
 #include "server/service/request_id.h"
 #include "server/service/status.h"
 #include "server/service/stream_request.h"
@@ -27,6 +28,42 @@ std::string copy_of(const grpc::ByteBuffer& bytes) {
 }
 
 void release(std::string& bytes) { std::string().swap(bytes); }
+
+/// The messages of a mesh as replies of a stream.
+class StreamedMesh final : public ReplySource {
+ public:
+  StreamedMesh(std::string request_id, MeshMessages messages)
+      : request_id_(std::move(request_id)), messages_(std::move(messages)) {}
+  grpc::ByteBuffer next() override {
+    v1::EditStreamResponse reply;
+    reply.set_request_id(request_id_);
+    messages_.next(*reply.mutable_mesh());
+    return to_bytes(reply);
+  }
+  [[nodiscard]] bool ended() const override { return messages_.ended(); }
+
+ private:
+  const std::string request_id_;
+  MeshMessages messages_;
+};
+
+/// The error that stands in the place of a mesh.
+class NoMesh final : public ReplySource {
+ public:
+  NoMesh(const std::string& request_id, const Error& why) {
+    reply_.set_request_id(request_id);
+    *reply_.mutable_error() = to_message(why);
+  }
+  grpc::ByteBuffer next() override {
+    ended_ = true;
+    return to_bytes(reply_);
+  }
+  [[nodiscard]] bool ended() const override { return ended_; }
+
+ private:
+  v1::EditStreamResponse reply_;
+  bool ended_ = false;
+};
 
 }  // namespace
 
@@ -137,9 +174,10 @@ void EditStream::hand_over(Request& request) {
   if (request.cancelled) throw error::cancelled();
   if (request.refused) throw Error(*request.refused);
   const auto bytes = std::make_shared<std::string>(std::move(request.bytes));
-  const MakeRequestPtr started =
-      session_.make([self = shared_from_this(), bytes] { return self->command(*bytes); },
-                    listener(request.turn, request.id));
+  const auto mesh = std::make_shared<std::optional<v1::MeshSelection>>();
+  const MakeRequestPtr started = session_.make(
+      [self = shared_from_this(), bytes, mesh] { return self->command(*bytes, *mesh); },
+      listener(request.turn, request.id, mesh));
   bool cancel = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -150,11 +188,14 @@ void EditStream::hand_over(Request& request) {
   if (cancel) started->cancel();
 }
 
-Command EditStream::command(std::string& bytes) {
+Command EditStream::command(std::string& bytes, std::optional<v1::MeshSelection>& mesh) {
   v1::EditStreamRequest message;
   from_bytes(bytes, limits_.message_bytes, message);
   release(bytes);
-  if (message.has_mesh()) throw error::unsupported("mesh");
+  if (message.has_mesh()) {
+    check_selection(message.mesh());
+    mesh = std::move(*message.mutable_mesh());
+  }
   if (message.has_create()) return decode(message.create(), limits_.document);
   if (!message.has_edit()) throw error::side_invalid("request", "is empty");
   EditCommand edit = decode(message.edit(), limits_.document);
@@ -165,14 +206,14 @@ Command EditStream::command(std::string& bytes) {
   return edit;
 }
 
-Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
+Listener EditStream::listener(std::uint64_t turn, const std::string& id, SelectionPtr mesh) {
   const auto self = shared_from_this();
   return {.progress =
               [self, turn, id](const Progress& event) {
                 self->safely([&] { self->progress(turn, id, event); });
               },
           .made =
-              [self, turn, id](const Made& made) {
+              [self, turn, id, mesh](const Made& made) {
                 self->answering(turn, [&] {
                   guarded(
                       [&] {
@@ -183,7 +224,8 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id) {
                           const std::string& design = made.filed.place.design;
                           self->next_base_ = design.empty() ? made.filed.record.id : design;
                         }
-                        self->answer(turn, id, std::move(reply));
+                        self->answer(turn, id, std::move(reply),
+                                     *mesh ? self->mesh_of(made, id, **mesh) : nullptr);
                       },
                       [&](const Error& why) { self->fail(turn, id, why); });
                 });
@@ -200,12 +242,27 @@ void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& wh
   answer(turn, id, std::move(reply));
 }
 
-void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply) {
+ReplySourcePtr EditStream::mesh_of(const Made& made, const std::string& id,
+                                   const v1::MeshSelection& selection) {
+  ReplySourcePtr replies;
+  guarded(
+      [&] {
+        const HeldRevisionPtr parent =
+            selection.delta() ? session_.parent_of(*made.revision, Run{}) : nullptr;
+        replies =
+            std::make_shared<StreamedMesh>(id, MeshMessages(made.revision, parent, selection));
+      },
+      [&](const Error& why) { replies = std::make_shared<NoMesh>(id, why); });
+  return replies;
+}
+
+void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply,
+                        ReplySourcePtr rest) {
   reply.set_request_id(id);
   grpc::ByteBuffer bytes = to_bytes(reply);
   {
     const std::scoped_lock lock(mutex_);
-    if (!queue_.answer(turn, std::move(bytes))) return;
+    if (!queue_.answer(turn, std::move(bytes), std::move(rest))) return;
     request_ = nullptr;
     reply.has_error() ? ++failed_ : ++answered_;
   }
@@ -238,8 +295,12 @@ void EditStream::advance() noexcept {
   while (!finished_) {
     if (!closed_ && !writing_ && queue_.has_reply()) {
       writing_ = true;
-      outgoing_ = queue_.next_reply();
-      act(lock, [this] { StartWrite(&outgoing_); });
+      auto [bytes, source] = queue_.next_reply();
+      outgoing_ = std::move(bytes);
+      act(lock, [&] {
+        if (source) outgoing_ = source->next();
+        StartWrite(&outgoing_);
+      });
     } else if (!closed_ && !beginning_ && queue_.may_begin()) {
       // An answer within `begin` calls `advance` again: the next request is left to this loop.
       beginning_ = true;
@@ -263,6 +324,7 @@ void EditStream::OnWriteDone(bool ok) {
   {
     const std::scoped_lock lock(mutex_);
     writing_ = false;
+    queue_.written();
     outgoing_.Clear();
   }
   if (!ok) close(grpc::StatusCode::CANCELLED);

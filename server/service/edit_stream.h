@@ -38,6 +38,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 
  private:
   using Request = StreamQueue::Request;
+  using SelectionPtr = std::shared_ptr<std::optional<remesh::v1::MeshSelection>>;
 
   // What is read.
   void take();
@@ -49,9 +50,13 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void begin();
   void hand_over(Request& request);
   /// What a request asks for; its bytes are let go of. Throws what is wrong with it.
-  Command command(std::string& bytes);
-  Listener listener(std::uint64_t turn, const std::string& id);
-  void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply);
+  /// `mesh`: gets what of the mesh is wanted, if any is.
+  Command command(std::string& bytes, std::optional<remesh::v1::MeshSelection>& mesh);
+  Listener listener(std::uint64_t turn, const std::string& id, SelectionPtr mesh);
+  ReplySourcePtr mesh_of(const Made& made, const std::string& id,
+                         const remesh::v1::MeshSelection& selection);
+  void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply,
+              ReplySourcePtr rest = nullptr);
   void fail(std::uint64_t turn, const std::string& id, const Error& why);
   void progress(std::uint64_t turn, const std::string& id, const Progress& event);
 

@@ -30,11 +30,14 @@ void MeshCall::prepare(Session& session, const grpc::ByteBuffer& request,
                        std::size_t message_limit) {
   v1::GetMeshRequest message;
   from_bytes(request, message_limit, message);
-  if (message.has_resume_from()) throw error::unsupported("resume_from");
-  const HeldRevisionPtr revision = session.get(
-      message.revision(), Run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}});
+  check_selection(message.selection());
+  const Run run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}};
+  const HeldRevisionPtr revision = session.get(message.revision(), run);
   record_->set_note("revision=" + revision->record.id.substr(0, 12));
-  messages_.emplace(revision, message.selection());
+  const HeldRevisionPtr parent =
+      message.selection().delta() ? session.parent_of(*revision, run) : nullptr;
+  messages_.emplace(revision, parent, message.selection());
+  if (message.has_resume_from()) messages_->resume_from(message.resume_from());
 }
 
 void MeshCall::write_next() {

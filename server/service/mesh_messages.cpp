@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proto/checksum.h"
+#include "server/service/array_delta.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -29,20 +30,25 @@ bool is_supported(int array) {
   return array >= v1::MESH_ARRAY_NODES && array <= static_cast<int>(kArrayNames);
 }
 
-std::set<int> checked_names(const v1::MeshSelection& selection) {
-  if (selection.delta()) throw error::unsupported("selection.delta");
+std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+std::string all_of(const MeshArray& array) {
+  std::string bytes;
+  bytes.reserve(array.bytes);
+  array.read(0, array.bytes, bytes);
+  return bytes;
+}
+
+}  // namespace
+
+void check_selection(const v1::MeshSelection& selection) {
   for (const int array : selection.arrays()) {
     if (!v1::MeshArray_IsValid(array) || array == v1::MESH_ARRAY_UNSPECIFIED)
       throw error::option_invalid("arrays", "names an unknown array");
     if (!is_supported(array))
       throw error::unsupported(v1::MeshArray_Name(static_cast<v1::MeshArray>(array)));
   }
-  return {selection.arrays().begin(), selection.arrays().end()};
 }
-
-std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
-
-}  // namespace
 
 std::vector<v1::MeshArray> supported_arrays() {
   std::vector<v1::MeshArray> out;
@@ -51,14 +57,53 @@ std::vector<v1::MeshArray> supported_arrays() {
   return out;
 }
 
-MeshMessages::MeshMessages(HeldRevisionPtr revision, const v1::MeshSelection& selection)
+MeshMessages::MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& parent,
+                           const v1::MeshSelection& selection)
     : revision_(std::move(revision)) {
-  const std::set<int> wanted = checked_names(selection);
+  check_selection(selection);
+  const std::set<int> wanted(selection.arrays().begin(), selection.arrays().end());
+  const bool delta = selection.delta() && parent;
+  const auto of_parent = delta ? mesh_arrays(parent->revision.delivery) : std::vector<MeshArray>();
   for (MeshArray& array : mesh_arrays(revision_->revision.delivery)) {
     if (!wanted.empty() && !wanted.contains(name_of(array))) continue;
     revision_->digests.of(array);
-    arrays_.push_back(std::move(array));
+    Sent& sent = arrays_.emplace_back();
+    sent.bytes = array.bytes;
+    sent.array = std::move(array);
+    if (delta) take_difference(sent, *parent, of_parent);
   }
+}
+
+void MeshMessages::take_difference(Sent& sent, const HeldRevision& parent,
+                                   const std::vector<MeshArray>& of_parent) {
+  const auto base = std::ranges::find(of_parent, sent.array.name, &MeshArray::name);
+  if (base == of_parent.end() || base->type != sent.array.type ||
+      base->components != sent.array.components)
+    return;
+  if (revision_->digests.of(sent.array) == parent.digests.of(*base)) {
+    sent.encoding = v1::MeshHeader::ENCODING_SAME;
+    sent.bytes = 0;
+  } else if (sent.array.type != NumberType::Text) {
+    std::string delta = delta_of(sent.array, all_of(sent.array), all_of(*base)).SerializeAsString();
+    if (delta.size() >= sent.bytes) return;
+    sent.encoding = v1::MeshHeader::ENCODING_DELTA;
+    sent.bytes = delta.size();
+    sent.delta = std::move(delta);
+  } else {
+    return;
+  }
+  base_ = parent.record.id;
+}
+
+void MeshMessages::resume_from(const v1::MeshPosition& position) {
+  const auto found = std::ranges::find_if(
+      arrays_, [&](const Sent& sent) { return name_of(sent.array) == position.array(); });
+  if (found == arrays_.end())
+    throw error::option_invalid("resume_from", "names an array that is not sent");
+  if (position.offset() > found->bytes)
+    throw error::option_invalid("resume_from", "lies behind the end of its array");
+  array_ = static_cast<std::size_t>(found - arrays_.begin());
+  offset_ = position.offset();
 }
 
 void MeshMessages::put_header(v1::MeshHeader& header) const {
@@ -66,13 +111,15 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
   const Delivery& delivery = revision.delivery;
   header.set_revision(revision_->record.id);
   header.set_parent(revision_->record.parent);
+  header.set_base(base_);
   header.set_model_name(revision.source.name);
   header.set_unit(revision.source.unit);
   header.set_order(1);
   header.set_nodes(size_of(delivery.mesh.nodes.size()));
   header.set_tets(size_of(delivery.mesh.tets.size()));
   header.set_facets(size_of(delivery.groups.facets.size()));
-  for (const MeshArray& array : arrays_) {
+  for (const Sent& sent : arrays_) {
+    const MeshArray& array = sent.array;
     v1::MeshHeader::Array& entry = *header.add_arrays();
     entry.set_array(name_of(array));
     entry.set_type(static_cast<v1::ArrayType>(static_cast<int>(array.type)));
@@ -80,18 +127,22 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
     entry.set_count(array.count);
     entry.set_bytes(array.bytes);
     entry.set_digest(revision_->digests.of(array));
-    entry.set_encoding(v1::MeshHeader::ENCODING_WHOLE);
-    entry.set_data_bytes(array.bytes);
+    entry.set_encoding(sent.encoding);
+    entry.set_data_bytes(sent.bytes);
   }
 }
 
 void MeshMessages::put_part(v1::MeshPart& part) {
-  const MeshArray& array = arrays_[array_];
+  const Sent& sent = arrays_[array_];
   std::string& data = *part.mutable_data();
-  const std::size_t size = std::min<std::uint64_t>(kPartBytes, array.bytes - offset_);
+  const std::size_t size = std::min<std::uint64_t>(kPartBytes, sent.bytes - offset_);
   data.reserve(size);
-  array.read(offset_, size, data);
-  part.set_array(name_of(array));
+  if (sent.encoding == v1::MeshHeader::ENCODING_DELTA) {
+    data.append(sent.delta, offset_, size);
+  } else {
+    sent.array.read(offset_, size, data);
+  }
+  part.set_array(name_of(sent.array));
   part.set_offset(offset_);
   part.set_crc32c(crc32c(data));
   offset_ += size;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "remesh/v1/mesh.pb.h"
@@ -9,29 +10,50 @@
 namespace remeshd {
 
 /// The messages of a mesh, one after the other: header, parts, end. Arrays are taken straight from
-/// the revision's memory; the same revision gives the same messages.
+/// the revision's memory, their differences to the parent's are worked out at once; the same
+/// revision and selection give the same messages.
 class MeshMessages {
  public:
-  /// Works out what digests of the arrays are not known yet: not for a thread that others wait for.
-  /// Throws Error: OPTIONS_INVALID for an unknown array, UNSUPPORTED for one that no mesh has and
-  /// for deltas.
-  MeshMessages(HeldRevisionPtr revision, const remesh::v1::MeshSelection& selection);
+  /// Works out deltas, and what digests of the arrays are not known yet: not for a thread that
+  /// others wait for. `parent`: what a delta is against; null: the mesh comes whole.
+  /// Throws what `check_selection` throws.
+  MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& parent,
+               const remesh::v1::MeshSelection& selection);
+
+  /// Leaves out what stands before a place in the data. Pre: nothing was taken yet.
+  /// Throws Error: OPTIONS_INVALID where the selection has no such place.
+  void resume_from(const remesh::v1::MeshPosition& position);
 
   /// Fills in the next message; false after the last.
   bool next(remesh::v1::MeshMessage& message);
+  /// Whether the last message was taken.
+  [[nodiscard]] bool ended() const { return ended_; }
 
  private:
+  struct Sent {
+    MeshArray array;
+    remesh::v1::MeshHeader::Encoding encoding = remesh::v1::MeshHeader::ENCODING_WHOLE;
+    std::uint64_t bytes = 0;  ///< of the data
+    std::string delta;        ///< the data, for ENCODING_DELTA
+  };
+
+  void take_difference(Sent& sent, const HeldRevision& parent,
+                       const std::vector<MeshArray>& of_parent);
   void put_header(remesh::v1::MeshHeader& header) const;
   void put_part(remesh::v1::MeshPart& part);
 
-  HeldRevisionPtr revision_;
-  std::vector<MeshArray> arrays_;
+  const HeldRevisionPtr revision_;
+  std::string base_;  ///< id of the parent, where an array needs it
+  std::vector<Sent> arrays_;
   bool begun_ = false, ended_ = false;
   std::size_t array_ = 0;     ///< next part: in which array
   std::uint64_t offset_ = 0;  ///< and where in it
   std::uint64_t bytes_ = 0;
   std::uint32_t parts_ = 0;
 };
+
+/// Throws Error: OPTIONS_INVALID for an unknown array, UNSUPPORTED for one that no mesh has.
+void check_selection(const remesh::v1::MeshSelection& selection);
 
 /// Arrays that a mesh of this daemon may have.
 std::vector<remesh::v1::MeshArray> supported_arrays();

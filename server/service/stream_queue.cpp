@@ -20,7 +20,9 @@ void StreamQueue::add(Request request) {
   waiting_bytes_ += bytes;
 }
 
-bool StreamQueue::may_begin() const { return !at_work_ && !waiting_.empty() && room_for_replies(); }
+bool StreamQueue::may_begin() const {
+  return !at_work_ && !waiting_.empty() && room_for_replies() && sources_ < limits_.sources;
+}
 
 StreamQueue::Request StreamQueue::begin() {
   at_work_id_ = waiting_.front().id;
@@ -53,24 +55,36 @@ void StreamQueue::drop_progress() {
 void StreamQueue::progress(std::uint64_t turn, grpc::ByteBuffer reply) {
   if (closed_ || !at_work(turn)) return;
   drop_progress();
-  push({std::move(reply), true});
+  push({.bytes = std::move(reply), .is_progress = true});
 }
 
-bool StreamQueue::answer(std::uint64_t turn, grpc::ByteBuffer reply) {
+bool StreamQueue::answer(std::uint64_t turn, grpc::ByteBuffer reply, ReplySourcePtr rest) {
   if (!at_work(turn)) return false;
   if (!closed_) {
     drop_progress();
-    push({std::move(reply), false});
+    push({.bytes = std::move(reply)});
+    if (rest) {
+      push({.source = std::move(rest)});
+      ++sources_;
+    }
   }
   at_work_ = false;
   return true;
 }
 
-grpc::ByteBuffer StreamQueue::next_reply() {
-  grpc::ByteBuffer bytes = std::move(replies_.front().bytes);
+StreamQueue::Next StreamQueue::next_reply() {
+  Reply& first = replies_.front();
+  if (first.source) return {.source = first.source};
+  Next next{.bytes = std::move(first.bytes)};
   replies_.pop_front();
-  reply_bytes_ -= bytes.Length();
-  return bytes;
+  reply_bytes_ -= next.bytes.Length();
+  return next;
+}
+
+void StreamQueue::written() {
+  if (replies_.empty() || !replies_.front().source || !replies_.front().source->ended()) return;
+  replies_.pop_front();
+  --sources_;
 }
 
 void StreamQueue::close() {
@@ -79,6 +93,7 @@ void StreamQueue::close() {
   waiting_bytes_ = 0;
   replies_.clear();
   reply_bytes_ = 0;
+  sources_ = 0;
 }
 
 }  // namespace remeshd

@@ -5,12 +5,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/base/error.h"
 
 namespace remeshd {
+
+/// Replies that are made one by one as the client takes them: a mesh has many, and large ones.
+class ReplySource {
+ public:
+  virtual ~ReplySource() = default;
+  virtual grpc::ByteBuffer next() = 0;
+  /// Whether `next` has given the last.
+  [[nodiscard]] virtual bool ended() const = 0;
+};
+using ReplySourcePtr = std::shared_ptr<ReplySource>;
 
 /// What one EditStream holds for its client: requests sent ahead, the one at work, replies that the
 /// client has not taken yet. All of it is bounded: at a bound nothing more is read or begun, until
@@ -25,6 +36,7 @@ class StreamQueue {
     std::size_t request_bytes = std::size_t{8} << 20;
     std::size_t replies = 256;
     std::size_t reply_bytes = std::size_t{4} << 20;
+    std::size_t sources = 2;  ///< each keeps the mesh of a revision in memory
   };
   struct Request {
     std::string id;
@@ -55,12 +67,20 @@ class StreamQueue {
   /// A client that reads slowly gets the latest event instead of all of them, and none of a request
   /// that has ended.
   void progress(std::uint64_t turn, grpc::ByteBuffer reply);
-  /// Ends the request at work; false, and nothing done, if it is another one.
-  bool answer(std::uint64_t turn, grpc::ByteBuffer reply);
+  /// Ends the request at work; false, and nothing done, if it is another one. `rest`: more replies
+  /// to it; may be null.
+  bool answer(std::uint64_t turn, grpc::ByteBuffer reply, ReplySourcePtr rest = nullptr);
 
   [[nodiscard]] bool has_reply() const { return !replies_.empty(); }
-  /// Takes the first reply. Pre: `has_reply`.
-  grpc::ByteBuffer next_reply();
+  /// A reply to be written, or where `source` is set, what makes it. Pre: `has_reply`, and the last
+  /// one was `written`.
+  struct Next {
+    grpc::ByteBuffer bytes;
+    ReplySourcePtr source;
+  };
+  Next next_reply();
+  /// The reply that was taken last is on its way.
+  void written();
 
   /// Drops requests and replies, and keeps none from now on. The request at work stays so.
   void close();
@@ -70,7 +90,8 @@ class StreamQueue {
  private:
   struct Reply {
     grpc::ByteBuffer bytes;
-    bool is_progress;
+    bool is_progress = false;
+    ReplySourcePtr source{};
   };
   [[nodiscard]] bool room_for_replies() const;
   void push(Reply reply);
@@ -81,6 +102,7 @@ class StreamQueue {
   std::size_t waiting_bytes_ = 0;
   std::deque<Reply> replies_;
   std::size_t reply_bytes_ = 0;
+  std::size_t sources_ = 0;  ///< among the replies
   bool at_work_ = false;
   std::uint64_t turn_ = 0;
   std::string at_work_id_;

@@ -4,10 +4,10 @@
 
 #include "server/admission/load_error.h"
 #include "server/session/clock.h"
-#include "server/session/edit_tail.h"
 #include "server/session/fail_on.h"
 #include "server/session/head_decision.h"
 #include "server/session/session_error.h"
+#include "server/session/stored_form.h"
 
 namespace remeshd {
 namespace {
@@ -51,23 +51,25 @@ Reference Archive::resolve(const std::string& text) {
 HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   if (auto held = held_.find(id)) return held;
   if (!store_.persistent()) return nullptr;
+  const auto turn = loading_.take(id, run);
+  if (auto held = held_.find(id)) return held;  // another one loaded it
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-  if (!record) return nullptr;
-  auto held = std::make_shared<HeldRevision>();
-  held->record = *record;
+  return record ? load(*record, run) : nullptr;
+}
+
+HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
   try {
-    std::string bytes = store_.get(*record);
-    held->edit = take_edit(bytes);
-    held->revision = engine_.deserialise(bytes, run);
+    const HeldRevisionPtr parent = held_.find(record.parent);
+    auto held = restored(engine_, store_.get(record.id), record, parent.get(), run);
+    held_.insert(held);
+    return held;
   } catch (const Error& failure) {
     if (failure.info().kind == ErrorKind::Internal) {
-      const std::scoped_lock lock(filing_);
-      damaged_.insert(id);
+      const std::scoped_lock lock(damage_);
+      damaged_.insert(record.id);
     }
     throw;
   }
-  held_.insert(held);
-  return held;
 }
 
 HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
@@ -92,35 +94,34 @@ void Archive::drop_unfiled(const std::string& id) {
 /// What is to happen to the catalogue, and what becomes of the revision by it.
 struct Archive::Filing {
   Filed filed;
-  bool write = false;  ///< its bytes are not there, or damaged
+  bool add = false;  ///< the catalogue does not have it
   Transaction changes;
 };
 
-Archive::Filing Archive::plan_filing(const RevisionRecord& record, const std::string& design,
-                                     const HeadRule& rule,
-                                     const std::vector<WarningCode>& fail_on) {
+Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord& record,
+                                     const std::string& design, const HeadRule& rule,
+                                     const std::vector<WarningCode>& fail_on) const {
   Filing filing;
   Filed& filed = filing.filed;
+  filed.durable = store_.persistent();
   HeadSituation now{.id = record.id, .first_mesh = record.parent.empty()};
-  store_.read([&](Catalogue& catalogue) {
-    const auto known = catalogue.revision(record.id);
-    filed.record = known.value_or(record);
-    filing.write = !known || damaged_.contains(record.id);
-    filed.place = {.design = design, .number = catalogue.next_number(design), .id = record.id};
-    for (const PlaceRecord& place : catalogue.places(record.id)) {
-      if (place.design != design) continue;
-      filed.place.number = place.number;
-      now.is_new = false;
-    }
-    if (const auto found = catalogue.design(design)) {
-      now.head = found->head;
-      filed.head_number = found->head_number;
-    }
-    if (const auto first = catalogue.first_place(design)) {
-      const auto of_first = catalogue.revision(first->id);
-      now.same_model = of_first && of_first->model == record.model && !record.model.empty();
-    }
-  });
+  const auto known = catalogue.revision(record.id);
+  filed.record = known.value_or(record);
+  filing.add = !known;
+  filed.place = {.design = design, .number = catalogue.next_number(design), .id = record.id};
+  for (const PlaceRecord& place : catalogue.places(record.id)) {
+    if (place.design != design) continue;
+    filed.place.number = place.number;
+    now.is_new = false;
+  }
+  if (const auto found = catalogue.design(design)) {
+    now.head = found->head;
+    filed.head_number = found->head_number;
+  }
+  if (const auto first = catalogue.first_place(design)) {
+    const auto of_first = catalogue.revision(first->id);
+    now.same_model = of_first && of_first->model == record.model && !record.model.empty();
+  }
 
   const HeadDecision decision = decide_head(rule, now);
   if (decision.conflict && rule.require)
@@ -134,7 +135,7 @@ Archive::Filing Archive::plan_filing(const RevisionRecord& record, const std::st
   if (decision.move) filed.head_number = filed.place.number;
   filed.place.head = filed.head == record.id;
 
-  if (filing.write) filing.changes.emplace_back(AddRevision{filed.record});
+  if (filing.add) filing.changes.emplace_back(AddRevision{filed.record});
   if (now.is_new) filing.changes.emplace_back(AddPlace{design, filed.place.number, record.id});
   if (decision.move) filing.changes.emplace_back(SetHead{design, record.id});
   if (now.is_new || decision.move) filing.changes.emplace_back(changed_now(design));
@@ -143,32 +144,98 @@ Archive::Filing Archive::plan_filing(const RevisionRecord& record, const std::st
 
 void Archive::check_filing(const RevisionRecord& record, const std::string& design,
                            const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
-  const std::scoped_lock lock(filing_);
-  plan_filing(record, design, rule, fail_on);
+  store_.read([&](Catalogue& catalogue) { plan_filing(catalogue, record, design, rule, fail_on); });
+}
+
+bool Archive::is_damaged(const std::string& id) const {
+  const std::scoped_lock lock(damage_);
+  return damaged_.contains(id);
+}
+
+bool Archive::lacks_bytes(const std::string& id) {
+  return store_.persistent() &&
+         !store_.read([&](Catalogue& catalogue) { return catalogue.revision(id).has_value(); });
+}
+
+RevisionRecord Archive::write(const HeldRevision& revision, const PlaceRecord& place) {
+  RevisionRecord record = revision.record;
+  record.seconds = seconds_of(revision.revision.report.seconds);
+  const StoredArrays arrays = stored_form(engine_, revision);
+  const HeldRevisionPtr parent = held_.find(record.parent);
+  if (!parent) {
+    store_.put(record, place, arrays);
+  } else {
+    const StoredArrays of_parent = stored_form(engine_, *parent);
+    const Packs::Base base{record.parent, &of_parent};
+    store_.put(record, place, arrays, &base);
+  }
+  return record;
+}
+
+void Archive::heal(const HeldRevisionPtr& revision) {
+  const std::string& id = revision->record.id;
+  const auto turn = writing_.take(id);
+  if (!is_damaged(id)) return;
+  PlaceRecord first{.id = id};
+  const auto known = store_.read([&](Catalogue& catalogue) {
+    const auto places = catalogue.places(id);
+    if (!places.empty()) first = places.front();
+    return catalogue.revision(id);
+  });
+  if (!known) return;
+  // By itself: what stands on it must not come to need more packs than it does.
+  RevisionRecord record = *known;
+  store_.put(record, first, stored_form(engine_, *revision));
+  store_.commit([&](Catalogue& catalogue) {
+    // It may have been deleted meanwhile.
+    return catalogue.revision(id) ? Transaction{AddRevision{record}} : Transaction{};
+  });
+  store_.discard(id);
+  const std::scoped_lock lock(damage_);
+  damaged_.erase(id);
 }
 
 Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
                     const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
-  const std::scoped_lock lock(filing_);
   const std::string& id = revision->record.id;
-  Filing filing = plan_filing(revision->record, design, rule, fail_on);
-  if (filing.write && store_.persistent()) {
-    RevisionRecord& record = filing.filed.record;
-    std::string bytes = engine_.serialise(revision->revision);
-    append_edit(bytes, revision->edit);
-    store_.put(record, filing.filed.place, bytes);
-    filing.changes.front() = AddRevision{record};  // it has its size now
+  const auto plan = [&](Catalogue& catalogue) {
+    return plan_filing(catalogue, revision->record, design, rule, fail_on);
+  };
+  if (is_damaged(id)) heal(revision);
+  Filing filing = store_.read(plan);
+  if (filing.changes.empty() && store_.persistent()) return filing.filed;
+
+  for (;;) {
+    std::optional<OneAtATime::Turn> turn;
+    std::optional<RevisionRecord> written;
+    if (lacks_bytes(id)) turn.emplace(writing_.take(id));
+    if (turn && lacks_bytes(id)) written = write(*revision, filing.filed.place);
+    const std::scoped_lock lock(filing_);
+    bool again = false;
+    try {
+      store_.commit([&](Catalogue& catalogue) {
+        filing = plan(catalogue);
+        if (!filing.add || !store_.persistent()) return filing.changes;
+        again = !written;  // it was deleted a moment ago
+        if (again) return Transaction{};
+        filing.filed.record = *written;
+        filing.changes.front() = AddRevision{*written};
+        return filing.changes;
+      });
+    } catch (...) {
+      if (written) store_.discard(id);
+      throw;
+    }
+    if (again) continue;
+    // It may have been dropped, unfiled or deleted, since the caller found it.
+    if (!held_.contains(id)) held_.insert(revision);
+    return filing.filed;
   }
-  store_.commit([&](Catalogue&) { return filing.changes; });
-  filing.filed.durable = store_.persistent();
-  if (filing.write) damaged_.erase(id);
-  // It may have been dropped, unfiled or deleted, since the caller found it.
-  if (!held_.contains(id)) held_.insert(revision);
-  return filing.filed;
 }
 
 void Archive::forget(const std::string& id) {
   held_.erase(id);
+  const std::scoped_lock lock(damage_);
   damaged_.erase(id);
 }
 

@@ -8,6 +8,7 @@
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/held_revisions.h"
+#include "server/session/one_at_a_time.h"
 #include "server/session/references.h"
 #include "server/store/store.h"
 
@@ -49,8 +50,9 @@ class Archive {
   void drop_unfiled(const std::string& id);
 
   /// Enters a revision in a design: bytes on the disk first (again, if `find` met a damaged copy),
-  /// then number and head at once. It keeps the number that it has in the design.
-  /// Post: the revision is in memory too, whatever was dropped in the meantime.
+  /// then number and head at once. It keeps the number that it has in the design. Where nothing
+  /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
+  /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
   /// Throws what `check_filing` throws; then nothing is filed.
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
              const std::vector<WarningCode>& fail_on = {});
@@ -81,8 +83,13 @@ class Archive {
 
  private:
   struct Filing;
-  Filing plan_filing(const RevisionRecord& record, const std::string& design, const HeadRule& rule,
-                     const std::vector<WarningCode>& fail_on);
+  Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
+                     const HeadRule& rule, const std::vector<WarningCode>& fail_on) const;
+  [[nodiscard]] bool is_damaged(const std::string& id) const;
+  bool lacks_bytes(const std::string& id);
+  RevisionRecord write(const HeldRevision& revision, const PlaceRecord& place);
+  void heal(const HeldRevisionPtr& revision);
+  HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
   /// Takes a revision that was deleted out of memory too.
   void forget(const std::string& id);
 
@@ -90,8 +97,10 @@ class Archive {
   Store& store_;
   MemoryBudget& memory_;
   HeldRevisions held_;
-  std::mutex filing_;              ///< bytes, catalogue and memory change together
-  std::set<std::string> damaged_;  ///< ids whose copy in the store cannot be read; under filing_
+  std::mutex filing_;             ///< catalogue and memory change together
+  OneAtATime writing_, loading_;  ///< by id
+  mutable std::mutex damage_;
+  std::set<std::string> damaged_;  ///< ids whose copy in the store cannot be read; under damage_
 };
 
 }  // namespace remeshd

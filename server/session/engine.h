@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/stored_array.h"
 #include "engine/difference/compare.h"
 #include "engine/remesh/memory.h"
 #include "engine/remesh/remesh.h"
@@ -42,8 +43,9 @@ struct Engine {
   std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
-  std::function<std::string(const Revision&)> serialise;
-  std::function<Revision(const std::string&, const Run&)> deserialise;
+  /// See engine/remesh/image.h.
+  std::function<StoredArrays(const Revision&)> image_of;
+  std::function<Revision(const StoredArrays&, const Revision* alike, const Run&)> revision_of;
   std::function<std::vector<FeatureTypeInfo>()> feature_types;
   std::function<std::vector<MemoryBlock>(const Revision&)> memory_blocks;
 };

@@ -60,6 +60,16 @@ HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
   return archive_.get(archive_.resolve(reference).id, run);
 }
 
+HeldRevisionPtr Session::parent_of(const HeldRevision& revision, const Run& run) {
+  if (revision.record.parent.empty()) return nullptr;
+  try {
+    return archive_.find(revision.record.parent, run);
+  } catch (const Error& failure) {
+    if (failure.info().kind == ErrorKind::Cancelled) throw;
+    return nullptr;
+  }
+}
+
 Description Session::describe(const std::string& text, const Run& run) {
   if (text.empty()) throw error::reference_missing("revision");
   const Reference reference = archive_.resolve(text);

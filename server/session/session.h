@@ -86,6 +86,9 @@ class Session {
   bool withdraw(Lane lane, WorkId id) { return pool(lane).withdraw(id); }
 
   HeldRevisionPtr get(const std::string& reference, const Run& run);
+  /// The revision that another one was made of; null where there is none any more, or none that
+  /// can be read.
+  HeldRevisionPtr parent_of(const HeldRevision& revision, const Run& run);
   Description describe(const std::string& reference, const Run& run);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);

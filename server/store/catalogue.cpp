@@ -12,8 +12,10 @@ constexpr const char* kSchema = R"(
 CREATE TABLE revisions(
   id TEXT PRIMARY KEY, parent TEXT NOT NULL, root TEXT NOT NULL, model_name TEXT NOT NULL,
   model TEXT NOT NULL, algorithm_version INTEGER NOT NULL, created_ns INTEGER NOT NULL,
-  nodes INTEGER NOT NULL, tets INTEGER NOT NULL, bytes INTEGER NOT NULL) WITHOUT ROWID;
+  nodes INTEGER NOT NULL, tets INTEGER NOT NULL, bytes INTEGER NOT NULL,
+  base TEXT NOT NULL, seconds TEXT NOT NULL) WITHOUT ROWID;
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
+CREATE INDEX revisions_by_base ON revisions(base);
 CREATE TABLE designs(
   name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL,
   changed_ns INTEGER NOT NULL, listed INTEGER NOT NULL) WITHOUT ROWID;
@@ -27,17 +29,20 @@ CREATE INDEX places_by_id ON places(id);
 
 Catalogue::Catalogue() : database_(":memory:") { database_.execute(kSchema); }
 
-void Catalogue::apply(const Transaction& transaction, const std::function<void()>& confirm) {
+void Catalogue::apply(const Transaction& transaction) { run(transaction, true); }
+
+void Catalogue::check(const Transaction& transaction) { run(transaction, false); }
+
+void Catalogue::run(const Transaction& transaction, bool keep) {
   database_.execute("SAVEPOINT change");
   try {
     for (const Operation& operation : transaction) apply_one(operation);
-    if (confirm) confirm();
   } catch (...) {
     // Out of memory, SQLite may have rolled back by itself.
     database_.try_execute("ROLLBACK TO change; RELEASE change");
     throw;
   }
-  database_.execute("RELEASE change");
+  database_.execute(keep ? "RELEASE change" : "ROLLBACK TO change; RELEASE change");
 }
 
 std::size_t Catalogue::apply_all(const std::vector<Transaction>& transactions) {
@@ -85,7 +90,7 @@ std::vector<Transaction> Catalogue::snapshot() {
 void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
-    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
         .bind(r.root)
@@ -96,6 +101,8 @@ void Catalogue::apply_one(const Operation& operation) {
         .bind(std::int64_t{r.nodes})
         .bind(std::int64_t{r.tets})
         .bind(static_cast<std::int64_t>(r.bytes))
+        .bind(r.base)
+        .bind(bytes_of(r.seconds))
         .run();
   } else if (const auto* design = std::get_if<AddDesign>(&operation)) {
     enter_design(*design);
@@ -221,6 +228,12 @@ std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
   std::vector<std::string> ids;
   while (row.step()) ids.push_back(row.text(0));
   return ids;
+}
+
+bool Catalogue::is_base(const std::string& id) {
+  auto row = database_.prepare("SELECT 1 FROM revisions WHERE base = ? LIMIT 1");
+  row.bind(id);
+  return row.step();
 }
 
 std::uint32_t Catalogue::count_revisions() {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,10 +18,10 @@ class Catalogue {
   Catalogue();
 
   /// All or nothing; what is there already is left as it is, so that a transaction may be applied
-  /// again. `confirm` is called once everything is applied; where it throws, nothing is.
-  /// Throws Error(`INDEX_FAILED`), also where a design's number is another revision's, before
-  /// `confirm` is called.
-  void apply(const Transaction& transaction, const std::function<void()>& confirm = {});
+  /// again. Throws Error(`INDEX_FAILED`), also where a design's number is another revision's.
+  void apply(const Transaction& transaction);
+  /// Throws what `apply` would throw, and changes nothing.
+  void check(const Transaction& transaction);
   /// Applies many, leaving out those that fail; how many did.
   std::size_t apply_all(const std::vector<Transaction>& transactions);
   /// Transactions that make an empty catalogue this one.
@@ -49,12 +48,15 @@ class Catalogue {
   /// Designs without revisions too, but for those that were taken off the list.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   std::vector<std::string> children(const std::string& id, int limit);
+  /// Whether a revision's bytes are differences to those of `id`.
+  bool is_base(const std::string& id);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();
   /// Of the files of all revisions.
   std::uint64_t count_bytes();
 
  private:
+  void run(const Transaction& transaction, bool keep);
   void apply_one(const Operation& operation);
   void enter_design(const AddDesign& design);
 

@@ -1,16 +1,30 @@
 #pragma once
 
+#include <cstring>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "server/store/records.h"
 #include "server/store/sqlite.h"
 
 namespace remeshd {
 
+/// A list of numbers as a column has it.
+inline std::string_view bytes_of(const std::vector<double>& numbers) {
+  if (numbers.empty()) return "";  // an empty list may have no address, which would be NULL
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+inline std::vector<double> numbers_in(const std::string& bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
 /// The columns that `read_revision` takes, of a table called `r`.
 inline const std::string kRevisionColumns =
     "r.id, r.parent, r.root, r.model_name, r.model, r.algorithm_version, r.created_ns, r.nodes, "
-    "r.tets, r.bytes";
+    "r.tets, r.bytes, r.base, r.seconds";
 
 inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
   return {.id = row.text(first),
@@ -22,7 +36,9 @@ inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .created_ns = row.number(first + 6),
           .nodes = static_cast<std::uint32_t>(row.number(first + 7)),
           .tets = static_cast<std::uint32_t>(row.number(first + 8)),
-          .bytes = static_cast<std::uint64_t>(row.number(first + 9))};
+          .bytes = static_cast<std::uint64_t>(row.number(first + 9)),
+          .base = row.text(first + 10),
+          .seconds = numbers_in(row.text(first + 11))};
 }
 
 /// Designs that are on the list, with the columns that `read_design` takes. Where the time of the

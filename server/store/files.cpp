@@ -7,7 +7,9 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <future>
 #include <random>
+#include <system_error>
 #include <utility>
 
 #include "server/store/store_error.h"
@@ -38,8 +40,16 @@ void File::write(std::string_view bytes) {
   }
 }
 
-void File::sync() {
+void File::sync() const {
   if (::fsync(descriptor_) != 0) throw error::store_failed("syncing", path_.string(), errno);
+}
+
+void File::set_time(std::int64_t time_ns) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  const timespec time{.tv_sec = time_ns / kSecond, .tv_nsec = time_ns % kSecond};
+  const timespec times[] = {time, time};
+  if (::futimens(descriptor_, times) != 0)
+    throw error::store_failed("dating", path_.string(), errno);
 }
 
 void File::truncate(std::uint64_t size) {
@@ -47,10 +57,14 @@ void File::truncate(std::uint64_t size) {
     throw error::store_failed("cutting off", path_.string(), errno);
 }
 
-void make_folder(const std::filesystem::path& folder) {
+void make_unsynced_folder(const std::filesystem::path& folder) {
   if (::mkdir(folder.c_str(), 0700) != 0 &&
       !(errno == EEXIST && std::filesystem::is_directory(folder)))
     throw error::store_failed("making", folder.string(), errno);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  make_unsynced_folder(folder);
   // One that is there may be there since a crash that came before its name was on the disk.
   sync_folder(folder.parent_path());
 }
@@ -70,7 +84,7 @@ void remove_file(const std::filesystem::path& file) {
 }
 
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
-                   const std::filesystem::path& scratch) {
+                   const std::filesystem::path& scratch, std::optional<std::int64_t> time_ns) {
   // What an earlier process left in `scratch` may have had this one's number.
   static const std::string process =
       std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
@@ -79,6 +93,7 @@ void write_durably(const std::filesystem::path& file, std::string_view bytes,
   try {
     File out(temporary, O_WRONLY | O_CREAT | O_EXCL);
     out.write(bytes);
+    if (time_ns) out.set_time(*time_ns);
     out.sync();
     rename_file(temporary, file);
   } catch (...) {
@@ -86,6 +101,27 @@ void write_durably(const std::filesystem::path& file, std::string_view bytes,
     throw;
   }
   sync_folder(file.parent_path());
+}
+
+void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,
+                    const std::vector<std::filesystem::path>& folders) {
+  File out(file, O_WRONLY | O_CREAT | O_EXCL);
+  try {
+    out.write(bytes);
+    out.set_time(time_ns);
+    // One after the other they would take as long as all together.
+    std::vector<std::future<void>> others;
+    for (const std::filesystem::path& folder : folders)
+      others.push_back(std::async(std::launch::async, [&folder] { sync_folder(folder); }));
+    out.sync();
+    for (std::future<void>& other : others) other.get();
+  } catch (const std::system_error&) {
+    ::unlink(file.c_str());
+    throw error::store_failed("syncing", file.string(), EAGAIN);  // no thread to be had
+  } catch (...) {
+    ::unlink(file.c_str());
+    throw;
+  }
 }
 
 std::string read_start(const std::filesystem::path& file, std::size_t limit) {

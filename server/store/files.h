@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace remeshd {
 
@@ -23,7 +25,9 @@ class File {
   void write(std::string_view bytes);
   /// Waits until what was written is on the disk. After a failure nothing that was written since
   /// the last success may be believed to be there, even if a second call succeeds.
-  void sync();
+  void sync() const;
+  /// Sets the time of the last change, in ns since 1970.
+  void set_time(std::int64_t time_ns);
   /// Cuts the file off.
   void truncate(std::uint64_t size);
 
@@ -34,10 +38,19 @@ class File {
 
 /// Writes a file so that after a crash at any moment it is either absent, as before or whole:
 /// another name in `scratch` (on the same file system), fsync, rename, fsync of the folder. Where
-/// it throws, nothing is left in `scratch`, and the file may have been replaced or not.
-/// Throws Error(STORE_FAILED, STORE_FULL).
+/// it throws, nothing is left in `scratch`, and the file may have been replaced or not. `time_ns`:
+/// as `write_in_place`. Throws Error(STORE_FAILED, STORE_FULL).
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
-                   const std::filesystem::path& scratch);
+                   const std::filesystem::path& scratch,
+                   std::optional<std::int64_t> time_ns = std::nullopt);
+
+/// Writes a file that is not there at its place, with `time_ns` (since 1970) for the time of its
+/// last change. File and `folders`, in which names are new, are synced at the same time. Until that
+/// is done a crash may leave anything there. Where it throws, the file is removed, and what the
+/// disk has of it is not to be trusted.
+/// Throws Error(STORE_FAILED, STORE_FULL).
+void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,
+                    const std::vector<std::filesystem::path>& folders);
 
 /// All of a file. Throws Error(STORE_FAILED).
 std::string read_whole(const std::filesystem::path& file);
@@ -46,6 +59,8 @@ std::string read_start(const std::filesystem::path& file, std::size_t limit);
 
 /// Makes a folder that may be there; its name is on the disk then. Throws Error(STORE_FAILED).
 void make_folder(const std::filesystem::path& folder);
+/// The same without waiting for its name to be on the disk.
+void make_unsynced_folder(const std::filesystem::path& folder);
 /// Waits until the names in a folder are on the disk.
 void sync_folder(const std::filesystem::path& folder);
 /// Gives a file, or a folder, another name on the same file system. Throws Error(STORE_FAILED).

@@ -53,10 +53,12 @@ void FirstLayout::bring_in(Packs& packs, Quarantine& quarantine) const {
       quarantine.take(file, "it is no revision");
     } else if (sha256_hex(bytes) != hash) {
       quarantine.take(file, "it is damaged");
-    } else if (packs.head(head->record.id)) {
+    } else if (packs.is_whole(head->record.id)) {
       quarantine.take(file, "there is another copy of its revision");
     } else {
-      packs.put(head->record, head->first, std::string_view(bytes).substr(head->size));
+      StoredArray whole{.name = kOlderBytes};
+      whole.own(bytes.substr(head->size));
+      packs.put(head->record, head->first, {{std::move(whole)}}, nullptr);
       remove_file(file);
     }
   }

@@ -35,6 +35,10 @@ class Journal {
   [[nodiscard]] const std::vector<std::filesystem::path>& failed_files() const {
     return failed_files_;
   }
+  /// Whether every line that was ever acknowledged can be read.
+  [[nodiscard]] bool intact() const {
+    return lost_ == 0 && lines_ > 0 && unreadable_.empty() && failed_files_.empty();
+  }
   /// Whether the files are what this version writes, both whole. Else they are to be rewritten.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }

@@ -23,7 +23,9 @@ struct ToJson {
             {"created_ns", r.created_ns},
             {"nodes", r.nodes},
             {"tets", r.tets},
-            {"bytes", r.bytes}};
+            {"bytes", r.bytes},
+            {"base", r.base},
+            {"seconds", r.seconds}};
   }
   json operator()(const AddPlace& op) const {
     return {{"add_place", op.design}, {"number", op.number}, {"id", op.id}};
@@ -57,6 +59,8 @@ Operation from_json(const json& j) {
     j.at("nodes").get_to(r.nodes);
     j.at("tets").get_to(r.tets);
     j.at("bytes").get_to(r.bytes);
+    r.base = j.value("base", "");
+    r.seconds = j.value("seconds", std::vector<double>());
     return AddRevision{r};
   }
   if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};

@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "remeshd-pack";
-// The first layout's line is bare JSON; the hash of the whole file was its name.
+// The first layout's line is bare JSON.
 constexpr const char* kFirstFormat = "remeshd-revision-1";
 
 struct Line {
@@ -46,6 +46,16 @@ std::optional<int> version_of(const Line& line) {
 
 std::string write_pack_head(const PackHead& head) {
   const RevisionRecord& r = head.record;
+  json arrays = json::array();
+  for (const EncodedArray& a : head.arrays)
+    arrays.push_back({{"name", a.name},
+                      {"base", a.base},
+                      {"type", static_cast<int>(a.type)},
+                      {"components", a.components},
+                      {"bytes", a.bytes},
+                      {"page", a.piece_bytes},
+                      {"encoding", static_cast<int>(a.encoding)},
+                      {"data", a.data_bytes}});
   return checked_line(json{
       {"format", kFormat},
       {"store", kStoreVersion},
@@ -55,13 +65,18 @@ std::string write_pack_head(const PackHead& head) {
       {"model_name", r.model_name},
       {"model", r.model},
       {"algorithm_version", r.algorithm_version},
-      {"created_ns", r.created_ns},
+      {"base", r.base},
       {"nodes", r.nodes},
       {"tets", r.tets},
       {"design", head.first.design},
       {"number", head.first.number},
-      {"sha256",
-       head.sha256}}.dump());
+      {"base_content", head.base_content},
+      {"chain", head.chain},
+      {"chain_bytes", head.chain_bytes},
+      {"full_bytes", head.full_bytes},
+      {"arrays", std::move(arrays)},
+      {"content", head.content},
+      {"data", head.data}}.dump());
 }
 
 std::optional<PackHead> read_pack_head(std::string_view start) {
@@ -78,12 +93,31 @@ std::optional<PackHead> read_pack_head(std::string_view start) {
                    .model_name = j.at("model_name"),
                    .model = j.value("model", ""),
                    .algorithm_version = j.value("algorithm_version", 0U),
-                   .created_ns = j.at("created_ns"),
                    .nodes = j.at("nodes"),
                    .tets = j.at("tets")};
     if (head.record.parent.empty()) head.record.root = head.record.id;
     head.first = {.design = j.at("design"), .number = j.at("number"), .id = head.record.id};
-    if (*version > 0) j.at("sha256").get_to(head.sha256);
+    if (*version < kFirstWithArrays) {
+      j.at("created_ns").get_to(head.record.created_ns);
+      if (*version > 0) j.at("sha256").get_to(head.data);
+      return head;
+    }
+    j.at("base").get_to(head.record.base);
+    j.at("base_content").get_to(head.base_content);
+    j.at("chain").get_to(head.chain);
+    j.at("chain_bytes").get_to(head.chain_bytes);
+    j.at("full_bytes").get_to(head.full_bytes);
+    for (const json& a : j.at("arrays"))
+      head.arrays.push_back({.name = a.at("name"),
+                             .base = a.at("base"),
+                             .type = StoredType{a.at("type").get<std::uint8_t>()},
+                             .components = a.at("components"),
+                             .bytes = a.at("bytes"),
+                             .piece_bytes = a.at("page"),
+                             .encoding = ArrayEncoding{a.at("encoding").get<std::uint8_t>()},
+                             .data_bytes = a.at("data")});
+    j.at("content").get_to(head.content);
+    j.at("data").get_to(head.data);
     return head;
   } catch (const json::exception&) {
     return std::nullopt;

@@ -1,21 +1,32 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "server/store/array_codec.h"
 #include "server/store/records.h"
 
 namespace remeshd {
 
-/// What the first line of a pack says of the revision whose bytes follow it, so that a catalogue
-/// can be made again from the packs alone.
+/// The first line of a pack: what a catalogue has to know of its revision, so that one can be made
+/// again from the packs alone, and how to read the arrays whose data follow.
 struct PackHead {
   int store_version = 0;  ///< of the store that the pack was written by; 0 before there was one
-  RevisionRecord record;
-  PlaceRecord first;     ///< where it was filed first
-  std::string sha256;    ///< of the bytes that follow, 64 digits; empty before there was a version
+  RevisionRecord record;  ///< but for `created_ns`, `seconds` and `bytes`, which are not of its own
+  PlaceRecord first;      ///< where it was filed first; no design: nowhere
+  /// Content of the pack of `record.base`, which the arrays are encoded against.
+  std::string base_content;
+  std::uint32_t chain = 1;           ///< packs to be read to have the arrays, this one included
+  std::uint64_t chain_bytes = 0;     ///< of the data of those that are encoded against a base
+  std::uint64_t full_bytes = 0;      ///< of the data of the one that is not
+  std::vector<EncodedArray> arrays;  ///< without their data, in the order in which these follow
+  std::string content;               ///< content_hash of the decoded arrays
+  /// Hash of all that follows the line: content_hash, and SHA-256 up to store version 1.
+  std::string data;
   std::size_t size = 0;  ///< bytes of the line, its line break included
 };
 
@@ -25,7 +36,8 @@ inline constexpr std::size_t kMostHeadBytes = std::size_t{1} << 16;
 /// The line; `store_version` and `size` do not matter.
 std::string write_pack_head(const PackHead& head);
 
-/// Reads what a file begins with. Nothing where that is no head of this or an older version.
+/// Reads what a file begins with. Nothing where that is no head of this or an older version. Up to
+/// store version 1 the bytes of a revision follow in one piece: there are no arrays then.
 std::optional<PackHead> read_pack_head(std::string_view start);
 
 /// The version of the store that wrote the file, be it newer than this program; nothing where the

@@ -1,17 +1,24 @@
 #include "server/store/packs.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "engine/base/error.h"
 #include "proto/checksum.h"
 #include "server/store/files.h"
 #include "server/store/store_error.h"
+#include "server/store/store_format.h"
 
 namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kFolderDigits = 2;
+// To have a revision's arrays so many packs are read at most, and of differences so many times the
+// bytes of the pack that has none: 12 ms a megabyte.
+constexpr std::uint32_t kMostChain = 64;
+constexpr std::uint64_t kMostChainShare = 2;
+constexpr std::size_t kStates = 64;  // of packs that edits are likely to come to next
 
 /// Calls `visit` with each entry two levels down and the id that its place spells.
 template <typename Visit>
@@ -42,36 +49,189 @@ fs::path Packs::path_of(const std::string& id) const {
   return folder_ / id.substr(0, kFolderDigits) / id.substr(kFolderDigits);
 }
 
-void Packs::make_folder_of(const std::string& id) {
-  const std::string name = id.substr(0, kFolderDigits);
-  const std::scoped_lock lock(mutex_);
-  if (folders_.contains(name)) return;
-  make_folder(folder_ / name);
-  folders_.insert(name);
+Packs::StatePtr Packs::usable_state(const Base& base) {
+  const StatePtr state = state_of(base.id);
+  if (!state || state->chain >= kMostChain ||
+      state->chain_bytes > kMostChainShare * state->full_bytes)
+    return nullptr;
+  // What is told as differences to other bytes could not be read.
+  return content_hash(*base.arrays) == state->content ? state : nullptr;
 }
 
-std::uint64_t Packs::put(const RevisionRecord& record, const PlaceRecord& first,
-                         std::string_view bytes) {
-  std::string file =
-      write_pack_head({.record = record, .first = first, .sha256 = sha256_hex(bytes)});
-  file += bytes;
-  make_folder_of(record.id);
-  write_durably(path_of(record.id), file, scratch_);
-  return file.size();
+Packs::Written Packs::put(const RevisionRecord& record, const PlaceRecord& first,
+                          const StoredArrays& arrays, const Base* base) {
+  StatePtr before;
+  if (base != nullptr && base->id != record.id) before = usable_state(*base);
+
+  PackHead head{.record = record, .first = first};
+  auto after = std::make_shared<State>();
+  std::string data;
+  bool differs = false;
+  for (const StoredArray& array : arrays.arrays) {
+    DecodedArray like;
+    if (before) {
+      const StoredArray* found = base->arrays->find(array.name);
+      if (found == nullptr && !array.like.empty()) found = base->arrays->find(array.like);
+      if (found != nullptr) {
+        like.array = *found;
+        if (const auto depths = before->depths.find(found->name); depths != before->depths.end())
+          like.depths = depths->second;
+      }
+    }
+    const bool has_base = !like.array.name.empty();
+    EncodedArray& encoded = head.arrays.emplace_back(
+        encode(array, has_base ? &like : nullptr, after->depths[array.name]));
+    if (encoded.encoding != ArrayEncoding::Full) {
+      encoded.base = like.array.name;
+      differs = true;
+    }
+    encoded.data_bytes = encoded.data.size();
+    data += encoded.data;
+  }
+  if (!differs) before = nullptr;
+  head.content = after->content = content_hash(arrays);
+  head.data = content_hash(data);
+  head.record.base = before ? base->id : "";
+  head.base_content = before ? before->content : "";
+  head.chain = after->chain = before ? before->chain + 1 : 1;
+  head.chain_bytes = after->chain_bytes = before ? before->chain_bytes + data.size() : 0;
+  head.full_bytes = after->full_bytes = before ? before->full_bytes : data.size();
+
+  const std::string file = write_pack_head(head) + data;
+  write(record, file);
+  remember(record.id, std::move(after));
+  return {.bytes = file.size(), .base = head.record.base};
 }
 
-std::string Packs::get(const RevisionRecord& record) const {
-  const auto damaged = [&](const char* what) { return error::store_corrupted(record.id, what); };
+void Packs::write(const RevisionRecord& record, std::string_view file) {
   const fs::path path = path_of(record.id);
+  const std::string prefix = record.id.substr(0, kFolderDigits);
+  const auto known = [&] {
+    const std::scoped_lock lock(mutex_);
+    return folders_.contains(prefix);
+  };
+  std::error_code unsure;
+  if (fs::exists(path, unsure) || unsure) {
+    write_durably(path, file, scratch_, record.created_ns);
+    return;
+  }
+  std::vector<fs::path> unsynced{path.parent_path()};
+  if (!known()) {
+    make_unsynced_folder(path.parent_path());
+    unsynced.push_back(folder_);
+  }
+  write_in_place(path, file, record.created_ns, unsynced);
+  const std::scoped_lock lock(mutex_);
+  folders_.insert(prefix);
+}
+
+Packs::File Packs::read_file(const std::string& id) const {
+  const auto damaged = [&](const char* what) { return error::store_corrupted(id, what); };
+  const fs::path path = path_of(id);
   if (!fs::exists(path)) throw damaged("it is gone");
-  std::string file = read_whole(path);
-  const auto head = read_pack_head(std::string_view(file).substr(0, kMostHeadBytes));
-  if (!head) throw damaged("its head cannot be read");
-  if (head->record.id != record.id) throw damaged("it is another revision");
-  if (sha256_hex(std::string_view(file).substr(head->size)) != head->sha256)
-    throw damaged("its content does not have its hash");
-  file.erase(0, head->size);
+  File file;
+  file.bytes = read_whole(path);
+  auto head = read_pack_head(std::string_view(file.bytes).substr(0, kMostHeadBytes));
+  if (!head || head->store_version == 0) throw damaged("its head cannot be read");
+  if (head->record.id != id) throw damaged("it is another revision");
+  const std::string_view rest = std::string_view(file.bytes).substr(head->size);
+  const bool in_one_piece = head->store_version < kFirstWithArrays;
+  if ((in_one_piece ? sha256_hex(rest) : content_hash(rest)) != head->data)
+    throw damaged("its content does not have its checksum");
+  if (in_one_piece)
+    head->arrays.push_back({.name = kOlderBytes, .bytes = rest.size(), .data_bytes = rest.size()});
+  file.head = std::move(*head);
   return file;
+}
+
+bool Packs::is_whole(const std::string& id) const {
+  try {
+    static_cast<void>(read_file(id));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+Packs::Decoded Packs::decode_chain(const std::string& id) const {
+  std::vector<File> chain{read_file(id)};
+  while (!chain.back().head.record.base.empty()) {
+    const PackHead& head = chain.back().head;
+    if (chain.size() > kMostChain) throw error::store_corrupted(id, "its bases have no end");
+    File base = read_file(head.record.base);
+    if (base.head.content != head.base_content)
+      throw error::store_corrupted(id, "its base is not what it was");
+    chain.push_back(std::move(base));
+  }
+  Decoded decoded;
+  for (auto file = chain.rbegin(); file != chain.rend(); ++file) {
+    std::map<std::string, DecodedArray> arrays;
+    std::string_view rest = std::string_view(file->bytes).substr(file->head.size);
+    for (EncodedArray& encoded : file->head.arrays) {
+      if (encoded.data_bytes > rest.size()) throw error::store_corrupted(id, "it is cut off");
+      encoded.data = rest.substr(0, encoded.data_bytes);
+      rest.remove_prefix(encoded.data_bytes);
+      if (file->head.store_version < kFirstWithArrays) {
+        arrays[encoded.name].array.name = encoded.name;
+        arrays[encoded.name].array.own(std::move(encoded.data));
+        continue;
+      }
+      const auto base = decoded.arrays.find(encoded.base);
+      arrays[encoded.name] =
+          decode(encoded, base == decoded.arrays.end() ? nullptr : &base->second);
+      encoded.data.clear();
+    }
+    decoded.arrays = std::move(arrays);
+  }
+  const PackHead& head = chain.front().head;
+  for (const EncodedArray& encoded : head.arrays) decoded.names.push_back(encoded.name);
+  if (head.store_version < kFirstWithArrays) return decoded;
+  auto state = std::make_shared<State>(State{.content = head.content,
+                                             .chain = head.chain,
+                                             .chain_bytes = head.chain_bytes,
+                                             .full_bytes = head.full_bytes});
+  for (const auto& [name, array] : decoded.arrays) state->depths[name] = array.depths;
+  decoded.state = std::move(state);
+  return decoded;
+}
+
+StoredArrays Packs::get(const std::string& id) {
+  Decoded decoded = decode_chain(id);
+  StoredArrays arrays;
+  for (const std::string& name : decoded.names)
+    arrays.arrays.push_back(std::move(decoded.arrays[name].array));
+  if (!decoded.state) return arrays;  // whose bytes have a checksum as they are
+  if (content_hash(arrays) != decoded.state->content)
+    throw error::store_corrupted(id, "its content does not have its checksum");
+  remember(id, std::move(decoded.state));
+  return arrays;
+}
+
+Packs::StatePtr Packs::state_of(const std::string& id) {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto known =
+        std::find_if(states_.begin(), states_.end(), [&](const auto& s) { return s.first == id; });
+    if (known != states_.end()) {
+      states_.splice(states_.begin(), states_, known);
+      // It may be gone all the same.
+      if (fs::exists(path_of(id))) return known->second;
+    }
+  }
+  try {
+    StatePtr state = decode_chain(id).state;
+    remember(id, state);
+    return state;
+  } catch (const Error&) {
+    return nullptr;
+  }
+}
+
+void Packs::remember(const std::string& id, StatePtr state) {
+  const std::scoped_lock lock(mutex_);
+  std::erase_if(states_, [&](const auto& s) { return s.first == id; });
+  states_.emplace_front(id, std::move(state));
+  if (states_.size() > kStates) states_.pop_back();
 }
 
 std::optional<PackHead> Packs::head(const std::string& id) const {
@@ -80,13 +240,26 @@ std::optional<PackHead> Packs::head(const std::string& id) const {
     auto head = read_pack_head(read_start(path, kMostHeadBytes));
     if (!head) return std::nullopt;
     head->record.bytes = fs::file_size(path);
+    if (head->store_version >= kFirstWithArrays)
+      head->record.created_ns =
+          std::chrono::nanoseconds(
+              std::chrono::file_clock::to_sys(fs::last_write_time(path)).time_since_epoch())
+              .count();
     return head;
   } catch (const Error&) {
+    return std::nullopt;
+  } catch (const fs::filesystem_error&) {
     return std::nullopt;
   }
 }
 
-void Packs::remove(const std::string& id) { remove_file(path_of(id)); }
+void Packs::remove(const std::string& id) {
+  {
+    const std::scoped_lock lock(mutex_);
+    std::erase_if(states_, [&](const auto& s) { return s.first == id; });
+  }
+  remove_file(path_of(id));
+}
 
 std::vector<std::string> Packs::list() const {
   std::vector<std::string> ids;

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <list>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -8,27 +12,51 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/stored_array.h"
 #include "server/store/pack_head.h"
 
 namespace remeshd {
 
-/// The bytes of revisions, a file each, `ab/cdef...` by the revision's id: a head, then the bytes.
-/// A file that has its name is whole, but for what the disk did to it.
+/// The arrays of revisions, a file each, `ab/cdef...` by the revision's id: a head, then the
+/// arrays, most of them as differences to those of another pack, its base, whose file has to stay
+/// as long. Packs of store version 1 and before have one array, `kOlderBytes`, and are no base.
+///
+/// A file that nobody wrote before is written at its place: after a crash it may be there in part,
+/// which `is_whole` tells. One that is replaced is as before or whole.
 class Packs {
  public:
+  /// A revision that another one's arrays may be told by.
+  struct Base {
+    std::string id;
+    const StoredArrays* arrays;
+  };
+  /// What is known of a pack without decoding it.
+  struct Written {
+    std::uint64_t bytes = 0;  ///< of the file
+    std::string base;         ///< id of the base taken; empty for none
+  };
+
   /// `folder` and `scratch` must exist, on one file system.
   Packs(std::filesystem::path folder, std::filesystem::path scratch);
 
-  /// Stores a revision, in place of what has its id. Returns the size of the file.
+  /// Stores a revision, in place of what has its id. A base that has no pack, a damaged one, or one
+  /// with so long a chain of bases that reading it would take long, is not taken.
+  /// The file's time of last change is that of the record's making. One revision may not be put
+  /// twice at a time.
   /// Throws Error(STORE_FAILED, STORE_FULL); there may then be a pack or not.
-  std::uint64_t put(const RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
-  /// The bytes of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
-  /// gone; Error(STORE_FAILED).
-  [[nodiscard]] std::string get(const RevisionRecord& record) const;
-  /// What the file of a revision says of itself; nothing where that cannot be read.
+  Written put(const RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
+              const Base* base);
+  /// The arrays of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
+  /// gone, or a base of theirs is; Error(STORE_FAILED).
+  [[nodiscard]] StoredArrays get(const std::string& id);
+  /// What the file of a revision says of itself; nothing where that cannot be read. Its time of
+  /// last change is the record's `created_ns`.
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
+  /// Whether a file has all that its head tells, to the bit. Bases are not looked at.
+  [[nodiscard]] bool is_whole(const std::string& id) const;
   /// No error where there is none.
   void remove(const std::string& id);
+
   /// Ids of all files, sorted.
   [[nodiscard]] std::vector<std::string> list() const;
   /// What lies in the folder and is named otherwise.
@@ -36,11 +64,35 @@ class Packs {
   [[nodiscard]] std::filesystem::path path_of(const std::string& id) const;
 
  private:
-  void make_folder_of(const std::string& id);
+  /// What encoding against a pack takes beside its arrays.
+  struct State {
+    std::string content;
+    std::uint32_t chain = 1;
+    std::uint64_t chain_bytes = 0, full_bytes = 0;
+    std::map<std::string, PageDepths> depths;  ///< by array
+  };
+  using StatePtr = std::shared_ptr<const State>;
+  struct File {
+    PackHead head;
+    std::string bytes;
+  };
+  struct Decoded {
+    StatePtr state;
+    std::map<std::string, DecodedArray> arrays;
+    std::vector<std::string> names;  ///< of the arrays, in their order
+  };
+
+  [[nodiscard]] File read_file(const std::string& id) const;
+  [[nodiscard]] Decoded decode_chain(const std::string& id) const;
+  StatePtr state_of(const std::string& id);
+  StatePtr usable_state(const Base& base);
+  void remember(const std::string& id, StatePtr state);
+  void write(const RevisionRecord& record, std::string_view file);
 
   const std::filesystem::path folder_, scratch_;
   std::mutex mutex_;
-  std::set<std::string> folders_;  ///< whose names are known to be on the disk
+  std::set<std::string> folders_;                       ///< whose names are known to be on the disk
+  std::list<std::pair<std::string, StatePtr>> states_;  ///< of packs used last, the latest first
 };
 
 /// Whether a text is 64 lower-case hexadecimal digits.

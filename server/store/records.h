@@ -18,6 +18,9 @@ struct RevisionRecord {
   std::int64_t created_ns = 0;          ///< since 1970, UTC
   std::uint32_t nodes = 0, tets = 0;
   std::uint64_t bytes = 0;  ///< of its file
+  /// Id of the revision whose bytes its own are differences to; empty where they stand alone.
+  std::string base;
+  std::vector<double> seconds;  ///< that its making took, as its report tells them
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 

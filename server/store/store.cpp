@@ -67,7 +67,8 @@ void Store::open(double wait) {
   old_scratch_ = files_in(scratch);
   Quarantine quarantine(folder_ / "quarantine", scratch);
   if (kind != FolderKind::Store) {
-    if (fs::exists(folder_ / "FORMAT")) quarantine.take(folder_ / "FORMAT", "it was damaged");
+    if (kind == FolderKind::Unmarked && fs::exists(folder_ / "FORMAT"))
+      quarantine.take(folder_ / "FORMAT", "it was damaged");
     write_format(folder_, scratch);
   }
 
@@ -93,7 +94,7 @@ void Store::open(double wait) {
   for (const fs::path& file : journal_->failed_files()) quarantine.take(file, "it cannot be read");
   if (journal_behind_) {
     try {
-      rewrite_journal();
+      rewrite_journal({});
     } catch (const Error& failure) {
       // Nothing is lost by it: the next opening finds what this one found.
       notes_.push_back(std::string("the journal could not be rewritten: ") + failure.what());
@@ -118,7 +119,7 @@ void Store::lock_folder(double wait) {
 void Store::load(std::vector<Transaction> transactions) {
   for (const Transaction& transaction : transactions)
     for (const Operation& operation : transaction) {
-      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_[gone->id];
       if (const auto* added = std::get_if<AddRevision>(&operation))
         leftovers_.erase(added->record.id);
     }
@@ -128,16 +129,18 @@ void Store::load(std::vector<Transaction> transactions) {
 
 void Store::adopt_unknown_packs(Quarantine& quarantine) {
   std::vector<PackHead> found;
-  std::set<std::string> gone;
+  std::map<std::string, std::string> gone;
   for (const std::string& id : packs_->list()) {
     if (catalogue_->revision(id)) continue;
+    auto head = packs_->head(id);
     if (leftovers_.contains(id)) {
-      gone.insert(id);
+      gone[id] = head ? head->record.base : "";
       continue;
     }
-    auto head = packs_->head(id);
     if (!head || head->record.id != id) {
       quarantine.take(packs_->path_of(id), "its head cannot be read");
+    } else if (journal_->intact() && !packs_->is_whole(id)) {
+      gone[id] = head->record.base;  // of a write that a crash cut off
     } else {
       found.push_back(std::move(*head));
     }
@@ -170,47 +173,98 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
                    " revisions that the journal does not name were entered again");
 }
 
-void Store::put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes) {
+void Store::put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
+                const Packs::Base* base) {
   if (!persistent()) return;
   {
-    const std::scoped_lock lock(mutex_);
+    const std::scoped_lock lock(committing_);
     leftovers_.erase(record.id);
+    unfiled_[record.id] = base != nullptr ? base->id : "";
   }
-  record.bytes = packs_->put(record, first, bytes);
+  try {
+    const Packs::Written written = packs_->put(record, first, arrays, base);
+    record.bytes = written.bytes;
+    record.base = written.base;
+  } catch (...) {
+    discard(record.id);
+    throw;
+  }
 }
 
-std::string Store::get(const RevisionRecord& record) { return packs_->get(record); }
+void Store::discard(const std::string& id) {
+  const std::scoped_lock lock(committing_);
+  const auto unfiled = unfiled_.find(id);
+  if (unfiled == unfiled_.end()) return;
+  const std::scoped_lock reading(reading_);
+  if (!catalogue_->revision(id)) leftovers_[id] = unfiled->second;
+  unfiled_.erase(unfiled);
+  // Deleted by the next commit: the disk may be in trouble now.
+}
+
+StoredArrays Store::get(const std::string& id) { return packs_->get(id); }
 
 void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
-  const std::scoped_lock lock(mutex_);
-  const Transaction transaction = make(*catalogue_);
-  if (transaction.empty()) return;
+  const std::scoped_lock lock(committing_);
+  Transaction transaction;
+  std::map<std::string, std::string> removed;
   try {
-    catalogue_->apply(transaction, [&] { enter(transaction); });
+    const std::scoped_lock reading(reading_);
+    transaction = make(*catalogue_);
+    if (transaction.empty()) return;
+    for (const Operation& operation : transaction)
+      if (const auto* gone = std::get_if<RemoveRevision>(&operation))
+        if (const auto record = catalogue_->revision(gone->id)) removed[gone->id] = record->base;
+    if (persistent()) catalogue_->check(transaction);
   } catch (...) {
     drop_added(transaction);
     throw;
   }
+  if (persistent()) {
+    try {
+      enter(transaction);
+    } catch (...) {
+      drop_added(transaction);
+      throw;
+    }
+  }
+  apply(transaction);
   if (!persistent()) return;
   for (const Operation& operation : transaction)
-    if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_.insert(gone->id);
+    if (const auto* added = std::get_if<AddRevision>(&operation)) unfiled_.erase(added->record.id);
+  leftovers_.merge(removed);
   tidy();
 }
 
+void Store::apply(const Transaction& transaction) {
+  const std::scoped_lock reading(reading_);
+  try {
+    catalogue_->apply(transaction);
+  } catch (...) {
+    // The journal has what the catalogue has not: it is written anew before the next line.
+    journal_behind_ = true;
+    throw;
+  }
+}
+
 void Store::enter(const Transaction& transaction) {
-  if (!persistent()) return;
-  const std::uint64_t many = kFewLines + kMostLinesPerRevision * catalogue_->count_revisions();
+  const std::uint64_t revisions =
+      read([](Catalogue& catalogue) { return catalogue.count_revisions(); });
+  const std::uint64_t many = kFewLines + kMostLinesPerRevision * revisions;
   if (journal_behind_ || journal_->uncertain() || journal_->lines() > many) {
-    rewrite_journal();
+    rewrite_journal(transaction);
   } else {
     journal_->append(transaction);
   }
 }
 
-void Store::rewrite_journal() {
-  std::vector<Transaction> all = catalogue_->snapshot();
-  for (const std::string& id : leftovers_)
-    if (!catalogue_->revision(id)) all.push_back({RemoveRevision{id}});
+void Store::rewrite_journal(const Transaction& last) {
+  std::vector<Transaction> all = read([&](Catalogue& catalogue) {
+    std::vector<Transaction> snapshot = catalogue.snapshot();
+    for (const auto& [id, base] : leftovers_)
+      if (!catalogue.revision(id)) snapshot.push_back({RemoveRevision{id}});
+    return snapshot;
+  });
+  if (!last.empty()) all.push_back(last);
   journal_->rewrite(all);
   journal_behind_ = false;
 }
@@ -219,11 +273,21 @@ void Store::drop_added(const Transaction& transaction) {
   if (!persistent()) return;
   for (const Operation& operation : transaction) {
     const auto* added = std::get_if<AddRevision>(&operation);
-    if (added == nullptr || catalogue_->revision(added->record.id)) continue;
-    leftovers_.insert(added->record.id);
+    if (added == nullptr) continue;
+    unfiled_.erase(added->record.id);
+    if (!read([&](Catalogue& catalogue) { return catalogue.revision(added->record.id); }))
+      leftovers_[added->record.id] = added->record.base;
   }
   // Where the disk may have the line all the same, the bytes stay until the journal is rewritten.
   if (!journal_->uncertain()) tidy();
+}
+
+bool Store::is_needed(const std::string& id) {
+  const auto stands_on_it = [&](const auto& other) { return other.second == id; };
+  return unfiled_.contains(id) || std::ranges::any_of(unfiled_, stands_on_it) ||
+         std::ranges::any_of(leftovers_, stands_on_it) || read([&](Catalogue& catalogue) {
+           return catalogue.revision(id).has_value() || catalogue.is_base(id);
+         });
 }
 
 void Store::tidy() {
@@ -235,9 +299,15 @@ void Store::tidy() {
       return false;  // the next commit tries again
     }
   };
-  std::erase_if(leftovers_, [&](const std::string& id) {
-    return catalogue_->revision(id) || removed([&] { packs_->remove(id); });
+  std::erase_if(leftovers_, [&](const auto& leftover) {
+    return read([&](Catalogue& catalogue) { return catalogue.revision(leftover.first); });
   });
+  // Deleting one may set free the one that it is told by.
+  for (bool again = true; again;) {
+    again = std::erase_if(leftovers_, [&](const auto& leftover) {
+              return !is_needed(leftover.first) && removed([&] { packs_->remove(leftover.first); });
+            }) > 0;
+  }
   std::erase_if(old_scratch_,
                 [&](const fs::path& file) { return removed([&] { remove_file(file); }); });
 }

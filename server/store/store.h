@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,21 +44,28 @@ class Store {
   /// What was mended or could not be used on opening; one line each.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Writes a revision's bytes, in place of those that are there; `record` gets `bytes`. `first` is
-  /// written beside them, for the case that the journal is lost. May not overlap with a `commit`
-  /// that removes the revision.
-  void put(RevisionRecord& record, const PlaceRecord& first, std::string_view bytes);
-  /// The bytes of a revision. Throws Error(STORE_CORRUPTED).
-  std::string get(const RevisionRecord& record);
+  /// Writes a revision's arrays, in place of those that are there; `record` gets `bytes` and
+  /// `base`. `base`: a revision that they may be told by as differences; null for none. `first` is
+  /// written beside them, for the case that the journal is lost.
+  ///
+  /// They stay, and so does the base, until a commit adds the revision, fails to, or `discard`
+  /// gives them up. Waits for the disk; other calls do not wait for this one. A revision may not be
+  /// put twice at a time. Throws Error(STORE_FAILED, STORE_FULL); then they are given up.
+  void put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
+           const Packs::Base* base = nullptr);
+  /// Gives up what was put and not committed.
+  void discard(const std::string& id);
+  /// The arrays of a revision. Throws Error(STORE_CORRUPTED).
+  StoredArrays get(const std::string& id);
 
   /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.
-  /// An empty one changes nothing. The packs of removed revisions are deleted, and where it throws,
-  /// those of revisions that it would have added.
+  /// An empty one changes nothing. The packs of removed revisions are deleted once no other needs
+  /// them, and where it throws, those of revisions that it would have added.
   void commit(const std::function<Transaction(Catalogue&)>& make);
-  /// Reads the catalogue with nothing in between.
+  /// Reads the catalogue with nothing in between. Never waits for the disk.
   template <typename Read>
   auto read(Read&& reader) {
-    const std::scoped_lock lock(mutex_);
+    const std::scoped_lock lock(reading_);
     return reader(*catalogue_);
   }
 
@@ -67,12 +74,17 @@ class Store {
   void lock_folder(double wait);
   void load(std::vector<Transaction> transactions);
   void adopt_unknown_packs(class Quarantine& quarantine);
+  void apply(const Transaction& transaction);
   void enter(const Transaction& transaction);
-  void rewrite_journal();
+  void rewrite_journal(const Transaction& last);
   void drop_added(const Transaction& transaction);
+  bool is_needed(const std::string& id);
   void tidy();
 
-  std::mutex mutex_;
+  // Whoever changes something holds the first all along, and waits for the disk with it; the second
+  // only for what is in memory. Always in this order.
+  std::mutex committing_;
+  std::mutex reading_;  ///< guards the catalogue
   std::filesystem::path folder_;
   File lock_;
   std::unique_ptr<Packs> packs_;
@@ -80,8 +92,10 @@ class Store {
   std::unique_ptr<Catalogue> catalogue_;
   bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
   /// Revisions that the journal says were removed, or that could not be added, and that may have a
-  /// pack.
-  std::set<std::string> leftovers_;
+  /// pack: with its base.
+  std::map<std::string, std::string> leftovers_;
+  std::map<std::string, std::string>
+      unfiled_;  ///< put and not committed: with the base it may have
   std::vector<std::filesystem::path> old_scratch_;  ///< of earlier processes
   std::vector<std::string> notes_;
 };

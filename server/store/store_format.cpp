@@ -102,7 +102,7 @@ FolderKind look_at_folder(const fs::path& folder) {
     if (const auto version = read_format(folder / "FORMAT")) {
       if (*version > kStoreVersion)
         throw error::store_newer(folder.string(), *version, kStoreVersion);
-      return FolderKind::Store;
+      return *version < kStoreVersion ? FolderKind::Older : FolderKind::Store;
     }
     if (const auto version = version_of_packs(folder)) {
       if (*version > kStoreVersion)

@@ -4,13 +4,16 @@
 
 namespace remeshd {
 
-/// Version of the layout of stores that this program writes.
-inline constexpr int kStoreVersion = 1;
+/// Version of the layout of stores that this program writes. 1: packs hold the bytes of a revision
+/// in one piece. 2: as arrays, most of them as differences to those of another pack.
+inline constexpr int kStoreVersion = 2;
+inline constexpr int kFirstWithArrays = 2;
 
 /// What a folder that is to be a store is.
 enum class FolderKind {
   Empty,     ///< a store may be made there
   Store,     ///< of this version, with an intact FORMAT
+  Older,     ///< of an older version, with an intact FORMAT
   Unmarked,  ///< a store of this version or an older one, whose FORMAT is missing or damaged
 };
 

@@ -50,12 +50,13 @@ TEST_F(BitFlips, NoneServesWrongBytesOrLosesARevisionOrItsPlace) {
     // A damaged pack is told, and is stored again by the request that made its revision.
     if (found != expected) {
       EXPECT_THAT(name, testing::StartsWith("packs/"));
-      EXPECT_EQ(found.revisions.size(), expected.revisions.size() - 1);
+      // Of what stands on it too.
+      EXPECT_LT(found.revisions.size(), expected.revisions.size());
       ++damaged;
       for (const int n : expected.revisions) {
         RevisionRecord same = record(n);
         if (!found.revisions.contains(n))
-          store.put(same, {.design = "d", .number = 1, .id = id(n)}, bytes_of(n));
+          store.put(same, {.design = "d", .number = 1, .id = id(n)}, arrays_of(bytes_of(n)));
       }
       found = state_of(store);
     }

@@ -117,7 +117,7 @@ class StoreCalls : public StoreOnDisk {
   Store store_{folder_};
 };
 
-TEST_F(StoreCalls, APackAndItsNameAreSyncedBeforeTheJournalAndItsLineBeforeTheReturn) {
+TEST_F(StoreCalls, APackAndItsNamesAreSyncedBeforeTheJournalAndItsLineBeforeTheReturn) {
   using Kind = FileCall::Kind;
   const std::size_t before = calls_.record().calls.size();
   file(store_, 8);
@@ -130,21 +130,64 @@ TEST_F(StoreCalls, APackAndItsNameAreSyncedBeforeTheJournalAndItsLineBeforeTheRe
     if (call.kind == Kind::Sync) order.push_back("sync " + where);
     if (call.kind == Kind::Rename) order.push_back("rename to " + call.to.substr(0, 5));
   }
-  const std::vector<std::string> last(order.end() - 4, order.end());
-  EXPECT_THAT(last, testing::ElementsAre("sync packs", "write journal.a", "sync journal.a",
-                                         "write journal.b"));
-  EXPECT_THAT(order, testing::IsSupersetOf({"write tmp", "sync tmp", "rename to packs"}));
-  EXPECT_LT(std::find(order.begin(), order.end(), "sync tmp"),
-            std::find(order.begin(), order.end(), "rename to packs"));
+  // File, its folder and the folder of that, at the same time.
+  EXPECT_THAT(order, testing::ElementsAre("write packs", "sync packs", "sync packs", "sync packs",
+                                          "write journal.a", "sync journal.a", "write journal.b"));
 }
 
-TEST_F(StoreCalls, AFileThatCannotBeWrittenLeavesNoScratchFile) {
-  for (const auto kind : {FileCall::Kind::Write, FileCall::Kind::Sync, FileCall::Kind::Rename}) {
+TEST_F(StoreCalls, APackInAFolderOfBeforeWaitsForTwoSyncsAndForTheJournal) {
+  const std::string same_folder = id(7).substr(0, 2);
+  ASSERT_EQ(id(7 + 256).substr(0, 2), same_folder);
+  const std::size_t before = calls_.record().calls.size();
+  file(store_, 7 + 256);
+  std::multiset<std::string> synced;
+  const FileRecord record = calls_.record();
+  for (std::size_t i = before; i < record.calls.size(); ++i)
+    if (record.calls[i].kind == FileCall::Kind::Sync) synced.insert(record.calls[i].path);
+  EXPECT_EQ(synced, (std::multiset<std::string>{
+                        "packs/" + same_folder,
+                        "packs/" + same_folder + "/" + id(7 + 256).substr(2), "journal.a"}));
+}
+
+TEST_F(StoreCalls, APackThatCannotBeWrittenLeavesNoFile) {
+  for (const auto kind : {FileCall::Kind::Create, FileCall::Kind::Write, FileCall::Kind::Sync}) {
     calls_.decide([&](const FileCall& call, std::size_t) { return call.kind == kind ? EIO : 0; });
     EXPECT_THROW(file(store_, 8), Error);
     calls_.decide({});
-    EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+    EXPECT_FALSE(fs::exists(folder_ / "packs" / id(8).substr(0, 2) / id(8).substr(2)));
   }
+}
+
+TEST_F(StoreCalls, APackThatCannotBeReplacedLeavesTheOneOfBeforeAndNoScratchFile) {
+  for (const auto kind : {FileCall::Kind::Write, FileCall::Kind::Sync, FileCall::Kind::Rename}) {
+    calls_.decide([&](const FileCall& call, std::size_t) { return call.kind == kind ? EIO : 0; });
+    RevisionRecord same = record(7);
+    EXPECT_THROW(store_.put(same, {.design = "d", .number = 1, .id = id(7)}, arrays_of("other")),
+                 Error);
+    calls_.decide({});
+    EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+    EXPECT_EQ(read(store_, 7), bytes_of(7));
+  }
+}
+
+TEST_F(StoreCalls, APackThatAFailedSyncLeftIsWrittenAnewAndNotBelieved) {
+  const fs::path pack = folder_ / "packs" / id(8).substr(0, 2) / id(8).substr(2);
+  calls_.decide([&](const FileCall& call, std::size_t) {
+    const bool ours = call.path == fs::relative(pack, folder_).string();
+    const bool fails = call.kind == FileCall::Kind::Sync || call.kind == FileCall::Kind::Unlink;
+    return ours && fails ? EIO : 0;
+  });
+  EXPECT_THROW(file(store_, 8), Error);
+  calls_.decide({});
+  ASSERT_TRUE(fs::exists(pack));
+  file(store_, 8);
+  // With nothing of what was written before the failed sync on the disk.
+  const fs::path after = folder_ / "after";
+  const FileRecord record = calls_.record();
+  write_after_power_cut(
+      record, record.calls.size(), [] { return false; }, after);
+  Store store(after);
+  EXPECT_EQ(read(store, 8), bytes_of(8));
 }
 
 TEST_F(StoreCalls, HalfALineOfAFailedWriteIsCutOffBeforeTheNextOne) {

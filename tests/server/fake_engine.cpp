@@ -74,7 +74,7 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-std::string serialise_fake(const Revision& r) {
+StoredArrays image_of_fake(const Revision& r) {
   Writer out;
   out.text(encode(r.source).SerializeAsString());
   out.value(r.options);
@@ -87,12 +87,12 @@ std::string serialise_fake(const Revision& r) {
   out.list(r.delivery.map.original_node);
   out.list(r.delivery.map.node_transform);
   out.list(r.delivery.map.original_tet);
-  out.text(r.report.revision);
-  out.value(r.report.seconds.total);
   out.value(r.report.counts.nodes);
   out.value(r.report.counts.tets);
   out.value(r.report.counts.nodes_kept);
-  return out.bytes;
+  StoredArray all{.name = "fake"};
+  all.own(std::move(out.bytes));
+  return {{std::move(all)}};
 }
 
 /// The memory of a revision's nodes.
@@ -134,7 +134,10 @@ double check_node_limit_fake(const Revision* base, const FeatureModel& model,
   return nodes;
 }
 
-Revision deserialise_fake(const std::string& bytes) {
+Revision revision_of_fake(const StoredArrays& image) {
+  const StoredArray* all = image.find("fake");
+  if (all == nullptr) throw error::internal("store", "no array");
+  const std::string bytes = all->flat();
   Reader in(bytes);
   Revision r;
   std::string model;
@@ -153,8 +156,6 @@ Revision deserialise_fake(const std::string& bytes) {
   in.list(r.delivery.map.original_node);
   in.list(r.delivery.map.node_transform);
   in.list(r.delivery.map.original_tet);
-  in.text(r.report.revision);
-  in.value(r.report.seconds.total);
   in.value(r.report.counts.nodes);
   in.value(r.report.counts.tets);
   in.value(r.report.counts.nodes_kept);
@@ -289,11 +290,11 @@ Engine FakeEngine::engine() const {
               comparison.features.push_back({feature.id, {{"++", 1}, {".+", 2}}, {}, {}, {}});
             return comparison;
           },
-      .serialise = serialise_fake,
-      .deserialise =
-          [state](const std::string& bytes, const Run&) {
+      .image_of = image_of_fake,
+      .revision_of =
+          [state](const StoredArrays& image, const Revision*, const Run&) {
             state->count([&] { ++state->loaded; });
-            return deserialise_fake(bytes);
+            return revision_of_fake(image);
           },
       .feature_types = [] { return feature_types(); },
       .memory_blocks = blocks_of_nodes};

@@ -16,7 +16,7 @@ class FailingEngine : public DaemonTest {
     const auto fail = fail_;
     engine.make_revision = [fail](auto&&...) -> Revision { return fail(), Revision{}; };
     engine.compare = [fail](auto&&...) -> ModelComparison { return fail(), ModelComparison{}; };
-    engine.deserialise = [fail](auto&&...) -> Revision { return fail(), Revision{}; };
+    engine.revision_of = [fail](auto&&...) -> Revision { return fail(), Revision{}; };
     return engine;
   }
   /// Calls what the engine fails in, after a start in which one revision was made and stored.

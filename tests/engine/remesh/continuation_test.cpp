@@ -7,6 +7,7 @@
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
@@ -34,11 +35,6 @@ double largest_motion(const Revision& a, const Revision& b) {
   for (std::size_t n = 0; n < a.delivery.mesh.nodes.size(); ++n)
     largest = std::max(largest, distance(a.delivery.mesh.nodes[n], b.delivery.mesh.nodes[n]));
   return largest;
-}
-
-std::string bytes_without_seconds(Revision revision) {
-  revision.report.seconds = {};
-  return serialise(revision);
 }
 
 class Continuation : public testing::Test {
@@ -119,10 +115,10 @@ TEST_F(Continuation, ARemeshFromIncludesWhatFollowedBefore) {
 TEST_F(Continuation, InMemoryEqualsLoadedAgain) {
   const Revision moved = edit(base_, grown(source_, 0.009 * l_));
   ASSERT_EQ(moved.report.way, Way::Morphed);
-  const Revision loaded = deserialise(serialise(moved), kRun);
+  const Revision loaded = test::stored_and_loaded(moved);
   for (const double by : {0.005, 0.5}) {
     const ModelSource next = grown(source_, by);
-    EXPECT_EQ(bytes_without_seconds(edit(moved, next)), bytes_without_seconds(edit(loaded, next)));
+    EXPECT_EQ(test::stored_bytes(edit(moved, next)), test::stored_bytes(edit(loaded, next)));
   }
 }
 

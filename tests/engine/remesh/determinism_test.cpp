@@ -4,15 +4,10 @@
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
-
-/// All that a revision holds: supports, anchor and the master's mesh too, which no client gets.
-std::string bytes_without_seconds(Revision revision) {
-  revision.report.seconds = {};
-  return serialise(revision);
-}
 
 /// Chains that go different ways, each step from the revision in memory and, with other threads,
 /// from the same one stored and loaded.
@@ -30,16 +25,16 @@ TEST(Determinism, StateInMemoryEqualsStateLoadedAgainWithAnyNumberOfThreads) {
            {"tool3-a", {{"width", 72, poor}, {"boss_x", 33, {}}, {"boss_x", 33.02, {}}}}}) {
     ModelSource source = test::case_model(model);
     Revision r = make_revision(nullptr, source, {.nodes = 1000}, {.threads = 1});
-    EXPECT_TRUE(bytes_without_seconds(r) == bytes_without_seconds(make_revision(
-                                                nullptr, source, {.nodes = 1000}, {.threads = 5})));
+    EXPECT_TRUE(test::stored_bytes(r) == test::stored_bytes(make_revision(
+                                             nullptr, source, {.nodes = 1000}, {.threads = 5})));
     for (int threads = 2; const Step& step : steps) {
       test::parameter(source, step.parameter) = step.value;
-      const Revision loaded = deserialise(serialise(r), {});
+      const Revision loaded = test::stored_and_loaded(r);
       const Revision other = make_revision(&loaded, source, step.options, {.threads = threads++});
       r = make_revision(&r, source, step.options, {.threads = 1});
       ways.insert(r.report.way);
       // Not EXPECT_EQ, which would print megabytes.
-      EXPECT_TRUE(bytes_without_seconds(r) == bytes_without_seconds(other))
+      EXPECT_TRUE(test::stored_bytes(r) == test::stored_bytes(other))
           << model << " " << step.parameter;
     }
   }

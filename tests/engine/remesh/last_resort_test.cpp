@@ -10,6 +10,7 @@
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
@@ -241,7 +242,7 @@ TEST_F(RevisionByTetGen, LeavesItsShareToTheTetsThatAnEditKeeps) {
 }
 
 TEST_F(RevisionByTetGen, SurvivesItsBytes) {
-  const Revision restored = deserialise(serialise(original_), kRun);
+  const Revision restored = test::stored_and_loaded(original_);
   EXPECT_EQ(restored.delivery.mesh.tets, original_.delivery.mesh.tets);
   EXPECT_EQ(restored.report.way, Way::TetGen);
 }

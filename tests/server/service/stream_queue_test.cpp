@@ -17,6 +17,18 @@ grpc::ByteBuffer reply(const std::string& text) {
   return {&slice, 1};
 }
 
+/// Replies `mesh 0`, `mesh 1`, ...
+class Meshes final : public ReplySource {
+ public:
+  explicit Meshes(int count) : count_(count) {}
+  grpc::ByteBuffer next() override { return reply("mesh " + std::to_string(next_++)); }
+  [[nodiscard]] bool ended() const override { return next_ == count_; }
+
+ private:
+  const int count_;
+  int next_ = 0;
+};
+
 std::string text_of(const grpc::ByteBuffer& bytes) {
   grpc::Slice slice;
   EXPECT_TRUE(bytes.DumpToSingleSlice(&slice).ok());
@@ -90,7 +102,7 @@ TEST(StreamQueue, KeepsTheLatestProgressOnly) {
   queue.add(request("a"));
   queue.begin();
   for (const char* event : {"one", "two", "three"}) queue.progress(1, reply(event));
-  EXPECT_EQ(text_of(queue.next_reply()), "three");
+  EXPECT_EQ(text_of(queue.next_reply().bytes), "three");
   EXPECT_FALSE(queue.has_reply());
 }
 
@@ -102,7 +114,7 @@ TEST(StreamQueue, SendsNoProgressOfARequestThatHasEnded) {
   queue.progress(1, reply("still waiting to be sent"));
   queue.answer(1, reply("done"));
   queue.progress(1, reply("too late"));
-  EXPECT_EQ(text_of(queue.next_reply()), "done");
+  EXPECT_EQ(text_of(queue.next_reply().bytes), "done");
   EXPECT_FALSE(queue.has_reply());
   queue.begin();
   queue.progress(1, reply("much too late"));
@@ -146,6 +158,53 @@ TEST(StreamQueue, ClosedKeepsNothingButWhatIsAtWork) {
   queue.progress(1, reply("event"));
   EXPECT_FALSE(queue.idle());
   EXPECT_TRUE(queue.answer(1, reply("done")));
+  EXPECT_TRUE(queue.idle());
+}
+
+/// Takes and writes the next reply.
+std::string write_next(StreamQueue& queue) {
+  const StreamQueue::Next next = queue.next_reply();
+  const std::string text = text_of(next.source ? next.source->next() : next.bytes);
+  queue.written();
+  return text;
+}
+
+TEST(StreamQueue, TheRepliesOfASourceFollowTheirAnswerWithNothingInBetween) {
+  StreamQueue queue;
+  for (const char* id : {"a", "b"}) queue.add(request(id));
+  queue.begin();
+  queue.answer(1, reply("a"), std::make_shared<Meshes>(2));
+  queue.begin();
+  EXPECT_EQ(write_next(queue), "a");
+  EXPECT_EQ(write_next(queue), "mesh 0");
+  queue.progress(2, reply("progress"));
+  EXPECT_EQ(write_next(queue), "mesh 1");
+  EXPECT_EQ(write_next(queue), "progress");
+  EXPECT_FALSE(queue.has_reply());
+}
+
+TEST(StreamQueue, BeginsNothingWhileAsManySourcesWaitAsMay) {
+  StreamQueue queue(StreamQueue::Limits{.sources = 1});
+  for (const char* id : {"a", "b"}) queue.add(request(id));
+  queue.begin();
+  queue.answer(1, reply("a"), std::make_shared<Meshes>(1));
+  EXPECT_FALSE(queue.may_begin());
+  EXPECT_TRUE(queue.may_read());
+  EXPECT_EQ(write_next(queue), "a");
+  EXPECT_FALSE(queue.may_begin());
+  EXPECT_EQ(write_next(queue), "mesh 0");
+  EXPECT_TRUE(queue.may_begin());
+}
+
+TEST(StreamQueue, ThatIsClosedKeepsNoSource) {
+  StreamQueue queue(StreamQueue::Limits{.sources = 1});
+  queue.add(request("a"));
+  queue.begin();
+  const auto meshes = std::make_shared<Meshes>(2);
+  queue.answer(1, reply("a"), meshes);
+  queue.close();
+  EXPECT_EQ(meshes.use_count(), 1);
+  queue.written();
   EXPECT_TRUE(queue.idle());
 }
 

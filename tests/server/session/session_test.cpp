@@ -152,7 +152,7 @@ TEST_F(SessionTest, ARevisionThatEverybodyGaveUpAtTheLastMomentLeavesMemory) {
 }
 
 TEST_F(SessionTest, ARevisionThatCouldNotBeFiledLeavesMemory) {
-  engine_.serialise = [](const Revision&) -> std::string { throw error::internal("test", "no"); };
+  engine_.image_of = [](const Revision&) -> StoredArrays { throw error::internal("test", "no"); };
   Session& session = start(folder_.open());
   Answer answer;
   session.make(command(), answer.listener());
@@ -187,9 +187,9 @@ TEST_F(DamagedCopy, IsSeen) { EXPECT_FALSE(intact()); }
 
 TEST_F(DamagedCopy, IsHealedByTheNextWaiterWhereTheFirstOneFails) {
   std::atomic<int> written = 0;
-  engine_.serialise = [&, serialise = engine_.serialise](const Revision& revision) {
+  engine_.image_of = [&, image_of = engine_.image_of](const Revision& revision) {
     if (++written == 1) throw error::internal("test", "the first one fails");
-    return serialise(revision);
+    return image_of(revision);
   };
   Session& session = start(folder_.open());
   fake_.close_gate();

@@ -120,6 +120,16 @@ TEST_F(FirstLayoutTest, AMigrationThatWasInterruptedGoesOn) {
   expect_both(store);
 }
 
+TEST_F(FirstLayoutTest, APackThatAnInterruptedMigrationLeftHalfWrittenIsNoCopy) {
+  write_two();
+  { const Store store(folder_); }
+  const fs::path pack = folder_ / "packs" / id(2).substr(0, 2) / id(2).substr(2);
+  write(pack, content(pack).substr(0, fs::file_size(pack) - 3));
+  write_object(2, 2, id(1));
+  Store store(folder_);
+  expect_both(store);
+}
+
 TEST_F(FirstLayoutTest, RevisionsThatWereDeletedStayDeleted) {
   write_two();
   std::ofstream(folder_ / "journal", std::ios::app)

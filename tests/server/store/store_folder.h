@@ -39,6 +39,7 @@ class StoreFolderTest : public testing::Test {
     std::string rest = std::to_string(n);
     return start + std::string(62 - rest.size(), '0') + rest;
   }
+  static int number_of(const std::string& id) { return std::stoi(id.substr(2)); }
   static RevisionRecord record(int n, const std::string& parent = "") {
     return {.id = id(n),
             .parent = parent,
@@ -50,6 +51,11 @@ class StoreFolderTest : public testing::Test {
   }
   static std::string bytes_of(int n) {
     return "revision " + std::to_string(n) + std::string("\0\n", 2) + std::string(200, 'x');
+  }
+  static StoredArrays arrays_of(const std::string& bytes) {
+    StoredArray array{.name = "mesh"};
+    array.own(bytes);
+    return {{std::move(array)}};
   }
 
   /// Stores revision n as the next of the design and as its head.
@@ -63,7 +69,10 @@ class StoreFolderTest : public testing::Test {
       }
     });
     RevisionRecord added = record(n, parent);
-    store.put(added, place, bytes_of(n));
+    const StoredArrays base_arrays =
+        parent.empty() ? StoredArrays() : arrays_of(bytes_of(number_of(parent)));
+    const Packs::Base base{parent, &base_arrays};
+    store.put(added, place, arrays_of(bytes_of(n)), parent.empty() ? nullptr : &base);
     store.commit([&](Catalogue& catalogue) {
       Transaction changes{AddRevision{added}, SetHead{design, added.id}};
       const auto places = catalogue.places(added.id);
@@ -82,7 +91,7 @@ class StoreFolderTest : public testing::Test {
       return changes;
     });
   }
-  static std::string read(Store& store, int n) { return store.get(record(n)); }
+  static std::string read(Store& store, int n) { return store.get(id(n)).arrays.at(0).flat(); }
   static bool has(Store& store, int n) {
     return store.read([&](Catalogue& c) { return c.revision(id(n)).has_value(); });
   }
@@ -92,8 +101,7 @@ class StoreFolderTest : public testing::Test {
     for (const ListedRevision& row :
          store.read([](Catalogue& c) { return c.list({}, {.limit = 1000000}); }))
       text += row.place.design + "@" + std::to_string(row.place.number) + " = " +
-              std::to_string(std::stoi(row.place.id.substr(2))) +
-              (row.place.head ? " head\n" : "\n");
+              std::to_string(number_of(row.place.id)) + (row.place.head ? " head\n" : "\n");
     return text;
   }
 

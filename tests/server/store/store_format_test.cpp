@@ -42,7 +42,7 @@ TEST_F(StoreFormat, AnEmptyFolderBecomesAStore) {
   const Store store(folder_);
   EXPECT_TRUE(store.notes().empty());
   EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
-  EXPECT_EQ(content(folder_ / "FORMAT"), format_line(1));
+  EXPECT_EQ(content(folder_ / "FORMAT"), format_line(2));
 }
 
 TEST_F(StoreFormat, AFolderThatDoesNotExistIsMade) {
@@ -76,14 +76,24 @@ TEST_F(StoreFormat, AFolderWithAJournalOfAnotherProgramIsRefused) {
 
 TEST_F(StoreFormat, ANewerStoreIsRefused) {
   make_store(1);
-  write(folder_ / "FORMAT", format_line(2));
+  write(folder_ / "FORMAT", format_line(3));
   expect_refused("STORE_NEWER");
+}
+
+TEST_F(StoreFormat, AnOlderStoreIsMarkedAsOneOfToday) {
+  make_store(1);
+  write(folder_ / "FORMAT", format_line(1));
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Older);
+  Store store(folder_);
+  EXPECT_TRUE(store.notes().empty());
+  EXPECT_EQ(read(store, 1), bytes_of(1));
+  EXPECT_EQ(content(folder_ / "FORMAT"), format_line(2));
 }
 
 TEST_F(StoreFormat, ANewerStoreWithoutItsFormatIsToldByItsPacks) {
   make_store(1);
   write(folder_ / "packs" / "ab" / std::string(62, 'c'),
-        checked_line(R"({"format":"remeshd-pack","store":2,"what":"is not known"})") + "bytes");
+        checked_line(R"({"format":"remeshd-pack","store":3,"what":"is not known"})") + "bytes");
   for (const char* format : {"", "damaged"}) {
     write(folder_ / "FORMAT", format);
     expect_refused("STORE_NEWER");

@@ -122,6 +122,60 @@ TEST_F(StoreTest, ADeletedRevisionMayBeStoredAgain) {
   EXPECT_EQ(listing(store), "d@1 = 1\nd@3 = 2 head\n");
 }
 
+TEST_F(StoreTest, APackStaysForAsLongAsAnotherStandsOnIt) {
+  make(3);
+  {
+    Store store(folder_);
+    remove(store, 1);
+    remove(store, 2);
+    EXPECT_TRUE(fs::exists(pack(1)));
+    EXPECT_TRUE(fs::exists(pack(2)));
+    EXPECT_EQ(read(store, 3), bytes_of(3));
+  }
+  {
+    Store store(folder_);  // knows them for what they are
+    EXPECT_EQ(listing(store), "d@3 = 3 head\n");
+    EXPECT_TRUE(store.notes().empty());
+    file(store, 4, "e");
+    EXPECT_EQ(read(store, 3), bytes_of(3));
+    remove(store, 3);
+  }
+  for (int n = 1; n <= 3; ++n) EXPECT_FALSE(fs::exists(pack(n))) << n;
+}
+
+TEST_F(StoreTest, APackThatACrashCutOffWasNeverAcknowledgedAndGoesWithTheFirstCommit) {
+  make(2);
+  {
+    Store store(folder_);
+    RevisionRecord third = record(3, id(2));
+    store.put(third, {.design = "d", .number = 3, .id = id(3)}, arrays_of(bytes_of(3)));
+  }
+  write(pack(3), content(pack(3)).substr(0, fs::file_size(pack(3)) - 3));
+  Store store(folder_);
+  EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
+  EXPECT_TRUE(store.notes().empty());
+  EXPECT_TRUE(fs::exists(pack(3)));
+  file(store, 4);
+  EXPECT_FALSE(fs::exists(pack(3)));
+}
+
+TEST_F(StoreTest, WhatWasPutAndIsNotCommittedStaysUntilItIsGivenUp) {
+  Store store(folder_);
+  file(store, 1);
+  RevisionRecord second = record(2, id(1));
+  const StoredArrays of_base = arrays_of(bytes_of(1));
+  const Packs::Base base{id(1), &of_base};
+  store.put(second, {.design = "d", .number = 2, .id = id(2)}, arrays_of(bytes_of(2)), &base);
+  ASSERT_EQ(second.base, id(1));
+  remove(store, 1);  // which another one is about to stand on
+  EXPECT_TRUE(fs::exists(pack(1)));
+  EXPECT_TRUE(fs::exists(pack(2)));
+  store.discard(id(2));
+  file(store, 3, "e");
+  EXPECT_FALSE(fs::exists(pack(1)));
+  EXPECT_FALSE(fs::exists(pack(2)));
+}
+
 TEST_F(StoreTest, WithoutItsJournalTheStoreIsMadeAgainFromThePacks) {
   for (const char* journal : {"missing", "empty"}) {
     fs::remove_all(folder_);
@@ -183,7 +237,7 @@ TEST_F(StoreTest, AnAdoptedRevisionWhoseNumberIsTakenGetsTheNextOne) {
   {
     Store store(folder_);
     RevisionRecord same = record(5, "elsewhere");
-    store.put(same, {.design = "d", .number = 2, .id = id(5)}, bytes_of(5));
+    store.put(same, {.design = "d", .number = 2, .id = id(5)}, arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -204,7 +258,7 @@ TEST_F(StoreTest, APackOfAnUnfinishedRequestDoesNotTakeTheHeadOfAnotherBranch) {
   {
     Store store(folder_);
     RevisionRecord child = record(5, id(1));
-    store.put(child, {.design = "d", .number = 3, .id = id(5)}, bytes_of(5));
+    store.put(child, {.design = "d", .number = 3, .id = id(5)}, arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -233,7 +287,7 @@ TEST_F(StoreTest, AMissingOrDamagedPackIsToldAndCanBeStoredAgain) {
       EXPECT_THAT(failure.info().message, Not(HasSubstr(folder_.string())));
     }
     RevisionRecord again = record(n);
-    store.put(again, {.design = "d", .number = 1, .id = id(n)}, bytes_of(n));
+    store.put(again, {.design = "d", .number = 1, .id = id(n)}, arrays_of(bytes_of(n)));
     EXPECT_EQ(read(store, n), bytes_of(n));
   }
 }

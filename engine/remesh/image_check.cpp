@@ -1,0 +1,103 @@
+#include "engine/remesh/image_check.h"
+
+#include <string>
+
+#include "engine/base/error.h"
+#include "engine/remesh/master.h"
+
+namespace remeshd {
+namespace {
+
+[[noreturn]] void fail(const char* array) {
+  throw error::internal("store", std::string("wrong values in the stored array ") + array);
+}
+
+void expect_size(std::size_t size, std::size_t expected, const char* array) {
+  if (size != expected) fail(array);
+}
+
+/// Each value is in [least, end).
+template <class Values>
+void expect_below(const Values& values, std::int64_t least, std::size_t end, const char* array) {
+  for (const auto value : values)
+    if (value < least || value >= static_cast<std::int64_t>(end)) fail(array);
+}
+
+void check_supports(const Pages<Support>& supports, const BoundaryModel& boundary,
+                    const char* array) {
+  supports.for_each([&](std::size_t, const Support& s) {
+    std::size_t entities = 0;
+    switch (s.kind) {
+      case Support::Kind::Interior:
+        return;
+      case Support::Kind::Face:
+        entities = boundary.faces.size();
+        break;
+      case Support::Kind::Edge:
+        entities = boundary.edges.size();
+        break;
+      case Support::Kind::Vertex:
+        entities = boundary.vertices.size();
+        break;
+      default:
+        fail(array);
+    }
+    if (s.entity < 0 || s.entity >= static_cast<std::int64_t>(entities)) fail(array);
+  });
+}
+
+void check_delivery(const Delivery& d) {
+  const std::size_t nodes = d.mesh.nodes.size(), tets = d.mesh.tets.size();
+  d.mesh.tets.for_each(
+      [&](std::size_t, const Tet& tet) { expect_below(tet, 0, nodes, "delivery.tets"); });
+  expect_size(d.node_ids.size(), nodes, "delivery.node_ids");
+  expect_size(d.tet_ids.size(), tets, "delivery.tet_ids");
+  for (const MeshFacet& facet : d.groups.facets) {
+    expect_below(facet.nodes, 0, nodes, "delivery.facets");
+    expect_below(std::array{facet.tet}, 0, tets, "delivery.facet_tets");
+    expect_below(std::array{facet.group}, 0, d.groups.facet_groups.size(), "delivery.facet_group");
+  }
+  expect_size(d.groups.tet_cell.size(), tets, "delivery.tet_cells");
+  expect_below(d.groups.tet_cell, 0, d.groups.cell_owners.size(), "delivery.tet_cells");
+  const NodeMap& map = d.map;
+  expect_size(map.node_origin.size(), nodes, "delivery.node_origins");
+  map.node_origin.for_each([&](std::size_t, NodeOrigin origin) {
+    if (origin > NodeOrigin::Moved) fail("delivery.node_origins");
+  });
+  constexpr std::size_t kAny = std::size_t{1} << 31U;  // of the parent, which is not here
+  expect_size(map.original_node.size(), nodes, "delivery.original_nodes");
+  expect_below(map.original_node, -1, kAny, "delivery.original_nodes");
+  expect_size(map.node_transform.size(), nodes, "delivery.node_transforms");
+  expect_below(map.node_transform, -1, map.transforms.size(), "delivery.node_transforms");
+  expect_size(map.original_tet.size(), tets, "delivery.original_tets");
+  expect_below(map.original_tet, -1, kAny, "delivery.original_tets");
+  expect_size(map.transform_features.size(), map.transforms.size(), "delivery.transforms");
+}
+
+void check_master(const Master& m, const Delivery& d, const BoundaryModel& boundary) {
+  if (!m.mesh.consistent()) fail("delaunay.slots");
+  expect_size(m.positions().size(), d.mesh.nodes.size(), "delaunay.points");
+  expect_size(m.supports.size(), d.mesh.nodes.size(), "master.supports");
+  check_supports(m.supports, boundary, "master.supports");
+  expect_size(m.tet_of_slot.size(), m.mesh.slots(), "master.tet_of_slot");
+  expect_below(m.tet_of_slot, -1 - static_cast<std::int64_t>(m.clusters.size()), d.mesh.tets.size(),
+               "master.tet_of_slot");
+  m.clusters.for_each([&](std::size_t, const Cluster& c) {
+    expect_below(c.delaunay, 0, m.mesh.slots(), "master.clusters");
+    expect_below(c.delivered, 0, d.mesh.tets.size(), "master.clusters");
+  });
+}
+
+}  // namespace
+
+void check_indices(const Revision& revision) {
+  check_delivery(revision.delivery);
+  check_master(*revision.master, revision.delivery, revision.cells.boundary);
+  if (const Anchor* anchor = revision.anchor.get()) {
+    expect_size(anchor->nodes.size(), revision.delivery.mesh.nodes.size(), "anchor.nodes");
+    expect_size(anchor->supports.size(), anchor->nodes.size(), "anchor.supports");
+    check_supports(anchor->supports, revision.cells.boundary, "anchor.supports");
+  }
+}
+
+}  // namespace remeshd

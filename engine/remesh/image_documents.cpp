@@ -1,0 +1,69 @@
+#include "engine/remesh/image_documents.h"
+
+#include <cereal/archives/portable_binary.hpp>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "engine/remesh/stored_types.h"
+
+namespace remeshd {
+
+namespace {
+/// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
+/// formats of whole revisions.
+constexpr std::uint32_t kFormat = 10;
+}  // namespace
+
+template <class A>
+void serialize(A& a, ModelSource& m) {
+  a(m.name, m.unit, m.parameters, m.features);
+}
+/// But for the id and the seconds, which are not the mesh's own.
+template <class A>
+void serialize(A& a, Report& r) {
+  a(r.way, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
+    r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
+    r.warnings);
+}
+
+std::string write_documents(const Revision& revision) {
+  std::ostringstream out(std::ios::binary);
+  {
+    cereal::PortableBinaryOutputArchive archive(out);
+    const MeshGroups& groups = revision.delivery.groups;
+    archive(kFormat, revision.source, revision.meshed_source, revision.options,
+            revision.edge_length, *revision.cells.parts, groups.facet_groups, groups.cell_owners,
+            revision.delivery.map.transform_features, revision.report, revision.reference,
+            revision.master->mesh.far_corners(), revision.master->next_node_id,
+            revision.master->next_tet_id, revision.anchor != nullptr);
+    if (revision.anchor) archive(revision.anchor->source);
+  }
+  return std::move(out).str();
+}
+
+Documents read_documents(const std::string& bytes, Revision& revision) {
+  Documents documents;
+  try {
+    std::istringstream in(bytes, std::ios::binary);
+    cereal::PortableBinaryInputArchive archive(in);
+    std::uint32_t format = 0;
+    archive(format);
+    if (format != kFormat) throw error::internal("store", "a revision of another format");
+#ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
+    MeshGroups& groups = revision.delivery.groups;
+    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length,
+            documents.parts, groups.facet_groups, groups.cell_owners,
+            revision.delivery.map.transform_features, revision.report, revision.reference,
+            documents.master.mesh.far_corners(), documents.master.next_node_id,
+            documents.master.next_tet_id, documents.anchored);
+    if (documents.anchored) archive(documents.anchor_source);
+#endif
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw error::internal("store", std::string("a stored revision cannot be read: ") + e.what());
+  }
+  return documents;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,68 @@
+#include "server/session/stored_form.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+namespace remeshd {
+namespace {
+
+constexpr const char* kEdit = "session.edit";
+
+/// Members in the order in which a record keeps them: new ones come last.
+constexpr double PhaseSeconds::*kSeconds[] = {&PhaseSeconds::setup,   &PhaseSeconds::optimise,
+                                              &PhaseSeconds::extract, &PhaseSeconds::difference,
+                                              &PhaseSeconds::copy,    &PhaseSeconds::verify,
+                                              &PhaseSeconds::total};
+
+void set_seconds(PhaseSeconds& seconds, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < std::min(values.size(), std::size(kSeconds)); ++i)
+    seconds.*kSeconds[i] = values[i];
+}
+
+/// The document that store version 1 kept behind a revision's bytes, its length in four bytes at
+/// the very end; the format before it kept none.
+std::string older_edit(const std::string& bytes) {
+  constexpr std::uint32_t kFirstWithEdit = 9;
+  std::uint32_t format = 0, length = 0;
+  if (bytes.size() < 1 + sizeof format + sizeof length) return {};
+  std::memcpy(&format, bytes.data() + 1, sizeof format);
+  if (format < kFirstWithEdit) return {};
+  const std::size_t end = bytes.size() - sizeof length;
+  std::memcpy(&length, bytes.data() + end, sizeof length);
+  return length <= end ? bytes.substr(end - length, length) : std::string();
+}
+
+}  // namespace
+
+std::vector<double> seconds_of(const PhaseSeconds& seconds) {
+  std::vector<double> values;
+  for (const auto member : kSeconds) values.push_back(seconds.*member);
+  return values;
+}
+
+StoredArrays stored_form(const Engine& engine, const HeldRevision& held) {
+  StoredArrays arrays = engine.image_of(held.revision);
+  if (!held.edit.empty()) arrays.arrays.emplace_back(StoredArray{.name = kEdit}).own(held.edit);
+  return arrays;
+}
+
+std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays& arrays,
+                                       const RevisionRecord& record, const HeldRevision* alike,
+                                       const Run& run) {
+  auto held = std::make_shared<HeldRevision>();
+  held->record = record;
+  held->revision = engine.revision_of(arrays, alike != nullptr ? &alike->revision : nullptr, run);
+  Report& report = held->revision.report;
+  report.revision = record.id;
+  report.cached = false;
+  if (const StoredArray* older = arrays.find(kOlderBytes)) {
+    held->edit = older_edit(older->flat());
+    return held;
+  }
+  set_seconds(report.seconds, record.seconds);
+  if (const StoredArray* edit = arrays.find(kEdit)) held->edit = edit->flat();
+  return held;
+}
+
+}  // namespace remeshd

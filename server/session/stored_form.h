@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+#include "server/session/engine.h"
+#include "server/session/held_revision.h"
+
+namespace remeshd {
+
+/// All that a revision is stored as: the engine's arrays and the document of the edit. They lie in
+/// the revision, which has to outlive them. Equal revisions give equal arrays.
+StoredArrays stored_form(const Engine& engine, const HeldRevision& held);
+
+/// The revision of a record, from its arrays. `alike`: one that shares its memory with what is the
+/// same; null for none. Throws Error(Internal).
+std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays& arrays,
+                                       const RevisionRecord& record, const HeldRevision* alike,
+                                       const Run& run);
+
+/// The seconds that a record keeps of a report.
+std::vector<double> seconds_of(const PhaseSeconds& seconds);
+
+}  // namespace remeshd

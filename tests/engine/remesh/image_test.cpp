@@ -1,0 +1,125 @@
+#include "engine/remesh/image.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "engine/base/error.h"
+#include "engine/remesh/master.h"
+#include "tests/support/cases.h"
+#include "tests/support/stored.h"
+
+namespace remeshd {
+namespace {
+
+const Run kRun;
+
+Revision first() {
+  return make_revision(nullptr, test::case_model("tool1-a"), {.nodes = 600}, kRun);
+}
+Revision edited(const Revision& base, double radius) {
+  ModelSource source = base.source;
+  test::parameter(source, "pin_radius") = radius;
+  return make_revision(&base, source, {}, kRun);
+}
+
+std::size_t shared_pieces(const StoredArrays& a, const StoredArrays& b) {
+  std::set<const void*> of_a;
+  for (const StoredArray& array : a.arrays)
+    if (!array.owned)
+      for (const std::string_view piece : array.pieces) of_a.insert(piece.data());
+  std::size_t shared = 0;
+  for (const StoredArray& array : b.arrays)
+    for (const std::string_view piece : array.pieces) shared += of_a.contains(piece.data());
+  return shared;
+}
+
+TEST(Image, NamesAndTypesEveryArrayOnce) {
+  const Revision revision = first();
+  const StoredArrays image = image_of(revision);
+  std::set<std::string> names;
+  for (const StoredArray& array : image.arrays) {
+    EXPECT_TRUE(names.insert(array.name).second) << array.name;
+    EXPECT_EQ(array.size() % (bytes_of(array.type) * array.components), 0U) << array.name;
+  }
+  const StoredArray* nodes = image.find("delivery.nodes");
+  ASSERT_NE(nodes, nullptr);
+  EXPECT_EQ(nodes->type, StoredType::F64);
+  EXPECT_EQ(nodes->components, 3U);
+  EXPECT_EQ(nodes->size(), 24 * revision.delivery.mesh.nodes.size());
+  EXPECT_EQ(image.find("no such array"), nullptr);
+}
+
+TEST(Image, EqualRevisionsGiveEqualBytesWhateverTheirSeconds) {
+  const Revision base = first();
+  const Revision a = edited(base, 4.5), b = edited(base, 4.5);
+  EXPECT_NE(a.report.seconds.total, b.report.seconds.total);
+  EXPECT_TRUE(test::stored_bytes(a) == test::stored_bytes(b));
+}
+
+TEST(Image, ARevisionThatIsLoadedSharesMemoryWithTheOneThatIsAlike) {
+  const Revision base = first();
+  const Revision edit = edited(base, 4.1);
+  const Revision loaded = test::stored_and_loaded(edit, &base);
+  EXPECT_TRUE(test::stored_bytes(loaded) == test::stored_bytes(edit));
+  const StoredArrays of_base = image_of(base);
+  EXPECT_GE(shared_pieces(of_base, image_of(loaded)), shared_pieces(of_base, image_of(edit)));
+}
+
+TEST(Image, ZerosOfBothSignsAreNotTheSame) {
+  const std::vector<double> plus(8, 0.0), minus(8, -0.0);
+  const Pages<double> other(plus);
+  const Pages<double> shared{std::span<const double>(minus), other};
+  EXPECT_TRUE(std::signbit(shared[0]));
+}
+
+TEST(Image, AMissingArrayOrOneOfAnotherTypeIsAnError) {
+  const Revision revision = first();
+  const StoredArrays whole = test::copied(image_of(revision));
+  for (std::size_t i = 0; i < whole.arrays.size(); ++i) {
+    StoredArrays image = whole;
+    image.arrays.erase(image.arrays.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << whole.arrays[i].name;
+    image = whole;
+    image.arrays[i].components += 1;
+    EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << whole.arrays[i].name;
+  }
+  EXPECT_THROW(revision_of({}, nullptr, kRun), Error);
+}
+
+TEST(Image, NoIndexBeyondAnArrayIsLetPass) {
+  const Revision revision = first();
+  const StoredArrays whole = test::copied(image_of(revision));
+  for (std::size_t i = 0; i < whole.arrays.size(); ++i) {
+    const StoredArray& array = whole.arrays[i];
+    if (array.type != StoredType::I32 || array.size() == 0) continue;
+    if (array.name == "delivery.original_nodes" || array.name == "delivery.original_tets")
+      continue;  // of the parent
+    std::string bytes = array.flat();
+    const std::int32_t far = 1 << 30;
+    std::memcpy(bytes.data() + bytes.size() - 4, &far, 4);
+    StoredArrays image = whole;
+    image.arrays[i].own(bytes);
+    EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << array.name;
+  }
+}
+
+TEST(Image, ArraysThatAreCutOffAreAnError) {
+  const Revision revision = first();
+  const StoredArrays whole = test::copied(image_of(revision));
+  for (std::size_t i = 0; i < whole.arrays.size(); ++i) {
+    const StoredArray& array = whole.arrays[i];
+    if (array.size() == 0) continue;
+    const std::size_t row =
+        array.name == "documents" ? array.size() / 2 : bytes_of(array.type) * array.components;
+    StoredArrays image = whole;
+    image.arrays[i].own(array.flat().substr(0, array.size() - row));
+    EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << array.name;
+  }
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,109 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "remeshd/client.h"
+#include "server/daemon.h"
+
+// What meshes in a stream cost: bytes of a mesh told by its difference from its parent's over those
+// of the whole, and time of an edit with such a mesh over that of an edit alone.
+namespace remeshd::test {
+namespace {
+
+using client::Client;
+using client::EditStream;
+using client::MeshWanted;
+using Clock = std::chrono::steady_clock;
+
+struct Settings {
+  int edits = 40;
+  std::uint32_t nodes = 15000;
+};
+
+remesh::v1::EditRevisionRequest pins(double radius) {
+  remesh::v1::EditRevisionRequest request;
+  request.set_document("{\"edits\": [{\"setParameter\": {\"name\": \"pin_radius\", \"value\": " +
+                       std::to_string(radius) + "}}]}");
+  return request;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+int run(const Settings& settings) {
+  DaemonOptions options;
+  options.listen = {"127.0.0.1:0"};
+  options.workers = 1;
+  options.threads = 1;
+  Daemon daemon(options, production_engine());
+  const Client client = Client::connect(daemon.address());
+
+  remesh::v1::CreateRevisionRequest first;
+  std::ifstream in(std::string(REMESHD_CASES_DIR) + "/tool1-a.json");
+  first.set_document(std::string(std::istreambuf_iterator<char>(in), {}));
+  first.mutable_options()->set_nodes(settings.nodes);
+  EditStream stream = client.stream(), without_meshes = client.stream();
+  auto begun = stream.create(first, MeshWanted{.delta = true});
+  (void)begun.mesh.get();
+  first.set_design("without meshes");
+  (void)without_meshes.create(first).get();
+  std::vector<double> with_mesh, alone, engine, share, changed;
+  for (int k = 0; k < settings.edits; ++k) {
+    // Every second one without its mesh, so that both stand beside each other.
+    const bool mesh = k % 2 == 0;
+    const double radius = 4 + 0.01 * (k % 7) + 0.0001 * k;
+    const auto start = Clock::now();
+    if (!mesh) {
+      const auto result = without_meshes.edit(pins(radius)).get();
+      alone.push_back(milliseconds_since(start) - 1000 * result.report().seconds().total());
+      continue;
+    }
+    auto answers = stream.edit(pins(radius), MeshWanted{.delta = true});
+    const auto result = answers.result.get();
+    const auto made = answers.mesh.get();
+    const double total = milliseconds_since(start);
+    engine.push_back(1000 * result.report().seconds().total());
+    with_mesh.push_back(total - engine.back());
+    const auto bytes = [&](const MeshWanted& wanted) {
+      std::uint64_t all = 0;
+      const auto note = [&](std::uint64_t /*done*/, std::uint64_t whole) { all = whole; };
+      (void)client.get_mesh(made->revision, {}, note, wanted);
+      return static_cast<double>(all);
+    };
+    const auto parent = std::make_shared<const client::Mesh>(client.get_mesh(made->parent));
+    share.push_back(bytes({.delta = true, .base = parent}) / bytes({}));
+    changed.push_back(1 - 1.0 * result.report().tets_kept() / result.report().tets());
+  }
+  stream.finish();
+  std::printf("%zu edits of tool1-a at %u nodes, each with its mesh as a difference\n",
+              share.size(), settings.nodes);
+  std::printf("tets that are new:                      median %.3f\n", median(changed));
+  std::printf("bytes over those of the whole mesh:     median %.3f, most %.3f (goal .1 at .05)\n",
+              median(share), *std::max_element(share.begin(), share.end()));
+  std::printf("engine: median %.1f ms; beside it: rpc %.1f ms, rpc and mesh %.1f ms\n",
+              median(engine), median(alone), median(with_mesh));
+  return 0;
+}
+
+}  // namespace
+}  // namespace remeshd::test
+
+int main(int argc, char** argv) {
+  remeshd::test::Settings settings;
+  CLI::App app("Measures meshes that come in a stream as differences");
+  app.add_option("--edits", settings.edits)->check(CLI::Range(2, 100000));
+  app.add_option("--nodes", settings.nodes);
+  CLI11_PARSE(app, argc, argv);
+  return remeshd::test::run(settings);
+}
