@@ -7,7 +7,7 @@ cd "$here/.."
 
 step() { printf '\n== %s\n' "$1"; }
 
-"$here/install-deps.sh"
+"$here/install-deps.sh" packages-test.txt packages-check.txt
 
 step "format"
 find engine proto server client tests \( -name '*.cpp' -o -name '*.h' -o -name '*.proto' \) -print0 |

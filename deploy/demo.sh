@@ -7,7 +7,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(dirname "$here")
 out=${1:-$top/build/demo}
 
-"$here/build.sh" release remeshd remesh edit_loop
+"$here/build.sh" --without-tests release remeshd remesh edit_loop
 bin=$top/build/bin
 cases=$top/tests/cases
 
