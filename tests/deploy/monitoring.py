@@ -11,6 +11,8 @@ ALERTS = TOP / "deploy/prometheus/alerts.yaml"
 ALERT_TESTS = Path(__file__).with_name("alerts.test.yaml")
 
 METRIC = re.compile(r"\bremeshd_[a-z_]+\b")
+# A name as the server's sources write it where they register a metric.
+REGISTERED = re.compile(r'"(remeshd_[a-z_]+)"')
 # What Grafana puts in the place of a variable, as an example.
 VARIABLES = {"$__rate_interval": "5m", "$instance": ".+"}
 
@@ -49,3 +51,11 @@ def as_rules(expressions):
 def metrics(expression):
     """The names of remeshd's metrics in it, without the endings of a histogram's series."""
     return {re.sub(r"_(bucket|sum|count)$", "", name) for name in METRIC.findall(expression)}
+
+
+def registered_metrics():
+    """The names that the server registers."""
+    found = set()
+    for source in (TOP / "server/observe").glob("*.cpp"):
+        found |= set(REGISTERED.findall(source.read_text()))
+    return found

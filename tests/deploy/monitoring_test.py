@@ -42,9 +42,26 @@ class DashboardTest(unittest.TestCase):
             monitoring.as_rules([("Panel", "rate(remeshd_calls_total[$interval])")])
 
 
+class MetricsTest(unittest.TestCase):
+    def test_every_metric_that_is_asked_for_is_one_of_the_server_s(self):
+        registered = monitoring.registered_metrics()
+        for title, expression in [*monitoring.dashboard_expressions(),
+                                  *monitoring.alert_expressions()]:
+            self.assertLessEqual(monitoring.metrics(expression), registered, title)
+
+    def test_every_metric_of_the_server_is_on_the_dashboard(self):
+        shown = set()
+        for _, expression in monitoring.dashboard_expressions():
+            shown |= monitoring.metrics(expression)
+        self.assertEqual(monitoring.registered_metrics() - shown, set())
+
+
 class AlertsTest(unittest.TestCase):
     def test_prometheus_understands_every_rule(self):
         run("promtool", "check", "rules", monitoring.ALERTS)
+
+    def test_the_configuration_of_prometheus_takes_them(self):
+        run("promtool", "check", "config", monitoring.ALERTS.with_name("prometheus.yaml"))
 
     def test_alerts_fire_when_they_should_and_only_then(self):
         run("promtool", "test", "rules", monitoring.ALERT_TESTS)
