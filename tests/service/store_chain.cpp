@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "server/admission/memory_budget.h"
 #include "server/daemon.h"
 #include "server/session/archive.h"
 #include "server/session/stored_form.h"
@@ -23,6 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kMemory = std::uint64_t{1} << 30U;
 
 struct Settings {
   int edits = 300;
@@ -88,8 +91,8 @@ int run(const Settings& settings) {
   std::uint64_t first_bytes = 0, largest_edit = 0;
   {
     Store store(settings.folder), none;
-    Archive archive(engine, store, std::uint64_t{1} << 30),
-        memory(engine, none, std::uint64_t{1} << 30);
+    MemoryBudget budget(kMemory), other_budget(kMemory);
+    Archive archive(engine, store, budget, kMemory), memory(engine, none, other_budget, kMemory);
     HeldRevisionPtr last;
     ModelSource source = case_model("tool1-a");
     for (int n = 0; n <= settings.edits; ++n) {
@@ -129,7 +132,8 @@ int run(const Settings& settings) {
   const auto opening = Clock::now();
   Store store(settings.folder);
   const double opened = milliseconds_since(opening);
-  Archive archive(engine, store, std::uint64_t{1} << 28);
+  MemoryBudget budget(kMemory);
+  Archive archive(engine, store, budget, kMemory / 4);
   for (std::size_t n = 0; n < ids.size(); n += static_cast<std::size_t>(settings.read_every)) {
     const auto start = Clock::now();
     const HeldRevisionPtr held = archive.get(ids[n], engine_run);

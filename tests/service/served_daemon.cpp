@@ -1,0 +1,77 @@
+#include "tests/service/served_daemon.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/service/processors.h"
+#include "tests/service/timing.h"
+
+namespace remeshd::test {
+
+ServedDaemon::ServedDaemon(std::vector<std::string> arguments, std::optional<int> processor) {
+  arguments.insert(arguments.begin(), {"--listen", "127.0.0.1:0"});
+  {
+    std::optional<OnProcessor> there;
+    if (processor) there.emplace(*processor);
+    process_ = std::make_unique<Process>(arguments);
+  }
+  address_ = process_->address();
+  if (address_.empty()) throw std::runtime_error("remeshd does not serve:\n" + process_->log());
+  stub_ = v1::RemeshService::NewStub(connect());
+}
+
+std::shared_ptr<grpc::Channel> ServedDaemon::connect(bool unlimited_messages) const {
+  grpc::ChannelArguments arguments;
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  if (unlimited_messages) {
+    arguments.SetMaxReceiveMessageSize(-1);
+    arguments.SetMaxSendMessageSize(-1);
+  }
+  return grpc::CreateCustomChannel(address_, grpc::InsecureChannelCredentials(), arguments);
+}
+
+v1::ServerInfo ServedDaemon::info() {
+  grpc::ClientContext context;
+  v1::GetServerInfoResponse reply;
+  const grpc::Status status = stub_->GetServerInfo(&context, {}, &reply);
+  if (!status.ok()) throw std::runtime_error("GetServerInfo: " + status.error_message());
+  return reply.server();
+}
+
+double ServedDaemon::processor_seconds() const {
+  std::ifstream in("/proc/" + std::to_string(process_->id()) + "/stat");
+  std::string line;
+  std::getline(in, line);
+  // After the name, which may have blanks: state and ten more, then user and system time.
+  std::istringstream fields(line.substr(line.rfind(')') + 1));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  long user = 0, system = 0;
+  fields >> user >> system;
+  return static_cast<double>(user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+bool ServedDaemon::wait_until_idle(double seconds) {
+  const auto start = Clock::now();
+  for (;;) {
+    const v1::ServerLoad load = info().load();
+    if (load.running() == 0 && load.queued() == 0) return true;
+    if (seconds_since(start) > seconds) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+StoreFolder::StoreFolder(const std::string& name)
+    : path_(std::filesystem::temp_directory_path() /
+            ("remeshd-" + name + "-" + std::to_string(::getpid()))) {
+  std::filesystem::remove_all(path_);
+}
+
+StoreFolder::~StoreFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace remeshd::test
