@@ -9,6 +9,9 @@ namespace {
 constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
 constexpr std::size_t kLaneQueue = 1024;
 constexpr int kMostChildren = 1000;
+/// Of computations: a refusal, health or a progress event does not wait for the end of a worker's
+/// turn on the processor.
+constexpr int kComputationNiceness = 5;
 
 /// What a side of a comparison comes to.
 struct Side {
@@ -29,7 +32,8 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
       computation_({.workers = limits_.workers,
                     .queue = limits_.queue,
                     .wait = limits_.wait,
-                    .compute = limits_.compute}),
+                    .compute = limits_.compute,
+                    .niceness = kComputationNiceness}),
       maker_({engine_, archive_, memory_, preparation_, computation_},
              {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
 }

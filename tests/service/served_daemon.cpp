@@ -32,11 +32,24 @@ std::shared_ptr<grpc::Channel> ServedDaemon::connect(bool unlimited_messages) co
   return grpc::CreateCustomChannel(address_, grpc::InsecureChannelCredentials(), arguments);
 }
 
+std::string ServedDaemon::obituary(const std::string& what) {
+  // A process that dies takes a moment to be a dead one.
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  siginfo_t end{};
+  std::string text = what;
+  // It stays a dead one, for the process' own owner to wait for.
+  if (::waitid(P_PID, static_cast<id_t>(process_->id()), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+      end.si_pid != 0)
+    text += "; remeshd ended by " + std::string(end.si_code == CLD_EXITED ? "status " : "signal ") +
+            std::to_string(end.si_status);
+  return text + "\n" + process_->log();
+}
+
 v1::ServerInfo ServedDaemon::info() {
   grpc::ClientContext context;
   v1::GetServerInfoResponse reply;
   const grpc::Status status = stub_->GetServerInfo(&context, {}, &reply);
-  if (!status.ok()) throw std::runtime_error("GetServerInfo: " + status.error_message());
+  if (!status.ok()) throw std::runtime_error(obituary("GetServerInfo: " + status.error_message()));
   return reply.server();
 }
 
@@ -51,6 +64,10 @@ double ServedDaemon::processor_seconds() const {
   long user = 0, system = 0;
   fields >> user >> system;
   return static_cast<double>(user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+void ServedDaemon::forget_peak() const {
+  std::ofstream("/proc/" + std::to_string(process_->id()) + "/clear_refs") << 5;
 }
 
 bool ServedDaemon::wait_until_idle(double seconds) {

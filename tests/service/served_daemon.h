@@ -19,6 +19,7 @@ class ServedDaemon {
 
   v1::RemeshService::Stub& stub() { return *stub_; }
   Process& process() { return *process_; }
+  [[nodiscard]] pid_t process_id() const { return process_->id(); }
   [[nodiscard]] const std::string& address() const { return address_; }
   /// A connection of its own.
   [[nodiscard]] std::shared_ptr<grpc::Channel> connect(bool unlimited_messages = false) const;
@@ -26,10 +27,17 @@ class ServedDaemon {
   v1::ServerInfo info();
   /// Processor time that it has used so far, in s. Other programs on the machine do not add to it.
   [[nodiscard]] double processor_seconds() const;
+  /// Bytes in memory now, and the most there were since `forget_peak`.
+  [[nodiscard]] std::size_t memory() const { return process_->memory("VmRSS"); }
+  [[nodiscard]] std::size_t peak_memory() const { return process_->memory("VmHWM"); }
+  void forget_peak() const;
   /// Waits until `running` and `queued` are 0; false after `seconds`.
   bool wait_until_idle(double seconds);
 
  private:
+  /// What went wrong, with how the process ended and all that it said.
+  std::string obituary(const std::string& what);
+
   std::unique_ptr<Process> process_;
   std::string address_;
   std::unique_ptr<v1::RemeshService::Stub> stub_;
