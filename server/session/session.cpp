@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 
+#include "server/admission/process_memory.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
 
@@ -36,6 +37,7 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
                     .niceness = kComputationNiceness}),
       maker_({engine_, archive_, memory_, preparation_, computation_},
              {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
+  memory_.set_process({resident_bytes, return_freed_memory});
 }
 
 Session::~Session() { stop(); }
