@@ -1,5 +1,6 @@
 #include "server/admission/memory_budget.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "server/admission/load_error.h"
@@ -10,6 +11,9 @@ namespace {
 // s; readers that keep revisions in memory end without a word to the budget.
 constexpr double kLookAgain = 0.1;
 constexpr double kRetryAfter = 1;  // s
+// Of the budget, freed beyond what is needed once the process passed it, so that not every lease
+// has to; and what the revisions held keep all the same, or the next request finds none of them.
+constexpr std::uint64_t kSlackShare = 16, kKeptShare = 4;
 
 }  // namespace
 
@@ -17,8 +21,20 @@ bool MemoryBudget::take_now(std::uint64_t bytes) {
   if (bytes > total_ || leased_ > total_ - bytes) return false;
   const std::uint64_t left = total_ - leased_ - bytes;
   if (reclaim_ && reclaim_(left) > left) return false;
+  // What is leased may all be still to come, for all that can be told.
+  keep_process_within(left);
   leased_ += bytes;
   return true;
+}
+
+void MemoryBudget::keep_process_within(std::uint64_t bytes) {
+  if (!process_.resident || !reclaim_ || process_.resident() <= bytes) return;
+  process_.return_freed_memory();
+  const std::uint64_t slack = total_ / kSlackShare, resident = process_.resident();
+  if (resident + slack <= bytes) return;
+  const std::uint64_t excess = resident + slack - bytes, held = reclaim_(total_);
+  reclaim_(std::max(total_ / kKeptShare, held > excess ? held - excess : 0));
+  process_.return_freed_memory();
 }
 
 MemoryBudget::Lease MemoryBudget::try_take(std::uint64_t bytes) {

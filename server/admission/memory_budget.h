@@ -39,6 +39,12 @@ class MemoryBudget {
   /// Makes the revisions held take no more than this many bytes, as far as it can; returns how many
   /// they take.
   using Reclaim = std::function<std::uint64_t(std::uint64_t most)>;
+  /// What the process has in fact. Estimates leave out the program itself, what the allocator keeps
+  /// of freed memory, buffers of connections.
+  struct Process {
+    std::function<std::uint64_t()> resident;    ///< bytes
+    std::function<void()> return_freed_memory;  ///< to the system; takes some ms
+  };
 
   explicit MemoryBudget(std::uint64_t total) : total_(total) {}
   MemoryBudget(const MemoryBudget&) = delete;
@@ -46,6 +52,10 @@ class MemoryBudget {
 
   /// Before anything is leased. Called under the budget's mutex.
   void set_reclaim(Reclaim reclaim) { reclaim_ = std::move(reclaim); }
+
+  /// Before anything is leased: the revisions held give way too where the process would pass the
+  /// budget, though the estimates do not. Nothing is refused for that.
+  void set_process(Process process) { process_ = std::move(process); }
 
   /// Empty where there is no room now.
   Lease try_take(std::uint64_t bytes);
@@ -60,10 +70,12 @@ class MemoryBudget {
 
  private:
   bool take_now(std::uint64_t bytes);
+  void keep_process_within(std::uint64_t bytes);
   void give_back(std::uint64_t bytes);
 
   const std::uint64_t total_;
   Reclaim reclaim_;
+  Process process_;
   mutable std::mutex mutex_;
   std::condition_variable_any returned_;
   std::uint64_t leased_ = 0;

@@ -1,5 +1,9 @@
 #include "server/admission/pool.h"
 
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -15,6 +19,14 @@ constexpr double kLeastDelay = 0.1, kMostDelay = 60;  // s
 // So long does the watching thread sleep at most.
 constexpr std::chrono::hours kLongSleep(1);
 
+/// Lets the calling thread, and those that it starts, give way to others.
+void give_way(int niceness) {
+  if (niceness == 0) return;
+  // Linux has a niceness for each thread. Where it cannot be set, answers come later under load.
+  const int own = ::getpriority(PRIO_PROCESS, 0);
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), own + niceness);
+}
+
 FairQueue::Clock::duration seconds(double value) {
   return std::chrono::duration_cast<FairQueue::Clock::duration>(
       std::chrono::duration<double>(value));
@@ -26,7 +38,11 @@ Pool::Pool(Limits limits)
     : limits_(limits),
       queue_(static_cast<std::size_t>(limits.workers), limits.queue),
       jitter_(std::random_device()()) {
-  for (int i = 0; i < limits_.workers; ++i) threads_.emplace_back([this] { work(); });
+  for (int i = 0; i < limits_.workers; ++i)
+    threads_.emplace_back([this] {
+      give_way(limits_.niceness);
+      work();
+    });
   threads_.emplace_back([this] { watch(); });
 }
 

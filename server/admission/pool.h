@@ -24,6 +24,8 @@ class Pool {
     std::size_t queue = 64;  ///< of what may wait
     double wait = 60;        ///< s; what waits longer is refused
     double compute = 0;      ///< s; what runs longer hears of it; 0: none
+    /// How far its threads give way to others for a processor, as nice(1) counts.
+    int niceness = 0;
   };
 
   explicit Pool(Limits limits);

@@ -12,6 +12,14 @@
 namespace remeshd {
 namespace {
 
+constexpr double kWaitToLoad = 60;  // s
+
+/// Bytes that a revision and what it is read from take together.
+std::uint64_t loading_memory(const RevisionRecord& record) {
+  constexpr std::uint64_t kBytesPerNode = 1500;
+  return kBytesPerNode * record.nodes;
+}
+
 AddDesign changed_now(const std::string& design) {
   return {.name = design, .changed_ns = nanoseconds_now()};
 }
@@ -58,6 +66,9 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
 }
 
 HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
+  const auto share =
+      memory_.take(std::min(loading_memory(record), memory_.total()), run.stop, kWaitToLoad);
+  run.poll();
   try {
     const HeldRevisionPtr parent = held_.find(record.parent);
     auto held = restored(engine_, store_.get(record.id), record, parent.get(), run);

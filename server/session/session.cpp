@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 
+#include "server/admission/process_memory.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
 
@@ -9,6 +10,9 @@ namespace {
 constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
 constexpr std::size_t kLaneQueue = 1024;
 constexpr int kMostChildren = 1000;
+/// Of computations: a refusal, health or a progress event does not wait for the end of a worker's
+/// turn on the processor.
+constexpr int kComputationNiceness = 5;
 
 /// What a side of a comparison comes to.
 struct Side {
@@ -29,9 +33,11 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
       computation_({.workers = limits_.workers,
                     .queue = limits_.queue,
                     .wait = limits_.wait,
-                    .compute = limits_.compute}),
+                    .compute = limits_.compute,
+                    .niceness = kComputationNiceness}),
       maker_({engine_, archive_, memory_, preparation_, computation_},
              {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
+  memory_.set_process({resident_bytes, return_freed_memory});
 }
 
 Session::~Session() { stop(); }

@@ -78,6 +78,7 @@ class Process {
     ADD_FAILURE() << "no " << line;
     return 0;
   }
+  [[nodiscard]] pid_t id() const { return id_; }
   void signal(int number) const { ::kill(id_, number); }
   /// Its exit status.
   int wait() {

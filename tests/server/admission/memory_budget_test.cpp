@@ -39,6 +39,39 @@ TEST(MemoryBudget, GivesNothingWhereTheRevisionsHeldAreInUse) {
   EXPECT_EQ(test::error_of([&] { budget.take(30, {}, 0); }).reason, "MEMORY_FULL");
 }
 
+TEST(MemoryBudget, RevisionsHeldGiveWayWhereTheProcessHasMoreThanTheEstimatesSay) {
+  MemoryBudget budget(1600);
+  std::uint64_t held = 1000, others = 500;
+  int returned = 0;
+  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.set_process({[&] { return held + others; }, [&] { ++returned; }});
+  const auto first = budget.try_take(100);
+  EXPECT_EQ(held, 1000U);  // 1,500 and 100 do fit
+  EXPECT_EQ(returned, 0);
+  others = 600;
+  const auto second = budget.try_take(100);
+  EXPECT_EQ(held + others + 100 + 100, 1500U);  // and a sixteenth of the budget is free
+  EXPECT_GT(returned, 0);
+}
+
+TEST(MemoryBudget, FreedMemoryGoesBackToTheSystemBeforeRevisionsDo) {
+  MemoryBudget budget(1600);
+  std::uint64_t held = 1000, freed = 600;
+  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.set_process({[&] { return held + freed; }, [&] { freed = 0; }});
+  EXPECT_TRUE(budget.try_take(100));
+  EXPECT_EQ(held, 1000U);
+}
+
+TEST(MemoryBudget, AQuarterOfItIsLeftToRevisionsHowMuchElseTheProcessHas) {
+  MemoryBudget budget(1600);
+  std::uint64_t held = 1000;
+  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.set_process({[&] { return held + 5000; }, [] {}});
+  EXPECT_TRUE(budget.try_take(100));
+  EXPECT_EQ(held, 400U);
+}
+
 TEST(MemoryBudget, WaitsForWhatOthersGiveBack) {
   MemoryBudget budget(100);
   auto lease = budget.try_take(100);

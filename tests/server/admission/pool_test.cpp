@@ -1,7 +1,9 @@
 #include "server/admission/pool.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <future>
 #include <latch>
@@ -171,6 +173,17 @@ TEST(Pool, RunsOnWhateverAJobThrows) {
   std::promise<void> ran;
   pool.submit({.run = [&] { ran.set_value(); }, .refused = kNoRefusal});
   ran.get_future().wait();
+}
+
+TEST(Pool, RunsItsWorkAtTheNicenessGiven) {
+  const int own = ::getpriority(PRIO_PROCESS, 0);
+  for (const int niceness : {0, 3}) {
+    Pool pool({.workers = 1, .niceness = niceness});
+    std::promise<int> found;
+    pool.submit(
+        {.run = [&] { found.set_value(::getpriority(PRIO_PROCESS, 0)); }, .refused = kNoRefusal});
+    EXPECT_EQ(found.get_future().get(), std::min(19, own + niceness));
+  }
 }
 
 TEST(Pool, RefusesOnWhateverARefusalThrows) {
