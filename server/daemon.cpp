@@ -35,6 +35,7 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .queue = options.queue,
           .wait = options.queue_wait,
           .memory = options.memory,
+          .disk = options.disk,
           .max_nodes = options.max_nodes,
           .dumps = options.dumps};
 }
@@ -74,7 +75,7 @@ struct Daemon::Parts {
         session(std::move(engine), open_store(options), session_limits(options)),
         max_connections(remeshd::max_connections(options)),
         service(make_remesh_service(session, {.facts = facts(), .log = options.log})),
-        cache_service(make_cache_service(options.log)) {}
+        cache_service(make_cache_service(session, {.facts = facts(), .log = options.log})) {}
 
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,

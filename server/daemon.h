@@ -29,6 +29,7 @@ struct DaemonOptions {
   std::size_t queue = 64;               ///< computations that may wait for a worker
   double queue_wait = 60;               ///< s that one may wait
   std::uint64_t memory = 1ULL << 30;    ///< bytes of revisions held in memory
+  std::uint64_t disk = 0;               ///< bytes that stored meshes may take; 0: no limit
   std::uint32_t max_nodes = 5000000;    ///< that may be asked for
   std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;  ///< null: no log

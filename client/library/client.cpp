@@ -5,6 +5,8 @@
 #include <grpcpp/security/credentials.h>
 #include <grpcpp/support/channel_arguments.h>
 
+#include "remesh/v1/cache.grpc.pb.h"
+
 #include "client/library/call_context.h"
 #include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
@@ -17,17 +19,18 @@ namespace {
 
 using remesh::v1::RemeshService;
 using Stub = RemeshService::Stub;
+using CacheStub = remesh::v1::CacheService::Stub;
 
 /// Lists and models are the largest single messages; meshes come in parts of at most 1 MiB.
 constexpr int kMaxMessage = 256 << 20;
 /// ms; also TCP_USER_TIMEOUT, which at 1 s cuts slow but live readers.
 constexpr int kKeepaliveTimeout = 20'000;
 
-template <class Request, class Reply>
-using Method = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Reply*);
+template <class Service, class Request, class Reply>
+using Method = grpc::Status (Service::*)(grpc::ClientContext*, const Request&, Reply*);
 
-template <class Request, class Reply>
-Reply unary(Stub& stub, Method<Request, Reply> method, const Request& request,
+template <class Service, class Request, class Reply>
+Reply unary(Service& stub, Method<Service, Request, Reply> method, const Request& request,
             const CallOptions& options) {
   CallContext context(options);
   Reply reply;
@@ -55,8 +58,9 @@ bool is_loopback(const std::string& address) {
 
 struct Client::Impl {
   explicit Impl(const std::shared_ptr<grpc::Channel>& channel)
-      : stub(RemeshService::NewStub(channel)) {}
+      : stub(RemeshService::NewStub(channel)), cache(remesh::v1::CacheService::NewStub(channel)) {}
   std::unique_ptr<Stub> stub;
+  std::unique_ptr<CacheStub> cache;
 };
 
 Client Client::connect(const std::string& address, const ConnectOptions& options) {
@@ -192,6 +196,60 @@ std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) cons
 
 remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
   return unary(*impl_->stub, &Stub::GetServerInfo, {}, call).server();
+}
+
+remesh::v1::GetRecipeResponse Client::get_recipe(const std::string& revision,
+                                                 const CallOptions& call) const {
+  remesh::v1::GetRecipeRequest request;
+  request.set_revision(revision);
+  return unary(*impl_->stub, &Stub::GetRecipe, request, call);
+}
+
+remesh::v1::RemakeRevisionResponse Client::remake_revision(
+    const remesh::v1::RemakeRevisionRequest& request, const CallOptions& call) const {
+  return unary(*impl_->stub, &Stub::RemakeRevision, request, call);
+}
+
+std::vector<remesh::v1::CacheEntry> Client::list_cache(remesh::v1::ListCacheEntriesRequest request,
+                                                       const CallOptions& call) const {
+  std::vector<remesh::v1::CacheEntry> entries;
+  request.clear_page_token();
+  do {
+    const auto page = unary(*impl_->cache, &CacheStub::ListCacheEntries, request, call);
+    entries.insert(entries.end(), page.entries().begin(), page.entries().end());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  return entries;
+}
+
+remesh::v1::GetCacheStatsResponse Client::cache_stats(const CallOptions& call) const {
+  return unary(*impl_->cache, &CacheStub::GetCacheStats, {}, call);
+}
+
+remesh::v1::CollectGarbageResponse Client::collect_garbage(
+    const remesh::v1::CollectGarbageRequest& request, const CallOptions& call) const {
+  return unary(*impl_->cache, &CacheStub::CollectGarbage, request, call);
+}
+
+remesh::v1::VerifyCacheResponse Client::verify_cache(
+    bool repair, const std::function<void(const remesh::v1::VerifyCacheResponse&)>& on_message,
+    const CallOptions& call) const {
+  CallContext context(call);
+  remesh::v1::VerifyCacheRequest request;
+  request.set_repair(repair);
+  const auto reader = impl_->cache->VerifyCache(context.get(), request);
+  remesh::v1::VerifyCacheResponse message;
+  while (reader->Read(&message)) on_message(message);
+  check(reader->Finish());
+  return message;
+}
+
+remesh::v1::CacheEntry Client::set_pin(const std::string& revision, bool pinned,
+                                       const CallOptions& call) const {
+  remesh::v1::SetPinRequest request;
+  request.set_revision(revision);
+  request.set_pinned(pinned);
+  return unary(*impl_->cache, &CacheStub::SetPin, request, call).entry();
 }
 
 }  // namespace remeshd::client

@@ -1,8 +1,11 @@
 #include "remesh/v1/cache.grpc.pb.h"
+#include "server/service/cache_list.h"
 #include "server/service/call.h"
+#include "server/service/encode_cache.h"
 #include "server/service/raw_service.h"
 #include "server/service/remesh_service.h"
-#include "server/service/status.h"
+#include "server/service/verify_call.h"
+#include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
@@ -19,61 +22,80 @@ using RawService =
                Cache::WithRawCallbackMethod_CollectGarbage,
                Cache::WithRawCallbackMethod_VerifyCache, Cache::WithRawCallbackMethod_SetPin>::Type;
 
-/// A stream that ends before it has begun.
-class RefusedStream final : public grpc::ServerWriteReactor<Bytes> {
+GarbageOptions decode(const v1::CollectGarbageRequest& request) {
+  GarbageOptions out{.dry_run = request.dry_run()};
+  if (request.has_disk_bytes()) out.disk_bytes = request.disk_bytes();
+  if (request.has_unused_seconds()) {
+    constexpr double kMost = 1e9;  // 32 years
+    if (!(request.unused_seconds() >= 0 && request.unused_seconds() <= kMost))
+      throw error::option_invalid("unused_seconds", "is not between 0 and 1e9");
+    out.unused_seconds = request.unused_seconds();
+  }
+  return out;
+}
+
+class RawCacheService final : public RawService {
  public:
-  RefusedStream(const Error& why, std::shared_ptr<CallRecord> record) : record_(std::move(record)) {
-    const grpc::Status status = to_status(why);
-    record_->set_status(status, why.info().reason);
-    Finish(status);
-  }
-  void OnDone() override {
-    record_->end();
-    delete this;
-  }
+  RawCacheService(Session& session, ServiceOptions options)
+      : session_(session), options_(std::move(options)) {}
 
- private:
-  const std::shared_ptr<CallRecord> record_;
-};
-
-class CacheServiceWithoutCalls final : public RawService {
- public:
-  explicit CacheServiceWithoutCalls(std::shared_ptr<spdlog::logger> log) : log_(std::move(log)) {}
-
-  Reply* ListCacheEntries(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("ListCacheEntries", context, out);
+  Reply* ListCacheEntries(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::ListCacheEntriesRequest>(
+        "ListCacheEntries", context, in, out,
+        [this](const auto& request) { return list_cache_entries(session_, request); });
   }
-  Reply* GetCacheStats(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("GetCacheStats", context, out);
+  Reply* GetCacheStats(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::GetCacheStatsRequest>("GetCacheStats", context, in, out, [this](const auto&) {
+      return encode(session_.cache().cache_stats());
+    });
   }
-  Reply* CollectGarbage(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("CollectGarbage", context, out);
+  Reply* CollectGarbage(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::CollectGarbageRequest>(
+        "CollectGarbage", context, in, out, [this](const auto& request) {
+          return encode(session_.cache().collect_garbage(decode(request)));
+        });
   }
-  grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* /*in*/) override {
-    return new RefusedStream(error::unsupported("VerifyCache"), record("VerifyCache", context));
+  grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {
+    return VerifyCall::start(session_, context, *in, options_.limits.message_bytes,
+                             record("VerifyCache", context));
   }
-  Reply* SetPin(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("SetPin", context, out);
+  Reply* SetPin(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::SetPinRequest>("SetPin", context, in, out, [this](const auto& request) {
+      if (request.revision().empty()) throw error::reference_missing("revision");
+      v1::SetPinResponse reply;
+      *reply.mutable_entry() =
+          encode(session_.cache().set_pin(request.revision(), request.pinned()));
+      return reply;
+    });
   }
 
  private:
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(log_, method, context->peer());
+    return std::make_shared<CallRecord>(options_.log, method, context->peer());
   }
 
-  Reply* refuse(const char* method, Context* context, Bytes* out) {
+  /// A call that is answered by a function, on the quick pool.
+  template <typename Request, typename Answer>
+  Reply* query(const char* method, Context* context, const Bytes* in, Bytes* out, Answer answer) {
     const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
+    answering(*call, [&] {
+      Request request;
+      from_bytes(*in, options_.limits.message_bytes, request);
+      session_.later(
+          [call, request, answer] { answering(*call, [&] { call->reply(answer(request)); }); },
+          [call](const Error& why) { call->fail(why); });
+    });
     return call.get();
   }
 
-  const std::shared_ptr<spdlog::logger> log_;
+  Session& session_;
+  const ServiceOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> make_cache_service(std::shared_ptr<spdlog::logger> log) {
-  return std::make_unique<CacheServiceWithoutCalls>(std::move(log));
+std::unique_ptr<grpc::Service> make_cache_service(Session& session, ServiceOptions options) {
+  return std::make_unique<RawCacheService>(session, std::move(options));
 }
 
 }  // namespace remeshd

@@ -7,9 +7,11 @@
 #include "server/service/decode.h"
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
+#include "server/service/encode_cache.h"
 #include "server/service/lists.h"
 #include "server/service/mesh_call.h"
 #include "server/service/raw_service.h"
+#include "server/service/remake.h"
 #include "server/service/request_id.h"
 #include "server/session/session_error.h"
 
@@ -51,8 +53,27 @@ class RawRemeshService final : public RawService {
           return session_.edit(decode(request, documents()), std::move(listener));
         });
   }
-  Reply* RemakeRevision(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("RemakeRevision", context, out);
+  Reply* RemakeRevision(Context* context, const Bytes* in, Bytes* out) override {
+    return later<v1::RemakeRevisionRequest>(
+        "RemakeRevision", context, in, out,
+        [this](const std::shared_ptr<UnaryCall>& call, const v1::RemakeRevisionRequest& request) {
+          const std::string id = request.request_id();
+          call->record().set_request_id(id);
+          check_request_id(id);
+          const auto made = [call, id](const Made& last, const std::vector<std::string>& others) {
+            answering(*call, [&] {
+              call->record().set_note("revision=" + last.filed.record.id.substr(0, 12));
+              v1::RemakeRevisionResponse response;
+              *response.mutable_result() = encode(last, id);
+              for (const std::string& other : others) response.add_remade(other);
+              call->reply(response);
+            });
+          };
+          const auto failed = [call](const Error& why) { call->fail(why); };
+          const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+          const MakeRequestPtr under_way = remake(session_, request, run, made, failed);
+          call->on_cancel([under_way] { under_way->cancel(); });
+        });
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
     return remeshd::EditStream::start(session_, options_.limits, record("EditStream", context));
@@ -68,8 +89,11 @@ class RawRemeshService final : public RawService {
           return encode(session_.describe(request.revision(), run), request.documents());
         });
   }
-  Reply* GetRecipe(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("GetRecipe", context, out);
+  Reply* GetRecipe(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::GetRecipeRequest>("GetRecipe", context, in, out,
+                                       [this](const auto& request, const Run&) {
+                                         return encode(session_.recipe(request.revision()));
+                                       });
   }
   Reply* ListRevisions(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListRevisionsRequest>(
@@ -223,13 +247,6 @@ class RawRemeshService final : public RawService {
                                 .stop = call->stop_token(), .on_progress = {}, .dumps = {}};
                             call->reply(answer(request, run));
                           });
-  }
-
-  /// A call that this daemon does not do.
-  Reply* refuse(const char* method, Context* context, Bytes* out) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
-    call->fail(error::unsupported(method));
-    return call.get();
   }
 
   Session& session_;

@@ -21,7 +21,7 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
     : engine_(std::move(engine)),
       limits_(std::move(limits)),
       store_(std::move(store)),
-      archive_(engine_, *store_, limits_.memory),
+      archive_(engine_, *store_, limits_.memory, limits_.disk),
       quick_({.workers = kQuickThreads, .queue = kQuickQueue, .wait = limits_.wait}),
       workers_({.workers = limits_.workers, .queue = limits_.queue, .wait = limits_.wait}),
       maker_(engine_, archive_, quick_, workers_,

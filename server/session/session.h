@@ -12,6 +12,7 @@
 #include "server/session/engine.h"
 #include "server/session/maker.h"
 #include "server/session/pool.h"
+#include "server/session/session_error.h"
 #include "server/store/store.h"
 
 namespace remeshd {
@@ -22,6 +23,7 @@ struct SessionLimits {
   std::size_t queue = 64;                      ///< computations that may wait
   double wait = 60;                            ///< s that one may wait
   std::uint64_t memory = 1ULL << 30;           ///< bytes of revisions held
+  std::uint64_t disk = 0;                      ///< bytes that stored meshes may take; 0: no limit
   std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
   std::filesystem::path dumps;                 ///< as Maker::Limits
 };
@@ -97,6 +99,22 @@ class Session {
   Archive::DesignRemoved remove_design(const std::string& design, const std::string& expected) {
     return archive_.remove_design(design, expected);
   }
+
+  /// What a revision is made of again, whether its mesh is there or not.
+  Recipe recipe(const std::string& reference) {
+    if (reference.empty()) throw error::reference_missing("revision");
+    return archive_.recipe(archive_.resolve(reference).id);
+  }
+  /// The same of an id whose revision may have been deleted, while others are made of it.
+  Recipe recipe_of_ancestor(const std::string& id) { return archive_.recipe(id); }
+  Reference resolve(const std::string& reference) { return archive_.resolve(reference); }
+  /// The first design that a revision stands in; empty for none.
+  std::string design_of(const std::string& id) {
+    const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
+    return places.empty() ? "" : places.front().design;
+  }
+  /// Meshes in memory and on disk: what they take, which of them stay and go.
+  Archive& cache() { return archive_; }
 
   /// Throws Error: DESIGN_NOT_FOUND.
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
