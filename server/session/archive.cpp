@@ -42,8 +42,13 @@ Archive::Archive(const Engine& engine, Store& store, std::uint64_t memory, std::
       store_(store),
       held_(memory, store.persistent(), engine.memory_blocks),
       disk_(disk),
-      collector_(disk > 0 ? std::function<void()>([this] { collect_garbage({}); })
-                          : std::function<void()>()) {}
+      collector_(disk > 0 && store.persistent() ? std::function<bool()>([this] {
+        collect_garbage({});
+        return false;
+      })
+                                                : std::function<bool()>()),
+      saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
+                                : std::function<bool()>()) {}
 
 Reference Archive::resolve(const std::string& text) {
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
@@ -71,7 +76,7 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
                                      const std::vector<WarningCode>& fail_on) const {
   Filing filing;
   Filed& filed = filing.filed;
-  filed.durable = store_.persistent();
+  filed.durable = is_durable(record.id);
   HeadSituation now{.id = record.id, .first_mesh = record.parent.empty()};
   const auto known = catalogue.revision(record.id);
   filed.record = known.value_or(record);
@@ -122,7 +127,14 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     return plan_filing(catalogue, revision->record, design, rule, fail_on);
   };
   note_use(id);
-  if (is_known(id)) keep(revision);
+  if (is_known(id) && is_durable(id)) {
+    try {
+      keep(revision);
+    } catch (const Error& failure) {
+      // It has its recipe, and is stored again when there is room.
+      if (failure.info().reason != "STORE_FULL") throw;
+    }
+  }
   Filing filing = store_.read(plan);
   if (filing.changes.empty() && store_.persistent()) return filing.filed;
 
@@ -131,12 +143,12 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     std::optional<Written> written;
     if (store_.persistent() && !is_known(id)) {
       turn.emplace(writing_.take(id));
-      if (!is_known(id)) written = write(*revision, filing.filed.place, false);
+      if (!is_known(id)) written = write_if_there_is_room(*revision, filing.filed.place);
     }
     const std::scoped_lock lock(filing_);
     bool again = false;
     try {
-      store_.commit([&](Catalogue& catalogue) {
+      const auto make = [&](Catalogue& catalogue) {
         filing = plan(catalogue);
         if (!filing.add || !store_.persistent()) return filing.changes;
         again = !written;  // it was deleted a moment ago
@@ -144,12 +156,18 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
         filing.filed.record = written->record;
         filing.changes.front() = AddRevision{written->record, written->recipe};
         return filing.changes;
-      });
+      };
+      if (!store_.commit(make, Store::OnFullDisk::GoOn)) filing.filed.durable = false;
     } catch (...) {
       if (written) store_.discard(id);
       throw;
     }
     if (again) continue;
+    if (written && written->record.bytes == 0) filing.filed.durable = false;
+    if (!filing.filed.durable && store_.persistent()) {
+      set_unsaved(id, true);
+      saver_.ask();
+    }
     // It may have been dropped, unfiled or deleted, since the caller found it.
     if (!held_.contains(id)) held_.insert(revision);
     if (written) collector_.ask();
@@ -160,6 +178,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
 void Archive::forget(const std::string& id) {
   held_.erase(id);
   set_damaged(id, false);
+  set_unsaved(id, false);
 }
 
 Archive::HeadSet Archive::set_head(const std::string& text, const std::string& design,

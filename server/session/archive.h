@@ -66,8 +66,10 @@ class Archive {
   /// Enters a revision in a design: bytes on the disk first (again, if `find` met a damaged copy),
   /// then number and head at once. It keeps the number that it has in the design. Where nothing
   /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
-  /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
-  /// Throws what `check_filing` throws; then nothing is filed.
+  /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
+  /// store gets it as soon as there is room. Post: where there is no store, the revision is in
+  /// memory, whatever was dropped meanwhile. Throws what `check_filing` throws; then nothing is
+  /// filed.
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
              const std::vector<WarningCode>& fail_on = {});
 
@@ -105,6 +107,8 @@ class Archive {
   /// Keeps a mesh from going, or lets it.
   CacheEntry set_pin(const std::string& text, bool pinned);
 
+  /// Whether a revision survives the end of the process.
+  [[nodiscard]] bool is_durable(const std::string& id) const;
   Store& store() { return store_; }
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
@@ -121,6 +125,8 @@ class Archive {
   void keep(const HeldRevisionPtr& revision);
   struct Written;
   Written write(const HeldRevision& revision, const PlaceRecord& place, bool by_itself);
+  /// The same; on a full disk nothing is written, and the record tells so.
+  Written write_if_there_is_room(const HeldRevision& revision, const PlaceRecord& place);
   /// Throws Error(NOT_REPRODUCIBLE) where a recipe tells other digests.
   void check_reproduced(const HeldRevision& revision);
 
@@ -129,6 +135,10 @@ class Archive {
   bool is_known(const std::string& id);
   PlaceRecord first_place(const std::string& id);
   void note_use(const std::string& id);
+  /// The catalogue has it, and the disk has not.
+  void set_unsaved(const std::string& id, bool unsaved);
+  /// Stores what a full disk kept from it; true where it has to be tried again.
+  bool recover();
 
   CacheEntry entry_of(const RevisionRecord& record, int depth);
   std::vector<StoredMesh> stored_meshes();
@@ -147,10 +157,11 @@ class Archive {
 
   mutable std::mutex notes_;                  ///< guards what follows
   std::set<std::string> damaged_;             ///< ids whose copy in the store cannot be read
+  std::set<std::string> unsaved_;             ///< ids that the disk had no room for
   std::map<std::string, std::int64_t> used_;  ///< ns since 1970, of this process
   std::uint64_t hits_ = 0, misses_ = 0, evictions_ = 0, remade_ = 0;
 
-  Background collector_;  ///< last: it uses what stands before it
+  Background collector_, saver_;  ///< last: they use what stands before them
 };
 
 }  // namespace remeshd

@@ -154,6 +154,48 @@ Archive::Written Archive::write(const HeldRevision& revision, const PlaceRecord&
   return written;
 }
 
+Archive::Written Archive::write_if_there_is_room(const HeldRevision& revision,
+                                                 const PlaceRecord& place) {
+  try {
+    return write(revision, place, false);
+  } catch (const Error& failure) {
+    if (failure.info().reason != "STORE_FULL") throw;
+    Written unwritten{.record = revision.record};
+    unwritten.record.seconds = seconds_of(revision.revision.report.seconds);
+    if (revision.asked) unwritten.recipe = Store::packed_recipe(write_recipe(recipe_of(revision)));
+    return unwritten;
+  }
+}
+
+void Archive::set_unsaved(const std::string& id, bool unsaved) {
+  const std::scoped_lock lock(notes_);
+  if (unsaved) {
+    unsaved_.insert(id);
+  } else {
+    unsaved_.erase(id);
+  }
+}
+
+bool Archive::is_durable(const std::string& id) const {
+  const std::scoped_lock lock(notes_);
+  return store_.persistent() && !unsaved_.contains(id);
+}
+
+bool Archive::recover() {
+  store_.flush();
+  std::set<std::string> unsaved;
+  {
+    const std::scoped_lock lock(notes_);
+    unsaved = unsaved_;
+  }
+  for (const std::string& id : unsaved) {
+    // One that left memory is made again of its recipe, which is on the disk by now.
+    if (const HeldRevisionPtr held = held_.find(id)) keep(held);
+    set_unsaved(id, false);
+  }
+  return false;
+}
+
 void Archive::keep(const HeldRevisionPtr& revision) {
   const std::string& id = revision->record.id;
   const auto lacking = [&] {

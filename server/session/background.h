@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -12,11 +13,12 @@
 namespace remeshd {
 
 /// Does something on a thread of its own some time after it is asked to, once for all that asked
-/// meanwhile. What it throws is dropped. Its end waits for what is under way.
+/// meanwhile; again a second later for as long as it returns true or throws. Its end waits for what
+/// is under way.
 class Background {
  public:
   /// An empty `work` starts no thread.
-  explicit Background(std::function<void()> work) : work_(std::move(work)) {
+  explicit Background(std::function<bool()> work) : work_(std::move(work)) {
     if (work_) thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }
 
@@ -29,17 +31,25 @@ class Background {
 
  private:
   void run(const std::stop_token& stop) {
+    bool again = false;
     for (;;) {
       {
         std::unique_lock lock(mutex_);
-        if (!changed_.wait(lock, stop, [&] { return asked_; })) return;
+        const auto asked = [&] { return asked_; };
+        if (again) {
+          changed_.wait_for(lock, stop, std::chrono::seconds(1), asked);
+        } else {
+          changed_.wait(lock, stop, asked);
+        }
+        if (stop.stop_requested()) return;
         asked_ = false;
       }
-      contained([&] { work_(); });
+      again = true;
+      contained([&] { again = work_(); });
     }
   }
 
-  const std::function<void()> work_;
+  const std::function<bool()> work_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   bool asked_ = false;

@@ -51,7 +51,8 @@ Description Session::describe(const std::string& text, const Run& run) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
     description.children = catalogue.children(reference.id, kMostChildren);
-    description.durable = store_->persistent() && catalogue.revision(reference.id).has_value();
+    description.durable =
+        archive_.is_durable(reference.id) && catalogue.revision(reference.id).has_value();
   });
   if (!description.places.empty()) description.place = description.places.front();
   for (const PlaceRecord& place : description.places)

@@ -125,6 +125,8 @@ class Session {
   Load load();
   [[nodiscard]] const SessionLimits& limits() const { return limits_; }
   [[nodiscard]] std::uint32_t algorithm_version() const { return engine_.algorithm_version; }
+  /// False while the store cannot take what it should: its disk is full or fails.
+  [[nodiscard]] bool store_healthy() const { return store_->healthy(); }
   [[nodiscard]] bool persistent() { return archive_.store().persistent(); }
 
   /// Answers whatever is under way with Unavailable, and returns when every thread has come to

@@ -2,6 +2,7 @@
 
 #include <zstd.h>
 
+#include <array>
 #include <cstdint>
 
 #include "server/store/store_error.h"
@@ -14,6 +15,16 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int kBits = 6;  // of a digit
+constexpr std::uint8_t kNoDigit = 64;
+
+/// The value of each character as a digit.
+constexpr std::array<std::uint8_t, 256> kValues = [] {
+  std::array<std::uint8_t, 256> values{};
+  values.fill(kNoDigit);
+  for (std::size_t i = 0; i < kDigits.size(); ++i)
+    values[static_cast<unsigned char>(kDigits[i])] = static_cast<std::uint8_t>(i);
+  return values;
+}();
 
 }  // namespace
 
@@ -55,9 +66,9 @@ std::string from_base64(std::string_view text) {
   std::uint32_t waiting = 0;
   int bits = 0;
   for (const char digit : text) {
-    const std::size_t value = kDigits.find(digit);
-    if (value == std::string_view::npos) throw error::store_corrupted("", "it is no base64");
-    waiting = waiting << kBits | static_cast<std::uint32_t>(value);
+    const std::uint8_t value = kValues[static_cast<unsigned char>(digit)];
+    if (value == kNoDigit) throw error::store_corrupted("", "it is no base64");
+    waiting = waiting << kBits | value;
     bits += kBits;
     if (bits < 8) continue;
     bits -= 8;

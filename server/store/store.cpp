@@ -192,7 +192,9 @@ void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::str
     const Packs::Written written = packs_->put(record, first, packed_recipe(recipe), arrays, base);
     record.bytes = written.bytes;
     record.base = written.base;
+    healthy_ = true;
   } catch (...) {
+    healthy_ = false;
     discard(record.id);
     throw;
   }
@@ -235,14 +237,26 @@ std::string Store::packed_recipe(const std::string& recipe) {
   return recipe.empty() ? recipe : packed(recipe);
 }
 
-void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
+void Store::flush() {
+  const std::scoped_lock lock(committing_);
+  if (!persistent()) return;
+  try {
+    if (journal_behind_ || journal_->uncertain()) rewrite_journal({});
+  } catch (...) {
+    healthy_ = false;
+    throw;
+  }
+  healthy_ = true;
+}
+
+bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDisk on_full_disk) {
   const std::scoped_lock lock(committing_);
   Transaction transaction;
   std::map<std::string, std::string> removed;
   try {
     const std::scoped_lock reading(reading_);
     transaction = make(*catalogue_);
-    if (transaction.empty()) return;
+    if (transaction.empty()) return true;
     for (const Operation& operation : transaction) {
       const auto* gone = std::get_if<RemoveRevision>(&operation);
       const auto* dropped = std::get_if<DropMesh>(&operation);
@@ -255,20 +269,31 @@ void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
     drop_added(transaction);
     throw;
   }
+  bool entered = true;
   if (persistent()) {
     try {
       enter(transaction);
+      healthy_ = true;
+    } catch (const Error& failure) {
+      healthy_ = false;
+      entered = false;
+      if (on_full_disk == OnFullDisk::Throw || failure.info().reason != "STORE_FULL") {
+        drop_added(transaction);
+        throw;
+      }
+      journal_behind_ = true;
     } catch (...) {
       drop_added(transaction);
       throw;
     }
   }
   apply(transaction);
-  if (!persistent()) return;
+  if (!persistent()) return true;
   for (const Operation& operation : transaction)
     if (const auto* added = std::get_if<AddRevision>(&operation)) unfiled_.erase(added->record.id);
   leftovers_.merge(removed);
-  tidy();
+  if (entered) tidy();
+  return entered;
 }
 
 void Store::apply(const Transaction& transaction) {

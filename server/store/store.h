@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -78,7 +79,16 @@ class Store {
   /// An empty one changes nothing. The packs of removed revisions are deleted once no other needs
   /// them, and where it throws, those of revisions that it would have added; so are those whose
   /// mesh is dropped.
-  void commit(const std::function<Transaction(Catalogue&)>& make);
+  ///
+  /// `GoOn`: on a full disk the catalogue in memory takes the transaction all the same, and the
+  /// journal with the next commit or `flush` that finds room. Returns false then.
+  enum class OnFullDisk { Throw, GoOn };
+  bool commit(const std::function<Transaction(Catalogue&)>& make,
+              OnFullDisk on_full_disk = OnFullDisk::Throw);
+  /// Writes what the journal lacks. Throws Error(STORE_FAILED, STORE_FULL).
+  void flush();
+  /// False from when something could not be written until something can.
+  [[nodiscard]] bool healthy() const { return healthy_; }
   /// Reads the catalogue with nothing in between. Never waits for the disk.
   template <typename Read>
   auto read(Read&& reader) {
@@ -107,6 +117,7 @@ class Store {
   std::unique_ptr<Packs> packs_;
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<Catalogue> catalogue_;
+  std::atomic<bool> healthy_ = true;
   bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
   /// Revisions that the journal says were removed, or that could not be added, and that may have a
   /// pack: with its base.
