@@ -179,6 +179,8 @@ void Archive::forget(const std::string& id) {
   held_.erase(id);
   set_damaged(id, false);
   set_unsaved(id, false);
+  const std::scoped_lock lock(notes_);
+  used_.erase(id);
 }
 
 Archive::HeadSet Archive::set_head(const std::string& text, const std::string& design,

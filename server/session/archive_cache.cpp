@@ -171,7 +171,11 @@ void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
     store_.put(moved, place, recipe, arrays, &other);
   }
   store_.commit([&](Catalogue& catalogue) {
-    return catalogue.is_stored(id) ? Transaction{AddRevision{moved}} : Transaction{};
+    auto now = catalogue.revision(id);
+    if (!now || now->bytes == 0) return Transaction{};  // it went meanwhile
+    now->bytes = moved.bytes;
+    now->base = moved.base;
+    return Transaction{AddRevision{*now}};
   });
   store_.discard(id);
 }

@@ -204,17 +204,15 @@ void Archive::keep(const HeldRevisionPtr& revision) {
   };
   if (!store_.persistent() || !lacking()) return;
   const auto turn = writing_.take(id);
-  const auto known = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-  if (!known || !lacking()) return;
+  if (!is_known(id) || !lacking()) return;
   // A damaged one by itself: what stands on it must not come to need more packs than it does.
   Written written = write(*revision, first_place(id), is_damaged(id));
-  RevisionRecord record = *known;
-  record.bytes = written.record.bytes;
-  record.base = written.record.base;
   store_.commit([&](Catalogue& catalogue) {
-    // It may have been deleted meanwhile.
-    return catalogue.revision(id) ? Transaction{AddRevision{record, written.recipe}}
-                                  : Transaction{};
+    auto record = catalogue.revision(id);
+    if (!record) return Transaction{};  // it was deleted meanwhile
+    record->bytes = written.record.bytes;
+    record->base = written.record.base;
+    return Transaction{AddRevision{*record, written.recipe}};
   });
   store_.discard(id);
   set_damaged(id, false);

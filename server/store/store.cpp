@@ -153,25 +153,30 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
            std::tie(b.first.design, b.first.number, b.record.id);
   };
   std::sort(found.begin(), found.end(), by_number);
+  std::map<std::string, std::string> heads;  // of designs; to count their revisions takes long
   for (const PackHead& head : found) {
     const std::string& design = head.first.design;
-    const auto now = catalogue_->design(design);
-    const bool taken = catalogue_->at(design, head.first.number).has_value();
-    const bool only_its_mesh = catalogue_->revision(head.record.id).has_value();
     Transaction adopt{AddRevision{head.record, head.recipe}};
-    if (only_its_mesh) {
+    if (design.empty() || catalogue_->revision(head.record.id)) {
       catalogue_->apply(adopt);
       continue;
     }
+    const auto [now, fresh] = heads.try_emplace(design);
+    if (const auto known = fresh ? catalogue_->design(design) : std::nullopt)
+      now->second = known->head;
     // A later line of the journal may have told of its place.
     const auto places = catalogue_->places(head.record.id);
     if (std::none_of(places.begin(), places.end(),
-                     [&](const PlaceRecord& place) { return place.design == design; }))
-      adopt.emplace_back(
-          AddPlace{design, taken ? now->next_number : head.first.number, head.record.id});
+                     [&](const PlaceRecord& place) { return place.design == design; })) {
+      const bool taken = catalogue_->at(design, head.first.number).has_value();
+      adopt.emplace_back(AddPlace{
+          design, taken ? catalogue_->next_number(design) : head.first.number, head.record.id});
+    }
     // As the edit that made it did, unless it asked for something else.
-    if (!now || now->head.empty() || now->head == head.record.parent)
+    if (now->second.empty() || now->second == head.record.parent) {
       adopt.emplace_back(SetHead{design, head.record.id});
+      now->second = head.record.id;
+    }
     catalogue_->apply(adopt);
   }
   if (found.empty()) return;
