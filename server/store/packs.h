@@ -55,7 +55,7 @@ class Packs {
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
   /// Whether a file has all that its head tells, to the bit. Bases are not looked at.
   [[nodiscard]] bool is_whole(const std::string& id) const;
-  /// What is wrong with a file, or with its base as far as that's head tells; else empty.
+  /// What is wrong with a file, or, by its head, with its base; else empty.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
   /// No error where there is none.
   void remove(const std::string& id);
