@@ -42,6 +42,7 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .compute = options.compute_limit,
           .memory = options.memory,
           .held = std::min(options.cache, options.memory),
+          .disk = options.disk,
           .max_nodes = options.max_nodes,
           .dumps = options.dumps};
 }
@@ -118,7 +119,7 @@ struct Daemon::Parts {
         session(std::move(engine), open_store(options), session_limits(options)),
         max_connections(remeshd::max_connections(options)),
         service(make_remesh_service(session, {.facts = facts(), .desk = desk})),
-        cache_service(make_cache_service(desk)) {}
+        cache_service(make_cache_service(session, {.facts = facts(), .desk = desk})) {}
 
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
@@ -134,9 +135,10 @@ struct Daemon::Parts {
       out.ready = readiness.ready();
       out.queue_depth.emplace_back("computation", load.queued);
       out.computations_running = load.running;
-      out.memory_bytes = load.held_bytes;
+      out.memory_bytes = load.memory_bytes;
       out.memory_budget_bytes = session.limits().memory;
       if (session.persistent()) out.disk_bytes = load.disk_bytes;
+      if (session.limits().disk > 0) out.disk_budget_bytes = session.limits().disk;
       out.revisions = load.revisions;
       if (connections) out.connections = connections->count();
     });
@@ -148,6 +150,9 @@ struct Daemon::Parts {
     grpc::HealthCheckServiceInterface* const health = server->GetHealthCheckService();
     if (health == nullptr) return;
     health->SetServingStatus("liveness", true);
+    session.on_store_health([this](bool healthy) {
+      readiness.set("store", healthy ? "" : "it cannot be written to; revisions live in memory");
+    });
     readiness.on_change(
         [this, health, was_ready = true](bool ready, const std::string& why_not) mutable {
           health->SetServingStatus("remesh.v1.RemeshService", ready);
@@ -226,6 +231,7 @@ void Daemon::shutdown(double grace) {
     parts_->desk->gate->wait_until_empty(std::chrono::duration<double>(grace));
     if (parts_->desk->metrics) parts_->desk->metrics->set_source("daemon", {});
     if (parts_->connections) parts_->connections->stop();
+    parts_->session.on_store_health({});
     parts_->readiness.on_change({});
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
     // First the session: its answers still reach their clients. What then is left are idle streams.

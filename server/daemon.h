@@ -36,6 +36,7 @@ struct DaemonOptions {
   double compute_limit = 600;           ///< s that one may take; 0: any
   std::uint64_t memory = 1ULL << 31;    ///< bytes that computations, loads and revisions may take
   std::uint64_t cache = 1ULL << 30;     ///< bytes of it that revisions held may take
+  std::uint64_t disk = 0;               ///< bytes that stored meshes may take; 0: no limit
   std::uint32_t max_nodes = 5000000;    ///< that may be asked for
   std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;  ///< null: no log

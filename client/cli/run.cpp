@@ -64,6 +64,8 @@ void build(CLI::App& app, Line& line) {
   add_validate_command(app, line.action);
   add_revision_commands(app, line.action);
   add_head_command(app, line.action);
+  add_recipe_commands(app, line.action);
+  add_cache_command(app, line.action);
   add_quality_command(app, line.action);
   add_types_command(app, line.action);
   add_info_command(app, line.action);

@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "remesh/v1/cache.grpc.pb.h"
+
 #include "client/library/call_context.h"
 #include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
@@ -20,22 +22,23 @@ namespace {
 
 using remesh::v1::RemeshService;
 using Stub = RemeshService::Stub;
+using CacheStub = remesh::v1::CacheService::Stub;
 
 /// Lists and models are the largest single messages; meshes come in parts of at most 1 MiB.
 constexpr int kMaxMessage = 256 << 20;
 /// ms; also TCP_USER_TIMEOUT, which at 1 s cuts slow but live readers.
 constexpr int kKeepaliveTimeout = 20'000;
 
-template <class Request, class Reply>
-using Method = grpc::Status (Stub::*)(grpc::ClientContext*, const Request&, Reply*);
+template <class Service, class Request, class Reply>
+using Method = grpc::Status (Service::*)(grpc::ClientContext*, const Request&, Reply*);
 
-/// `impl`: of the client.
-template <class Request, class Reply>
-Reply unary(const auto& impl, Method<Request, Reply> method, const Request& request,
+/// `impl`: of the client. The method is that of one of its stubs.
+template <class Service, class Request, class Reply>
+Reply unary(const auto& impl, Method<Service, Request, Reply> method, const Request& request,
             const CallOptions& options) {
   CallContext context(options, impl.token);
   Reply reply;
-  check(((*impl.stub).*method)(context.get(), request, &reply));
+  check((impl.of(static_cast<const Service*>(nullptr)).*method)(context.get(), request, &reply));
   return reply;
 }
 
@@ -75,8 +78,15 @@ void check_token(const std::string& address, const ConnectOptions& options) {
 
 struct Client::Impl {
   explicit Impl(const std::shared_ptr<grpc::Channel>& channel, std::string token_to_send = {})
-      : stub(RemeshService::NewStub(channel)), token(std::move(token_to_send)) {}
+      : stub(RemeshService::NewStub(channel)),
+        cache(remesh::v1::CacheService::NewStub(channel)),
+        token(std::move(token_to_send)) {}
+  /// The stub that has the method.
+  Stub& of(const Stub* /*service*/) const { return *stub; }
+  CacheStub& of(const CacheStub* /*service*/) const { return *cache; }
+
   const std::shared_ptr<Stub> stub;
+  const std::unique_ptr<CacheStub> cache;
   const std::string token;
 };
 
@@ -225,6 +235,60 @@ std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) cons
 
 remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
   return unary(*impl_, &Stub::GetServerInfo, {}, call).server();
+}
+
+remesh::v1::GetRecipeResponse Client::get_recipe(const std::string& revision,
+                                                 const CallOptions& call) const {
+  remesh::v1::GetRecipeRequest request;
+  request.set_revision(revision);
+  return unary(*impl_, &Stub::GetRecipe, request, call);
+}
+
+remesh::v1::RemakeRevisionResponse Client::remake_revision(
+    const remesh::v1::RemakeRevisionRequest& request, const CallOptions& call) const {
+  return unary(*impl_, &Stub::RemakeRevision, request, call);
+}
+
+std::vector<remesh::v1::CacheEntry> Client::list_cache(remesh::v1::ListCacheEntriesRequest request,
+                                                       const CallOptions& call) const {
+  std::vector<remesh::v1::CacheEntry> entries;
+  request.clear_page_token();
+  do {
+    const auto page = unary(*impl_, &CacheStub::ListCacheEntries, request, call);
+    entries.insert(entries.end(), page.entries().begin(), page.entries().end());
+    request.set_page_token(page.next_page_token());
+  } while (!request.page_token().empty());
+  return entries;
+}
+
+remesh::v1::GetCacheStatsResponse Client::cache_stats(const CallOptions& call) const {
+  return unary(*impl_, &CacheStub::GetCacheStats, {}, call);
+}
+
+remesh::v1::CollectGarbageResponse Client::collect_garbage(
+    const remesh::v1::CollectGarbageRequest& request, const CallOptions& call) const {
+  return unary(*impl_, &CacheStub::CollectGarbage, request, call);
+}
+
+remesh::v1::VerifyCacheResponse Client::verify_cache(
+    bool repair, const std::function<void(const remesh::v1::VerifyCacheResponse&)>& on_message,
+    const CallOptions& call) const {
+  CallContext context(call, impl_->token);
+  remesh::v1::VerifyCacheRequest request;
+  request.set_repair(repair);
+  const auto reader = impl_->cache->VerifyCache(context.get(), request);
+  remesh::v1::VerifyCacheResponse message;
+  while (reader->Read(&message)) on_message(message);
+  check(reader->Finish());
+  return message;
+}
+
+remesh::v1::CacheEntry Client::set_pin(const std::string& revision, bool pinned,
+                                       const CallOptions& call) const {
+  remesh::v1::SetPinRequest request;
+  request.set_revision(revision);
+  request.set_pinned(pinned);
+  return unary(*impl_, &CacheStub::SetPin, request, call).entry();
 }
 
 }  // namespace remeshd::client

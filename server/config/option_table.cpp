@@ -97,8 +97,8 @@ Option whole(std::string name, Range range, Member member, std::string help) {
 }
 
 template <typename Member>
-Option mebibytes(std::string name, Member member, std::string help) {
-  Option option = whole(std::move(name), {1, Numbers::max() >> 20U}, member, std::move(help));
+Option mebibytes(std::string name, std::int64_t least, Member member, std::string help) {
+  Option option = whole(std::move(name), {least, Numbers::max() >> 20U}, member, std::move(help));
   option.argument = "MIB";
   option.set = [set = option.set, member](Settings& to, const OptionValue& value) {
     set(to, value);
@@ -190,11 +190,16 @@ std::vector<Option> make_table() {
           "compute-limit", 0, [](S& s) { return &s.daemon.compute_limit; },
           "that one computation may take; 0: any"),
       mebibytes(
-          "memory", [](S& s) { return &s.daemon.memory; },
+          "memory", 1, [](S& s) { return &s.daemon.memory; },
           "MiB that computations, loads and revisions in memory may take"),
       mebibytes(
-          "cache", [](S& s) { return &s.daemon.cache; },
+          "cache", 1, [](S& s) { return &s.daemon.cache; },
           "MiB of the memory that revisions held for later requests may take"),
+      mebibytes(
+          "disk", 0, [](S& s) { return &s.daemon.disk; },
+          "MiB that stored meshes may take; those used longest ago are made again when asked for; "
+          "0: "
+          "no limit"),
       whole(
           "max-nodes", {20, 5000000}, [](S& s) { return &s.daemon.max_nodes; },
           "most nodes that a request may ask for"),

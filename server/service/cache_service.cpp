@@ -1,8 +1,12 @@
 #include "remesh/v1/cache.grpc.pb.h"
+#include "server/service/cache_list.h"
 #include "server/service/call.h"
+#include "server/service/encode_cache.h"
+#include "server/service/query.h"
 #include "server/service/raw_service.h"
-#include "server/service/refused_call.h"
 #include "server/service/remesh_service.h"
+#include "server/service/verify_call.h"
+#include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
@@ -19,54 +23,75 @@ using RawService =
                Cache::WithRawCallbackMethod_CollectGarbage,
                Cache::WithRawCallbackMethod_VerifyCache, Cache::WithRawCallbackMethod_SetPin>::Type;
 
-class CacheServiceWithoutCalls final : public RawService {
- public:
-  explicit CacheServiceWithoutCalls(FrontDeskPtr desk) : desk_(std::move(desk)) {}
+GarbageOptions decode(const v1::CollectGarbageRequest& request) {
+  GarbageOptions out{.dry_run = request.dry_run()};
+  if (request.has_disk_bytes()) out.disk_bytes = request.disk_bytes();
+  if (request.has_unused_seconds()) {
+    constexpr double kMost = 1e9;  // 32 years
+    if (!(request.unused_seconds() >= 0 && request.unused_seconds() <= kMost))
+      throw error::option_invalid("unused_seconds", "is not between 0 and 1e9");
+    out.unused_seconds = request.unused_seconds();
+  }
+  return out;
+}
 
-  Reply* ListCacheEntries(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("ListCacheEntries", context, out);
+class RawCacheService final : public RawService {
+ public:
+  RawCacheService(Session& session, ServiceOptions options)
+      : session_(session), options_(std::move(options)) {}
+
+  Reply* ListCacheEntries(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::ListCacheEntriesRequest>(
+        "ListCacheEntries", Lane::Metadata, context, in, out,
+        [this](const auto& request) { return list_cache_entries(session_, request); });
   }
-  Reply* GetCacheStats(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("GetCacheStats", context, out);
+  Reply* GetCacheStats(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::GetCacheStatsRequest>(
+        "GetCacheStats", Lane::Metadata, context, in, out,
+        [this](const auto&) { return encode(session_.cache().cache_stats()); });
   }
-  Reply* CollectGarbage(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("CollectGarbage", context, out);
+  Reply* CollectGarbage(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::CollectGarbageRequest>(
+        "CollectGarbage", Lane::Preparation, context, in, out, [this](const auto& request) {
+          return encode(session_.cache().collect_garbage(decode(request)));
+        });
   }
-  grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* /*in*/) override {
-    auto call = record("VerifyCache", context);
-    Error why = error::unsupported("VerifyCache");
-    try {
-      call->admit(*context);
-    } catch (const Error& refusal) {
-      why = refusal;
-    }
-    return new RefusedCall<grpc::ServerWriteReactor<Bytes>>(context, why, std::move(call));
+  grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {
+    return VerifyCall::start(session_, context, *in, options_.limits.message_bytes,
+                             record("VerifyCache", context));
   }
-  Reply* SetPin(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("SetPin", context, out);
+  Reply* SetPin(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::SetPinRequest>(
+        "SetPin", Lane::Metadata, context, in, out, [this](const auto& request) {
+          if (request.revision().empty()) throw error::reference_missing("revision");
+          v1::SetPinResponse reply;
+          *reply.mutable_entry() =
+              encode(session_.cache().set_pin(request.revision(), request.pinned()));
+          return reply;
+        });
   }
 
  private:
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(desk_, method, *context);
+    return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
-  Reply* refuse(const char* method, Context* context, Bytes* out) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
-    answering(*call, [&] {
-      call->record().admit(*context);
-      throw error::unsupported(method);
-    });
-    return call.get();
+  template <typename Request, typename Answer>
+  Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
+               Answer answer) {
+    return answer_query<Request>(
+        session_, options_, {method, lane}, context, *in, out,
+        [answer](const Request& request, const Run&) { return answer(request); });
   }
 
-  const FrontDeskPtr desk_;
+  Session& session_;
+  const ServiceOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> make_cache_service(FrontDeskPtr desk) {
-  return std::make_unique<CacheServiceWithoutCalls>(std::move(desk));
+std::unique_ptr<grpc::Service> make_cache_service(Session& session, ServiceOptions options) {
+  return std::make_unique<RawCacheService>(session, std::move(options));
 }
 
 }  // namespace remeshd

@@ -8,9 +8,12 @@
 #include "server/service/decode.h"
 #include "server/service/edit_stream.h"
 #include "server/service/encode.h"
+#include "server/service/encode_cache.h"
 #include "server/service/lists.h"
 #include "server/service/mesh_call.h"
+#include "server/service/query.h"
 #include "server/service/raw_service.h"
+#include "server/service/remake.h"
 #include "server/service/request_id.h"
 #include "server/session/session_error.h"
 
@@ -48,8 +51,22 @@ class RawRemeshService final : public RawService {
     return make<v1::EditRevisionRequest, v1::EditRevisionResponse>("EditRevision", context, in,
                                                                    out);
   }
-  Reply* RemakeRevision(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("RemakeRevision", context, out);
+  Reply* RemakeRevision(Context* context, const Bytes* in, Bytes* out) override {
+    const auto call = UnaryCall::start(context, out, record("RemakeRevision", context));
+    answering(*call, [&] {
+      call->record().admit(*context);
+      const auto refused = [call](const Error& why) { call->fail(why); };
+      const WorkId work = session_.later(
+          Lane::Preparation,
+          {.tenant = call->record().tenant(),
+           .run = [this, call,
+                   bytes = Bytes(*in)] { answering(*call, [&] { remake(call, bytes); }); },
+           .refused = refused});
+      call->on_cancel([this, call, work] {
+        if (session_.withdraw(Lane::Preparation, work)) call->fail(error::cancelled());
+      });
+    });
+    return call.get();
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
     return remeshd::EditStream::start(session_, options_.limits, context,
@@ -67,8 +84,11 @@ class RawRemeshService final : public RawService {
                                                          request.documents());
                                          });
   }
-  Reply* GetRecipe(Context* context, const Bytes* /*in*/, Bytes* out) override {
-    return refuse("GetRecipe", context, out);
+  Reply* GetRecipe(Context* context, const Bytes* in, Bytes* out) override {
+    return query<v1::GetRecipeRequest>("GetRecipe", Lane::Preparation, context, in, out,
+                                       [this](const auto& request, const Run&) {
+                                         return encode(session_.recipe(request.revision()));
+                                       });
   }
   Reply* ListRevisions(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListRevisionsRequest>(
@@ -176,6 +196,28 @@ class RawRemeshService final : public RawService {
     return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
+  void remake(const std::shared_ptr<UnaryCall>& call, const Bytes& bytes) {
+    v1::RemakeRevisionRequest request;
+    from_bytes(bytes, options_.limits.message_bytes, request);
+    const std::string id = request.request_id();
+    call->record().set_request_id(id);
+    check_request_id(id);
+    const auto made = [call, id](const Made& last, const std::vector<std::string>& others) {
+      answering(*call, [&] {
+        call->record().set_note("revision=" + last.filed.record.id.substr(0, 12));
+        count_made(call->record().desk(), last);
+        v1::RemakeRevisionResponse response;
+        *response.mutable_result() = encode(last, id);
+        for (const std::string& other : others) response.add_remade(other);
+        call->reply(response);
+      });
+    };
+    const auto failed = [call](const Error& why) { call->fail(why); };
+    const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+    const MakeRequestPtr under_way = remeshd::remake(session_, request, run, made, failed);
+    call->on_cancel([under_way] { under_way->cancel(); });
+  }
+
   /// A call that makes a revision. Its request is read once there is room for its work.
   template <typename Request, typename Response>
   Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out) {
@@ -209,46 +251,10 @@ class RawRemeshService final : public RawService {
     return call.get();
   }
 
-  /// A call that is answered by a function, in a lane. The request is read there too.
   template <typename Request, typename Answer>
   Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
                Answer answer) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
-    answering(*call, [&] {
-      call->record().admit(*context);
-      const auto refused = [call](const Error& why) { call->fail(why); };
-      const WorkId work = session_.later(
-          lane, {.tenant = call->record().tenant(),
-                 .run =
-                     [this, call, answer, bytes = Bytes(*in)] {
-                       answering(*call, [&] {
-                         Request request;
-                         from_bytes(bytes, options_.limits.message_bytes, request);
-                         const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-                         call->reply(answer(request, run));
-                       });
-                     },
-                 .refused = refused,
-                 .overdue =
-                     [call](const Error& why) {
-                       call->fail(why);
-                       call->stop();
-                     }});
-      call->on_cancel([this, call, lane, work] {
-        if (session_.withdraw(lane, work)) call->fail(error::cancelled());
-      });
-    });
-    return call.get();
-  }
-
-  /// A call that this daemon does not do.
-  Reply* refuse(const char* method, Context* context, Bytes* out) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
-    answering(*call, [&] {
-      call->record().admit(*context);
-      throw error::unsupported(method);
-    });
-    return call.get();
+    return answer_query<Request>(session_, options_, {method, lane}, context, *in, out, answer);
   }
 
   Session& session_;

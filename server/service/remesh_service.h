@@ -22,7 +22,7 @@ struct ServiceOptions {
 /// bytes for the same content.
 std::unique_ptr<grpc::Service> make_remesh_service(Session& session, ServiceOptions options);
 
-/// remesh.v1.CacheService, of which every call answers UNSUPPORTED.
-std::unique_ptr<grpc::Service> make_cache_service(FrontDeskPtr desk);
+/// remesh.v1.CacheService over the same session, likewise.
+std::unique_ptr<grpc::Service> make_cache_service(Session& session, ServiceOptions options);
 
 }  // namespace remeshd

@@ -52,6 +52,9 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   out.mutable_started()->set_seconds(
       std::chrono::duration_cast<std::chrono::seconds>(facts.started.time_since_epoch()).count());
   out.set_ready(facts.readiness == nullptr || facts.readiness->ready());
+  for (const auto capability :
+       {v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE})
+    out.mutable_capabilities()->add_capabilities(capability);
   out.mutable_capabilities()->add_orders(1);
   for (const v1::MeshArray array : supported_arrays())
     out.mutable_capabilities()->add_arrays(array);

@@ -7,18 +7,10 @@
 #include "server/session/fail_on.h"
 #include "server/session/head_decision.h"
 #include "server/session/session_error.h"
-#include "server/session/stored_form.h"
+#include "server/session/written_mesh.h"
 
 namespace remeshd {
 namespace {
-
-constexpr double kWaitToLoad = 60;  // s
-
-/// Bytes that a revision and what it is read from take together.
-std::uint64_t loading_memory(const RevisionRecord& record) {
-  constexpr std::uint64_t kBytesPerNode = 1500;
-  return kBytesPerNode * record.nodes;
-}
 
 AddDesign changed_now(const std::string& design) {
   return {.name = design, .changed_ns = nanoseconds_now()};
@@ -46,47 +38,22 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 
 }  // namespace
 
-Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, std::uint64_t most_held)
+Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, Limits limits)
     : engine_(engine),
       store_(store),
       memory_(memory),
-      held_(memory, most_held, store.persistent(), engine.memory_blocks) {}
+      held_(memory, limits.held, store.persistent(), engine.memory_blocks),
+      disk_(limits.disk),
+      collector_(disk_ > 0 && store.persistent() ? std::function<bool()>([this] {
+        collect_garbage({});
+        return false;
+      })
+                                                 : std::function<bool()>()),
+      saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
+                                : std::function<bool()>()) {}
 
 Reference Archive::resolve(const std::string& text) {
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
-}
-
-HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
-  if (auto held = held_.find(id)) return held;
-  if (!store_.persistent()) return nullptr;
-  const auto turn = loading_.take(id, run);
-  if (auto held = held_.find(id)) return held;  // another one loaded it
-  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-  return record ? load(*record, run) : nullptr;
-}
-
-HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
-  const auto share =
-      memory_.take(std::min(loading_memory(record), memory_.total()), run.stop, kWaitToLoad);
-  run.poll();
-  try {
-    const HeldRevisionPtr parent = held_.find(record.parent);
-    auto held = restored(engine_, store_.get(record.id), record, parent.get(), run);
-    held_.insert(held);
-    return held;
-  } catch (const Error& failure) {
-    if (failure.info().kind == ErrorKind::Internal) {
-      const std::scoped_lock lock(damage_);
-      damaged_.insert(record.id);
-    }
-    throw;
-  }
-}
-
-HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
-  auto held = find(id, run);
-  if (!held) throw error::revision_not_found(id, "it was deleted a moment ago");
-  return held;
 }
 
 void Archive::check_room(std::uint64_t bytes) const {
@@ -114,7 +81,7 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
                                      const std::vector<WarningCode>& fail_on) const {
   Filing filing;
   Filed& filed = filing.filed;
-  filed.durable = store_.persistent();
+  filed.durable = is_durable(record.id);
   HeadSituation now{.id = record.id, .first_mesh = record.parent.empty()};
   const auto known = catalogue.revision(record.id);
   filed.record = known.value_or(record);
@@ -158,96 +125,67 @@ void Archive::check_filing(const RevisionRecord& record, const std::string& desi
   store_.read([&](Catalogue& catalogue) { plan_filing(catalogue, record, design, rule, fail_on); });
 }
 
-bool Archive::is_damaged(const std::string& id) const {
-  const std::scoped_lock lock(damage_);
-  return damaged_.contains(id);
-}
-
-bool Archive::lacks_bytes(const std::string& id) {
-  return store_.persistent() &&
-         !store_.read([&](Catalogue& catalogue) { return catalogue.revision(id).has_value(); });
-}
-
-RevisionRecord Archive::write(const HeldRevision& revision, const PlaceRecord& place) {
-  RevisionRecord record = revision.record;
-  record.seconds = seconds_of(revision.revision.report.seconds);
-  const StoredArrays arrays = stored_form(engine_, revision);
-  const HeldRevisionPtr parent = held_.find(record.parent);
-  if (!parent) {
-    store_.put(record, place, arrays);
-  } else {
-    const StoredArrays of_parent = stored_form(engine_, *parent);
-    const Packs::Base base{record.parent, &of_parent};
-    store_.put(record, place, arrays, &base);
-  }
-  return record;
-}
-
-void Archive::heal(const HeldRevisionPtr& revision) {
-  const std::string& id = revision->record.id;
-  const auto turn = writing_.take(id);
-  if (!is_damaged(id)) return;
-  PlaceRecord first{.id = id};
-  const auto known = store_.read([&](Catalogue& catalogue) {
-    const auto places = catalogue.places(id);
-    if (!places.empty()) first = places.front();
-    return catalogue.revision(id);
-  });
-  if (!known) return;
-  // By itself: what stands on it must not come to need more packs than it does.
-  RevisionRecord record = *known;
-  store_.put(record, first, stored_form(engine_, *revision));
-  store_.commit([&](Catalogue& catalogue) {
-    // It may have been deleted meanwhile.
-    return catalogue.revision(id) ? Transaction{AddRevision{record}} : Transaction{};
-  });
-  store_.discard(id);
-  const std::scoped_lock lock(damage_);
-  damaged_.erase(id);
-}
-
 Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
                     const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
   const std::string& id = revision->record.id;
   const auto plan = [&](Catalogue& catalogue) {
     return plan_filing(catalogue, revision->record, design, rule, fail_on);
   };
-  if (is_damaged(id)) heal(revision);
+  note_use(id);
+  if (is_known(id) && is_durable(id)) {
+    try {
+      keep(revision);
+    } catch (const Error& failure) {
+      // It has its recipe, and is stored again when there is room.
+      if (failure.info().reason != "STORE_FULL") throw;
+    }
+  }
   Filing filing = store_.read(plan);
   if (filing.changes.empty() && store_.persistent()) return filing.filed;
 
   for (;;) {
     std::optional<OneAtATime::Turn> turn;
-    std::optional<RevisionRecord> written;
-    if (lacks_bytes(id)) turn.emplace(writing_.take(id));
-    if (turn && lacks_bytes(id)) written = write(*revision, filing.filed.place);
+    std::optional<Written> written;
+    if (store_.persistent() && !is_known(id)) {
+      turn.emplace(writing_.take(id));
+      if (!is_known(id)) written = write_if_there_is_room(*revision, filing.filed.place);
+    }
     const std::scoped_lock lock(filing_);
     bool again = false;
     try {
-      store_.commit([&](Catalogue& catalogue) {
+      const auto make = [&](Catalogue& catalogue) {
         filing = plan(catalogue);
         if (!filing.add || !store_.persistent()) return filing.changes;
         again = !written;  // it was deleted a moment ago
         if (again) return Transaction{};
-        filing.filed.record = *written;
-        filing.changes.front() = AddRevision{*written};
+        filing.filed.record = written->record;
+        filing.changes.front() = AddRevision{written->record, written->recipe};
         return filing.changes;
-      });
+      };
+      if (!store_.commit(make, Store::OnFullDisk::GoOn)) filing.filed.durable = false;
     } catch (...) {
       if (written) store_.discard(id);
       throw;
     }
     if (again) continue;
+    if (written && written->record.bytes == 0) filing.filed.durable = false;
+    if (!filing.filed.durable && store_.persistent()) {
+      set_unsaved(id, true);
+      saver_.ask();
+    }
     // It may have been dropped, unfiled or deleted, since the caller found it.
     if (!held_.contains(id)) held_.insert(revision);
+    if (written) collector_.ask();
     return filing.filed;
   }
 }
 
 void Archive::forget(const std::string& id) {
   held_.erase(id);
-  const std::scoped_lock lock(damage_);
-  damaged_.erase(id);
+  set_damaged(id, false);
+  set_unsaved(id, false);
+  const std::scoped_lock lock(notes_);
+  used_.erase(id);
 }
 
 Archive::HeadSet Archive::set_head(const std::string& text, const std::string& design,

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "server/session/background.h"
+#include "server/session/cache_entry.h"
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/held_revisions.h"
+#include "server/session/mesh_eviction.h"
 #include "server/session/one_at_a_time.h"
+#include "server/session/recipe.h"
 #include "server/session/references.h"
 #include "server/store/store.h"
 
@@ -31,27 +37,41 @@ class Archive {
     std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
   };
 
-  /// `most_held`: bytes of revisions in memory. The references must outlive the archive.
-  Archive(const Engine& engine, Store& store, MemoryBudget& memory, std::uint64_t most_held);
+  struct Limits {
+    std::uint64_t held = 0;  ///< bytes of revisions in memory
+    std::uint64_t disk = 0;  ///< bytes that stored meshes may take; 0: no limit
+  };
+  /// The references must outlive the archive.
+  Archive(const Engine& engine, Store& store, MemoryBudget& memory, Limits limits);
 
   Reference resolve(const std::string& text);
-  /// The revision, read from the store if need be; null if there is none.
+  /// The revision, read from the store if need be; null if there is none, or if its mesh has gone.
   /// Throws Error(`STORE_CORRUPTED`).
   HeldRevisionPtr find(const std::string& id, const Run& run);
-  /// The same, for one that was resolved. Throws Error(`REVISION_NOT_FOUND`) too.
+  /// The same, for one that was resolved; a mesh that has gone or is damaged is made again of its
+  /// recipe, which takes as long as it took, and stored again. Nothing is given out that has not
+  /// the digests of then.
+  /// Throws Error: REVISION_NOT_FOUND; STORE_CORRUPTED where there is no recipe; REVISION_OUTDATED,
+  /// NOT_REPRODUCIBLE; what `make_revision` throws.
   HeldRevisionPtr get(const std::string& id, const Run& run);
+  /// What a revision is made of again, its mesh being there or not.
+  /// Throws Error(REVISION_NOT_FOUND), also where an older version stored it without.
+  Recipe recipe(const std::string& id);
 
   /// Throws Error: `MESH_TOO_LARGE` where a computation that needs so many bytes can never be,
   /// `MEMORY_FULL` where it cannot until revisions are deleted.
   void check_room(std::uint64_t bytes) const;
   /// Keeps a revision just made in memory, for those who ask for it before it is filed.
-  void hold(HeldRevisionPtr revision) { held_.insert(std::move(revision)); }
+  /// Throws Error(NOT_REPRODUCIBLE) where it was there before with other digests.
+  void hold(HeldRevisionPtr revision);
   /// Lets go of it where it was filed nowhere.
   void drop_unfiled(const std::string& id);
 
   /// Enters a revision in a design: bytes on the disk first (again, if `find` met a damaged copy),
   /// then number and head at once. It keeps the number that it has in the design. Where nothing
   /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
+  /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
+  /// store gets it as soon as there is room.
   /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
   /// Throws what `check_filing` throws; then nothing is filed.
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
@@ -78,6 +98,21 @@ class Archive {
   /// Throws Error: DESIGN_NOT_FOUND, HEAD_CONFLICT.
   DesignRemoved remove_design(const std::string& design, const std::string& expected);
 
+  /// Where meshes are and what they take; of every revision, by id.
+  std::vector<CacheEntry> cache_entries();
+  CacheStats cache_stats();
+  /// Lets meshes go from the disk until the budget is kept, as `meshes_to_drop` chooses.
+  Collected collect_garbage(const GarbageOptions& options);
+  /// Reads all that is stored; calls `found` with each thing that is wrong and `progress` with the
+  /// bytes read. With `repair` damaged meshes are made again.
+  void verify_cache(bool repair, const std::function<void(const CacheFault&)>& found,
+                    const std::function<void(std::uint64_t read, std::uint64_t total)>& progress,
+                    const Run& run);
+  /// Keeps a mesh from going, or lets it.
+  CacheEntry set_pin(const std::string& text, bool pinned);
+
+  /// Whether a revision survives the end of the process.
+  [[nodiscard]] bool is_durable(const std::string& id) const;
   Store& store() { return store_; }
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
@@ -85,11 +120,34 @@ class Archive {
   struct Filing;
   Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
                      const HeadRule& rule, const std::vector<WarningCode>& fail_on) const;
-  [[nodiscard]] bool is_damaged(const std::string& id) const;
-  bool lacks_bytes(const std::string& id);
-  RevisionRecord write(const HeldRevision& revision, const PlaceRecord& place);
-  void heal(const HeldRevisionPtr& revision);
+  HeldRevisionPtr look_up(const std::string& id, const Run& run);
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
+  /// Null where there is neither a mesh nor a recipe.
+  HeldRevisionPtr obtain(const std::string& id, const Run& run);
+  HeldRevisionPtr remake(const std::string& id, const Run& run);
+  /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone.
+  void keep(const HeldRevisionPtr& revision);
+  struct Written;
+  Written write(const HeldRevision& revision, const PlaceRecord& place, bool by_itself);
+  /// The same; on a full disk nothing is written, and the record tells so.
+  Written write_if_there_is_room(const HeldRevision& revision, const PlaceRecord& place);
+  /// Throws Error(NOT_REPRODUCIBLE) where a recipe tells other digests.
+  void check_reproduced(const HeldRevision& revision);
+
+  [[nodiscard]] bool is_damaged(const std::string& id) const;
+  void set_damaged(const std::string& id, bool damaged);
+  bool is_known(const std::string& id);
+  PlaceRecord first_place(const std::string& id);
+  void note_use(const std::string& id);
+  /// The catalogue has it, and the disk has not.
+  void set_unsaved(const std::string& id, bool unsaved);
+  /// Stores what a full disk kept from it; true where it has to be tried again.
+  bool recover();
+
+  CacheEntry entry_of(const RevisionRecord& record, int depth);
+  std::vector<StoredMesh> stored_meshes();
+  bool drop_mesh(const std::string& id);
+  void stand_elsewhere(const std::string& id, const std::string& from);
   /// Takes a revision that was deleted out of memory too.
   void forget(const std::string& id);
 
@@ -97,10 +155,18 @@ class Archive {
   Store& store_;
   MemoryBudget& memory_;
   HeldRevisions held_;
-  std::mutex filing_;             ///< catalogue and memory change together
-  OneAtATime writing_, loading_;  ///< by id
-  mutable std::mutex damage_;
-  std::set<std::string> damaged_;  ///< ids whose copy in the store cannot be read; under damage_
+  std::mutex filing_;                        ///< catalogue and memory change together
+  OneAtATime writing_, loading_, remaking_;  ///< by id
+  std::mutex collecting_;
+  const std::uint64_t disk_;  ///< bytes that stored meshes may take; 0: no limit
+
+  mutable std::mutex notes_;                  ///< guards what follows
+  std::set<std::string> damaged_;             ///< ids whose copy in the store cannot be read
+  std::set<std::string> unsaved_;             ///< ids that the disk had no room for
+  std::map<std::string, std::int64_t> used_;  ///< ns since 1970, of this process
+  std::uint64_t hits_ = 0, misses_ = 0, evictions_ = 0, remade_ = 0;
+
+  Background collector_, saver_;  ///< last: they use what stands before them
 };
 
 }  // namespace remeshd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct HeldRevision {
   /// The document of the edit that made it of its parent; empty for a first mesh, and where it was
   /// stored without one.
   std::string edit;
+  /// The options that it was made with, for its recipe; nothing where it was read from the store,
+  /// which has the recipe.
+  std::optional<MeshOptions> asked;
 
   // Worked out when first asked for, and kept.
   MeshDigests digests;

@@ -97,4 +97,14 @@ std::uint64_t HeldRevisions::bytes() const {
   return bytes_;
 }
 
+std::uint64_t HeldRevisions::own_bytes(const std::string& id) const {
+  const std::scoped_lock lock(mutex_);
+  const auto entry = by_id_.find(id);
+  if (entry == by_id_.end()) return 0;
+  std::uint64_t bytes = own_memory(**entry->second);
+  for (const MemoryBlock& block : blocks_of_((*entry->second)->revision))
+    if (blocks_.at(block.address) == 1) bytes += block.bytes;
+  return bytes;
+}
+
 }  // namespace remeshd

@@ -34,6 +34,8 @@ class HeldRevisions {
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::uint64_t bytes() const;
+  /// Of what a revision has in common with no other; 0 where it is not here.
+  [[nodiscard]] std::uint64_t own_bytes(const std::string& id) const;
   [[nodiscard]] std::uint64_t most() const { return most_; }
 
  private:

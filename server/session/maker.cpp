@@ -125,6 +125,7 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
   revision.report.revision = prepared.id;
   revision.report.cached = false;
   made->edit = prepared.edit;
+  made->asked = prepared.options;
   made->record = preparation_.record_of(prepared);
   made->record.created_ns = nanoseconds_now();
   made->record.nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size());

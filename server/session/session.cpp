@@ -27,7 +27,7 @@ Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limi
       limits_(std::move(limits)),
       store_(std::move(store)),
       memory_(limits_.memory),
-      archive_(engine_, *store_, memory_, limits_.held),
+      archive_(engine_, *store_, memory_, {.held = limits_.held, .disk = limits_.disk}),
       metadata_({.workers = kMetadataThreads, .queue = kLaneQueue, .wait = limits_.wait}),
       preparation_({.workers = kPreparationThreads, .queue = kLaneQueue, .wait = limits_.wait}),
       computation_({.workers = limits_.workers,
@@ -86,7 +86,8 @@ Description Session::describe(const std::string& text, const Run& run) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
     description.children = catalogue.children(reference.id, kMostChildren);
-    description.durable = store_->persistent() && catalogue.revision(reference.id).has_value();
+    description.durable =
+        archive_.is_durable(reference.id) && catalogue.revision(reference.id).has_value();
   });
   if (!description.places.empty()) description.place = description.places.front();
   for (const PlaceRecord& place : description.places)
@@ -160,6 +161,7 @@ Load Session::load() {
             .waiting = maker_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
+  load.memory_bytes = load.held_bytes + memory_.leased();
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();
     load.designs = catalogue.count_designs();

@@ -13,6 +13,7 @@
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/maker.h"
+#include "server/session/session_error.h"
 #include "server/store/store.h"
 
 namespace remeshd {
@@ -25,6 +26,7 @@ struct SessionLimits {
   double compute = 600;                        ///< s that one may take; 0: any
   std::uint64_t memory = 1ULL << 31;           ///< bytes of all that MemoryBudget counts
   std::uint64_t held = 1ULL << 30;             ///< bytes of revisions held, at most
+  std::uint64_t disk = 0;                      ///< bytes that stored meshes may take; 0: no limit
   std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
   std::filesystem::path dumps;                 ///< as Maker::Limits
 };
@@ -50,6 +52,7 @@ struct Load {
   std::size_t waiting = 0;  ///< requests that wait for these; several may wait for the same
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
+  std::uint64_t memory_bytes = 0;  ///< those, and what computations and loads have taken
   std::uint32_t revisions = 0, designs = 0;
   std::uint64_t disk_bytes = 0;
 };
@@ -113,6 +116,22 @@ class Session {
     return archive_.remove_design(design, expected);
   }
 
+  /// What a revision is made of again, whether its mesh is there or not.
+  Recipe recipe(const std::string& reference) {
+    if (reference.empty()) throw error::reference_missing("revision");
+    return archive_.recipe(archive_.resolve(reference).id);
+  }
+  /// The same of an id whose revision may have been deleted, while others are made of it.
+  Recipe recipe_of_ancestor(const std::string& id) { return archive_.recipe(id); }
+  Reference resolve(const std::string& reference) { return archive_.resolve(reference); }
+  /// The first design that a revision stands in; empty for none.
+  std::string design_of(const std::string& id) {
+    const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
+    return places.empty() ? "" : places.front().design;
+  }
+  /// Meshes in memory and on disk: what they take, which of them stay and go.
+  Archive& cache() { return archive_; }
+
   /// Throws Error: DESIGN_NOT_FOUND.
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
@@ -122,6 +141,11 @@ class Session {
   Load load();
   [[nodiscard]] const SessionLimits& limits() const { return limits_; }
   [[nodiscard]] std::uint32_t algorithm_version() const { return engine_.algorithm_version; }
+  /// False while the store cannot take what it should: its disk is full or fails.
+  /// As Store::on_health.
+  void on_store_health(std::function<void(bool healthy)> listener) {
+    store_->on_health(std::move(listener));
+  }
   [[nodiscard]] bool persistent() { return archive_.store().persistent(); }
 
   /// Answers whatever is under way with Unavailable, and returns when every thread has come to

@@ -51,6 +51,25 @@ Error design_not_found(std::string_view design) {
       request_info(ErrorKind::NotFound, "DESIGN_NOT_FOUND", "there is no design " + name(design)));
 }
 
+Error revision_outdated(std::string_view id, std::uint32_t made_by, std::uint32_t today) {
+  ErrorInfo info =
+      request_info(ErrorKind::FailedPrecondition, "REVISION_OUTDATED",
+                   "the mesh of revision " + std::string(id.substr(0, 12)) +
+                       " is lost, and version " + std::to_string(made_by) +
+                       " of the algorithm made it; this is version " + std::to_string(today));
+  info.hint = "`remesh remake " + std::string(id.substr(0, 12)) +
+              "` makes a new revision of what is known of it";
+  return Error(std::move(info));
+}
+
+Error not_reproducible(std::string_view id) {
+  ErrorInfo info = request_info(ErrorKind::DataLoss, "NOT_REPRODUCIBLE",
+                                "the mesh of revision " + std::string(id.substr(0, 12)) +
+                                    " is lost, and making it again gives another one");
+  info.hint = "please report this, with `remesh recipe " + std::string(id.substr(0, 12)) + "`";
+  return Error(std::move(info));
+}
+
 Error design_empty(std::string_view design) {
   return Error(request_info(ErrorKind::NotFound, "DESIGN_EMPTY",
                             "the design " + name(design) + " has no revisions left"));

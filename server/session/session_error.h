@@ -11,6 +11,10 @@ Error revision_not_found(std::string_view reference, std::string_view hint);
 Error revision_ambiguous(std::string_view prefix);
 Error reference_missing(std::string_view field);
 Error design_not_found(std::string_view design);
+/// Its mesh is lost, and was made by an older algorithm: it cannot be made again as it was.
+Error revision_outdated(std::string_view id, std::uint32_t made_by, std::uint32_t today);
+/// Its mesh is lost, and what its recipe gives is not that mesh.
+Error not_reproducible(std::string_view id);
 Error design_empty(std::string_view design);
 Error design_name_invalid(std::string_view why);
 Error head_protected(std::string_view design, std::uint32_t number);

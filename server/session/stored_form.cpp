@@ -15,11 +15,6 @@ constexpr double PhaseSeconds::*kSeconds[] = {&PhaseSeconds::setup,   &PhaseSeco
                                               &PhaseSeconds::copy,    &PhaseSeconds::verify,
                                               &PhaseSeconds::total};
 
-void set_seconds(PhaseSeconds& seconds, const std::vector<double>& values) {
-  for (std::size_t i = 0; i < std::min(values.size(), std::size(kSeconds)); ++i)
-    seconds.*kSeconds[i] = values[i];
-}
-
 /// The document that store version 1 kept behind a revision's bytes, its length in four bytes at
 /// the very end; the format before it kept none.
 std::string older_edit(const std::string& bytes) {
@@ -41,6 +36,12 @@ std::vector<double> seconds_of(const PhaseSeconds& seconds) {
   return values;
 }
 
+void tell_seconds(HeldRevision& held) {
+  const std::vector<double>& values = held.record.seconds;
+  for (std::size_t i = 0; i < std::min(values.size(), std::size(kSeconds)); ++i)
+    held.revision.report.seconds.*kSeconds[i] = values[i];
+}
+
 StoredArrays stored_form(const Engine& engine, const HeldRevision& held) {
   StoredArrays arrays = engine.image_of(held.revision);
   if (!held.edit.empty()) arrays.arrays.emplace_back(StoredArray{.name = kEdit}).own(held.edit);
@@ -60,7 +61,7 @@ std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays&
     held->edit = older_edit(older->flat());
     return held;
   }
-  set_seconds(report.seconds, record.seconds);
+  tell_seconds(*held);
   if (const StoredArray* edit = arrays.find(kEdit)) held->edit = edit->flat();
   return held;
 }

@@ -17,6 +17,8 @@ std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays&
                                        const RevisionRecord& record, const HeldRevision* alike,
                                        const Run& run);
 
+/// Tells in the report what the record kept of its seconds, if anything.
+void tell_seconds(HeldRevision& held);
 /// The seconds that a record keeps of a report.
 std::vector<double> seconds_of(const PhaseSeconds& seconds);
 

@@ -31,6 +31,13 @@ Error corrupted(const std::string& array) {
   return error::store_corrupted("", "the array " + array + " cannot be decoded");
 }
 
+/// A context of this thread's, as new: to make one takes longer than to compress a small array.
+ZSTD_CCtx* compressor() {
+  thread_local const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
+  ZSTD_CCtx_reset(context.get(), ZSTD_reset_session_and_parameters);
+  return context.get();
+}
+
 /// A window that holds the prefix and the bytes.
 int window_for(std::size_t bytes) {
   int log = 17;
@@ -39,16 +46,15 @@ int window_for(std::size_t bytes) {
 }
 
 std::string compress(std::string_view bytes, std::string_view prefix = {}) {
-  const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx* const context = compressor();
+  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
   if (!prefix.empty()) {
-    ZSTD_CCtx_setParameter(context.get(), ZSTD_c_windowLog,
-                           window_for(prefix.size() + bytes.size()));
-    ZSTD_CCtx_refPrefix(context.get(), prefix.data(), prefix.size());
+    ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_for(prefix.size() + bytes.size()));
+    ZSTD_CCtx_refPrefix(context, prefix.data(), prefix.size());
   }
   std::string out(ZSTD_compressBound(bytes.size()), '\0');
   const std::size_t size =
-      ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
+      ZSTD_compress2(context, out.data(), out.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size)) throw error::internal("store", ZSTD_getErrorName(size));
   out.resize(size);
   return out;

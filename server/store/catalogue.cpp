@@ -13,9 +13,12 @@ CREATE TABLE revisions(
   id TEXT PRIMARY KEY, parent TEXT NOT NULL, root TEXT NOT NULL, model_name TEXT NOT NULL,
   model TEXT NOT NULL, algorithm_version INTEGER NOT NULL, created_ns INTEGER NOT NULL,
   nodes INTEGER NOT NULL, tets INTEGER NOT NULL, bytes INTEGER NOT NULL,
-  base TEXT NOT NULL, seconds TEXT NOT NULL) WITHOUT ROWID;
+  base TEXT NOT NULL, seconds TEXT NOT NULL, pinned INTEGER NOT NULL) WITHOUT ROWID;
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
 CREATE INDEX revisions_by_base ON revisions(base);
+CREATE TABLE recipes(
+  id TEXT PRIMARY KEY, parent TEXT NOT NULL, recipe TEXT NOT NULL) WITHOUT ROWID;
+CREATE INDEX recipes_by_parent ON recipes(parent);
 CREATE TABLE designs(
   name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL,
   changed_ns INTEGER NOT NULL, listed INTEGER NOT NULL) WITHOUT ROWID;
@@ -76,13 +79,18 @@ std::vector<Transaction> Catalogue::snapshot() {
                                  " FROM places p JOIN revisions r ON r.id = p.id ORDER BY p.entry");
   while (place.step()) {
     Transaction& next = all.emplace_back();
-    if (told.insert(place.text(2)).second) next.emplace_back(AddRevision{read_revision(place, 3)});
+    if (told.insert(place.text(2)).second)
+      next.emplace_back(AddRevision{read_revision(place, 3), recipe(place.text(2))});
     next.emplace_back(
         AddPlace{place.text(0), static_cast<std::uint32_t>(place.number(1)), place.text(2)});
   }
   auto unplaced = database_.prepare("SELECT " + kRevisionColumns +
                                     " FROM revisions r WHERE r.id NOT IN (SELECT id FROM places)");
-  while (unplaced.step()) all.push_back({AddRevision{read_revision(unplaced, 0)}});
+  while (unplaced.step())
+    all.push_back({AddRevision{read_revision(unplaced, 0), recipe(unplaced.text(0))}});
+  auto kept = database_.prepare(
+      "SELECT id, parent, recipe FROM recipes WHERE id NOT IN (SELECT id FROM revisions)");
+  while (kept.step()) all.push_back({KeepRecipe{kept.text(0), kept.text(1), kept.text(2)}});
   for (const SetHead& head : heads) all.push_back({head});
   return all;
 }
@@ -90,7 +98,8 @@ std::vector<Transaction> Catalogue::snapshot() {
 void Catalogue::apply_one(const Operation& operation) {
   if (const auto* add = std::get_if<AddRevision>(&operation)) {
     const RevisionRecord& r = add->record;
-    database_.prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+    database_
+        .prepare("INSERT OR REPLACE INTO revisions VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(r.id)
         .bind(r.parent)
         .bind(r.root)
@@ -103,7 +112,9 @@ void Catalogue::apply_one(const Operation& operation) {
         .bind(static_cast<std::int64_t>(r.bytes))
         .bind(r.base)
         .bind(bytes_of(r.seconds))
+        .bind(std::int64_t{r.pinned})
         .run();
+    if (!add->recipe.empty()) keep_recipe({r.id, r.parent, add->recipe});
   } else if (const auto* design = std::get_if<AddDesign>(&operation)) {
     enter_design(*design);
   } else if (const auto* place = std::get_if<AddPlace>(&operation)) {
@@ -126,8 +137,45 @@ void Catalogue::apply_one(const Operation& operation) {
         .run();
   } else if (const auto* removed = std::get_if<RemoveRevision>(&operation)) {
     database_.prepare("DELETE FROM revisions WHERE id = ?").bind(removed->id).run();
+    drop_recipe(removed->id);
+  } else if (const auto* recipe = std::get_if<KeepRecipe>(&operation)) {
+    keep_recipe(*recipe);
+  } else if (const auto* drop = std::get_if<DropMesh>(&operation)) {
+    database_.prepare("UPDATE revisions SET bytes = 0, base = '' WHERE id = ?")
+        .bind(drop->id)
+        .run();
+  } else if (const auto* pin = std::get_if<SetPin>(&operation)) {
+    database_.prepare("UPDATE revisions SET pinned = ? WHERE id = ?")
+        .bind(std::int64_t{pin->pinned})
+        .bind(pin->id)
+        .run();
   } else {
-    database_.execute("DELETE FROM revisions; DELETE FROM places; DELETE FROM designs;");
+    database_.execute(
+        "DELETE FROM revisions; DELETE FROM places; DELETE FROM designs; DELETE FROM recipes;");
+  }
+}
+
+void Catalogue::keep_recipe(const KeepRecipe& recipe) {
+  database_.prepare("INSERT OR REPLACE INTO recipes VALUES(?, ?, ?)")
+      .bind(recipe.id)
+      .bind(recipe.parent)
+      .bind(recipe.recipe)
+      .run();
+}
+
+void Catalogue::drop_recipe(std::string id) {
+  // Others may have to be made of it again, and it of its parent.
+  while (!id.empty() && !revision(id)) {
+    auto child = database_.prepare(
+        "SELECT 1 FROM revisions WHERE parent = ?1 "
+        "UNION ALL SELECT 1 FROM recipes WHERE parent = ?1 LIMIT 1");
+    child.bind(id);
+    if (child.step()) return;
+    auto row = database_.prepare("SELECT parent FROM recipes WHERE id = ?");
+    row.bind(id);
+    const std::string parent = row.step() ? row.text(0) : "";
+    database_.prepare("DELETE FROM recipes WHERE id = ?").bind(id).run();
+    id = parent;
   }
 }
 
@@ -225,6 +273,39 @@ std::optional<PlaceRecord> Catalogue::last_place(const std::string& design,
 std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
   auto row = database_.prepare("SELECT id FROM revisions WHERE parent = ? ORDER BY id LIMIT ?");
   row.bind(id).bind(std::int64_t{limit});
+  std::vector<std::string> ids;
+  while (row.step()) ids.push_back(row.text(0));
+  return ids;
+}
+
+std::string Catalogue::recipe(const std::string& id) {
+  auto row = database_.prepare("SELECT recipe FROM recipes WHERE id = ?");
+  row.bind(id);
+  return row.step() ? row.text(0) : "";
+}
+
+std::vector<std::pair<std::string, std::string>> Catalogue::recipes() {
+  auto row = database_.prepare("SELECT id, parent FROM recipes ORDER BY id");
+  std::vector<std::pair<std::string, std::string>> all;
+  while (row.step()) all.emplace_back(row.text(0), row.text(1));
+  return all;
+}
+
+std::vector<RevisionRecord> Catalogue::revisions() {
+  auto row = database_.prepare("SELECT " + kRevisionColumns + " FROM revisions r ORDER BY r.id");
+  std::vector<RevisionRecord> all;
+  while (row.step()) all.push_back(read_revision(row, 0));
+  return all;
+}
+
+bool Catalogue::is_stored(const std::string& id) {
+  const auto record = revision(id);
+  return record && record->bytes > 0;
+}
+
+std::vector<std::string> Catalogue::standing_on(const std::string& id) {
+  auto row = database_.prepare("SELECT id FROM revisions WHERE base = ? ORDER BY id");
+  row.bind(id);
   std::vector<std::string> ids;
   while (row.step()) ids.push_back(row.text(0));
   return ids;

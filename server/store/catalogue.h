@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "server/store/listing.h"
@@ -48,6 +49,16 @@ class Catalogue {
   /// Designs without revisions too, but for those that were taken off the list.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   std::vector<std::string> children(const std::string& id, int limit);
+  /// Its recipe as `packed`, be the revision deleted; empty where there is none.
+  std::string recipe(const std::string& id);
+  /// Ids that have a recipe, with those of their parents.
+  std::vector<std::pair<std::string, std::string>> recipes();
+  /// All, by id.
+  std::vector<RevisionRecord> revisions();
+  /// Whether there is such a revision and it has a file.
+  bool is_stored(const std::string& id);
+  /// Revisions whose bytes are differences to those of `id`.
+  std::vector<std::string> standing_on(const std::string& id);
   /// Whether a revision's bytes are differences to those of `id`.
   bool is_base(const std::string& id);
   std::uint32_t count_revisions();
@@ -59,6 +70,8 @@ class Catalogue {
   void run(const Transaction& transaction, bool keep);
   void apply_one(const Operation& operation);
   void enter_design(const AddDesign& design);
+  void keep_recipe(const KeepRecipe& recipe);
+  void drop_recipe(std::string id);
 
   Sqlite database_;
 };

@@ -24,7 +24,7 @@ inline std::vector<double> numbers_in(const std::string& bytes) {
 /// The columns that `read_revision` takes, of a table called `r`.
 inline const std::string kRevisionColumns =
     "r.id, r.parent, r.root, r.model_name, r.model, r.algorithm_version, r.created_ns, r.nodes, "
-    "r.tets, r.bytes, r.base, r.seconds";
+    "r.tets, r.bytes, r.base, r.seconds, r.pinned";
 
 inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
   return {.id = row.text(first),
@@ -38,7 +38,8 @@ inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .tets = static_cast<std::uint32_t>(row.number(first + 8)),
           .bytes = static_cast<std::uint64_t>(row.number(first + 9)),
           .base = row.text(first + 10),
-          .seconds = numbers_in(row.text(first + 11))};
+          .seconds = numbers_in(row.text(first + 11)),
+          .pinned = row.number(first + 12) != 0};
 }
 
 /// Designs that are on the list, with the columns that `read_design` takes. Where the time of the

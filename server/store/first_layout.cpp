@@ -58,7 +58,7 @@ void FirstLayout::bring_in(Packs& packs, Quarantine& quarantine) const {
     } else {
       StoredArray whole{.name = kOlderBytes};
       whole.own(bytes.substr(head->size));
-      packs.put(head->record, head->first, {{std::move(whole)}}, nullptr);
+      packs.put(head->record, head->first, "", {{std::move(whole)}}, nullptr);
       remove_file(file);
     }
   }

@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/base/error.h"
 #include "server/store/checked_line.h"
+#include "server/store/packed_text.h"
 
 namespace remeshd {
 namespace {
@@ -14,18 +16,21 @@ constexpr int kVersion = 2;
 struct ToJson {
   json operator()(const AddRevision& op) const {
     const RevisionRecord& r = op.record;
-    return {{"add_revision", r.id},
-            {"parent", r.parent},
-            {"root", r.root},
-            {"model_name", r.model_name},
-            {"model", r.model},
-            {"algorithm_version", r.algorithm_version},
-            {"created_ns", r.created_ns},
-            {"nodes", r.nodes},
-            {"tets", r.tets},
-            {"bytes", r.bytes},
-            {"base", r.base},
-            {"seconds", r.seconds}};
+    json j{{"add_revision", r.id},
+           {"parent", r.parent},
+           {"root", r.root},
+           {"model_name", r.model_name},
+           {"model", r.model},
+           {"algorithm_version", r.algorithm_version},
+           {"created_ns", r.created_ns},
+           {"nodes", r.nodes},
+           {"tets", r.tets},
+           {"bytes", r.bytes},
+           {"base", r.base},
+           {"seconds", r.seconds},
+           {"pinned", r.pinned}};
+    if (!op.recipe.empty()) j["recipe"] = base64(op.recipe);
+    return j;
   }
   json operator()(const AddPlace& op) const {
     return {{"add_place", op.design}, {"number", op.number}, {"id", op.id}};
@@ -41,6 +46,11 @@ struct ToJson {
             {"changed_ns", op.changed_ns},
             {"listed", op.listed}};
   }
+  json operator()(const KeepRecipe& op) const {
+    return {{"keep_recipe", op.id}, {"parent", op.parent}, {"recipe", base64(op.recipe)}};
+  }
+  json operator()(const DropMesh& op) const { return {{"drop_mesh", op.id}}; }
+  json operator()(const SetPin& op) const { return {{"set_pin", op.id}, {"pinned", op.pinned}}; }
   json operator()(const StartAnew&) const { return {{"start_anew", true}}; }
 };
 
@@ -61,7 +71,8 @@ Operation from_json(const json& j) {
     j.at("bytes").get_to(r.bytes);
     r.base = j.value("base", "");
     r.seconds = j.value("seconds", std::vector<double>());
-    return AddRevision{r};
+    r.pinned = j.value("pinned", false);
+    return AddRevision{r, from_base64(j.value("recipe", ""))};
   }
   if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};
   if (j.contains("set_head")) return SetHead{j.at("set_head"), j.at("id")};
@@ -69,6 +80,11 @@ Operation from_json(const json& j) {
   if (j.contains("add_design"))
     return AddDesign{j.at("add_design"), j.at("next_number"),
                      j.value("changed_ns", std::int64_t{0}), j.value("listed", true)};
+  if (j.contains("keep_recipe"))
+    return KeepRecipe{j.at("keep_recipe"), j.at("parent"),
+                      from_base64(j.at("recipe").get<std::string>())};
+  if (j.contains("drop_mesh")) return DropMesh{j.at("drop_mesh")};
+  if (j.contains("set_pin")) return SetPin{j.at("set_pin"), j.at("pinned")};
   if (j.contains("start_anew")) return StartAnew{};
   return RemoveRevision{j.at("remove_revision")};
 }
@@ -97,6 +113,8 @@ std::optional<JournalLine> read_journal_line(std::string_view line) {
       out.transaction.push_back(from_json(operation));
     return out;
   } catch (const json::exception&) {
+    return std::nullopt;
+  } catch (const Error&) {
     return std::nullopt;
   }
 }

@@ -57,26 +57,30 @@ std::string write_pack_head(const PackHead& head) {
                       {"encoding", static_cast<int>(a.encoding)},
                       {"data", a.data_bytes}});
   return checked_line(json{
-      {"format", kFormat},
-      {"store", kStoreVersion},
-      {"id", r.id},
-      {"parent", r.parent},
-      {"root", r.root},
-      {"model_name", r.model_name},
-      {"model", r.model},
-      {"algorithm_version", r.algorithm_version},
-      {"base", r.base},
-      {"nodes", r.nodes},
-      {"tets", r.tets},
-      {"design", head.first.design},
-      {"number", head.first.number},
-      {"base_content", head.base_content},
-      {"chain", head.chain},
-      {"chain_bytes", head.chain_bytes},
-      {"full_bytes", head.full_bytes},
-      {"arrays", std::move(arrays)},
-      {"content", head.content},
-      {"data", head.data}}.dump());
+             {"format", kFormat},
+             {"store", kStoreVersion},
+             {"id", r.id},
+             {"parent", r.parent},
+             {"root", r.root},
+             {"model_name", r.model_name},
+             {"model", r.model},
+             {"algorithm_version", r.algorithm_version},
+             {"base", r.base},
+             {"nodes", r.nodes},
+             {"tets", r.tets},
+             {"design", head.first.design},
+             {"number", head.first.number},
+             {"base_content", head.base_content},
+             {"chain", head.chain},
+             {"chain_bytes", head.chain_bytes},
+             {"full_bytes", head.full_bytes},
+             {"arrays", std::move(arrays)},
+             {"content", head.content},
+             {"recipe", head.recipe.size()},
+             {"recipe_hash", content_hash(head.recipe)},
+             {"data",
+              head.data}}.dump()) +
+         head.recipe;
 }
 
 std::optional<PackHead> read_pack_head(std::string_view start) {
@@ -117,11 +121,24 @@ std::optional<PackHead> read_pack_head(std::string_view start) {
                              .encoding = ArrayEncoding{a.at("encoding").get<std::uint8_t>()},
                              .data_bytes = a.at("data")});
     j.at("content").get_to(head.content);
+    j.at("recipe").get_to(head.recipe_size);
+    if (start.size() - line->size >= head.recipe_size) {
+      const std::string_view recipe = start.substr(line->size, head.recipe_size);
+      if (content_hash(recipe) == j.at("recipe_hash")) head.recipe = recipe;
+    }
     j.at("data").get_to(head.data);
     return head;
   } catch (const json::exception&) {
     return std::nullopt;
   }
+}
+
+std::optional<std::size_t> size_of_pack_head(std::string_view start) {
+  const auto line = read_line(start);
+  if (!line || !line->checked) return std::nullopt;
+  const auto recipe = line->content.find("recipe");
+  if (recipe == line->content.end() || !recipe->is_number_unsigned()) return line->size;
+  return line->size + recipe->get<std::size_t>();
 }
 
 std::optional<int> store_version_of(std::string_view start) {

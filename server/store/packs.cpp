@@ -18,6 +18,7 @@ constexpr std::size_t kFolderDigits = 2;
 // bytes of the pack that has none: 12 ms a megabyte.
 constexpr std::uint32_t kMostChain = 64;
 constexpr std::uint64_t kMostChainShare = 2;
+constexpr std::size_t kMostBytesOfHead = std::size_t{1} << 28;  // with the recipe
 constexpr std::size_t kStates = 64;  // of packs that edits are likely to come to next
 
 /// Calls `visit` with each entry two levels down and the id that its place spells.
@@ -59,11 +60,11 @@ Packs::StatePtr Packs::usable_state(const Base& base) {
 }
 
 Packs::Written Packs::put(const RevisionRecord& record, const PlaceRecord& first,
-                          const StoredArrays& arrays, const Base* base) {
+                          const std::string& recipe, const StoredArrays& arrays, const Base* base) {
   StatePtr before;
   if (base != nullptr && base->id != record.id) before = usable_state(*base);
 
-  PackHead head{.record = record, .first = first};
+  PackHead head{.record = record, .first = first, .recipe = recipe};
   auto after = std::make_shared<State>();
   std::string data;
   bool differs = false;
@@ -90,7 +91,7 @@ Packs::Written Packs::put(const RevisionRecord& record, const PlaceRecord& first
   }
   if (!differs) before = nullptr;
   head.content = after->content = content_hash(arrays);
-  head.data = content_hash(data);
+  head.data = content_hash(recipe + data);
   head.record.base = before ? base->id : "";
   head.base_content = before ? before->content : "";
   head.chain = after->chain = before ? before->chain + 1 : 1;
@@ -135,6 +136,7 @@ Packs::File Packs::read_file(const std::string& id) const {
   if (!head || head->store_version == 0) throw damaged("its head cannot be read");
   if (head->record.id != id) throw damaged("it is another revision");
   const std::string_view rest = std::string_view(file.bytes).substr(head->size);
+  if (rest.size() < head->recipe_size) throw damaged("it is cut off");
   const bool in_one_piece = head->store_version < kFirstWithArrays;
   if ((in_one_piece ? sha256_hex(rest) : content_hash(rest)) != head->data)
     throw damaged("its content does not have its checksum");
@@ -153,6 +155,17 @@ bool Packs::is_whole(const std::string& id) const {
   }
 }
 
+std::string Packs::fault_of(const std::string& id) const {
+  try {
+    const PackHead own = read_file(id).head;
+    if (own.record.base.empty()) return {};
+    const auto base = head(own.record.base);
+    return base && base->content == own.base_content ? "" : "the pack that it stands on is damaged";
+  } catch (const Error& failure) {
+    return failure.info().message;
+  }
+}
+
 Packs::Decoded Packs::decode_chain(const std::string& id) const {
   std::vector<File> chain{read_file(id)};
   while (!chain.back().head.record.base.empty()) {
@@ -166,7 +179,8 @@ Packs::Decoded Packs::decode_chain(const std::string& id) const {
   Decoded decoded;
   for (auto file = chain.rbegin(); file != chain.rend(); ++file) {
     std::map<std::string, DecodedArray> arrays;
-    std::string_view rest = std::string_view(file->bytes).substr(file->head.size);
+    std::string_view rest =
+        std::string_view(file->bytes).substr(file->head.size + file->head.recipe_size);
     for (EncodedArray& encoded : file->head.arrays) {
       if (encoded.data_bytes > rest.size()) throw error::store_corrupted(id, "it is cut off");
       encoded.data = rest.substr(0, encoded.data_bytes);
@@ -237,7 +251,10 @@ void Packs::remember(const std::string& id, StatePtr state) {
 std::optional<PackHead> Packs::head(const std::string& id) const {
   const fs::path path = path_of(id);
   try {
-    auto head = read_pack_head(read_start(path, kMostHeadBytes));
+    std::string start = read_start(path, kMostHeadBytes);
+    const auto size = size_of_pack_head(start);
+    if (size && *size > start.size()) start = read_start(path, std::min(*size, kMostBytesOfHead));
+    auto head = read_pack_head(start);
     if (!head) return std::nullopt;
     head->record.bytes = fs::file_size(path);
     if (head->store_version >= kFirstWithArrays)

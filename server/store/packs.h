@@ -44,8 +44,9 @@ class Packs {
   /// The file's time of last change is that of the record's making. One revision may not be put
   /// twice at a time.
   /// Throws Error(STORE_FAILED, STORE_FULL); there may then be a pack or not.
-  Written put(const RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
-              const Base* base);
+  /// `recipe`: as `packed`; may be empty.
+  Written put(const RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
+              const StoredArrays& arrays, const Base* base);
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
   /// gone, or a base of theirs is; Error(STORE_FAILED).
   [[nodiscard]] StoredArrays get(const std::string& id);
@@ -54,6 +55,8 @@ class Packs {
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
   /// Whether a file has all that its head tells, to the bit. Bases are not looked at.
   [[nodiscard]] bool is_whole(const std::string& id) const;
+  /// What is wrong with a file, or, by its head, with its base; else empty.
+  [[nodiscard]] std::string fault_of(const std::string& id) const;
   /// No error where there is none.
   void remove(const std::string& id);
 

@@ -17,10 +17,11 @@ struct RevisionRecord {
   std::uint32_t algorithm_version = 0;  ///< 0 where it is not known
   std::int64_t created_ns = 0;          ///< since 1970, UTC
   std::uint32_t nodes = 0, tets = 0;
-  std::uint64_t bytes = 0;  ///< of its file
+  std::uint64_t bytes = 0;  ///< of its file; 0 where its mesh is not stored
   /// Id of the revision whose bytes its own are differences to; empty where they stand alone.
   std::string base;
   std::vector<double> seconds;  ///< that its making took, as its report tells them
+  bool pinned = false;          ///< its mesh is not to go
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 
@@ -45,6 +46,21 @@ struct DesignRecord {
 
 struct AddRevision {
   RevisionRecord record;
+  std::string recipe{};  ///< as `packed`; empty: the one that is there, if any
+};
+/// The recipe of a revision that is no more, and that others have to be made of again.
+struct KeepRecipe {
+  std::string id;
+  std::string parent;
+  std::string recipe;  ///< as `packed`
+};
+/// The mesh goes; the revision stays, and its recipe.
+struct DropMesh {
+  std::string id;
+};
+struct SetPin {
+  std::string id;
+  bool pinned = false;
 };
 /// Gives the number; the design's next one is at least one more from then on, for good.
 struct AddPlace {
@@ -74,8 +90,8 @@ struct AddDesign {
 /// Forgets everything: what follows tells it anew.
 struct StartAnew {};
 
-using Operation =
-    std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision, AddDesign, StartAnew>;
+using Operation = std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision,
+                               AddDesign, StartAnew, KeepRecipe, DropMesh, SetPin>;
 
 /// What happens to the catalogue at once, or not at all.
 using Transaction = std::vector<Operation>;

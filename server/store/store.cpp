@@ -11,6 +11,7 @@
 
 #include "engine/base/error.h"
 #include "server/store/first_layout.h"
+#include "server/store/packed_text.h"
 #include "server/store/quarantine.h"
 #include "server/store/store_error.h"
 #include "server/store/store_format.h"
@@ -120,6 +121,7 @@ void Store::load(std::vector<Transaction> transactions) {
   for (const Transaction& transaction : transactions)
     for (const Operation& operation : transaction) {
       if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_[gone->id];
+      if (const auto* dropped = std::get_if<DropMesh>(&operation)) leftovers_[dropped->id];
       if (const auto* added = std::get_if<AddRevision>(&operation))
         leftovers_.erase(added->record.id);
     }
@@ -131,7 +133,7 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
   std::vector<PackHead> found;
   std::map<std::string, std::string> gone;
   for (const std::string& id : packs_->list()) {
-    if (catalogue_->revision(id)) continue;
+    if (catalogue_->is_stored(id)) continue;
     auto head = packs_->head(id);
     if (leftovers_.contains(id)) {
       gone[id] = head ? head->record.base : "";
@@ -151,20 +153,30 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
            std::tie(b.first.design, b.first.number, b.record.id);
   };
   std::sort(found.begin(), found.end(), by_number);
+  std::map<std::string, std::string> heads;  // of designs; to count their revisions takes long
   for (const PackHead& head : found) {
     const std::string& design = head.first.design;
-    const auto now = catalogue_->design(design);
-    const bool taken = catalogue_->at(design, head.first.number).has_value();
-    Transaction adopt{AddRevision{head.record}};
+    Transaction adopt{AddRevision{head.record, head.recipe}};
+    if (design.empty() || catalogue_->revision(head.record.id)) {
+      catalogue_->apply(adopt);
+      continue;
+    }
+    const auto [now, fresh] = heads.try_emplace(design);
+    if (const auto known = fresh ? catalogue_->design(design) : std::nullopt)
+      now->second = known->head;
     // A later line of the journal may have told of its place.
     const auto places = catalogue_->places(head.record.id);
     if (std::none_of(places.begin(), places.end(),
-                     [&](const PlaceRecord& place) { return place.design == design; }))
-      adopt.emplace_back(
-          AddPlace{design, taken ? now->next_number : head.first.number, head.record.id});
+                     [&](const PlaceRecord& place) { return place.design == design; })) {
+      const bool taken = catalogue_->at(design, head.first.number).has_value();
+      adopt.emplace_back(AddPlace{
+          design, taken ? catalogue_->next_number(design) : head.first.number, head.record.id});
+    }
     // As the edit that made it did, unless it asked for something else.
-    if (!now || now->head.empty() || now->head == head.record.parent)
+    if (now->second.empty() || now->second == head.record.parent) {
       adopt.emplace_back(SetHead{design, head.record.id});
+      now->second = head.record.id;
+    }
     catalogue_->apply(adopt);
   }
   if (found.empty()) return;
@@ -173,8 +185,8 @@ void Store::adopt_unknown_packs(Quarantine& quarantine) {
                    " revisions that the journal does not name were entered again");
 }
 
-void Store::put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
-                const Packs::Base* base) {
+void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
+                const StoredArrays& arrays, const Packs::Base* base) {
   if (!persistent()) return;
   {
     const std::scoped_lock lock(committing_);
@@ -182,10 +194,12 @@ void Store::put(RevisionRecord& record, const PlaceRecord& first, const StoredAr
     unfiled_[record.id] = base != nullptr ? base->id : "";
   }
   try {
-    const Packs::Written written = packs_->put(record, first, arrays, base);
+    const Packs::Written written = packs_->put(record, first, packed_recipe(recipe), arrays, base);
     record.bytes = written.bytes;
     record.base = written.base;
+    set_healthy(true);
   } catch (...) {
+    set_healthy(false);
     discard(record.id);
     throw;
   }
@@ -196,43 +210,95 @@ void Store::discard(const std::string& id) {
   const auto unfiled = unfiled_.find(id);
   if (unfiled == unfiled_.end()) return;
   const std::scoped_lock reading(reading_);
-  if (!catalogue_->revision(id)) leftovers_[id] = unfiled->second;
+  if (!catalogue_->is_stored(id)) leftovers_[id] = unfiled->second;
   unfiled_.erase(unfiled);
   // Deleted by the next commit: the disk may be in trouble now.
 }
 
 StoredArrays Store::get(const std::string& id) { return packs_->get(id); }
 
-void Store::commit(const std::function<Transaction(Catalogue&)>& make) {
+std::string Store::fault_of(const std::string& id) const { return packs_->fault_of(id); }
+
+std::string Store::recipe(const std::string& id) {
+  std::string bytes = read([&](Catalogue& catalogue) { return catalogue.recipe(id); });
+  if (bytes.empty() && persistent())
+    if (auto head = packs_->head(id)) bytes = std::move(head->recipe);
+  return bytes.empty() ? bytes : unpacked(bytes);
+}
+
+Store::Room Store::room() const {
+  Room room;
+  if (!persistent()) return room;
+  std::error_code failure;
+  const fs::space_info space = fs::space(folder_, failure);
+  if (!failure) room.free_bytes = space.available;
+  for (fs::recursive_directory_iterator entry(folder_ / "quarantine", failure), end;
+       !failure && entry != end; entry.increment(failure))
+    room.quarantined += entry->is_regular_file(failure);
+  return room;
+}
+
+std::string Store::packed_recipe(const std::string& recipe) {
+  return recipe.empty() ? recipe : packed(recipe);
+}
+
+void Store::flush() {
+  const std::scoped_lock lock(committing_);
+  if (!persistent()) return;
+  try {
+    if (journal_behind_ || journal_->uncertain()) rewrite_journal({});
+  } catch (...) {
+    set_healthy(false);
+    throw;
+  }
+  set_healthy(true);
+}
+
+bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDisk on_full_disk) {
   const std::scoped_lock lock(committing_);
   Transaction transaction;
   std::map<std::string, std::string> removed;
   try {
     const std::scoped_lock reading(reading_);
     transaction = make(*catalogue_);
-    if (transaction.empty()) return;
-    for (const Operation& operation : transaction)
-      if (const auto* gone = std::get_if<RemoveRevision>(&operation))
-        if (const auto record = catalogue_->revision(gone->id)) removed[gone->id] = record->base;
+    if (transaction.empty()) return true;
+    for (const Operation& operation : transaction) {
+      const auto* gone = std::get_if<RemoveRevision>(&operation);
+      const auto* dropped = std::get_if<DropMesh>(&operation);
+      if (gone == nullptr && dropped == nullptr) continue;
+      const std::string& id = gone != nullptr ? gone->id : dropped->id;
+      if (const auto record = catalogue_->revision(id)) removed[id] = record->base;
+    }
     if (persistent()) catalogue_->check(transaction);
   } catch (...) {
     drop_added(transaction);
     throw;
   }
+  bool entered = true;
   if (persistent()) {
     try {
       enter(transaction);
+      set_healthy(true);
+    } catch (const Error& failure) {
+      set_healthy(false);
+      entered = false;
+      if (on_full_disk == OnFullDisk::Throw || failure.info().reason != "STORE_FULL") {
+        drop_added(transaction);
+        throw;
+      }
+      journal_behind_ = true;
     } catch (...) {
       drop_added(transaction);
       throw;
     }
   }
   apply(transaction);
-  if (!persistent()) return;
+  if (!persistent()) return true;
   for (const Operation& operation : transaction)
     if (const auto* added = std::get_if<AddRevision>(&operation)) unfiled_.erase(added->record.id);
   leftovers_.merge(removed);
-  tidy();
+  if (entered) tidy();
+  return entered;
 }
 
 void Store::apply(const Transaction& transaction) {
@@ -261,7 +327,11 @@ void Store::rewrite_journal(const Transaction& last) {
   std::vector<Transaction> all = read([&](Catalogue& catalogue) {
     std::vector<Transaction> snapshot = catalogue.snapshot();
     for (const auto& [id, base] : leftovers_)
-      if (!catalogue.revision(id)) snapshot.push_back({RemoveRevision{id}});
+      if (!catalogue.revision(id)) {
+        snapshot.push_back({RemoveRevision{id}});
+      } else if (!catalogue.is_stored(id)) {
+        snapshot.push_back({DropMesh{id}});
+      }
     return snapshot;
   });
   if (!last.empty()) all.push_back(last);
@@ -275,7 +345,7 @@ void Store::drop_added(const Transaction& transaction) {
     const auto* added = std::get_if<AddRevision>(&operation);
     if (added == nullptr) continue;
     unfiled_.erase(added->record.id);
-    if (!read([&](Catalogue& catalogue) { return catalogue.revision(added->record.id); }))
+    if (!read([&](Catalogue& catalogue) { return catalogue.is_stored(added->record.id); }))
       leftovers_[added->record.id] = added->record.base;
   }
   // Where the disk may have the line all the same, the bytes stay until the journal is rewritten.
@@ -286,7 +356,7 @@ bool Store::is_needed(const std::string& id) {
   const auto stands_on_it = [&](const auto& other) { return other.second == id; };
   return unfiled_.contains(id) || std::ranges::any_of(unfiled_, stands_on_it) ||
          std::ranges::any_of(leftovers_, stands_on_it) || read([&](Catalogue& catalogue) {
-           return catalogue.revision(id).has_value() || catalogue.is_base(id);
+           return catalogue.is_stored(id) || catalogue.is_base(id);
          });
 }
 
@@ -300,7 +370,7 @@ void Store::tidy() {
     }
   };
   std::erase_if(leftovers_, [&](const auto& leftover) {
-    return read([&](Catalogue& catalogue) { return catalogue.revision(leftover.first); });
+    return read([&](Catalogue& catalogue) { return catalogue.is_stored(leftover.first); });
   });
   // Deleting one may set free the one that it is told by.
   for (bool again = true; again;) {
@@ -310,6 +380,18 @@ void Store::tidy() {
   }
   std::erase_if(old_scratch_,
                 [&](const fs::path& file) { return removed([&] { remove_file(file); }); });
+}
+
+void Store::on_health(std::function<void(bool)> listener) {
+  const std::scoped_lock lock(health_);
+  health_listener_ = std::move(listener);
+  if (health_listener_) health_listener_(healthy_);
+}
+
+void Store::set_healthy(bool healthy) {
+  if (healthy_ == healthy) return;
+  const std::scoped_lock lock(health_);
+  if (healthy_.exchange(healthy) != healthy && health_listener_) health_listener_(healthy);
 }
 
 }  // namespace remeshd

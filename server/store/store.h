@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -51,17 +52,45 @@ class Store {
   /// They stay, and so does the base, until a commit adds the revision, fails to, or `discard`
   /// gives them up. Waits for the disk; other calls do not wait for this one. A revision may not be
   /// put twice at a time. Throws Error(STORE_FAILED, STORE_FULL); then they are given up.
-  void put(RevisionRecord& record, const PlaceRecord& first, const StoredArrays& arrays,
-           const Packs::Base* base = nullptr);
+  ///
+  /// `recipe`: what the revision can be made of again, beside the arrays; the transaction that adds
+  /// it has it too. Text of the caller's, maybe empty.
+  void put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
+           const StoredArrays& arrays, const Packs::Base* base = nullptr);
   /// Gives up what was put and not committed.
   void discard(const std::string& id);
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED).
   StoredArrays get(const std::string& id);
+  /// What is wrong with the file of a revision; else empty. Pre: the store is persistent.
+  [[nodiscard]] std::string fault_of(const std::string& id) const;
+  /// The recipe of a revision, be its mesh gone or it deleted: the journal's, else the file's.
+  /// Empty where there is none.
+  std::string recipe(const std::string& id);
+  /// What the folder and its file system have beside revisions.
+  struct Room {
+    std::uint64_t free_bytes = 0;
+    std::uint32_t quarantined = 0;  ///< files
+  };
+  [[nodiscard]] Room room() const;
+  /// A recipe as a transaction has it.
+  static std::string packed_recipe(const std::string& recipe);
 
   /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.
   /// An empty one changes nothing. The packs of removed revisions are deleted once no other needs
-  /// them, and where it throws, those of revisions that it would have added.
-  void commit(const std::function<Transaction(Catalogue&)>& make);
+  /// them, and where it throws, those of revisions that it would have added; so are those whose
+  /// mesh is dropped.
+  ///
+  /// `GoOn`: on a full disk the catalogue in memory takes the transaction all the same, and the
+  /// journal with the next commit or `flush` that finds room. Returns false then.
+  enum class OnFullDisk { Throw, GoOn };
+  bool commit(const std::function<Transaction(Catalogue&)>& make,
+              OnFullDisk on_full_disk = OnFullDisk::Throw);
+  /// Writes what the journal lacks. Throws Error(STORE_FAILED, STORE_FULL).
+  void flush();
+  /// False from when something could not be written until something can.
+  [[nodiscard]] bool healthy() const { return healthy_; }
+  /// Has `listener` hear of it now, and of every change. It must not call back; empty: nobody.
+  void on_health(std::function<void(bool healthy)> listener);
   /// Reads the catalogue with nothing in between. Never waits for the disk.
   template <typename Read>
   auto read(Read&& reader) {
@@ -90,6 +119,11 @@ class Store {
   std::unique_ptr<Packs> packs_;
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<Catalogue> catalogue_;
+  void set_healthy(bool healthy);
+
+  std::mutex health_;  ///< guards the listener
+  std::function<void(bool)> health_listener_;
+  std::atomic<bool> healthy_ = true;
   bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
   /// Revisions that the journal says were removed, or that could not be added, and that may have a
   /// pack: with its base.

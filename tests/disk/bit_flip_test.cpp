@@ -56,7 +56,7 @@ TEST_F(BitFlips, NoneServesWrongBytesOrLosesARevisionOrItsPlace) {
       for (const int n : expected.revisions) {
         RevisionRecord same = record(n);
         if (!found.revisions.contains(n))
-          store.put(same, {.design = "d", .number = 1, .id = id(n)}, arrays_of(bytes_of(n)));
+          store.put(same, {.design = "d", .number = 1, .id = id(n)}, "", arrays_of(bytes_of(n)));
       }
       found = state_of(store);
     }

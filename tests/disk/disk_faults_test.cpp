@@ -162,8 +162,8 @@ TEST_F(StoreCalls, APackThatCannotBeReplacedLeavesTheOneOfBeforeAndNoScratchFile
   for (const auto kind : {FileCall::Kind::Write, FileCall::Kind::Sync, FileCall::Kind::Rename}) {
     calls_.decide([&](const FileCall& call, std::size_t) { return call.kind == kind ? EIO : 0; });
     RevisionRecord same = record(7);
-    EXPECT_THROW(store_.put(same, {.design = "d", .number = 1, .id = id(7)}, arrays_of("other")),
-                 Error);
+    EXPECT_THROW(
+        store_.put(same, {.design = "d", .number = 1, .id = id(7)}, "", arrays_of("other")), Error);
     calls_.decide({});
     EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
     EXPECT_EQ(read(store_, 7), bytes_of(7));

@@ -45,7 +45,7 @@ class StoreOnDisk : public StoreFolderTest {
         {"bytes written again",
          [](Store& store) {
            RevisionRecord same = record(1);
-           store.put(same, {.design = "d", .number = 1, .id = id(1)}, arrays_of(bytes_of(1)));
+           store.put(same, {.design = "d", .number = 1, .id = id(1)}, "", arrays_of(bytes_of(1)));
          }},
         {"a last one", [](Store& store) { file(store, 4); }}};
     return all;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "remesh/v1/cache.pb.h"
 #include "remesh/v1/remesh.pb.h"
 #include "remeshd/call_options.h"
 #include "remeshd/edit_stream.h"
@@ -68,6 +69,12 @@ class Client {
   /// Everything about a revision but its mesh.
   [[nodiscard]] remesh::v1::GetRevisionResponse get_revision(const std::string& revision,
                                                              const CallOptions& call = {}) const;
+  /// What a revision is made of again, as a message and as JSON.
+  [[nodiscard]] remesh::v1::GetRecipeResponse get_recipe(const std::string& revision,
+                                                         const CallOptions& call = {}) const;
+  /// Makes a new revision of a recipe with the algorithm that the daemon has today.
+  [[nodiscard]] remesh::v1::RemakeRevisionResponse remake_revision(
+      const remesh::v1::RemakeRevisionRequest& request, const CallOptions& call = {}) const;
   /// All revisions that pass the filter, in the order asked for; a page of the request stands for
   /// nothing.
   [[nodiscard]] std::vector<remesh::v1::RevisionInfo> list_revisions(
@@ -102,6 +109,24 @@ class Client {
   [[nodiscard]] std::vector<remesh::v1::FeatureType> types(const CallOptions& call = {}) const;
   /// Version, capabilities, limits and load of the daemon.
   [[nodiscard]] remesh::v1::ServerInfo info(const CallOptions& call = {}) const;
+
+  // For operators: the meshes that the daemon holds.
+
+  /// All entries that pass the filter, in the order asked for.
+  [[nodiscard]] std::vector<remesh::v1::CacheEntry> list_cache(
+      remesh::v1::ListCacheEntriesRequest request = {}, const CallOptions& call = {}) const;
+  [[nodiscard]] remesh::v1::GetCacheStatsResponse cache_stats(const CallOptions& call = {}) const;
+  /// Lets meshes go until a budget is kept.
+  remesh::v1::CollectGarbageResponse collect_garbage(
+      const remesh::v1::CollectGarbageRequest& request, const CallOptions& call = {}) const;
+  /// Compares everything stored with its checksums; calls `on_message` with each finding and with
+  /// the progress. Returns the last message.
+  remesh::v1::VerifyCacheResponse verify_cache(
+      bool repair, const std::function<void(const remesh::v1::VerifyCacheResponse&)>& on_message,
+      const CallOptions& call = {}) const;
+  /// Keeps a mesh from going, or lets it.
+  remesh::v1::CacheEntry set_pin(const std::string& revision, bool pinned,
+                                 const CallOptions& call = {}) const;
 
  private:
   struct Impl;

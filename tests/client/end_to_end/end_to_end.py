@@ -224,6 +224,34 @@ def check_heads(folder, address):
     remesh("head", "h", code=3, address=address)
 
 
+def check_cache(folder, address):
+    """Meshes go and come back, pinned ones stay, and a recipe tells what a revision is made of."""
+    remesh("mesh", CASES / "simple-a.json", "--design", "c", "--nodes", NODES, "-o", folder / "c.vtu",
+           address=address)
+    remesh("edit", "c", CASES / "simple-ab.edit.json", "-o", folder / "c.vtu", address=address)
+    recipe = json.loads(remesh("recipe", "c@2", address=address).stdout)
+    first, second = recipe["parent"], recipe["revision"]
+    assert recipe["edit"] == json.loads((CASES / "simple-ab.edit.json").read_text()), recipe
+    assert remesh("remake", "c@2", address=address).stdout.split() == ["c@2", second]
+    assert "stays" in remesh("cache", "pin", "c@1", address=address).stderr
+
+    def states():
+        text = remesh("cache", "ls", "--design", "c", "--json", "-", address=address).stdout
+        return {entry["revision"]: entry["state"] for entry in json.loads(text)["entries"]}
+    assert set(states().values()) == {"STATE_STORED"}, states()
+    assert "freed MB" in remesh("cache", "gc", "--disk", 0, "--dry-run", address=address).stdout
+    remesh("cache", "gc", "--disk", 0, address=address)
+    assert states()[first] == "STATE_STORED" and states()[second] != "STATE_STORED", states()
+    remesh("get", "c", "-o", folder / "again.vtu", address=address)
+    assert (folder / "again.vtu").read_bytes() == (folder / "c.vtu").read_bytes()
+    remesh("cache", "verify", address=address)
+    stat = json.loads(remesh("cache", "stat", address=address).stdout)
+    assert stat["pinned"] == 1 and int(stat["evictions"]) > 0, stat
+    assert "may go" in remesh("cache", "pin", "--off", "c@1", address=address).stderr
+    assert second[:12] in remesh("cache", "ls", address=address).stdout
+    remesh("cache", "pin", "no-such-design", code=3, address=address)
+
+
 def check_revisions(folder, address):
     assert "simple-a@1" in remesh("log", "simple-a", address=address).stdout
     remesh("model", "simple-a@1", "-o", folder / "model.json", address=address)
@@ -248,6 +276,7 @@ def main():
             check_refusals(folder, daemon.address)
             check_interrupt(folder, daemon.address)
             check_heads(folder, daemon.address)
+            check_cache(folder, daemon.address)
             check_revisions(folder, daemon.address)
             daemon.end()
         finally:  # left alone it would keep ctest waiting for its output

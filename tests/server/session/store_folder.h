@@ -23,6 +23,7 @@ class StoreFolder {
   StoreFolder(const StoreFolder&) = delete;
   StoreFolder& operator=(const StoreFolder&) = delete;
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::unique_ptr<Store> open() const { return std::make_unique<Store>(path_); }
 
   /// Changes the last byte of every pack.

@@ -27,7 +27,7 @@ class PacksTest : public StoreFolderTest {
     }
   }
   std::uint64_t put(const RevisionRecord& record, const std::string& bytes) {
-    return packs_.put(record, place_, arrays_of(bytes), nullptr).bytes;
+    return packs_.put(record, place_, "", arrays_of(bytes), nullptr).bytes;
   }
   std::string bytes_of_pack(int n) { return packs_.get(id(n)).arrays.at(0).flat(); }
 
@@ -120,7 +120,7 @@ class PackChain : public PacksTest {
       for (int i = 0; i < 40; ++i) bytes_[4 * (random_() % 20000)] ^= 1;
     all_.push_back(bytes_);
     const Packs::Base base{id(n - 1), &before};
-    return packs_.put(record(n), place_, big(bytes_), n > 1 ? &base : nullptr);
+    return packs_.put(record(n), place_, "", big(bytes_), n > 1 ? &base : nullptr);
   }
   std::string mesh(int n) { return packs_.get(id(n)).arrays.at(0).flat(); }
 
@@ -154,7 +154,7 @@ TEST_F(PackChain, GoesOnAfterAnotherOpening) {
   bytes_[0] ^= 1;
   Packs reopened(folder_ / "packs", folder_ / "tmp");
   const Packs::Base base{id(12), &before};
-  EXPECT_EQ(reopened.put(record(13), place_, big(bytes_), &base).base, id(12));
+  EXPECT_EQ(reopened.put(record(13), place_, "", big(bytes_), &base).base, id(12));
   EXPECT_TRUE(reopened.get(id(13)).arrays.at(0).flat() == bytes_);
 }
 
@@ -163,13 +163,13 @@ TEST_F(PackChain, ABaseThatIsGoneOrDamagedOrNotWhatItWasIsNotTaken) {
   const StoredArrays before = big(bytes_);
   const StoredArrays other = big(std::string(400000, 'y'));
   const Packs::Base not_it{id(1), &other};
-  EXPECT_EQ(packs_.put(record(2), place_, before, &not_it).base, "");
+  EXPECT_EQ(packs_.put(record(2), place_, "", before, &not_it).base, "");
   const Packs::Base nowhere{id(9), &before};
-  EXPECT_EQ(packs_.put(record(2), place_, before, &nowhere).base, "");
+  EXPECT_EQ(packs_.put(record(2), place_, "", before, &nowhere).base, "");
   flip_bit(packs_.path_of(id(1)), fs::file_size(packs_.path_of(id(1))) - 5);
   Packs reopened(folder_ / "packs", folder_ / "tmp");
   const Packs::Base damaged{id(1), &before};
-  EXPECT_EQ(reopened.put(record(2), place_, before, &damaged).base, "");
+  EXPECT_EQ(reopened.put(record(2), place_, "", before, &damaged).base, "");
 }
 
 TEST_F(PackChain, DamageToABaseIsToldOfWhatStandsOnIt) {
@@ -178,13 +178,13 @@ TEST_F(PackChain, DamageToABaseIsToldOfWhatStandsOnIt) {
   EXPECT_EQ(reason_of(1), "");
   for (int n = 2; n <= 4; ++n) EXPECT_EQ(reason_of(n), "STORE_CORRUPTED") << n;
   // Stored again, by itself, it is what the others stand on as before.
-  packs_.put(record(2), place_, big(all_[1]), nullptr);
+  packs_.put(record(2), place_, "", big(all_[1]), nullptr);
   for (int n = 1; n <= 4; ++n) EXPECT_TRUE(mesh(n) == all_[n - 1]);
 }
 
 TEST_F(PackChain, ABaseWithOtherContentIsNotBelieved) {
   for (int n = 1; n <= 3; ++n) add(n);
-  packs_.put(record(2), place_, big(std::string(400000, 'z')), nullptr);
+  packs_.put(record(2), place_, "", big(std::string(400000, 'z')), nullptr);
   EXPECT_EQ(reason_of(3), "STORE_CORRUPTED");
 }
 

@@ -72,7 +72,7 @@ class StoreFolderTest : public testing::Test {
     const StoredArrays base_arrays =
         parent.empty() ? StoredArrays() : arrays_of(bytes_of(number_of(parent)));
     const Packs::Base base{parent, &base_arrays};
-    store.put(added, place, arrays_of(bytes_of(n)), parent.empty() ? nullptr : &base);
+    store.put(added, place, "", arrays_of(bytes_of(n)), parent.empty() ? nullptr : &base);
     store.commit([&](Catalogue& catalogue) {
       Transaction changes{AddRevision{added}, SetHead{design, added.id}};
       const auto places = catalogue.places(added.id);

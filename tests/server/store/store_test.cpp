@@ -148,7 +148,7 @@ TEST_F(StoreTest, APackThatACrashCutOffWasNeverAcknowledgedAndGoesWithTheFirstCo
   {
     Store store(folder_);
     RevisionRecord third = record(3, id(2));
-    store.put(third, {.design = "d", .number = 3, .id = id(3)}, arrays_of(bytes_of(3)));
+    store.put(third, {.design = "d", .number = 3, .id = id(3)}, "", arrays_of(bytes_of(3)));
   }
   write(pack(3), content(pack(3)).substr(0, fs::file_size(pack(3)) - 3));
   Store store(folder_);
@@ -165,7 +165,7 @@ TEST_F(StoreTest, WhatWasPutAndIsNotCommittedStaysUntilItIsGivenUp) {
   RevisionRecord second = record(2, id(1));
   const StoredArrays of_base = arrays_of(bytes_of(1));
   const Packs::Base base{id(1), &of_base};
-  store.put(second, {.design = "d", .number = 2, .id = id(2)}, arrays_of(bytes_of(2)), &base);
+  store.put(second, {.design = "d", .number = 2, .id = id(2)}, "", arrays_of(bytes_of(2)), &base);
   ASSERT_EQ(second.base, id(1));
   remove(store, 1);  // which another one is about to stand on
   EXPECT_TRUE(fs::exists(pack(1)));
@@ -237,7 +237,7 @@ TEST_F(StoreTest, AnAdoptedRevisionWhoseNumberIsTakenGetsTheNextOne) {
   {
     Store store(folder_);
     RevisionRecord same = record(5, "elsewhere");
-    store.put(same, {.design = "d", .number = 2, .id = id(5)}, arrays_of(bytes_of(5)));
+    store.put(same, {.design = "d", .number = 2, .id = id(5)}, "", arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -258,7 +258,7 @@ TEST_F(StoreTest, APackOfAnUnfinishedRequestDoesNotTakeTheHeadOfAnotherBranch) {
   {
     Store store(folder_);
     RevisionRecord child = record(5, id(1));
-    store.put(child, {.design = "d", .number = 3, .id = id(5)}, arrays_of(bytes_of(5)));
+    store.put(child, {.design = "d", .number = 3, .id = id(5)}, "", arrays_of(bytes_of(5)));
   }
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\nd@3 = 5\n");
@@ -287,7 +287,7 @@ TEST_F(StoreTest, AMissingOrDamagedPackIsToldAndCanBeStoredAgain) {
       EXPECT_THAT(failure.info().message, Not(HasSubstr(folder_.string())));
     }
     RevisionRecord again = record(n);
-    store.put(again, {.design = "d", .number = 1, .id = id(n)}, arrays_of(bytes_of(n)));
+    store.put(again, {.design = "d", .number = 1, .id = id(n)}, "", arrays_of(bytes_of(n)));
     EXPECT_EQ(read(store, n), bytes_of(n));
   }
 }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "server/service/call.h"
+#include "server/service/remesh_service.h"
+#include "server/session/session.h"
+#include "server/session/session_error.h"
+
+namespace remeshd {
+
+struct QueryKind {
+  const char* method;
+  Lane lane;
+};
+
+/// A call whose reply `answer(request, run)` gives, in a lane, where the request is read too. It is
+/// withdrawn when its client goes away before it had its turn.
+template <typename Request, typename Answer>
+grpc::ServerUnaryReactor* answer_query(Session& session, const ServiceOptions& options,
+                                       QueryKind kind, grpc::CallbackServerContext* context,
+                                       const grpc::ByteBuffer& in, grpc::ByteBuffer* out,
+                                       Answer answer) {
+  const auto call = UnaryCall::start(
+      context, out, std::make_shared<CallRecord>(options.desk, kind.method, *context));
+  answering(*call, [&] {
+    call->record().admit(*context);
+    const WorkId work = session.later(
+        kind.lane,
+        {.tenant = call->record().tenant(),
+         // A copy of the buffer, not of its bytes: the call may be over before they are read.
+         .run =
+             [call, answer, bytes = in, limit = options.limits.message_bytes] {
+               answering(*call, [&] {
+                 Request request;
+                 from_bytes(bytes, limit, request);
+                 const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+                 call->reply(answer(request, run));
+               });
+             },
+         .refused = [call](const Error& why) { call->fail(why); },
+         .overdue =
+             [call](const Error& why) {
+               call->fail(why);
+               call->stop();
+             }});
+    call->on_cancel([call, &session, lane = kind.lane, work] {
+      if (session.withdraw(lane, work)) call->fail(error::cancelled());
+    });
+  });
+  return call.get();
+}
+
+}  // namespace remeshd

@@ -1,0 +1,147 @@
+#include "server/service/remake.h"
+
+#include <mutex>
+#include <utility>
+
+#include "proto/document.h"
+#include "server/service/decode.h"
+#include "server/session/guarded.h"
+#include "server/session/session_error.h"
+
+namespace remeshd {
+namespace {
+
+namespace v1 = remesh::v1;
+
+OptionsPatch all_of(const MeshOptions& options) {
+  return {.nodes = options.nodes,
+          .size = options.size,
+          .iterations = options.iterations,
+          .seed = options.seed,
+          .inside = options.inside,
+          .start = options.start,
+          .threshold = options.threshold,
+          .clean_up = options.clean_up};
+}
+
+/// Whether a revision can be built on as it is.
+bool can_be_had(Session& session, const std::string& id, const Run& run) {
+  try {
+    session.get(id, run);
+    return true;
+  } catch (const Error& failure) {
+    const std::string& reason = failure.info().reason;
+    if (reason != "REVISION_OUTDATED" && reason != "NOT_REPRODUCIBLE" &&
+        reason != "STORE_CORRUPTED" && reason != "REVISION_NOT_FOUND")
+      throw;
+    return false;
+  }
+}
+
+/// Recipes that are followed one after the other, each on what the one before gave.
+class Remaking final : public MakeRequest, public std::enable_shared_from_this<Remaking> {
+ public:
+  using OnMade = std::function<void(const Made&, const std::vector<std::string>&)>;
+  using OnFailed = std::function<void(const Error&)>;
+
+  Remaking(Session& session, std::vector<Recipe> recipes, HeadRule head, std::string design,
+           int threads, OnMade made, OnFailed failed)
+      : session_(session),
+        recipes_(std::move(recipes)),
+        head_(std::move(head)),
+        design_(std::move(design)),
+        threads_(threads),
+        made_(std::move(made)),
+        failed_(std::move(failed)) {}
+
+  void cancel() override {
+    MakeRequestPtr step;
+    {
+      const std::scoped_lock lock(mutex_);
+      cancelled_ = true;
+      step = step_;
+    }
+    if (step) step->cancel();
+  }
+
+  void next() {
+    const Recipe& recipe = recipes_.at(at_);
+    const bool last = at_ + 1 == recipes_.size();
+    const HeadRule head = last ? head_ : HeadRule{.advance = false};
+    Listener listener{
+        .progress = {},
+        .made = [self = shared_from_this()](const Made& made) { self->take(made); },
+        .failed = [self = shared_from_this()](const Error& why) { self->failed_(why); }};
+    MakeRequestPtr step;
+    if (recipe.parent.empty()) {
+      step = session_.make(CreateCommand{.source = recipe.model,
+                                         .options = all_of(recipe.options),
+                                         .design = design_,
+                                         .head = head,
+                                         .threads = threads_},
+                           std::move(listener));
+    } else {
+      step = session_.make(
+          EditCommand{.base = at_ == 0 ? recipe.parent : base_,
+                      .edit = decode(parse_edit(recipe.edit, {.bytes = recipe.edit.size()})),
+                      .document = recipe.edit,
+                      .options = all_of(recipe.options),
+                      .design = design_,
+                      .head = head,
+                      .threads = threads_},
+          std::move(listener));
+    }
+    bool cancelled = false;
+    {
+      const std::scoped_lock lock(mutex_);
+      step_ = step;
+      cancelled = cancelled_;
+    }
+    if (cancelled) step->cancel();
+  }
+
+ private:
+  void take(const Made& made) {
+    if (at_ + 1 == recipes_.size()) return made_(made, ancestors_);
+    base_ = made.filed.record.id;
+    ancestors_.push_back(base_);
+    ++at_;
+    guarded([&] { next(); }, [&](const Error& why) { failed_(why); });
+  }
+
+  Session& session_;
+  const std::vector<Recipe> recipes_;  ///< the furthest ancestor's first
+  const HeadRule head_;
+  const std::string design_;
+  const int threads_;
+  const OnMade made_;
+  const OnFailed failed_;
+  std::size_t at_ = 0;
+  std::string base_;
+  std::vector<std::string> ancestors_;
+  std::mutex mutex_;
+  bool cancelled_ = false;
+  MakeRequestPtr step_;
+};
+
+}  // namespace
+
+MakeRequestPtr remake(Session& session, const v1::RemakeRevisionRequest& request, const Run& run,
+                      std::function<void(const Made&, const std::vector<std::string>&)> made,
+                      std::function<void(const Error&)> failed) {
+  if (request.revision().empty()) throw error::reference_missing("revision");
+  const Reference reference = session.resolve(request.revision());
+  std::string design = request.design().empty() ? reference.design : request.design();
+  if (design.empty()) design = session.design_of(reference.id);
+  std::vector<Recipe> recipes{session.recipe(reference.id)};
+  while (!recipes.back().parent.empty() && !can_be_had(session, recipes.back().parent, run))
+    recipes.push_back(session.recipe_of_ancestor(recipes.back().parent));
+  const auto remaking = std::make_shared<Remaking>(
+      session, std::vector<Recipe>(recipes.rbegin(), recipes.rend()), decode(request.head()),
+      std::move(design), std::max<int>(1, static_cast<int>(request.threads())), std::move(made),
+      std::move(failed));
+  remaking->next();
+  return remaking;
+}
+
+}  // namespace remeshd

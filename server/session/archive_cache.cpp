@@ -1,0 +1,229 @@
+#include <algorithm>
+
+#include "server/session/archive.h"
+#include "server/session/clock.h"
+
+// What meshes take of memory and disk, and which of them go.
+namespace remeshd {
+
+std::vector<StoredMesh> Archive::stored_meshes() {
+  std::vector<StoredMesh> meshes;
+  store_.read([&](Catalogue& catalogue) {
+    const auto recipes = catalogue.recipes();
+    std::map<std::string, bool> known;  // by id: whether it has a recipe
+    for (const auto& [id, parent] : recipes) known[id] = true;
+    for (const RevisionRecord& record : catalogue.revisions()) {
+      const bool followed = record.algorithm_version == engine_.algorithm_version;
+      meshes.push_back({.id = record.id,
+                        .parent = record.parent,
+                        .stored = record.bytes > 0,
+                        .pinned = record.pinned,
+                        .has_recipe = followed && known.contains(record.id),
+                        .used_ns = record.created_ns,
+                        .bytes = record.bytes});
+      known.erase(record.id);
+    }
+    // Of revisions that are no more; which algorithm made them is seen when they are needed.
+    for (const auto& [id, parent] : recipes)
+      if (known.contains(id)) meshes.push_back({.id = id, .parent = parent, .has_recipe = true});
+  });
+  const std::scoped_lock lock(notes_);
+  for (StoredMesh& mesh : meshes)
+    if (const auto used = used_.find(mesh.id); used != used_.end()) mesh.used_ns = used->second;
+  return meshes;
+}
+
+CacheEntry Archive::entry_of(const RevisionRecord& record, int depth) {
+  CacheEntry entry{.record = record,
+                   .memory_bytes = held_.own_bytes(record.id),
+                   .depth = depth,
+                   .used_ns = record.created_ns};
+  if (record.bytes > 0) {
+    entry.state = MeshState::Stored;
+  } else if (held_.contains(record.id)) {
+    entry.state = MeshState::Memory;
+  } else {
+    entry.state = record.algorithm_version == engine_.algorithm_version ? MeshState::Recipe
+                                                                        : MeshState::Outdated;
+  }
+  const auto places =
+      store_.read([&](Catalogue& catalogue) { return catalogue.places(record.id); });
+  entry.places = static_cast<std::uint32_t>(places.size());
+  if (!places.empty()) entry.design = places.front().design;
+  const std::scoped_lock lock(notes_);
+  if (const auto used = used_.find(record.id); used != used_.end()) entry.used_ns = used->second;
+  return entry;
+}
+
+std::vector<CacheEntry> Archive::cache_entries() {
+  const std::vector<StoredMesh> meshes = stored_meshes();
+  const std::vector<int> depths = edits_to_make(meshes);
+  std::map<std::string, int> depth;
+  for (std::size_t i = 0; i < meshes.size(); ++i) depth[meshes[i].id] = depths[i];
+  std::vector<CacheEntry> entries;
+  for (const RevisionRecord& record :
+       store_.read([](Catalogue& catalogue) { return catalogue.revisions(); }))
+    entries.push_back(entry_of(record, store_.persistent() ? depth[record.id] : 0));
+  return entries;
+}
+
+CacheStats Archive::cache_stats() {
+  CacheStats stats{
+      .disk_budget = disk_, .memory_bytes = held_.bytes(), .memory_budget = held_.budget()};
+  const Store::Room room = store_.room();
+  stats.disk_free = room.free_bytes;
+  stats.quarantined = room.quarantined;
+  stats.in_memory = static_cast<std::uint32_t>(held_.count());
+  for (const RevisionRecord& record :
+       store_.read([](Catalogue& catalogue) { return catalogue.revisions(); })) {
+    stats.stored += record.bytes > 0;
+    stats.pinned += record.pinned;
+    stats.disk_bytes += record.bytes;
+    const bool gone = record.bytes == 0 && !held_.contains(record.id);
+    stats.outdated += gone && record.algorithm_version != engine_.algorithm_version;
+  }
+  stats.recipes = static_cast<std::uint32_t>(
+      store_.read([](Catalogue& catalogue) { return catalogue.recipes().size(); }));
+  const std::scoped_lock lock(notes_);
+  stats.hits = hits_;
+  stats.misses = misses_;
+  stats.evictions = evictions_;
+  stats.remade = remade_;
+  return stats;
+}
+
+Collected Archive::collect_garbage(const GarbageOptions& options) {
+  const std::scoped_lock lock(collecting_);
+  const auto on_disk = [&] {
+    return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
+  };
+  Collected collected{.disk_bytes = on_disk()};
+  if (!store_.persistent()) return collected;
+  const std::uint64_t before = collected.disk_bytes;
+  const std::uint64_t budget = options.disk_bytes.value_or(disk_ > 0 ? disk_ : before);
+  std::optional<std::int64_t> unused_before;
+  if (options.unused_seconds)
+    unused_before = nanoseconds_now() - static_cast<std::int64_t>(1e9 * *options.unused_seconds);
+  for (;;) {
+    const std::uint64_t excess = collected.disk_bytes > budget ? collected.disk_bytes - budget : 0;
+    const std::vector<StoredMesh> meshes = stored_meshes();
+    const auto chosen = meshes_to_drop(meshes, excess, unused_before);
+    unused_before.reset();
+    std::uint32_t dropped = 0;
+    for (const std::string& id : chosen) {
+      if (options.dry_run) {
+        const auto mesh = std::ranges::find(meshes, id, &StoredMesh::id);
+        collected.bytes_freed += mesh->bytes;
+        ++dropped;
+      } else if (drop_mesh(id)) {
+        ++dropped;
+      }
+    }
+    collected.meshes += dropped;
+    if (options.dry_run) {
+      collected.disk_bytes -= std::min(collected.disk_bytes, collected.bytes_freed);
+      return collected;
+    }
+    collected.disk_bytes = on_disk();
+    // What stood on those that went takes more by itself.
+    if (dropped == 0 || collected.disk_bytes <= budget) break;
+  }
+  collected.bytes_freed = before > collected.disk_bytes ? before - collected.disk_bytes : 0;
+  return collected;
+}
+
+bool Archive::drop_mesh(const std::string& id) {
+  try {
+    for (const std::string& other :
+         store_.read([&](Catalogue& catalogue) { return catalogue.standing_on(id); }))
+      stand_elsewhere(other, id);
+    bool dropped = false;
+    store_.commit([&](Catalogue& catalogue) {
+      const auto record = catalogue.revision(id);
+      dropped = record && record->bytes > 0 && !record->pinned && !catalogue.is_base(id);
+      return dropped ? Transaction{DropMesh{id}} : Transaction{};
+    });
+    const std::scoped_lock lock(notes_);
+    evictions_ += dropped;
+    return dropped;
+  } catch (const Error&) {
+    return false;  // it, or what stands on it, cannot be read or written: it stays
+  }
+}
+
+void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
+  const auto turn = writing_.take(id);
+  std::string base;
+  const auto record = store_.read([&](Catalogue& catalogue) {
+    if (const auto other = catalogue.revision(from)) base = other->base;
+    return catalogue.revision(id);
+  });
+  if (!record || record->base != from) return;
+  RevisionRecord moved = *record;
+  const std::string recipe = store_.recipe(id);
+  const StoredArrays arrays = store_.get(id);
+  const PlaceRecord place = first_place(id);
+  if (base.empty()) {
+    store_.put(moved, place, recipe, arrays);
+  } else {
+    const StoredArrays of_base = store_.get(base);
+    const Packs::Base other{base, &of_base};
+    store_.put(moved, place, recipe, arrays, &other);
+  }
+  store_.commit([&](Catalogue& catalogue) {
+    auto now = catalogue.revision(id);
+    if (!now || now->bytes == 0) return Transaction{};  // it went meanwhile
+    now->bytes = moved.bytes;
+    now->base = moved.base;
+    return Transaction{AddRevision{*now}};
+  });
+  store_.discard(id);
+}
+
+void Archive::verify_cache(bool repair, const std::function<void(const CacheFault&)>& found,
+                           const std::function<void(std::uint64_t, std::uint64_t)>& progress,
+                           const Run& run) {
+  const auto records = store_.read([](Catalogue& catalogue) { return catalogue.revisions(); });
+  std::uint64_t read = 0, total = 0;
+  for (const RevisionRecord& record : records) total += record.bytes;
+  for (const RevisionRecord& record : records) {
+    run.poll();
+    if (record.bytes == 0) continue;
+    CacheFault fault{.revision = record.id, .what = store_.fault_of(record.id)};
+    read += record.bytes;
+    // It may have been deleted meanwhile.
+    if (!fault.what.empty() &&
+        store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(record.id); })) {
+      set_damaged(record.id, true);
+      if (repair) {
+        try {
+          if (const HeldRevisionPtr held = obtain(record.id, run)) keep(held);
+          fault.repaired = !is_damaged(record.id);
+        } catch (const Error& failure) {
+          if (failure.info().kind == ErrorKind::Cancelled) throw;
+          fault.what += "; it cannot be made again: " + failure.info().message;
+        }
+      }
+      found(fault);
+    }
+    progress(read, total);
+  }
+}
+
+CacheEntry Archive::set_pin(const std::string& text, bool pinned) {
+  const std::scoped_lock lock(filing_);
+  std::string id;
+  store_.commit([&](Catalogue& catalogue) {
+    id = remeshd::resolve(catalogue, text).id;
+    const auto record = catalogue.revision(id);
+    return record->pinned == pinned ? Transaction{} : Transaction{SetPin{id, pinned}};
+  });
+  const std::vector<StoredMesh> meshes = stored_meshes();
+  const std::vector<int> depths = edits_to_make(meshes);
+  const auto mesh = std::ranges::find(meshes, id, &StoredMesh::id);
+  const int depth = depths[static_cast<std::size_t>(mesh - meshes.begin())];
+  return entry_of(*store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); }),
+                  store_.persistent() ? depth : 0);
+}
+
+}  // namespace remeshd

@@ -1,0 +1,267 @@
+#include <algorithm>
+#include <exception>
+
+#include "server/session/archive.h"
+#include "server/session/clock.h"
+#include "server/session/session_error.h"
+#include "server/session/stored_form.h"
+#include "server/session/written_mesh.h"
+
+// How the archive comes by meshes: from memory, from the store, or made again of their recipes.
+namespace remeshd {
+namespace {
+
+constexpr double kWaitToLoad = 60;  // s
+
+/// Bytes that a revision and what it is read from take together.
+std::uint64_t loading_memory(const RevisionRecord& record) {
+  constexpr std::uint64_t kBytesPerNode = 1500;
+  return kBytesPerNode * record.nodes;
+}
+
+}  // namespace
+
+HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
+  HeldRevisionPtr held;
+  try {
+    held = look_up(id, run);
+  } catch (...) {
+    const std::scoped_lock lock(notes_);
+    ++misses_;
+    throw;
+  }
+  if (held) note_use(id);
+  const std::scoped_lock lock(notes_);
+  ++(held ? hits_ : misses_);
+  return held;
+}
+
+HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
+  if (auto held = held_.find(id)) return held;
+  if (!store_.persistent()) return nullptr;
+  const auto turn = loading_.take(id, run);
+  if (auto held = held_.find(id)) return held;  // another one loaded it
+  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
+  return record && record->bytes > 0 ? load(*record, run) : nullptr;
+}
+
+HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
+  const auto share =
+      memory_.take(std::min(loading_memory(record), memory_.total()), run.stop, kWaitToLoad);
+  run.poll();
+  try {
+    const HeldRevisionPtr parent = held_.find(record.parent);
+    auto held = restored(engine_, store_.get(record.id), record, parent.get(), run);
+    held_.insert(held);
+    return held;
+  } catch (const Error& failure) {
+    if (failure.info().kind == ErrorKind::Internal) set_damaged(record.id, true);
+    throw;
+  }
+}
+
+HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
+  auto held = obtain(id, run);
+  if (!held) throw error::revision_not_found(id, "it was deleted a moment ago");
+  return held;
+}
+
+HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
+  std::exception_ptr damage;
+  try {
+    if (auto held = find(id, run)) return held;
+  } catch (const Error& failure) {
+    if (failure.info().kind != ErrorKind::Internal) throw;
+    damage = std::current_exception();
+  }
+  if (!store_.persistent()) return nullptr;
+  auto held = remake(id, run);
+  if (!held && damage) std::rethrow_exception(damage);
+  return held;
+}
+
+HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
+  const std::string text = store_.recipe(id);
+  if (text.empty()) return nullptr;
+  const Recipe recipe = read_recipe(text);
+  if (recipe.algorithm_version != engine_.algorithm_version)
+    throw error::revision_outdated(id, recipe.algorithm_version, engine_.algorithm_version);
+  const auto turn = remaking_.take(id, run);
+  if (auto held = held_.find(id)) return held;
+  HeldRevisionPtr parent;
+  if (!recipe.parent.empty() && !(parent = obtain(recipe.parent, run))) return nullptr;
+  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
+  if (parent && record && record->bytes > 0) {
+    // What was damaged may have been the parent that it stands on, which is whole again by now.
+    try {
+      auto held = load(*record, run);
+      set_damaged(id, false);
+      return held;
+    } catch (const Error& failure) {
+      if (failure.info().kind != ErrorKind::Internal) throw;
+    }
+  }
+
+  auto made = std::make_shared<HeldRevision>();
+  made->record = record.value_or(RevisionRecord{.id = id,
+                                                .parent = recipe.parent,
+                                                .model_name = recipe.model.name,
+                                                .algorithm_version = recipe.algorithm_version});
+  made->edit = recipe.edit;
+  made->asked = recipe.options;
+  made->revision = engine_.make_revision(parent ? &parent->revision : nullptr, recipe.model,
+                                         recipe.options, run);
+  made->revision.report.revision = id;
+  made->revision.report.cached = false;
+  tell_seconds(*made);
+  if (recipe_of(*made).digests != recipe.digests) throw error::not_reproducible(id);
+  held_.insert(made);
+  note_use(id);
+  {
+    const std::scoped_lock lock(notes_);
+    ++remade_;
+  }
+  try {
+    keep(made);
+  } catch (const Error&) {
+    // It is served all the same; whoever reads it next has it made again.
+  }
+  return made;
+}
+
+Recipe Archive::recipe(const std::string& id) {
+  const std::string text = store_.recipe(id);
+  if (!text.empty()) return read_recipe(text);
+  const HeldRevisionPtr held = held_.find(id);
+  if (held && held->asked) return recipe_of(*held);
+  throw error::revision_not_found(id, "it was stored by an older version, without a recipe");
+}
+
+void Archive::hold(HeldRevisionPtr revision) {
+  check_reproduced(*revision);
+  held_.insert(std::move(revision));
+}
+
+void Archive::check_reproduced(const HeldRevision& revision) {
+  const std::string& id = revision.record.id;
+  if (!store_.persistent() || !revision.asked || !is_known(id)) return;
+  const std::string text = store_.recipe(id);
+  if (!text.empty() && read_recipe(text).digests != recipe_of(revision).digests)
+    throw error::not_reproducible(id);
+}
+
+Archive::Written Archive::write(const HeldRevision& revision, const PlaceRecord& place,
+                                bool by_itself) {
+  Written written{.record = revision.record};
+  written.record.seconds = seconds_of(revision.revision.report.seconds);
+  const std::string recipe =
+      revision.asked ? write_recipe(recipe_of(revision)) : store_.recipe(written.record.id);
+  written.recipe = Store::packed_recipe(recipe);
+  const StoredArrays arrays = stored_form(engine_, revision);
+  const HeldRevisionPtr parent = by_itself ? nullptr : held_.find(written.record.parent);
+  if (!parent) {
+    store_.put(written.record, place, recipe, arrays);
+  } else {
+    const StoredArrays of_parent = stored_form(engine_, *parent);
+    const Packs::Base base{written.record.parent, &of_parent};
+    store_.put(written.record, place, recipe, arrays, &base);
+  }
+  return written;
+}
+
+Archive::Written Archive::write_if_there_is_room(const HeldRevision& revision,
+                                                 const PlaceRecord& place) {
+  try {
+    return write(revision, place, false);
+  } catch (const Error& failure) {
+    if (failure.info().reason != "STORE_FULL") throw;
+    Written unwritten{.record = revision.record};
+    unwritten.record.seconds = seconds_of(revision.revision.report.seconds);
+    if (revision.asked) unwritten.recipe = Store::packed_recipe(write_recipe(recipe_of(revision)));
+    return unwritten;
+  }
+}
+
+void Archive::set_unsaved(const std::string& id, bool unsaved) {
+  const std::scoped_lock lock(notes_);
+  if (unsaved) {
+    unsaved_.insert(id);
+  } else {
+    unsaved_.erase(id);
+  }
+}
+
+bool Archive::is_durable(const std::string& id) const {
+  const std::scoped_lock lock(notes_);
+  return store_.persistent() && !unsaved_.contains(id);
+}
+
+bool Archive::recover() {
+  store_.flush();
+  std::set<std::string> unsaved;
+  {
+    const std::scoped_lock lock(notes_);
+    unsaved = unsaved_;
+  }
+  for (const std::string& id : unsaved) {
+    // One that left memory is made again of its recipe, which is on the disk by now.
+    if (const HeldRevisionPtr held = held_.find(id)) keep(held);
+    set_unsaved(id, false);
+  }
+  return false;
+}
+
+void Archive::keep(const HeldRevisionPtr& revision) {
+  const std::string& id = revision->record.id;
+  const auto lacking = [&] {
+    return is_damaged(id) ||
+           !store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(id); });
+  };
+  if (!store_.persistent() || !lacking()) return;
+  const auto turn = writing_.take(id);
+  if (!is_known(id) || !lacking()) return;
+  // A damaged one by itself: what stands on it must not come to need more packs than it does.
+  Written written = write(*revision, first_place(id), is_damaged(id));
+  store_.commit([&](Catalogue& catalogue) {
+    auto record = catalogue.revision(id);
+    if (!record) return Transaction{};  // it was deleted meanwhile
+    record->bytes = written.record.bytes;
+    record->base = written.record.base;
+    return Transaction{AddRevision{*record, written.recipe}};
+  });
+  store_.discard(id);
+  set_damaged(id, false);
+  collector_.ask();
+}
+
+bool Archive::is_damaged(const std::string& id) const {
+  const std::scoped_lock lock(notes_);
+  return damaged_.contains(id);
+}
+
+void Archive::set_damaged(const std::string& id, bool damaged) {
+  const std::scoped_lock lock(notes_);
+  if (damaged) {
+    damaged_.insert(id);
+  } else {
+    damaged_.erase(id);
+  }
+}
+
+bool Archive::is_known(const std::string& id) {
+  return store_.read([&](Catalogue& catalogue) { return catalogue.revision(id).has_value(); });
+}
+
+PlaceRecord Archive::first_place(const std::string& id) {
+  return store_.read([&](Catalogue& catalogue) {
+    const auto places = catalogue.places(id);
+    return places.empty() ? PlaceRecord{.id = id} : places.front();
+  });
+}
+
+void Archive::note_use(const std::string& id) {
+  const std::scoped_lock lock(notes_);
+  used_[id] = nanoseconds_now();
+}
+
+}  // namespace remeshd

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/remesh/remesh.h"
+#include "server/session/held_revision.h"
+#include "server/session/mesh_arrays.h"
+
+namespace remeshd {
+
+/// What a mesh is made of again, and what it then has to be.
+struct Recipe {
+  struct Digest {
+    ArrayName array;
+    std::string digest;  ///< as `digest_of`
+    friend bool operator==(const Digest&, const Digest&) = default;
+  };
+  std::string revision;  ///< id
+  std::string parent;    ///< id; empty for a first mesh
+  std::uint32_t algorithm_version = 0;
+  ModelSource model;            ///< after the edit
+  std::string edit;             ///< its document; empty for a first mesh
+  MeshOptions options;          ///< as `make_revision` takes them
+  std::vector<Digest> digests;  ///< of the arrays that are delivered
+  friend bool operator==(const Recipe&, const Recipe&) = default;
+};
+
+/// The recipe of a revision that tells its options as asked for; an empty one of another.
+Recipe recipe_of(const HeldRevision& held);
+
+/// As it is kept: JSON, the same for equal recipes.
+std::string write_recipe(const Recipe& recipe);
+/// Throws Error(Internal) on anything else.
+Recipe read_recipe(const std::string& text);
+
+}  // namespace remeshd

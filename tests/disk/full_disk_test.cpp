@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+
+#include <cerrno>
+#include <optional>
+#include <thread>
+
+#include "server/session/archive.h"
+#include "tests/disk/file_calls.h"
+#include "tests/server/fake_engine.h"
+#include "tests/server/store/store_folder.h"
+#include "tests/support/cases.h"
+
+namespace remeshd::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const remeshd::Run kRun;
+
+/// An archive over a store whose disk takes nothing more from a moment on.
+class FullDisk : public StoreFolderTest {
+ protected:
+  FullDisk() { open(); }
+
+  void open() {
+    archive_.reset();
+    store_.reset();
+    store_.emplace(folder_);
+    archive_.emplace(engine_, *store_, 1 << 30);
+  }
+  HeldRevisionPtr made(int n) {
+    auto held = std::make_shared<HeldRevision>();
+    held->asked = MeshOptions{.nodes = 100};
+    held->revision = engine_.make_revision(nullptr, model_of({block("plate", 80 + n, 40, 10)}),
+                                           *held->asked, kRun);
+    held->record = {.id = id(n), .algorithm_version = engine_.algorithm_version, .created_ns = n};
+    return held;
+  }
+  Filed file(int n) { return archive_->file(made(n), "plate", {}); }
+  void fill_disk() {
+    calls_.decide([](const FileCall& call, std::size_t) {
+      const bool grows = call.kind == FileCall::Kind::Write || call.kind == FileCall::Kind::Create;
+      return grows ? ENOSPC : 0;
+    });
+  }
+  /// The disk has room again; waits until all is saved.
+  void make_room() {
+    calls_.decide({});
+    for (int k = 0; k < 10000 && !(store_->healthy() && archive_->is_durable(id(2))); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  FileCalls calls_{folder_};
+  FakeEngine fake_;
+  const Engine engine_ = fake_.engine();
+  std::optional<Store> store_;
+  std::optional<Archive> archive_;
+};
+
+TEST_F(FullDisk, RevisionsAreMadeListedAndServedThatAreNotDurable) {
+  EXPECT_TRUE(file(1).durable);
+  EXPECT_TRUE(store_->healthy());
+  fill_disk();
+  const Filed filed = file(2);
+  EXPECT_FALSE(filed.durable);
+  EXPECT_EQ(filed.place.number, 2U);
+  EXPECT_FALSE(store_->healthy());
+  EXPECT_EQ(listing(*store_), "plate@1 = 1 head\nplate@2 = 2\n");
+  EXPECT_NE(archive_->get(id(2), kRun), nullptr);
+  EXPECT_FALSE(file(2).durable) << "asked for again";
+  EXPECT_TRUE(file(1).durable) << "it was stored before";
+  calls_.decide({});
+}
+
+TEST_F(FullDisk, IsRecoveredFromByItself) {
+  file(1);
+  fill_disk();
+  file(2);
+  make_room();
+  EXPECT_TRUE(store_->healthy());
+  EXPECT_TRUE(file(2).durable);
+  open();
+  EXPECT_EQ(listing(*store_), "plate@1 = 1 head\nplate@2 = 2\n");
+  EXPECT_NE(archive_->find(id(2), kRun), nullptr) << "its mesh is stored";
+}
+
+TEST_F(FullDisk, WhatWasNotDurableIsNotThereAfterACrash) {
+  file(1);
+  fill_disk();
+  file(2);
+  const FileRecord record = calls_.record();
+  const fs::path after = folder_ / "after";
+  write_after_power_cut(
+      record, record.calls.size(), [] { return true; }, after);
+  Store store(after);
+  EXPECT_EQ(listing(store), "plate@1 = 1 head\n");
+  calls_.decide({});
+}
+
+}  // namespace
+}  // namespace remeshd::test
