@@ -11,9 +11,11 @@ namespace {
 // s; readers that keep revisions in memory end without a word to the budget.
 constexpr double kLookAgain = 0.1;
 constexpr double kRetryAfter = 1;  // s
-// Of the budget, freed beyond what is needed once the process passed it, so that not every lease
-// has to; and what the revisions held keep all the same, or the next request finds none of them.
-constexpr std::uint64_t kSlackShare = 16, kKeptShare = 4;
+// Of the budget: what the process stays below it, for what no lease tells of; twice that is freed
+// once it does not, so that not every lease has to.
+constexpr std::uint64_t kMarginShare = 16;
+// What the revisions held keep all the same, or the next request finds none of them.
+constexpr std::uint64_t kKeptShare = 4;
 
 }  // namespace
 
@@ -28,11 +30,12 @@ bool MemoryBudget::take_now(std::uint64_t bytes) {
 }
 
 void MemoryBudget::keep_process_within(std::uint64_t bytes) {
-  if (!process_.resident || !reclaim_ || process_.resident() <= bytes) return;
+  const std::uint64_t margin = total_ / kMarginShare;
+  if (!process_.resident || !reclaim_ || process_.resident() + margin <= bytes) return;
   process_.return_freed_memory();
-  const std::uint64_t slack = total_ / kSlackShare, resident = process_.resident();
-  if (resident + slack <= bytes) return;
-  const std::uint64_t excess = resident + slack - bytes, held = reclaim_(total_);
+  const std::uint64_t wanted = process_.resident() + 2 * margin;
+  if (wanted <= bytes) return;
+  const std::uint64_t excess = wanted - bytes, held = reclaim_(total_);
   reclaim_(std::max(total_ / kKeptShare, held > excess ? held - excess : 0));
   process_.return_freed_memory();
 }

@@ -69,7 +69,7 @@ std::vector<CacheEntry> Archive::cache_entries() {
 
 CacheStats Archive::cache_stats() {
   CacheStats stats{
-      .disk_budget = disk_, .memory_bytes = held_.bytes(), .memory_budget = held_.budget()};
+      .disk_budget = disk_, .memory_bytes = held_.bytes(), .memory_budget = held_.most()};
   const Store::Room room = store_.room();
   stats.disk_free = room.free_bytes;
   stats.quarantined = room.quarantined;

@@ -112,9 +112,7 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
                 .threads = prepared.threads,
                 .dumps = limits_.dumps.empty() ? limits_.dumps : limits_.dumps / prepared.id,
                 .max_nodes = limits_.max_nodes};
-  run.poll();
-  const auto share =
-      parts_.memory.take(working_memory(prepared), run.stop, parts_.computation.limits().wait);
+  run.poll();  // it may have been stopped while it waited for memory
   const auto start = Clock::now();
   auto made = std::make_shared<HeldRevision>();
   made->revision = parts_.engine.make_revision(prepared.base ? &prepared.base->revision : nullptr,
@@ -136,6 +134,10 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
 void Maker::compute(const ComputationPtr& computation) {
   guarded(
       [&] {
+        // Until it is filed: what it is written from takes memory too.
+        const auto share =
+            parts_.memory.take(working_memory(computation->prepared), computation->stop.get_token(),
+                               parts_.computation.limits().wait);
         const HeldRevisionPtr made = make_revision(computation);
         // In memory before it leaves the list, so that no moment is left to compute it twice.
         parts_.archive.hold(made);

@@ -26,7 +26,7 @@ class FullDisk : public StoreFolderTest {
     archive_.reset();
     store_.reset();
     store_.emplace(folder_);
-    archive_.emplace(engine_, *store_, 1 << 30);
+    archive_.emplace(engine_, *store_, memory_, Archive::Limits{.held = 1 << 30});
   }
   HeldRevisionPtr made(int n) {
     auto held = std::make_shared<HeldRevision>();
@@ -54,6 +54,7 @@ class FullDisk : public StoreFolderTest {
   FakeEngine fake_;
   const Engine engine_ = fake_.engine();
   std::optional<Store> store_;
+  MemoryBudget memory_{1 << 30};
   std::optional<Archive> archive_;
 };
 

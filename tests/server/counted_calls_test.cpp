@@ -11,7 +11,7 @@ class CountedCalls : public DaemonTest {
  protected:
   CountedCalls() { options_.metrics = std::make_shared<Metrics>("1.2.3", 13); }
   /// The metrics once they have this line: a call is counted after its client has the answer.
-  [[nodiscard]] std::string text_with(const std::string& line) const {
+  std::string text_with(const std::string& line) const {
     std::string text;
     for (int i = 0; i < 1000; ++i) {
       text = options_.metrics->text();

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <map>
@@ -10,6 +11,7 @@
 
 #include "tests/service/client_process.h"
 #include "tests/service/goals.h"
+#include "tests/service/log_lines.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -63,8 +65,12 @@ class Cancels {
       goals_.must("free after every client's death", !stuck_);
     }
     if (settings_.frozen) {
-      goals_.at_most("free after a client froze", free_after(SIGSTOP, 120), "s", 90);
+      // Ten times the nodes: it must not come to its end before the client is given up.
+      const std::size_t before = ended_streams();
+      goals_.at_most("free after a client froze", free_after(SIGSTOP, 150, 10), "s", 90);
       goals_.must("free at all after a client froze", !stuck_);
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+      goals_.must("  for its stream was ended", ended_streams() > before);
     }
     return goals_.exit_status();
   }
@@ -149,9 +155,14 @@ class Cancels {
     stream->Finish();
   }
 
-  double free_after(int signal, double most) {
+  std::size_t ended_streams() {
+    const auto calls = logged_calls(daemon_.process().log());
+    return static_cast<std::size_t>(std::ranges::count(calls, "EditStream", &LoggedCall::method));
+  }
+
+  double free_after(int signal, double most, std::uint32_t times = 1) {
     const ClientProcess client(
-        {"--client-of", daemon_.address(), "--nodes", std::to_string(settings_.nodes)});
+        {"--client-of", daemon_.address(), "--nodes", std::to_string(times * settings_.nodes)});
     while (daemon_.info().load().running() == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     std::this_thread::sleep_for(duration_of(std::uniform_real_distribution<double>(0, 2)(random_)));

@@ -1,5 +1,6 @@
 #include "tests/service/kept_revisions.h"
 
+#include <cstdio>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -38,9 +39,15 @@ std::optional<std::size_t> mesh_hash(v1::RemeshService::Stub& stub, const std::s
   return std::hash<std::string>()(all);
 }
 
-void KeptRevisions::made(const std::string& id, std::optional<std::size_t> bytes) {
+void KeptRevisions::made(const std::string& id) {
   const std::scoped_lock lock(mutex_);
-  there_[id] = bytes;
+  there_[id] = std::nullopt;
+}
+
+void KeptRevisions::read(const std::string& id, std::size_t bytes) {
+  const std::scoped_lock lock(mutex_);
+  const auto entry = there_.find(id);
+  if (entry != there_.end()) entry->second = bytes;
 }
 
 std::optional<std::string> KeptRevisions::any(std::mt19937& random) const {
@@ -69,7 +76,11 @@ KeptRevisions::Check KeptRevisions::compare(v1::RemeshService::Stub& stub, std::
   const std::scoped_lock lock(mutex_);
   const std::set<std::string> ids = listed(stub);
   Check check;
-  for (const auto& [id, bytes] : there_) check.lost += !ids.contains(id);
+  for (const auto& [id, bytes] : there_) {
+    if (ids.contains(id)) continue;
+    ++check.lost;
+    std::printf("lost: %s\n", id.c_str());
+  }
   for (const std::string& id : gone_) check.risen += ids.contains(id);
   for (std::size_t i = 0; i < meshes && !there_.empty(); ++i) {
     const auto& [id, bytes] =

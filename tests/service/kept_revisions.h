@@ -22,7 +22,9 @@ class KeptRevisions {
     std::size_t read = 0;   ///< whose bytes were compared
   };
 
-  void made(const std::string& id, std::optional<std::size_t> bytes);
+  void made(const std::string& id);
+  /// Its bytes, unless somebody has begun to delete it meanwhile.
+  void read(const std::string& id, std::size_t bytes);
   /// Any of them, or nothing where there is none.
   std::optional<std::string> any(std::mt19937& random) const;
   /// It may be there or not, from now on.

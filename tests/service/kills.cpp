@@ -56,9 +56,9 @@ class Client {
     if (status.error_code() == grpc::StatusCode::UNAVAILABLE) return false;
     if (status.ok()) {
       // Acknowledged from here on, whether or not its bytes can be read before the next kill.
-      kept_.made(id, std::nullopt);
+      kept_.made(id);
       if (random_() % 2 == 0)
-        if (const auto bytes = mesh_hash(stub, id)) kept_.made(id, bytes);
+        if (const auto bytes = mesh_hash(stub, id)) kept_.read(id, *bytes);
     }
     return true;
   }
