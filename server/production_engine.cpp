@@ -25,9 +25,9 @@ Engine production_engine() {
   return {.algorithm_version = 13,
           .evaluate = evaluate,
           .apply = apply,
-          .check_node_limit = [](const Revision* base, const FeatureModel& model,
-                                 const MeshOptions& options,
-                                 const Run& run) { return check_node_limit(base, model, options, run); },
+          .check_node_limit =
+              [](const Revision* base, const FeatureModel& model, const MeshOptions& options,
+                 const Run& run) { return check_node_limit(base, model, options, run); },
           .summarise = summary_of,
           .make_revision = make_revision,
           .compare = compare,
