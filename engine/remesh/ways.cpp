@@ -50,8 +50,17 @@ Ways::Ways(const Revision* original, Revision& revision, const Density& density,
            const Run& run)
     : original_(original), revision_(revision), density_(density), watch_(watch), run_(run) {}
 
+/// Not one initialiser list: g++ 12 destroys a member that it has not made yet where a later one
+/// throws, as `points_of` does when the run is stopped.
+NewMesh Ways::begin(const Revision* copied_from) {
+  NewMesh made;
+  made.copied_from = copied_from;
+  made.source = points_of(copied_from);
+  return made;
+}
+
 NewMesh Ways::first_valid() {
-  NewMesh made{{}, original_, points_of(original_)};
+  NewMesh made = begin(original_);
   watch_.lap(revision_.report.seconds.difference);
   Candidate& candidate = made.candidate;
   Setting setting{{original_, *made.source, revision_.cells, revision_.options},
@@ -86,7 +95,7 @@ NewMesh Ways::first_valid() {
 }
 
 NewMesh Ways::regular(std::uint64_t seed) {
-  NewMesh made{{}, nullptr, points_of(nullptr)};
+  NewMesh made = begin(nullptr);
   Density same = density_;
   const MeshOptions& options = revision_.options;
   if (!options.size) same.count = std::lround(same.nodes_per_volume * revision_.cells.volume);

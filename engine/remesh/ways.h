@@ -44,6 +44,7 @@ class Ways {
     bool all_free;  ///< optimise the copied nodes too, all of them
   };
 
+  NewMesh begin(const Revision* copied_from);
   Candidate attempt(const Setting& s);
   std::optional<Candidate> attempt_within(const Setting& s, const Reach& reach);
   std::uint32_t finish_repaired(Candidate& c, const Setting& s, const Site& site,

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;
+
+/// Leaves numbers on the stack that are no addresses, where what comes next has its variables.
+[[gnu::noinline]] void spoil_stack() {
+  volatile char spoilt[1 << 16];
+  for (volatile char& byte : spoilt) byte = 0x5A;
+}
+
+/// How many times a run asks whether to go on.
+class Polls {
+ public:
+  /// A run that is stopped at its report number `at`.
+  remeshd::Run stopped_at(int at) {
+    stop_ = std::stop_source();
+    reports_ = 0;
+    return {.stop = stop_.get_token(), .on_progress = [this, at](const Progress&) {
+              if (++reports_ == at) stop_.request_stop();
+            }};
+  }
+  [[nodiscard]] int reports() const { return reports_; }
+
+ private:
+  std::stop_source stop_;
+  int reports_ = 0;
+};
+
+/// Stops a run at every one of its reports in turn.
+void stop_everywhere(const Revision* original, const ModelSource& source,
+                     const MeshOptions& options) {
+  Polls polls;
+  make_revision(original, source, options, polls.stopped_at(0));
+  const int all = polls.reports();
+  ASSERT_GT(all, 5);
+  for (int at = 1; at < all; ++at) {
+    const remeshd::Run run = polls.stopped_at(at);
+    spoil_stack();
+    try {
+      make_revision(original, source, options, run);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.info().kind, ErrorKind::Cancelled) << at;
+    }
+  }
+}
+
+TEST(Cancelled, AtAnyReportAFirstMeshEndsAsIfItHadNotBeen) {
+  stop_everywhere(nullptr, test::case_model("tool1-a"), {.nodes = 500});
+}
+
+TEST(Cancelled, AtAnyReportAnEditEndsAsIfItHadNotBeen) {
+  const Revision base = make_revision(nullptr, test::case_model("tool1-a"), {.nodes = 500}, kRun);
+  ModelSource longer = base.source;
+  test::parameter(longer, "pin_radius") = 4.5;
+  stop_everywhere(&base, longer, {});
+}
+
+}  // namespace
+}  // namespace remeshd
