@@ -53,7 +53,6 @@ EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
                        const CallOptions& call_options, std::string bearer_token)
     : stub(std::move(service)),
       on_progress(std::move(listener)),
-      options(call_options),
       token(std::move(bearer_token)),
       patience(call_options),
       call(new_call()) {
@@ -183,8 +182,6 @@ void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
     const std::lock_guard lock(state);
     const auto entry = find(response.request_id());
     if (entry == unanswered.end()) return;
-    // The daemon that ends hands back what it has not done: another one will.
-    if (response.error().reason() == Error::SHUTTING_DOWN && options.reconnect > 0) return;
     request = &entry->request;  // stays where it is until this thread takes it out
     if (response.has_result()) entry->result = response.result();
     // Before its future is kept: who has the answer may use the id again.

@@ -72,7 +72,6 @@ struct EditStream::Impl {
 
   const std::shared_ptr<Stub> stub;
   const OnProgress on_progress;
-  const CallOptions options;
   const std::string token;
   Reconnecting patience;                  ///< of the reading thread, but for `rest` and `stop`
   std::shared_ptr<const Mesh> last_mesh;  ///< that the stream brought; of the reading thread
