@@ -53,7 +53,8 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
       std::chrono::duration_cast<std::chrono::seconds>(facts.started.time_since_epoch()).count());
   out.set_ready(facts.readiness == nullptr || facts.readiness->ready());
   for (const auto capability :
-       {v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE})
+       {v1::ServerCapabilities::CAPABILITY_MESH_DELTA, v1::ServerCapabilities::CAPABILITY_REMAKE,
+        v1::ServerCapabilities::CAPABILITY_CACHE})
     out.mutable_capabilities()->add_capabilities(capability);
   out.mutable_capabilities()->add_orders(1);
   for (const v1::MeshArray array : supported_arrays())

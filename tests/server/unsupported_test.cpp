@@ -94,8 +94,10 @@ TEST_F(Unsupported, AnArrayOfAMeshInAStreamIsNamedAndTheStreamLivesOn) {
 
 TEST_F(Unsupported, AndNotAmongTheCapabilities) {
   const v1::ServerCapabilities can = info().capabilities();
-  EXPECT_THAT(can.capabilities(), testing::ElementsAre(v1::ServerCapabilities::CAPABILITY_REMAKE,
-                                                       v1::ServerCapabilities::CAPABILITY_CACHE));
+  EXPECT_THAT(can.capabilities(),
+              testing::ElementsAre(v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
+                                   v1::ServerCapabilities::CAPABILITY_REMAKE,
+                                   v1::ServerCapabilities::CAPABILITY_CACHE));
   EXPECT_THAT(can.orders(), testing::ElementsAre(1));
   EXPECT_EQ(can.arrays_size(), 16);
   EXPECT_EQ(can.formats_size(), 0);

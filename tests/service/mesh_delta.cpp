@@ -1,7 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -9,6 +6,8 @@
 
 #include "remeshd/client.h"
 #include "server/daemon.h"
+#include "tests/service/goals.h"
+#include "tests/service/timing.h"
 
 // What meshes in a stream cost: bytes of a mesh told by its difference from its parent's over those
 // of the whole, and time of an edit with such a mesh over that of an edit alone.
@@ -18,11 +17,11 @@ namespace {
 using client::Client;
 using client::EditStream;
 using client::MeshWanted;
-using Clock = std::chrono::steady_clock;
 
 struct Settings {
   int edits = 40;
   std::uint32_t nodes = 15000;
+  bool goals = false;
 };
 
 remesh::v1::EditRevisionRequest pins(double radius) {
@@ -30,15 +29,6 @@ remesh::v1::EditRevisionRequest pins(double radius) {
   request.set_document("{\"edits\": [{\"setParameter\": {\"name\": \"pin_radius\", \"value\": " +
                        std::to_string(radius) + "}}]}");
   return request;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 int run(const Settings& settings) {
@@ -66,13 +56,13 @@ int run(const Settings& settings) {
     const auto start = Clock::now();
     if (!mesh) {
       const auto result = without_meshes.edit(pins(radius)).get();
-      alone.push_back(milliseconds_since(start) - 1000 * result.report().seconds().total());
+      alone.push_back(1000 * seconds_since(start) - 1000 * result.report().seconds().total());
       continue;
     }
     auto answers = stream.edit(pins(radius), MeshWanted{.delta = true});
     const auto result = answers.result.get();
     const auto made = answers.mesh.get();
-    const double total = milliseconds_since(start);
+    const double total = 1000 * seconds_since(start);
     engine.push_back(1000 * result.report().seconds().total());
     with_mesh.push_back(total - engine.back());
     const auto bytes = [&](const MeshWanted& wanted) {
@@ -86,14 +76,14 @@ int run(const Settings& settings) {
     changed.push_back(1 - 1.0 * result.report().tets_kept() / result.report().tets());
   }
   stream.finish();
-  std::printf("%zu edits of tool1-a at %u nodes, each with its mesh as a difference\n",
-              share.size(), settings.nodes);
-  std::printf("tets that are new:                      median %.3f\n", median(changed));
-  std::printf("bytes over those of the whole mesh:     median %.3f, most %.3f (goal .1 at .05)\n",
-              median(share), *std::max_element(share.begin(), share.end()));
-  std::printf("engine: median %.1f ms; beside it: rpc %.1f ms, rpc and mesh %.1f ms\n",
-              median(engine), median(alone), median(with_mesh));
-  return 0;
+  Goals goals(settings.goals);
+  goals.tell("tets that are new, of an edit's", median(changed));
+  goals.must_be_at_most("bytes of a difference over those of the mesh", percentile(share, 1), "",
+                        .1);
+  goals.tell("engine, of an edit", median(engine), "ms");
+  goals.tell("beside it: rpc", median(alone), "ms");
+  goals.at_most("beside it: rpc and mesh", median(with_mesh), "ms", 15);
+  return goals.exit_status();
 }
 
 }  // namespace
@@ -104,6 +94,7 @@ int main(int argc, char** argv) {
   CLI::App app("Measures meshes that come in a stream as differences");
   app.add_option("--edits", settings.edits)->check(CLI::Range(2, 100000));
   app.add_option("--nodes", settings.nodes);
+  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
   CLI11_PARSE(app, argc, argv);
   return remeshd::test::run(settings);
 }
