@@ -75,25 +75,46 @@ std::string decompress(const std::string& name, std::string_view data, std::uint
   return out;
 }
 
-/// Byte 0 of all numbers, then byte 1 of all, and so on: alike bytes lie together.
+/// Byte 0 of all `numbers`, then byte 1 of all, and so on, for those from the `first` on that
+/// `bytes` are: alike bytes lie together. The loops over numbers stand inside, where the compiler
+/// makes vectors of them.
 template <std::size_t width>
-std::string transposed_by(std::string_view bytes, bool back) {
+void take_apart(std::string_view bytes, std::size_t first, std::size_t numbers, char* planes) {
   const std::size_t count = bytes.size() / width;
-  std::string out(bytes.size(), '\0');
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t b = 0; b < width; ++b) {
-      const std::size_t apart = b * count + i, together = i * width + b;
-      out[back ? together : apart] = bytes[back ? apart : together];
-    }
+  for (std::size_t b = 0; b < width; ++b) {
+    char* const plane = planes + b * numbers + first;
+    for (std::size_t i = 0; i < count; ++i) plane[i] = bytes[i * width + b];
+  }
+}
+void take_apart(std::string_view bytes, std::size_t width, std::size_t first, std::size_t numbers,
+                char* planes) {
+  if (width == 8) return take_apart<8>(bytes, first, numbers, planes);
+  if (width == 4) return take_apart<4>(bytes, first, numbers, planes);
+  std::copy(bytes.begin(), bytes.end(), planes + first);
+}
+
+std::string transposed(const StoredArray& array, std::size_t width) {
+  std::string out(array.size(), '\0');
+  std::size_t first = 0;
+  for (const std::string_view piece : array.pieces) {
+    take_apart(piece, width, first, out.size() / width, out.data());
+    first += piece.size() / width;
+  }
   return out;
 }
-std::string transposed(std::string_view bytes, std::size_t width, bool back = false) {
-  return width == 8   ? transposed_by<8>(bytes, back)
-         : width == 4 ? transposed_by<4>(bytes, back)
-                      : std::string(bytes);
+
+template <std::size_t width>
+std::string put_together(std::string_view planes) {
+  const std::size_t count = planes.size() / width;
+  std::string out(planes.size(), '\0');
+  for (std::size_t b = 0; b < width; ++b)
+    for (std::size_t i = 0; i < count; ++i) out[i * width + b] = planes[b * count + i];
+  return out;
 }
-std::string transposed_back(std::string_view bytes, std::size_t width) {
-  return transposed(bytes, width, true);
+std::string transposed_back(std::string_view planes, std::size_t width) {
+  return width == 8   ? put_together<8>(planes)
+         : width == 4 ? put_together<4>(planes)
+                      : std::string(planes);
 }
 
 /// `page` becomes its difference to `base`, or the page again; what the base lacks counts as zero.
@@ -112,8 +133,8 @@ enum : std::uint8_t { kSame = 0, kDifference = 1, kWhole = 2 };
 struct Pages {
   std::string states;  ///< a byte a page
   PageDepths depths;
-  std::string changed;  ///< bytes of those that are not the same
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< of those that are not the same
+  std::size_t bytes = 0;  ///< of these
 };
 
 Pages differing_pages(const StoredArray& array, const DecodedArray& base) {
@@ -130,11 +151,31 @@ Pages differing_pages(const StoredArray& array, const DecodedArray& base) {
     out.states += static_cast<char>(whole ? kWhole : kDifference);
     out.depths.push_back(whole ? 0 : depth + 1);
     ++out.count;
-    const std::size_t at = out.changed.size();
-    out.changed += page;
-    if (!whole) exclusive_or(out.changed.data() + at, page.size(), before);
+    out.bytes += page.size();
   }
   return out;
+}
+
+/// What Pages writes: states, depths, the pages that are not the same.
+std::string plain_pages(const Pages& pages, const StoredArray& array, const DecodedArray& base) {
+  const std::size_t width = bytes_of(array.type), start = 2 * pages.states.size();
+  std::string plain = pages.states;
+  plain.append(pages.depths.begin(), pages.depths.end());
+  plain.resize(start + pages.bytes);
+  std::string difference;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < array.pieces.size(); ++k) {
+    if (pages.states[k] == kSame) continue;
+    std::string_view page = array.pieces[k];
+    if (pages.states[k] == kDifference) {
+      difference = page;
+      exclusive_or(difference.data(), difference.size(), piece_of(base.array, k));
+      page = difference;
+    }
+    take_apart(page, width, first, pages.bytes / width, plain.data() + start);
+    first += page.size() / width;
+  }
+  return plain;
 }
 
 void check_encoded(const EncodedArray& encoded) {
@@ -157,24 +198,20 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
                           base->array.components == array.components &&
                           base->array.piece_bytes == array.piece_bytes && out.bytes > 0;
   if (!comparable) {
-    out.data = compress(transposed(array.flat(), width));
+    out.data = compress(transposed(array, width));
     depths.assign(array.pieces.size(), 0);
     return out;
   }
   Pages pages = differing_pages(array, *base);
   out.encoding = ArrayEncoding::Pages;
-  std::string plain = pages.states;
-  plain.append(pages.depths.begin(), pages.depths.end());
-  plain += transposed(pages.changed, width);
-  out.data = compress(plain);
+  out.data = compress(plain_pages(pages, array, *base));
   depths = std::move(pages.depths);
   if (pages.count * kFewPages <= array.pieces.size()) return out;
 
   const std::uint8_t deepest =
       base->depths.empty() ? 0 : *std::max_element(base->depths.begin(), base->depths.end());
-  const std::string flat = array.flat();
   if (deepest < kMostDepth && base->array.size() > 0 && out.bytes <= kMostPatched) {
-    std::string patch = compress(flat, base->array.flat());
+    std::string patch = compress(array.flat(), base->array.flat());
     if (patch.size() < out.data.size()) {
       out.encoding = ArrayEncoding::Patch;
       out.data = std::move(patch);
@@ -183,7 +220,7 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
   }
   // Nearly everything differs.
   if (out.data.size() * kFewPages < out.bytes) return out;
-  std::string full = compress(transposed(flat, width));
+  std::string full = compress(transposed(array, width));
   if (full.size() < out.data.size()) {
     out.encoding = ArrayEncoding::Full;
     out.data = std::move(full);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "engine/base/error.h"
 #include "proto/checksum.h"
 #include "server/store/files.h"
+#include "server/store/side_by_side.h"
 #include "server/store/store_error.h"
 #include "server/store/store_format.h"
 
@@ -19,6 +21,8 @@ constexpr std::size_t kFolderDigits = 2;
 constexpr std::uint32_t kMostChain = 64;
 constexpr std::uint64_t kMostChainShare = 2;
 constexpr std::size_t kMostBytesOfHead = std::size_t{1} << 28;  // with the recipe
+// What takes a thread's start a few times over.
+constexpr std::size_t kWorthThreads = std::size_t{1} << 18;
 constexpr std::size_t kStates = 64;  // of packs that edits are likely to come to next
 
 /// Calls `visit` with each entry two levels down and the id that its place spells.
@@ -55,42 +59,79 @@ Packs::StatePtr Packs::usable_state(const Base& base) {
   if (!state || state->chain >= kMostChain ||
       state->chain_bytes > kMostChainShare * state->full_bytes)
     return nullptr;
-  // What is told as differences to other bytes could not be read.
-  return content_hash(*base.arrays) == state->content ? state : nullptr;
+  return state;
 }
+
+namespace {
+
+/// An array that is to be written, what it is encoded against, and what comes of that.
+struct Encoding {
+  const StoredArray* array = nullptr;
+  DecodedArray like;  ///< without a name: none
+  EncodedArray encoded;
+  PageDepths depths;
+
+  void run() {
+    encoded = encode(*array, like.array.name.empty() ? nullptr : &like, depths);
+    if (encoded.encoding != ArrayEncoding::Full) encoded.base = like.array.name;
+    encoded.data_bytes = encoded.data.size();
+  }
+};
+
+/// The largest first, so that none is still at work when all others are done.
+std::vector<std::function<void()>> jobs_of(std::vector<Encoding>& encodings) {
+  std::vector<Encoding*> by_size;
+  for (Encoding& encoding : encodings) by_size.push_back(&encoding);
+  std::ranges::stable_sort(by_size, std::greater<>(),
+                           [](const Encoding* e) { return e->array->size(); });
+  std::vector<std::function<void()>> jobs;
+  for (Encoding* const encoding : by_size) jobs.emplace_back([encoding] { encoding->run(); });
+  return jobs;
+}
+
+}  // namespace
 
 Packs::Written Packs::put(const RevisionRecord& record, const PlaceRecord& first,
                           const std::string& recipe, const StoredArrays& arrays, const Base* base) {
   StatePtr before;
   if (base != nullptr && base->id != record.id) before = usable_state(*base);
 
-  PackHead head{.record = record, .first = first, .recipe = recipe};
+  std::vector<Encoding> encodings;
+  for (const StoredArray& array : arrays.arrays) {
+    Encoding& encoding = encodings.emplace_back(Encoding{.array = &array});
+    if (!before) continue;
+    const StoredArray* found = base->arrays->find(array.name);
+    if (found == nullptr && !array.like.empty()) found = base->arrays->find(array.like);
+    if (found == nullptr) continue;
+    encoding.like.array = *found;
+    if (const auto depths = before->depths.find(found->name); depths != before->depths.end())
+      encoding.like.depths = depths->second;
+  }
   auto after = std::make_shared<State>();
+  std::string content_of_base;
+  std::vector<std::function<void()>> jobs = jobs_of(encodings);
+  jobs.emplace_back([&] { after->content = content_hash(arrays); });
+  if (before) jobs.emplace_back([&] { content_of_base = content_hash(*base->arrays); });
+  if (arrays.size() < kWorthThreads) {
+    for (const auto& job : jobs) job();
+  } else {
+    do_side_by_side(jobs);
+  }
+  // What is told as differences to other bytes could not be read.
+  if (before && content_of_base != before->content)
+    return put(record, first, recipe, arrays, nullptr);
+
+  PackHead head{.record = record, .first = first, .recipe = recipe};
   std::string data;
   bool differs = false;
-  for (const StoredArray& array : arrays.arrays) {
-    DecodedArray like;
-    if (before) {
-      const StoredArray* found = base->arrays->find(array.name);
-      if (found == nullptr && !array.like.empty()) found = base->arrays->find(array.like);
-      if (found != nullptr) {
-        like.array = *found;
-        if (const auto depths = before->depths.find(found->name); depths != before->depths.end())
-          like.depths = depths->second;
-      }
-    }
-    const bool has_base = !like.array.name.empty();
-    EncodedArray& encoded = head.arrays.emplace_back(
-        encode(array, has_base ? &like : nullptr, after->depths[array.name]));
-    if (encoded.encoding != ArrayEncoding::Full) {
-      encoded.base = like.array.name;
-      differs = true;
-    }
-    encoded.data_bytes = encoded.data.size();
-    data += encoded.data;
+  for (Encoding& encoding : encodings) {
+    differs = differs || encoding.encoded.encoding != ArrayEncoding::Full;
+    data += encoding.encoded.data;
+    after->depths[encoding.array->name] = std::move(encoding.depths);
+    head.arrays.push_back(std::move(encoding.encoded));
   }
   if (!differs) before = nullptr;
-  head.content = after->content = content_hash(arrays);
+  head.content = after->content;
   head.data = content_hash(recipe + data);
   head.record.base = before ? base->id : "";
   head.base_content = before ? before->content : "";

@@ -2,9 +2,16 @@
 
 #include <sqlite3.h>
 
+#include <new>
+
 #include "engine/base/error.h"
 
 namespace remeshd {
+namespace {
+
+constexpr std::size_t kMostTexts = 64;
+
+}  // namespace
 
 void Sqlite::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
@@ -34,12 +41,44 @@ void Sqlite::try_execute(const char* sql) noexcept {
   sqlite3_exec(database_.get(), sql, nullptr, nullptr, nullptr);
 }
 
-Sqlite::Statement::Statement(Sqlite& database, std::string_view sql) : database_(database) {
-  if (sqlite3_prepare_v2(database.database_.get(), sql.data(), static_cast<int>(sql.size()),
-                         &statement_, nullptr) != SQLITE_OK)
-    database.fail();
+Sqlite::~Sqlite() {
+  for (const auto& [text, statements] : idle_)
+    for (sqlite3_stmt* const statement : statements) sqlite3_finalize(statement);
 }
-Sqlite::Statement::~Statement() { sqlite3_finalize(statement_); }
+
+sqlite3_stmt* Sqlite::prepared(std::string_view sql) {
+  const auto idle = idle_.find(std::string(sql));
+  if (idle != idle_.end() && !idle->second.empty()) {
+    sqlite3_stmt* const statement = idle->second.back();
+    idle->second.pop_back();
+    return statement;
+  }
+  sqlite3_stmt* statement = nullptr;
+  if (sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
+                         nullptr) != SQLITE_OK)
+    fail();
+  return statement;
+}
+
+void Sqlite::give_back(sqlite3_stmt* statement) noexcept {
+  sqlite3_reset(statement);
+  sqlite3_clear_bindings(statement);
+  try {
+    const std::string text = sqlite3_sql(statement);
+    // Filters and orders of lists make many texts, of which few are used again.
+    if (idle_.contains(text) || idle_.size() < kMostTexts) {
+      idle_[text].push_back(statement);
+      return;
+    }
+  } catch (const std::bad_alloc&) {
+    // It is prepared again when it is needed.
+  }
+  sqlite3_finalize(statement);
+}
+
+Sqlite::Statement::Statement(Sqlite& database, std::string_view sql)
+    : database_(database), statement_(database.prepared(sql)) {}
+Sqlite::Statement::~Statement() { database_.give_back(statement_); }
 
 Sqlite::Statement& Sqlite::Statement::bind(std::string_view text) {
   if (sqlite3_bind_text(statement_, ++bound_, text.data(), static_cast<int>(text.size()),

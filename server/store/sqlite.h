@@ -4,16 +4,20 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace remeshd {
 
-/// A connection to an SQLite database. Failures throw Error(Internal, `INDEX_FAILED`).
+/// A connection to an SQLite database, for one thread at a time. Failures throw
+/// Error(Internal, `INDEX_FAILED`).
 class Sqlite {
  public:
-  /// One prepared statement: bind, then step through the rows.
+  /// One prepared statement: bind, then step through the rows. To prepare one takes longer than to
+  /// run most, so they are kept for their next use.
   class Statement {
    public:
     Statement(Sqlite& database, std::string_view sql);
@@ -33,11 +37,15 @@ class Sqlite {
 
    private:
     Sqlite& database_;
+    const std::string_view sql_;
     sqlite3_stmt* statement_ = nullptr;
     int bound_ = 0;
   };
 
   explicit Sqlite(const std::string& file);
+  ~Sqlite();
+  Sqlite(const Sqlite&) = delete;
+  Sqlite& operator=(const Sqlite&) = delete;
 
   void execute(const char* sql);
   /// The same; a failure is passed over.
@@ -46,10 +54,13 @@ class Sqlite {
 
  private:
   [[noreturn]] void fail() const;
+  sqlite3_stmt* prepared(std::string_view sql);
+  void give_back(sqlite3_stmt* statement) noexcept;
   struct Close {
     void operator()(sqlite3* database) const;
   };
   std::unique_ptr<sqlite3, Close> database_;
+  std::unordered_map<std::string, std::vector<sqlite3_stmt*>> idle_;  ///< by their text
 };
 
 }  // namespace remeshd
