@@ -41,7 +41,7 @@ struct ErrorInfo {
   std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
   std::string hint{};       ///< what would help; empty if nothing sensible can be said
   std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
-  std::optional<double> retry_after{};  ///< s, with ResourceExhausted
+  std::optional<double> retry_after{};  ///< s, after which to try again
   std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
   std::optional<int> line{}, column{};  ///< of a document, from 1
   std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
