@@ -166,9 +166,6 @@ class NamesOfAnother : public TenantCalls {
     heard["EditRevision"] = ask(stub(), &Remesh::EditRevision, base(v1::EditRevisionRequest()));
     heard["ValidateEdit"] = ask(stub(), &Remesh::ValidateEdit, base(v1::ValidateEditRequest()));
     heard["SetPin"] = ask(cache(), &Cache::SetPin, revision(v1::SetPinRequest()));
-    v1::DeleteRevisionRequest removed = revision(v1::DeleteRevisionRequest());
-    removed.set_allow_head(true);
-    heard["DeleteRevision"] = ask(stub(), &Remesh::DeleteRevision, removed);
     v1::SetHeadRequest head = revision(v1::SetHeadRequest());
     head.set_design("bens-plate");
     heard["SetHead"] = ask(stub(), &Remesh::SetHead, head);
@@ -197,13 +194,18 @@ class NamesOfAnother : public TenantCalls {
     v1::ListCacheEntriesRequest entries;
     entries.mutable_filter()->set_design(design);
     heard["ListCacheEntries"] = ask(cache(), &Cache::ListCacheEntries, entries);
-    v1::DeleteDesignRequest no_design;
-    no_design.set_design(design);
-    heard["DeleteDesign"] = ask(stub(), &Remesh::DeleteDesign, no_design);
     v1::EditStreamRequest of_design = request;
     of_design.mutable_edit()->set_base("");
     of_design.mutable_edit()->set_design(design);
     heard["EditStream, of a design"] = ask_stream(of_design);
+
+    // Last, or a fault would hide those of the other calls.
+    v1::DeleteRevisionRequest removed = revision(v1::DeleteRevisionRequest());
+    removed.set_allow_head(true);
+    heard["DeleteRevision"] = ask(stub(), &Remesh::DeleteRevision, removed);
+    v1::DeleteDesignRequest no_design;
+    no_design.set_design(design);
+    heard["DeleteDesign"] = ask(stub(), &Remesh::DeleteDesign, no_design);
     return heard;
   }
 };
