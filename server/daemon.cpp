@@ -18,7 +18,7 @@
 #include "server/observe/readiness.h"
 #include "server/service/front_desk.h"
 #include "server/service/remesh_service.h"
-#include "server/session/session.h"
+#include "server/session/tenants.h"
 #include "server/transport/accept_loop.h"
 #include "server/transport/descriptor_limit.h"
 #include "server/transport/listen_address.h"
@@ -47,12 +47,19 @@ SessionLimits session_limits(const DaemonOptions& options) {
           .dumps = options.dumps};
 }
 
-std::unique_ptr<Store> open_store(const DaemonOptions& options) {
-  if (options.store.empty()) return std::make_unique<Store>();
-  auto store = std::make_unique<Store>(options.store, options.store_wait);
-  if (options.log)
-    for (const std::string& note : store->notes()) options.log->warn("store: {}", note);
-  return store;
+/// Opens stores: that of the tenant `` in the folder itself, those of the others in `tenants/NAME`
+/// below it.
+Tenants::OpenStore store_opener(const DaemonOptions& options) {
+  return [folder = options.store, wait = options.store_wait,
+          log = options.log](const std::string& tenant) {
+    if (folder.empty()) return std::make_unique<Store>();
+    auto store =
+        std::make_unique<Store>(tenant.empty() ? folder : folder / "tenants" / tenant, wait);
+    const std::string whose = tenant.empty() ? "" : " of the tenant " + tenant;
+    if (log)
+      for (const std::string& note : store->notes()) log->warn("store{}: {}", whose, note);
+    return store;
+  };
 }
 
 /// The connections that there may be, told where they are fewer than asked for; 0 where nothing is
@@ -105,7 +112,7 @@ struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
   Readiness readiness;
   const std::shared_ptr<FrontDesk> desk;
-  Session session;
+  Tenants tenants;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
@@ -116,10 +123,18 @@ struct Daemon::Parts {
       : log(options.log),
         desk(std::make_shared<FrontDesk>(
             FrontDesk{.log = options.log, .metrics = options.metrics, .doorman = options.doorman})),
-        session(std::move(engine), open_store(options), session_limits(options)),
+        tenants(std::move(engine), session_limits(options), store_opener(options)),
         max_connections(remeshd::max_connections(options)),
-        service(make_remesh_service(session, {.facts = facts(), .desk = desk})),
-        cache_service(make_cache_service(session, {.facts = facts(), .desk = desk})) {}
+        service(make_remesh_service(tenants, {.facts = facts(), .desk = desk})),
+        cache_service(make_cache_service(tenants, {.facts = facts(), .desk = desk})) {
+    if (desk->doorman)
+      desk->doorman->prepare_with([this](const std::string& tenant) { tenants.open(tenant); });
+  }
+  ~Parts() {
+    if (desk->doorman) desk->doorman->prepare_with({});
+  }
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
 
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
@@ -131,14 +146,14 @@ struct Daemon::Parts {
   void tell_metrics() {
     if (!desk->metrics) return;
     desk->metrics->set_source("daemon", [this](MetricsReadings& out) {
-      const Load load = session.load();
+      const Load load = tenants.load();
       out.ready = readiness.ready();
       out.queue_depth.emplace_back("computation", load.queued);
       out.computations_running = load.running;
       out.memory_bytes = load.memory_bytes;
-      out.memory_budget_bytes = session.limits().memory;
-      if (session.persistent()) out.disk_bytes = load.disk_bytes;
-      if (session.limits().disk > 0) out.disk_budget_bytes = session.limits().disk;
+      out.memory_budget_bytes = tenants.limits().memory;
+      if (tenants.persistent()) out.disk_bytes = load.disk_bytes;
+      if (tenants.limits().disk > 0) out.disk_budget_bytes = tenants.limits().disk;
       out.revisions = load.revisions;
       if (connections) out.connections = connections->count();
     });
@@ -150,7 +165,7 @@ struct Daemon::Parts {
     grpc::HealthCheckServiceInterface* const health = server->GetHealthCheckService();
     if (health == nullptr) return;
     health->SetServingStatus("liveness", true);
-    session.on_store_health([this](bool healthy) {
+    tenants.on_store_health([this](bool healthy) {
       readiness.set("store", healthy ? "" : "it cannot be written to; revisions live in memory");
     });
     readiness.on_change(
@@ -231,11 +246,12 @@ void Daemon::shutdown(double grace) {
     parts_->desk->gate->wait_until_empty(std::chrono::duration<double>(grace));
     if (parts_->desk->metrics) parts_->desk->metrics->set_source("daemon", {});
     if (parts_->connections) parts_->connections->stop();
-    parts_->session.on_store_health({});
+    parts_->tenants.on_store_health({});
     parts_->readiness.on_change({});
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
-    // First the session: its answers still reach their clients. What then is left are idle streams.
-    parts_->session.stop();
+    // First the sessions: their answers still reach their clients. What then is left are idle
+    // streams.
+    parts_->tenants.stop();
     parts_->server->Shutdown(std::chrono::system_clock::now() + std::chrono::milliseconds(500));
     parts_->server->Wait();
   });

@@ -26,8 +26,10 @@ struct DaemonOptions {
   /// As `parse_listen_address` takes them; port 0 takes a free one. None: nothing is listened on,
   /// `in_process_channel` only.
   std::vector<std::string> listen = {"127.0.0.1:50051"};
-  std::size_t max_connections = 1024;   ///< at a time; fewer where descriptors do not suffice
-  std::filesystem::path store;          ///< empty: revisions live in memory and end with the daemon
+  std::size_t max_connections = 1024;  ///< at a time; fewer where descriptors do not suffice
+  /// Of a tenant by tokens the folder `tenants/NAME` in it. Empty: revisions live in memory and end
+  /// with the daemon.
+  std::filesystem::path store;
   double store_wait = 0;                ///< s to wait for another process to let go of the store
   int workers = 0;                      ///< computations at a time; 0: one per processor
   int threads = 0;                      ///< at most, for one computation; 0: one per processor
@@ -42,11 +44,14 @@ struct DaemonOptions {
   std::shared_ptr<spdlog::logger> log;  ///< null: no log
   std::shared_ptr<Metrics> metrics;     ///< null: nothing is counted
   TlsFiles tls;                         ///< for what is no Unix socket
-  std::shared_ptr<Doorman> doorman;     ///< asks callers for tokens; null: everybody is let in
-  bool reflection = false;              ///< whether the protocol can be asked for
+  /// Asks callers for tokens, by which they are tenants; it has the daemon open the stores of
+  /// these. Null: everybody is let in, as the one tenant there is.
+  std::shared_ptr<Doorman> doorman;
+  bool reflection = false;  ///< whether the protocol can be asked for
 };
 
-/// remeshd as an object: the service over a session over a store, on a port or in this process.
+/// remeshd as an object: the service over the sessions of its tenants, each over a store of its
+/// own, on a port or in this process.
 class Daemon {
  public:
   /// Serves from when this returns. Throws Error: `LISTEN_INVALID` before anything else, what Store

@@ -19,10 +19,65 @@ constexpr std::uint64_t kKeptShare = 4;
 
 }  // namespace
 
+MemoryBudget::HolderId MemoryBudget::add_holder(BudgetHolder holder) {
+  const std::scoped_lock lock(mutex_);
+  holders_.emplace(next_holder_, std::move(holder));
+  return next_holder_++;
+}
+
+void MemoryBudget::remove_holder(HolderId id) {
+  const std::scoped_lock lock(mutex_);
+  holders_.erase(id);
+}
+
+std::uint64_t MemoryBudget::sum_held() const {
+  std::uint64_t sum = 0;
+  for (const auto& [id, holder] : holders_) sum += holder.bytes();
+  return sum;
+}
+
+/// Has the holders give way until together they have no more than `most`, as far as they can;
+/// returns how much they have. For what one cannot let go of the others give way.
+std::uint64_t MemoryBudget::reclaim(std::uint64_t most) {
+  struct Share {
+    const BudgetHolder* holder;
+    std::uint64_t bytes;
+    bool in_use = false;  ///< the holder could not let go of it
+  };
+  std::vector<Share> shares;
+  for (const auto& [id, holder] : holders_) shares.push_back({&holder, holder.bytes()});
+  for (;;) {
+    std::vector<std::uint64_t> amounts;
+    std::uint64_t in_use = 0, sum = 0;
+    for (const Share& share : shares) {
+      if (share.in_use)
+        in_use += share.bytes;
+      else
+        amounts.push_back(share.bytes);
+    }
+    const std::uint64_t cap = fair_cap(std::move(amounts), most - std::min(most, in_use));
+    bool again = false;
+    for (Share& share : shares) {
+      if (!share.in_use && share.bytes > cap) {
+        share.holder->shrink(cap);
+        share.bytes = share.holder->bytes();
+        again |= share.in_use = share.bytes > cap;
+      }
+      sum += share.bytes;
+    }
+    if (!again) return sum;
+  }
+}
+
+void MemoryBudget::trim() {
+  const std::scoped_lock lock(mutex_);
+  reclaim(std::min(most_held_, total_ - leased_));
+}
+
 bool MemoryBudget::take_now(std::uint64_t bytes) {
   if (bytes > total_ || leased_ > total_ - bytes) return false;
   const std::uint64_t left = total_ - leased_ - bytes;
-  if (reclaim_ && reclaim_(left) > left) return false;
+  if (reclaim(left) > left) return false;
   // What is leased may all be still to come, for all that can be told.
   keep_process_within(left);
   leased_ += bytes;
@@ -31,12 +86,12 @@ bool MemoryBudget::take_now(std::uint64_t bytes) {
 
 void MemoryBudget::keep_process_within(std::uint64_t bytes) {
   const std::uint64_t margin = total_ / kMarginShare;
-  if (!process_.resident || !reclaim_ || process_.resident() + margin <= bytes) return;
+  if (!process_.resident || process_.resident() + margin <= bytes) return;
   process_.return_freed_memory();
   const std::uint64_t wanted = process_.resident() + 2 * margin;
   if (wanted <= bytes) return;
-  const std::uint64_t excess = wanted - bytes, held = reclaim_(total_);
-  reclaim_(std::max(total_ / kKeptShare, held > excess ? held - excess : 0));
+  const std::uint64_t excess = wanted - bytes, held = sum_held();
+  reclaim(std::max(total_ / kKeptShare, held > excess ? held - excess : 0));
   process_.return_freed_memory();
 }
 
@@ -71,6 +126,11 @@ void MemoryBudget::give_back(std::uint64_t bytes) {
 std::uint64_t MemoryBudget::leased() const {
   const std::scoped_lock lock(mutex_);
   return leased_;
+}
+
+std::uint64_t MemoryBudget::held() const {
+  const std::scoped_lock lock(mutex_);
+  return sum_held();
 }
 
 std::uint64_t MemoryBudget::left() const {

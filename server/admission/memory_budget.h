@@ -3,15 +3,20 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <utility>
+
+#include "server/admission/fair_cap.h"
 
 namespace remeshd {
 
 /// The memory of the daemon as one sum, from which everything that needs much takes its estimate:
 /// computations and loads by a lease for as long as they last, requests that wait in streams, and
-/// the revisions held, which give way to the others where they can be read again.
+/// the revisions held, which give way to the others where they can be read again. They are held by
+/// tenants; of these, those that hold most give way first.
 class MemoryBudget {
  public:
   /// A share of the budget, given back by its end.
@@ -36,9 +41,6 @@ class MemoryBudget {
     MemoryBudget* budget_ = nullptr;
     std::uint64_t bytes_ = 0;
   };
-  /// Makes the revisions held take no more than this many bytes, as far as it can; returns how many
-  /// they take.
-  using Reclaim = std::function<std::uint64_t(std::uint64_t most)>;
   /// What the process has in fact. Estimates leave out the program itself, what the allocator keeps
   /// of freed memory, buffers of connections.
   struct Process {
@@ -46,12 +48,20 @@ class MemoryBudget {
     std::function<void()> return_freed_memory;  ///< to the system; takes some ms
   };
 
-  explicit MemoryBudget(std::uint64_t total) : total_(total) {}
+  /// `most_held`: bytes of it that revisions held may take; none: as many as are left.
+  explicit MemoryBudget(std::uint64_t total, std::optional<std::uint64_t> most_held = std::nullopt)
+      : total_(total), most_held_(most_held.value_or(total)) {}
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-  /// Before anything is leased. Called under the budget's mutex.
-  void set_reclaim(Reclaim reclaim) { reclaim_ = std::move(reclaim); }
+  /// Whoever holds revisions, until `remove_holder`, which waits for a call of its functions to
+  /// return. They must not use the budget.
+  using HolderId = std::uint64_t;
+  HolderId add_holder(BudgetHolder holder);
+  void remove_holder(HolderId id);
+  /// Has the holders give way where together they have more than they may; for one that took more,
+  /// which must not lock now what its functions lock.
+  void trim();
 
   /// Before anything is leased: the revisions held give way too where the process would pass the
   /// budget, though the estimates do not. Nothing is refused for that.
@@ -64,19 +74,25 @@ class MemoryBudget {
   Lease take(std::uint64_t bytes, const std::stop_token& stop, double seconds);
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
+  [[nodiscard]] std::uint64_t most_held() const { return most_held_; }
+  /// What all revisions held take.
+  [[nodiscard]] std::uint64_t held() const;
   [[nodiscard]] std::uint64_t leased() const;
   /// What the revisions held may take.
   [[nodiscard]] std::uint64_t left() const;
 
  private:
+  [[nodiscard]] std::uint64_t sum_held() const;
+  std::uint64_t reclaim(std::uint64_t most);
   bool take_now(std::uint64_t bytes);
   void keep_process_within(std::uint64_t bytes);
   void give_back(std::uint64_t bytes);
 
-  const std::uint64_t total_;
-  Reclaim reclaim_;
+  const std::uint64_t total_, most_held_;
   Process process_;
   mutable std::mutex mutex_;
+  std::map<HolderId, BudgetHolder> holders_;
+  HolderId next_holder_ = 1;
   std::condition_variable_any returned_;
   std::uint64_t leased_ = 0;
 };

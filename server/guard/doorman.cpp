@@ -33,8 +33,18 @@ bool is_bearer(std::string_view authorization) {
 Doorman::Doorman(std::filesystem::path token_file)
     : file_(std::move(token_file)), tokens_(Tokens::read(file_)) {}
 
+void Doorman::prepare_with(Prepare prepare) {
+  const std::scoped_lock reloading(reloading_);
+  if (prepare)
+    for (const std::string& tenant : tokens_.tenants()) prepare(tenant);
+  prepare_ = std::move(prepare);
+}
+
 void Doorman::reload() {
+  const std::scoped_lock reloading(reloading_);
   Tokens fresh = Tokens::read(file_);
+  if (prepare_)
+    for (const std::string& tenant : fresh.tenants()) prepare_(tenant);
   const std::scoped_lock lock(mutex_);
   tokens_ = std::move(fresh);
 }

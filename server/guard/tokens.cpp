@@ -17,6 +17,7 @@ bool is_tenant(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
            c == '-' || c == '_';
   };
+  if (name == "." || name == "..") return false;
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), fits);
 }
 
@@ -48,7 +49,8 @@ Tokens Tokens::read(const std::filesystem::path& file) {
     if (!(words >> tenant) || tenant.front() == '#') continue;
     if (!(words >> token) || words >> more) throw fail("is not `TENANT TOKEN`");
     if (!is_tenant(tenant))
-      throw fail("a tenant's name has 1 to 64 letters, digits, `.`, `-` or `_`");
+      throw fail(
+          "a tenant's name has 1 to 64 letters, digits, `.`, `-` or `_`, and is not `.` or `..`");
     if (!is_token(token)) throw fail("a token has 16 to 512 visible characters of ASCII");
     const Digest digest = digest_of(token);
     for (const Entry& entry : out.entries_)
@@ -57,6 +59,12 @@ Tokens Tokens::read(const std::filesystem::path& file) {
   }
   if (out.entries_.empty()) throw SecretFileError(file.string() + ": has no token");
   return out;
+}
+
+std::set<std::string> Tokens::tenants() const {
+  std::set<std::string> names;
+  for (const Entry& entry : entries_) names.insert(entry.tenant);
+  return names;
 }
 
 std::optional<std::string> Tokens::tenant_of(std::string_view token) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,8 @@ class Tokens {
  public:
   /// Reads lines `TENANT TOKEN`; empty ones and those that begin with `#` are passed over. A tenant
   /// may have several tokens, so that one can be replaced without a gap. A tenant's name has 1 to
-  /// 64 letters, digits, `.`, `-`, `_`; a token 16 to 512 visible characters of ASCII.
+  /// 64 letters, digits, `.`, `-`, `_`, and names a folder: `.` and `..` are none. A token has 16
+  /// to 512 visible characters of ASCII.
   ///
   /// Throws SecretFileError with the number of the line: what read_secret_file throws, another
   /// form, a token twice, no token at all.
@@ -24,6 +26,8 @@ class Tokens {
   /// The tenant of a token; none where it is not known. Takes as long for a wrong token as for one
   /// that is wrong in its last character only.
   [[nodiscard]] std::optional<std::string> tenant_of(std::string_view token) const;
+  /// All of them, in the order of their names.
+  [[nodiscard]] std::set<std::string> tenants() const;
 
  private:
   using Digest = std::array<std::uint8_t, 32>;

@@ -17,6 +17,7 @@
 #include "server/process/port_file.h"
 #include "server/process/service_manager.h"
 #include "server/process/signal_watch.h"
+#include "server/session/background.h"
 #include "server/transport/descriptor_limit.h"
 #include "server/transport/listen_address.h"
 
@@ -56,7 +57,8 @@ std::string metrics_address(const std::string& text) {
   return numeric(address.sockets.front());
 }
 
-/// Tokens that cannot be read stay what they were: a slip in the file locks nobody out.
+/// Tokens that cannot be read, or whose tenants' stores cannot be opened, stay what they were: a
+/// slip locks nobody out.
 void reload(Log& log, Doorman* doorman) {
   log.reopen();
   try {
@@ -78,7 +80,12 @@ void serve(const Configuration& configuration, Engine engine) {
   redirect_grpc_log(logger);
   const std::shared_ptr<Doorman> doorman =
       settings.token_file.empty() ? nullptr : std::make_shared<Doorman>(settings.token_file);
-  SignalWatch signals([&] { reload(log, doorman.get()); },
+  // On a thread of its own: opening the stores of new tenants must not keep signals waiting.
+  Background reloader([&] {
+    reload(log, doorman.get());
+    return false;
+  });
+  SignalWatch signals([&] { reloader.ask(); },
                       [&](int signal) {
                         logger->warn("ended at once by {}", name_of(signal));
                         log.flush(std::chrono::milliseconds(200));

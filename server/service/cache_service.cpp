@@ -37,36 +37,37 @@ GarbageOptions decode(const v1::CollectGarbageRequest& request) {
 
 class RawCacheService final : public RawService {
  public:
-  RawCacheService(Session& session, ServiceOptions options)
-      : session_(session), options_(std::move(options)) {}
+  RawCacheService(Tenants& tenants, ServiceOptions options)
+      : tenants_(tenants), options_(std::move(options)) {}
 
   Reply* ListCacheEntries(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListCacheEntriesRequest>(
         "ListCacheEntries", Lane::Metadata, context, in, out,
-        [this](const auto& request) { return list_cache_entries(session_, request); });
+        [](Session& session, const auto& request) { return list_cache_entries(session, request); });
   }
   Reply* GetCacheStats(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetCacheStatsRequest>(
         "GetCacheStats", Lane::Metadata, context, in, out,
-        [this](const auto&) { return encode(session_.cache().cache_stats()); });
+        [](Session& session, const auto&) { return encode(session.cache().cache_stats()); });
   }
   Reply* CollectGarbage(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::CollectGarbageRequest>(
-        "CollectGarbage", Lane::Preparation, context, in, out, [this](const auto& request) {
-          return encode(session_.cache().collect_garbage(decode(request)));
+        "CollectGarbage", Lane::Preparation, context, in, out,
+        [](Session& session, const auto& request) {
+          return encode(session.cache().collect_garbage(decode(request)));
         });
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {
-    return VerifyCall::start(session_, context, *in, options_.limits.message_bytes,
+    return VerifyCall::start(tenants_, context, *in, options_.limits.message_bytes,
                              record("VerifyCache", context));
   }
   Reply* SetPin(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::SetPinRequest>(
-        "SetPin", Lane::Metadata, context, in, out, [this](const auto& request) {
+        "SetPin", Lane::Metadata, context, in, out, [](Session& session, const auto& request) {
           if (request.revision().empty()) throw error::reference_missing("revision");
           v1::SetPinResponse reply;
           *reply.mutable_entry() =
-              encode(session_.cache().set_pin(request.revision(), request.pinned()));
+              encode(session.cache().set_pin(request.revision(), request.pinned()));
           return reply;
         });
   }
@@ -79,19 +80,20 @@ class RawCacheService final : public RawService {
   template <typename Request, typename Answer>
   Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
                Answer answer) {
-    return answer_query<Request>(
-        session_, options_, {method, lane}, context, *in, out,
-        [answer](const Request& request, const Run&) { return answer(request); });
+    return answer_query<Request>(tenants_, options_, {method, lane}, context, *in, out,
+                                 [answer](Session& session, const Request& request, const Run&) {
+                                   return answer(session, request);
+                                 });
   }
 
-  Session& session_;
+  Tenants& tenants_;
   const ServiceOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> make_cache_service(Session& session, ServiceOptions options) {
-  return std::make_unique<RawCacheService>(session, std::move(options));
+std::unique_ptr<grpc::Service> make_cache_service(Tenants& tenants, ServiceOptions options) {
+  return std::make_unique<RawCacheService>(tenants, std::move(options));
 }
 
 }  // namespace remeshd

@@ -74,17 +74,19 @@ EditStream::EditStream(Session& session, const RequestLimits& limits,
     : session_(session), limits_(limits), record_(std::move(record)) {}
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
-    Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+    Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
     std::shared_ptr<CallRecord> record) {
   using Refused = RefusedCall<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>;
+  Session* session = nullptr;
   try {
     record->admit_stream(*context);
+    session = &tenants.of(record->tenant());
     static_cast<void>(record->enter());
     record->count_as_stream();
   } catch (const Error& why) {
     return new Refused(context, why, std::move(record));
   }
-  const auto stream = std::make_shared<EditStream>(session, limits, std::move(record));
+  const auto stream = std::make_shared<EditStream>(*session, limits, std::move(record));
   stream->self_ = stream;
   stream->advance();
   return stream.get();
@@ -195,7 +197,7 @@ void EditStream::hand_over(Request& request) {
   const auto mesh = std::make_shared<std::optional<v1::MeshSelection>>();
   const MakeRequestPtr started = session_.make(
       [self = shared_from_this(), bytes, mesh] { return self->command(*bytes, *mesh); },
-      listener(request.turn, request.id, mesh), record_->tenant());
+      listener(request.turn, request.id, mesh));
   bool cancel = false;
   {
     const std::scoped_lock lock(mutex_);

@@ -12,7 +12,7 @@
 #include "server/service/call.h"
 #include "server/service/request_limits.h"
 #include "server/service/stream_queue.h"
-#include "server/session/session.h"
+#include "server/session/tenants.h"
 
 namespace remeshd {
 
@@ -27,9 +27,10 @@ namespace remeshd {
 class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public std::enable_shared_from_this<EditStream> {
  public:
-  /// A stream that is not let in ends at once.
+  /// A stream that is not let in ends at once. Which tenant it is of is settled for all its
+  /// requests.
   static grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* start(
-      Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+      Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
       std::shared_ptr<CallRecord> record);
   /// Use `start`.
   EditStream(Session& session, const RequestLimits& limits, std::shared_ptr<CallRecord> record);

@@ -6,7 +6,7 @@ namespace remeshd {
 
 namespace v1 = remesh::v1;
 
-MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context,
+MeshCall* MeshCall::start(Tenants& tenants, grpc::CallbackServerContext* context,
                           const grpc::ByteBuffer& request, std::size_t message_limit,
                           std::shared_ptr<CallRecord> record) {
   auto call = std::make_shared<MeshCall>(context, std::move(record));
@@ -14,9 +14,9 @@ MeshCall* MeshCall::start(Session& session, grpc::CallbackServerContext* context
   answering(*call, [&] {
     call->record_->admit(*context);
     call->record_->count_as_stream();
+    Session& session = tenants.of(call->record_->tenant());
     session.later(Lane::Preparation,
-                  {.tenant = call->record_->tenant(),
-                   .run =
+                  {.run =
                        [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
                          answering(*call, [&] {
                            call->prepare(session, bytes, message_limit);

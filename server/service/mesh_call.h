@@ -11,7 +11,7 @@
 #include "server/service/call.h"
 #include "server/service/mesh_messages.h"
 #include "server/service/status.h"
-#include "server/session/session.h"
+#include "server/session/tenants.h"
 
 namespace remeshd {
 
@@ -21,7 +21,7 @@ namespace remeshd {
 class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                        public std::enable_shared_from_this<MeshCall> {
  public:
-  static MeshCall* start(Session& session, grpc::CallbackServerContext* context,
+  static MeshCall* start(Tenants& tenants, grpc::CallbackServerContext* context,
                          const grpc::ByteBuffer& request, std::size_t message_limit,
                          std::shared_ptr<CallRecord> record);
   /// Use `start`.

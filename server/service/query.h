@@ -5,8 +5,8 @@
 
 #include "server/service/call.h"
 #include "server/service/remesh_service.h"
-#include "server/session/session.h"
 #include "server/session/session_error.h"
+#include "server/session/tenants.h"
 
 namespace remeshd {
 
@@ -15,10 +15,11 @@ struct QueryKind {
   Lane lane;
 };
 
-/// A call whose reply `answer(request, run)` gives, in a lane, where the request is read too. It is
-/// withdrawn when its client goes away before it had its turn.
+/// A call whose reply `answer(session, request, run)` gives, with the session of its tenant, in a
+/// lane, where the request is read too. It is withdrawn when its client goes away before it had its
+/// turn.
 template <typename Request, typename Answer>
-grpc::ServerUnaryReactor* answer_query(Session& session, const ServiceOptions& options,
+grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& options,
                                        QueryKind kind, grpc::CallbackServerContext* context,
                                        const grpc::ByteBuffer& in, grpc::ByteBuffer* out,
                                        Answer answer) {
@@ -26,17 +27,17 @@ grpc::ServerUnaryReactor* answer_query(Session& session, const ServiceOptions& o
       context, out, std::make_shared<CallRecord>(options.desk, kind.method, *context));
   answering(*call, [&] {
     call->record().admit(*context);
+    Session& session = tenants.of(call->record().tenant());
     const WorkId work = session.later(
         kind.lane,
-        {.tenant = call->record().tenant(),
-         // A copy of the buffer, not of its bytes: the call may be over before they are read.
-         .run =
-             [call, answer, bytes = in, limit = options.limits.message_bytes] {
+        // A copy of the buffer, not of its bytes: the call may be over before they are read.
+        {.run =
+             [call, &session, answer, bytes = in, limit = options.limits.message_bytes] {
                answering(*call, [&] {
                  Request request;
                  from_bytes(bytes, limit, request);
                  const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-                 call->reply(answer(request, run));
+                 call->reply(answer(session, request, run));
                });
              },
          .refused = [call](const Error& why) { call->fail(why); },

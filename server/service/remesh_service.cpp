@@ -40,8 +40,8 @@ using RawService = RawMethods<
 
 class RawRemeshService final : public RawService {
  public:
-  RawRemeshService(Session& session, ServiceOptions options)
-      : session_(session), options_(std::move(options)) {}
+  RawRemeshService(Tenants& tenants, ServiceOptions options)
+      : tenants_(tenants), options_(std::move(options)) {}
 
   Reply* CreateRevision(Context* context, const Bytes* in, Bytes* out) override {
     return make<v1::CreateRevisionRequest, v1::CreateRevisionResponse>("CreateRevision", context,
@@ -56,69 +56,73 @@ class RawRemeshService final : public RawService {
     answering(*call, [&] {
       call->record().admit(*context);
       const auto refused = [call](const Error& why) { call->fail(why); };
-      const WorkId work = session_.later(
+      Session& session = session_of(*call);
+      const WorkId work = session.later(
           Lane::Preparation,
-          {.tenant = call->record().tenant(),
-           .run = [this, call,
-                   bytes = Bytes(*in)] { answering(*call, [&] { remake(call, bytes); }); },
+          {.run = [this, &session, call,
+                   bytes = Bytes(*in)] { answering(*call, [&] { remake(session, call, bytes); }); },
            .refused = refused});
-      call->on_cancel([this, call, work] {
-        if (session_.withdraw(Lane::Preparation, work)) call->fail(error::cancelled());
+      call->on_cancel([&session, call, work] {
+        if (session.withdraw(Lane::Preparation, work)) call->fail(error::cancelled());
       });
     });
     return call.get();
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
-    return remeshd::EditStream::start(session_, options_.limits, context,
+    return remeshd::EditStream::start(tenants_, options_.limits, context,
                                       record("EditStream", context));
   }
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
-    return MeshCall::start(session_, context, *in, options_.limits.message_bytes,
+    return MeshCall::start(tenants_, context, *in, options_.limits.message_bytes,
                            record("GetMesh", context));
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetRevisionRequest>("GetRevision", Lane::Preparation, context, in, out,
-                                         [this](const auto& request, const Run& run) {
-                                           return encode(session_.describe(request.revision(), run),
+                                         [](Session& session, const auto& request, const Run& run) {
+                                           return encode(session.describe(request.revision(), run),
                                                          request.documents());
                                          });
   }
   Reply* GetRecipe(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetRecipeRequest>("GetRecipe", Lane::Preparation, context, in, out,
-                                       [this](const auto& request, const Run&) {
-                                         return encode(session_.recipe(request.revision()));
+                                       [](Session& session, const auto& request, const Run&) {
+                                         return encode(session.recipe(request.revision()));
                                        });
   }
   Reply* ListRevisions(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::ListRevisionsRequest>(
-        "ListRevisions", Lane::Metadata, context, in, out,
-        [this](const auto& request, const Run&) { return list_revisions(session_, request); });
+    return query<v1::ListRevisionsRequest>("ListRevisions", Lane::Metadata, context, in, out,
+                                           [](Session& session, const auto& request, const Run&) {
+                                             return list_revisions(session, request);
+                                           });
   }
   Reply* ListDesigns(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::ListDesignsRequest>(
-        "ListDesigns", Lane::Metadata, context, in, out,
-        [this](const auto& request, const Run&) { return list_designs(session_, request); });
+    return query<v1::ListDesignsRequest>("ListDesigns", Lane::Metadata, context, in, out,
+                                         [](Session& session, const auto& request, const Run&) {
+                                           return list_designs(session, request);
+                                         });
   }
 
   Reply* SetHead(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::SetHeadRequest>(
-        "SetHead", Lane::Metadata, context, in, out, [this](const auto& request, const Run&) {
-          if (request.revision().empty()) throw error::reference_missing("revision");
-          const auto set =
-              session_.set_head(request.revision(), request.design(), request.expected());
-          v1::SetHeadResponse reply;
-          *reply.mutable_design() = encode(set.design);
-          reply.set_previous(set.previous);
-          return reply;
-        });
+    return query<v1::SetHeadRequest>("SetHead", Lane::Metadata, context, in, out,
+                                     [](Session& session, const auto& request, const Run&) {
+                                       if (request.revision().empty())
+                                         throw error::reference_missing("revision");
+                                       const auto set =
+                                           session.set_head(request.revision(), request.design(),
+                                                            request.expected());
+                                       v1::SetHeadResponse reply;
+                                       *reply.mutable_design() = encode(set.design);
+                                       reply.set_previous(set.previous);
+                                       return reply;
+                                     });
   }
   Reply* DeleteRevision(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::DeleteRevisionRequest>("DeleteRevision", Lane::Metadata, context, in, out,
-                                            [this](const auto& request, const Run&) {
+                                            [](Session& session, const auto& request, const Run&) {
                                               if (request.revision().empty())
                                                 throw error::reference_missing("revision");
-                                              const auto removed = session_.remove(
+                                              const auto removed = session.remove(
                                                   request.revision(), request.allow_head());
                                               v1::DeleteRevisionResponse reply;
                                               reply.set_id(removed.id);
@@ -129,74 +133,79 @@ class RawRemeshService final : public RawService {
                                             });
   }
   Reply* DeleteDesign(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::DeleteDesignRequest>(
-        "DeleteDesign", Lane::Metadata, context, in, out, [this](const auto& request, const Run&) {
-          const auto removed = session_.remove_design(request.design(), request.expected());
-          v1::DeleteDesignResponse reply;
-          reply.set_revisions(removed.revisions);
-          reply.set_meshes_deleted(removed.meshes_deleted);
-          return reply;
-        });
+    return query<v1::DeleteDesignRequest>("DeleteDesign", Lane::Metadata, context, in, out,
+                                          [](Session& session, const auto& request, const Run&) {
+                                            const auto removed = session.remove_design(
+                                                request.design(), request.expected());
+                                            v1::DeleteDesignResponse reply;
+                                            reply.set_revisions(removed.revisions);
+                                            reply.set_meshes_deleted(removed.meshes_deleted);
+                                            return reply;
+                                          });
   }
 
   Reply* Compare(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::CompareRequest>(
         "Compare", Lane::Computation, context, in, out,
-        [this](const auto& request, const Run& run) {
+        [this](Session& session, const auto& request, const Run& run) {
           v1::CompareResponse reply;
           *reply.mutable_comparison() =
-              encode(session_.compare(decode(request.original(), "original", documents()),
-                                      decode(request.modified(), "modified", documents()), run));
+              encode(session.compare(decode(request.original(), "original", documents()),
+                                     decode(request.modified(), "modified", documents()), run));
           return reply;
         });
   }
   Reply* ValidateModel(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ValidateModelRequest>(
         "ValidateModel", Lane::Computation, context, in, out,
-        [this](const auto& request, const Run& run) {
+        [this](Session& session, const auto& request, const Run& run) {
           v1::ValidateModelResponse reply;
           *reply.mutable_check() = encode(
-              session_.validate(decode(request, documents()), decode(request.options()), run));
+              session.validate(decode(request, documents()), decode(request.options()), run));
           return reply;
         });
   }
   Reply* ValidateEdit(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ValidateEditRequest>(
         "ValidateEdit", Lane::Computation, context, in, out,
-        [this](const auto& request, const Run& run) {
+        [this](Session& session, const auto& request, const Run& run) {
           const EditToValidate what = decode(request, documents());
           v1::ValidateEditResponse reply;
           *reply.mutable_check() =
-              encode(session_.validate_edit(what.base, what.edit, decode(request.options()), run));
+              encode(session.validate_edit(what.base, what.edit, decode(request.options()), run));
           return reply;
         });
   }
   Reply* ListFeatureTypes(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::ListFeatureTypesRequest>(
-        "ListFeatureTypes", Lane::Metadata, context, in, out, [this](const auto&, const Run&) {
+        "ListFeatureTypes", Lane::Metadata, context, in, out,
+        [](Session& session, const auto&, const Run&) {
           v1::ListFeatureTypesResponse reply;
-          for (const FeatureTypeInfo& type : session_.feature_types())
+          for (const FeatureTypeInfo& type : session.feature_types())
             *reply.add_types() = encode(type);
           return reply;
         });
   }
   Reply* GetServerInfo(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::GetServerInfoRequest>(
-        "GetServerInfo", Lane::Metadata, context, in, out, [this](const auto&, const Run&) {
-          v1::GetServerInfoResponse reply;
-          *reply.mutable_server() = server_info(session_, options_.facts, options_.limits);
-          return reply;
-        });
+    return query<v1::GetServerInfoRequest>("GetServerInfo", Lane::Metadata, context, in, out,
+                                           [this](Session& session, const auto&, const Run&) {
+                                             v1::GetServerInfoResponse reply;
+                                             *reply.mutable_server() = server_info(
+                                                 session, options_.facts, options_.limits);
+                                             return reply;
+                                           });
   }
 
  private:
   [[nodiscard]] const DocumentLimits& documents() const { return options_.limits.document; }
 
+  /// Of the tenant that the call, once admitted, is known to be of.
+  [[nodiscard]] Session& session_of(UnaryCall& call) { return tenants_.of(call.record().tenant()); }
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
     return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
-  void remake(const std::shared_ptr<UnaryCall>& call, const Bytes& bytes) {
+  void remake(Session& session, const std::shared_ptr<UnaryCall>& call, const Bytes& bytes) {
     v1::RemakeRevisionRequest request;
     from_bytes(bytes, options_.limits.message_bytes, request);
     const std::string id = request.request_id();
@@ -214,7 +223,7 @@ class RawRemeshService final : public RawService {
     };
     const auto failed = [call](const Error& why) { call->fail(why); };
     const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-    const MakeRequestPtr under_way = remeshd::remake(session_, request, run, made, failed);
+    const MakeRequestPtr under_way = remeshd::remake(session, request, run, made, failed);
     call->on_cancel([under_way] { under_way->cancel(); });
   }
 
@@ -244,8 +253,8 @@ class RawRemeshService final : public RawService {
         });
       };
       const auto failed = [call](const Error& why) { call->fail(why); };
-      const MakeRequestPtr under_way = session_.make(
-          read, Listener{.progress = {}, .made = made, .failed = failed}, call->record().tenant());
+      const MakeRequestPtr under_way =
+          session_of(*call).make(read, Listener{.progress = {}, .made = made, .failed = failed});
       call->on_cancel([under_way] { under_way->cancel(); });
     });
     return call.get();
@@ -254,17 +263,17 @@ class RawRemeshService final : public RawService {
   template <typename Request, typename Answer>
   Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
                Answer answer) {
-    return answer_query<Request>(session_, options_, {method, lane}, context, *in, out, answer);
+    return answer_query<Request>(tenants_, options_, {method, lane}, context, *in, out, answer);
   }
 
-  Session& session_;
+  Tenants& tenants_;
   const ServiceOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<grpc::Service> make_remesh_service(Session& session, ServiceOptions options) {
-  return std::make_unique<RawRemeshService>(session, std::move(options));
+std::unique_ptr<grpc::Service> make_remesh_service(Tenants& tenants, ServiceOptions options) {
+  return std::make_unique<RawRemeshService>(tenants, std::move(options));
 }
 
 }  // namespace remeshd

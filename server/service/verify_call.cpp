@@ -10,16 +10,16 @@ namespace {
 constexpr std::chrono::milliseconds kProgress(500);  // at least every second is promised
 }
 
-VerifyCall* VerifyCall::start(Session& session, grpc::CallbackServerContext* context,
+VerifyCall* VerifyCall::start(Tenants& tenants, grpc::CallbackServerContext* context,
                               const grpc::ByteBuffer& request, std::size_t message_limit,
                               std::shared_ptr<CallRecord> record) {
   auto call = std::make_shared<VerifyCall>(context, std::move(record));
   call->self_ = call;
   answering(*call, [&] {
     call->record_->admit(*context);
+    Session& session = tenants.of(call->record_->tenant());
     session.later(Lane::Preparation,
-                  {.tenant = call->record_->tenant(),
-                   .run =
+                  {.run =
                        [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
                          answering(*call, [&] {
                            v1::VerifyCacheRequest message;

@@ -12,7 +12,7 @@
 #include "remesh/v1/cache.pb.h"
 #include "server/service/call.h"
 #include "server/service/status.h"
-#include "server/session/session.h"
+#include "server/session/tenants.h"
 
 namespace remeshd {
 
@@ -21,7 +21,7 @@ namespace remeshd {
 class VerifyCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                          public std::enable_shared_from_this<VerifyCall> {
  public:
-  static VerifyCall* start(Session& session, grpc::CallbackServerContext* context,
+  static VerifyCall* start(Tenants& tenants, grpc::CallbackServerContext* context,
                            const grpc::ByteBuffer& request, std::size_t message_limit,
                            std::shared_ptr<CallRecord> record);
   /// Use `start`.

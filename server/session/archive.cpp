@@ -38,19 +38,25 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 
 }  // namespace
 
-Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, Limits limits)
+Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk)
     : engine_(engine),
       store_(store),
       memory_(memory),
-      held_(memory, limits.held, store.persistent(), engine.memory_blocks),
-      disk_(limits.disk),
-      collector_(disk_ > 0 && store.persistent() ? std::function<bool()>([this] {
-        collect_garbage({});
-        return false;
-      })
-                                                 : std::function<bool()>()),
+      held_(memory, store.persistent(), engine.memory_blocks),
+      disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
-                                : std::function<bool()>()) {}
+                                : std::function<bool()>()) {
+  if (disk_ == nullptr) return;
+  const auto bytes = [this] {
+    return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
+  };
+  const auto shrink = [this](std::uint64_t most) { collect_garbage({.disk_bytes = most}); };
+  disk_holder_ = disk_->add_holder({.bytes = bytes, .shrink = shrink});
+}
+
+Archive::~Archive() {
+  if (disk_ != nullptr) disk_->remove_holder(disk_holder_);
+}
 
 Reference Archive::resolve(const std::string& text) {
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
@@ -59,9 +65,9 @@ Reference Archive::resolve(const std::string& text) {
 void Archive::check_room(std::uint64_t bytes) const {
   if (bytes > memory_.total()) throw error::never_fits(bytes, memory_.total());
   if (store_.persistent()) return;
-  const std::uint64_t held = held_.bytes();
-  if (held >= held_.most() || held + bytes > memory_.total())
-    throw error::memory_full(held, std::min(held_.most(), memory_.total()));
+  const std::uint64_t held = memory_.held();
+  if (held >= memory_.most_held() || held + bytes > memory_.total())
+    throw error::memory_full(held, std::min(memory_.most_held(), memory_.total()));
 }
 
 void Archive::drop_unfiled(const std::string& id) {
@@ -175,7 +181,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     }
     // It may have been dropped, unfiled or deleted, since the caller found it.
     if (!held_.contains(id)) held_.insert(revision);
-    if (written) collector_.ask();
+    if (written && disk_ != nullptr) disk_->look_soon();
     return filing.filed;
   }
 }

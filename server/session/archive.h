@@ -10,6 +10,7 @@
 #include "server/session/background.h"
 #include "server/session/cache_entry.h"
 #include "server/session/commands.h"
+#include "server/session/disk_budget.h"
 #include "server/session/engine.h"
 #include "server/session/held_revisions.h"
 #include "server/session/mesh_eviction.h"
@@ -20,7 +21,7 @@
 
 namespace remeshd {
 
-/// The revisions there are: those in memory before the store, and the designs that they stand in.
+/// A tenant's revisions: those in memory before the store, and the designs that they stand in.
 class Archive {
  public:
   struct Removed {
@@ -37,12 +38,11 @@ class Archive {
     std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
   };
 
-  struct Limits {
-    std::uint64_t held = 0;  ///< bytes of revisions in memory
-    std::uint64_t disk = 0;  ///< bytes that stored meshes may take; 0: no limit
-  };
-  /// The references must outlive the archive.
-  Archive(const Engine& engine, Store& store, MemoryBudget& memory, Limits limits);
+  /// All of these must outlive the archive. `disk`: null for no limit.
+  Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr);
+  ~Archive();
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
 
   Reference resolve(const std::string& text);
   /// The revision, read from the store if need be; null if there is none, or if its mesh has gone.
@@ -101,7 +101,8 @@ class Archive {
   /// Where meshes are and what they take; of every revision, by id.
   std::vector<CacheEntry> cache_entries();
   CacheStats cache_stats();
-  /// Lets meshes go from the disk until the budget is kept, as `meshes_to_drop` chooses.
+  /// Lets meshes go from the disk until no more is taken than asked for, else than the budget
+  /// allows this tenant, as `meshes_to_drop` chooses.
   Collected collect_garbage(const GarbageOptions& options);
   /// Reads all that is stored; calls `found` with each thing that is wrong and `progress` with the
   /// bytes read. With `repair` damaged meshes are made again.
@@ -158,7 +159,8 @@ class Archive {
   std::mutex filing_;                        ///< catalogue and memory change together
   OneAtATime writing_, loading_, remaking_;  ///< by id
   std::mutex collecting_;
-  const std::uint64_t disk_;  ///< bytes that stored meshes may take; 0: no limit
+  DiskBudget* const disk_;  ///< null: no limit, or nothing is on a disk
+  DiskBudget::HolderId disk_holder_ = 0;
 
   mutable std::mutex notes_;                  ///< guards what follows
   std::set<std::string> damaged_;             ///< ids whose copy in the store cannot be read
@@ -166,7 +168,7 @@ class Archive {
   std::map<std::string, std::int64_t> used_;  ///< ns since 1970, of this process
   std::uint64_t hits_ = 0, misses_ = 0, evictions_ = 0, remade_ = 0;
 
-  Background collector_, saver_;  ///< last: they use what stands before them
+  Background saver_;  ///< last: it uses what stands before it
 };
 
 }  // namespace remeshd

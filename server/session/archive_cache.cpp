@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "server/session/archive.h"
 #include "server/session/clock.h"
@@ -68,8 +69,9 @@ std::vector<CacheEntry> Archive::cache_entries() {
 }
 
 CacheStats Archive::cache_stats() {
-  CacheStats stats{
-      .disk_budget = disk_, .memory_bytes = held_.bytes(), .memory_budget = held_.most()};
+  CacheStats stats{.disk_budget = disk_ != nullptr ? disk_->most() : 0,
+                   .memory_bytes = held_.bytes(),
+                   .memory_budget = memory_.most_held()};
   const Store::Room room = store_.room();
   stats.disk_free = room.free_bytes;
   stats.quarantined = room.quarantined;
@@ -93,6 +95,10 @@ CacheStats Archive::cache_stats() {
 }
 
 Collected Archive::collect_garbage(const GarbageOptions& options) {
+  constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+  // Before the lock: the budget has this archive collect under a lock of its own.
+  const std::uint64_t budget =
+      options.disk_bytes ? *options.disk_bytes : (disk_ != nullptr ? disk_->cap() : kAny);
   const std::scoped_lock lock(collecting_);
   const auto on_disk = [&] {
     return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
@@ -100,7 +106,6 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
   Collected collected{.disk_bytes = on_disk()};
   if (!store_.persistent()) return collected;
   const std::uint64_t before = collected.disk_bytes;
-  const std::uint64_t budget = options.disk_bytes.value_or(disk_ > 0 ? disk_ : before);
   std::optional<std::int64_t> unused_before;
   if (options.unused_seconds)
     unused_before = nanoseconds_now() - static_cast<std::int64_t>(1e9 * *options.unused_seconds);

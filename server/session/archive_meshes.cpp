@@ -231,7 +231,7 @@ void Archive::keep(const HeldRevisionPtr& revision) {
   });
   store_.discard(id);
   set_damaged(id, false);
-  collector_.ask();
+  if (disk_ != nullptr) disk_->look_soon();
 }
 
 bool Archive::is_damaged(const std::string& id) const {

@@ -21,14 +21,14 @@ std::uint64_t own_memory(const HeldRevision& held) {
 
 }  // namespace
 
-HeldRevisions::HeldRevisions(MemoryBudget& budget, std::uint64_t most_held, bool evict,
-                             MemoryBlocks blocks_of)
-    : budget_(budget), most_(most_held), evict_(evict), blocks_of_(std::move(blocks_of)) {
-  budget_.set_reclaim([this](std::uint64_t most) {
-    const std::scoped_lock lock(mutex_);
-    return shrink(most);
-  });
-}
+HeldRevisions::HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of)
+    : budget_(budget),
+      evict_(evict),
+      blocks_of_(std::move(blocks_of)),
+      holder_(budget_.add_holder({.bytes = [this] { return bytes(); },
+                                  .shrink = [this](std::uint64_t most) { shrink(most); }})) {}
+
+HeldRevisions::~HeldRevisions() { budget_.remove_holder(holder_); }
 
 HeldRevisionPtr HeldRevisions::find(const std::string& id) {
   const std::scoped_lock lock(mutex_);
@@ -56,31 +56,32 @@ HeldRevisions::Order::iterator HeldRevisions::drop(Order::iterator entry) {
   return order_.erase(entry);
 }
 
-/// Drops those used longest ago until all together have at most `most` bytes; returns how many they
-/// have. The newest stays however large it is: the next request most likely asks for it.
-std::uint64_t HeldRevisions::shrink(std::uint64_t most) {
-  if (!evict_) return bytes_;
+/// Drops those used longest ago until all together have at most `most` bytes. The newest stays
+/// however large it is: the next request most likely asks for it.
+void HeldRevisions::shrink(std::uint64_t most) {
+  if (!evict_) return;
+  const std::scoped_lock lock(mutex_);
   for (auto entry = order_.end(); bytes_ > most && entry != order_.begin();) {
     --entry;
     if (entry == order_.begin()) break;
     if (entry->use_count() == 1) entry = drop(entry);
   }
-  return bytes_;
 }
 
 void HeldRevisions::insert(HeldRevisionPtr revision) {
   const std::uint64_t own = own_memory(*revision);
   const std::vector<MemoryBlock> blocks = blocks_of_(revision->revision);
-  const std::uint64_t most = std::min(most_, budget_.left());
-  const std::scoped_lock lock(mutex_);
-  const std::string& id = revision->record.id;
-  if (const auto entry = by_id_.find(id); entry != by_id_.end()) drop(entry->second);
-  order_.push_front(std::move(revision));
-  by_id_[order_.front()->record.id] = order_.begin();
-  bytes_ += own;
-  for (const MemoryBlock& block : blocks)
-    if (blocks_[block.address]++ == 0) bytes_ += block.bytes;
-  shrink(most);
+  {
+    const std::scoped_lock lock(mutex_);
+    const std::string& id = revision->record.id;
+    if (const auto entry = by_id_.find(id); entry != by_id_.end()) drop(entry->second);
+    order_.push_front(std::move(revision));
+    by_id_[order_.front()->record.id] = order_.begin();
+    bytes_ += own;
+    for (const MemoryBlock& block : blocks)
+      if (blocks_[block.address]++ == 0) bytes_ += block.bytes;
+  }
+  budget_.trim();
 }
 
 void HeldRevisions::erase(const std::string& id) {

@@ -16,16 +16,19 @@
 
 namespace remeshd {
 
-/// Revisions in memory; what several have in common counts once. Where others can be read from the
-/// store again, those used longest ago go as soon as all together pass `most_held` bytes, or what
-/// the budget leaves them. One that is in use stays, since its memory would too.
+/// A tenant's revisions in memory; what several have in common counts once. Where they can be read
+/// from the store again, those used longest ago go as soon as the budget asks for it: it bounds
+/// what all tenants hold. One that is in use stays, since its memory would too.
 class HeldRevisions {
  public:
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
 
   /// `blocks_of`: the memory of a revision that others may have a part of.
-  /// `evict`: whether the others can be read again.
-  HeldRevisions(MemoryBudget& budget, std::uint64_t most_held, bool evict, MemoryBlocks blocks_of);
+  /// `evict`: whether they can be read again. The budget must outlive it.
+  HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of);
+  ~HeldRevisions();
+  HeldRevisions(const HeldRevisions&) = delete;
+  HeldRevisions& operator=(const HeldRevisions&) = delete;
 
   HeldRevisionPtr find(const std::string& id);
   [[nodiscard]] bool contains(const std::string& id) const;
@@ -36,16 +39,14 @@ class HeldRevisions {
   [[nodiscard]] std::uint64_t bytes() const;
   /// Of what a revision has in common with no other; 0 where it is not here.
   [[nodiscard]] std::uint64_t own_bytes(const std::string& id) const;
-  [[nodiscard]] std::uint64_t most() const { return most_; }
 
  private:
   using Order = std::list<HeldRevisionPtr>;  ///< used last in front
 
   Order::iterator drop(Order::iterator entry);
-  std::uint64_t shrink(std::uint64_t most);
+  void shrink(std::uint64_t most);
 
   MemoryBudget& budget_;
-  const std::uint64_t most_;
   const bool evict_;
   const MemoryBlocks blocks_of_;
   mutable std::mutex mutex_;
@@ -53,6 +54,7 @@ class HeldRevisions {
   std::unordered_map<std::string, Order::iterator> by_id_;
   std::unordered_map<const void*, std::size_t> blocks_;  ///< how many revisions have one
   std::uint64_t bytes_ = 0;
+  const MemoryBudget::HolderId holder_;
 };
 
 }  // namespace remeshd

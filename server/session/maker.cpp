@@ -26,7 +26,6 @@ Maker::Maker(Parts parts, Limits limits)
     : parts_(parts),
       limits_(std::move(limits)),
       preparation_(parts.engine, parts.archive, limits_.threads, limits_.max_nodes),
-      admission_(parts.computation),
       computations_(
           parts.computation,
           {.compute = [this](const ComputationPtr& work) { compute(work); },
@@ -52,7 +51,7 @@ MakeRequestPtr Maker::make(std::function<Command()> read, Listener listener, std
           if (stopped_) throw error::shutting_down();
           requests_.insert(request);
         }
-        const Admission::TicketPtr ticket = admission_.admit(request->tenant());
+        const Admission::TicketPtr ticket = parts_.admission.admit(request->tenant());
         parts_.preparation.submit(
             {.tenant = request->tenant(),
              .run = [this, request, ticket, read = std::move(read)] { prepare(request, read); },

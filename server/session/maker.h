@@ -38,6 +38,7 @@ class Maker {
     MemoryBudget& memory;
     Pool& preparation;
     Pool& computation;
+    Admission& admission;
   };
 
   Maker(Parts parts, Limits limits);
@@ -74,7 +75,6 @@ class Maker {
   const Parts parts_;
   const Limits limits_;
   const Preparation preparation_;
-  Admission admission_;
   Computations computations_;
 
   std::mutex mutex_;

@@ -1,18 +1,12 @@
 #include "server/session/session.h"
 
-#include "server/admission/process_memory.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
 
-constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
-constexpr std::size_t kLaneQueue = 1024;
 constexpr int kMostChildren = 1000;
-/// Of computations: a refusal, health or a progress event does not wait for the end of a worker's
-/// turn on the processor.
-constexpr int kComputationNiceness = 5;
 
 /// What a side of a comparison comes to.
 struct Side {
@@ -20,46 +14,23 @@ struct Side {
   ModelSource source;
 };
 
+/// Ids of two tenants may be the same.
+std::filesystem::path dumps_of(const std::string& tenant, const std::filesystem::path& dumps) {
+  return tenant.empty() || dumps.empty() ? dumps : dumps / "tenants" / tenant;
+}
+
 }  // namespace
 
-Session::Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits)
-    : engine_(std::move(engine)),
-      limits_(std::move(limits)),
+Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store)
+    : resources_(resources),
+      tenant_(std::move(tenant)),
       store_(std::move(store)),
-      memory_(limits_.memory),
-      archive_(engine_, *store_, memory_, {.held = limits_.held, .disk = limits_.disk}),
-      metadata_({.workers = kMetadataThreads, .queue = kLaneQueue, .wait = limits_.wait}),
-      preparation_({.workers = kPreparationThreads, .queue = kLaneQueue, .wait = limits_.wait}),
-      computation_({.workers = limits_.workers,
-                    .queue = limits_.queue,
-                    .wait = limits_.wait,
-                    .compute = limits_.compute,
-                    .niceness = kComputationNiceness}),
-      maker_({engine_, archive_, memory_, preparation_, computation_},
-             {.threads = limits_.threads, .max_nodes = limits_.max_nodes, .dumps = limits_.dumps}) {
-  memory_.set_process({resident_bytes, return_freed_memory});
-}
-
-Session::~Session() { stop(); }
-
-void Session::stop() {
-  maker_.stop();
-  metadata_.shutdown();
-  preparation_.shutdown();
-  computation_.shutdown();
-}
-
-Pool& Session::pool(Lane lane) {
-  switch (lane) {
-    case Lane::Metadata:
-      return metadata_;
-    case Lane::Preparation:
-      return preparation_;
-    case Lane::Computation:
-      break;
-  }
-  return computation_;
-}
+      archive_(engine(), *store_, resources.memory(), &resources.disk()),
+      maker_({engine(), archive_, resources.memory(), resources.lane(Lane::Preparation),
+              resources.lane(Lane::Computation), resources.admission()},
+             {.threads = limits().threads,
+              .max_nodes = limits().max_nodes,
+              .dumps = dumps_of(tenant_, limits().dumps)}) {}
 
 HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
   if (reference.empty()) throw error::reference_missing("revision");
@@ -108,13 +79,13 @@ ModelComparison Session::compare(const ComparisonSide& original, const Compariso
     throw error::side_invalid("original", "is an edit; it must be a revision or a model");
   const Side before = take(original, "original");
   const auto* edit = std::get_if<ModelEdit>(&modified);
-  const Side after = edit != nullptr ? Side{nullptr, engine_.apply(before.source, *edit)}
+  const Side after = edit != nullptr ? Side{nullptr, engine().apply(before.source, *edit)}
                                      : take(modified, "modified");
   const auto cells = [](const Side& side) {
     return side.revision ? &side.revision->revision.cells : nullptr;
   };
-  return engine_.compare(engine_.evaluate(before.source), engine_.evaluate(after.source),
-                         cells(before), cells(after), run);
+  return engine().compare(engine().evaluate(before.source), engine().evaluate(after.source),
+                          cells(before), cells(after), run);
 }
 
 Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
@@ -124,22 +95,22 @@ Validated Session::validate(const ModelSource& source, const OptionsPatch& optio
 
 Validated Session::validated(const Revision* base, const ModelSource& source,
                              const MeshOptions& options, Run run) {
-  run.max_nodes = limits_.max_nodes;
-  const FeatureModel model = engine_.evaluate(source);
-  engine_.check_node_limit(base, model, options, run);
-  return {source, engine_.summarise(base, model, options, run)};
+  run.max_nodes = limits().max_nodes;
+  const FeatureModel model = engine().evaluate(source);
+  engine().check_node_limit(base, model, options, run);
+  return {source, engine().summarise(base, model, options, run)};
 }
 
 Validated Session::validate_edit(const std::variant<std::string, ModelSource>& base,
                                  const ModelEdit& edit, const OptionsPatch& options,
                                  const Run& run) {
   const auto* model = std::get_if<ModelSource>(&base);
-  if (model != nullptr) return validate(engine_.apply(*model, edit), options, run);
+  if (model != nullptr) return validate(engine().apply(*model, edit), options, run);
   const auto& reference = std::get<std::string>(base);
   if (reference.empty()) throw error::reference_missing("base");
   const HeldRevisionPtr held = get(reference, run);
   const Revision& revision = held->revision;
-  return validated(&revision, engine_.apply(revision.source, edit),
+  return validated(&revision, engine().apply(revision.source, edit),
                    edit_options(options, revision.options), run);
 }
 
@@ -156,12 +127,13 @@ std::vector<DesignRecord> Session::designs(const DesignFilter& filter, const Des
 }
 
 Load Session::load() {
-  Load load{.running = computation_.running(),
-            .queued = computation_.queued(),
+  const Pool& computation = resources_.lane(Lane::Computation);
+  Load load{.running = computation.running(),
+            .queued = computation.queued(),
             .waiting = maker_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
-  load.memory_bytes = load.held_bytes + memory_.leased();
+  load.memory_bytes = load.held_bytes + resources_.memory().leased();
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();
     load.designs = catalogue.count_designs();

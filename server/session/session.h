@@ -1,35 +1,20 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "server/admission/memory_budget.h"
-#include "server/admission/pool.h"
 #include "server/session/archive.h"
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/maker.h"
+#include "server/session/resources.h"
 #include "server/session/session_error.h"
 #include "server/store/store.h"
 
 namespace remeshd {
-
-struct SessionLimits {
-  int workers = 1;                             ///< computations at a time
-  int threads = 1;                             ///< at most, for one computation
-  std::size_t queue = 64;                      ///< computations that may wait
-  double wait = 60;                            ///< s that one may wait
-  double compute = 600;                        ///< s that one may take; 0: any
-  std::uint64_t memory = 1ULL << 31;           ///< bytes of all that MemoryBudget counts
-  std::uint64_t held = 1ULL << 30;             ///< bytes of revisions held, at most
-  std::uint64_t disk = 0;                      ///< bytes that stored meshes may take; 0: no limit
-  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
-  std::filesystem::path dumps;                 ///< as Maker::Limits
-};
 
 /// A revision with all that is known of it.
 struct Description {
@@ -48,45 +33,42 @@ struct Validated {
 };
 
 struct Load {
-  std::size_t running = 0, queued = 0;
+  std::size_t running = 0, queued = 0;  ///< computations, of all tenants
   std::size_t waiting = 0;  ///< requests that wait for these; several may wait for the same
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
-  std::uint64_t memory_bytes = 0;  ///< those, and what computations and loads have taken
+  /// Those, and what computations and loads of all tenants have taken.
+  std::uint64_t memory_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
   std::uint64_t disk_bytes = 0;
 };
 
-/// Where a query is answered.
-enum class Lane {
-  Metadata,     ///< from the catalogue alone
-  Preparation,  ///< a revision may have to be read
-  Computation,  ///< geometry is worked on
-};
-
-/// Everything that clients may do, in the engine's terms. All functions may be called by any thread
-/// at the same time. Those with a Run block and belong in a lane (`later`).
+/// Everything that the clients of a tenant may do, in the engine's terms, with what is the
+/// tenant's. All functions may be called by any thread at the same time. Those with a Run block and
+/// belong in a lane (`later`).
 class Session {
  public:
-  Session(Engine engine, std::unique_ptr<Store> store, SessionLimits limits);
-  /// As `stop`.
-  ~Session();
+  /// `resources` must outlive the session, and be stopped before its end.
+  Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   /// As Maker::make.
-  MakeRequestPtr make(std::function<Command()> read, Listener listener, std::string tenant = {}) {
-    return maker_.make(std::move(read), std::move(listener), std::move(tenant));
+  MakeRequestPtr make(std::function<Command()> read, Listener listener) {
+    return maker_.make(std::move(read), std::move(listener), tenant_);
   }
   /// A command that has been read.
   MakeRequestPtr make(Command command, Listener listener) {
     return make([command = std::move(command)] { return command; }, std::move(listener));
   }
 
-  /// Throws what Pool::submit throws.
-  WorkId later(Lane lane, Work work) { return pool(lane).submit(std::move(work)); }
+  /// Has work done in the tenant's name. Throws what Pool::submit throws.
+  WorkId later(Lane lane, Work work) {
+    work.tenant = tenant_;
+    return resources_.lane(lane).submit(std::move(work));
+  }
   /// As Pool::withdraw.
-  bool withdraw(Lane lane, WorkId id) { return pool(lane).withdraw(id); }
+  bool withdraw(Lane lane, WorkId id) { return resources_.lane(lane).withdraw(id); }
 
   HeldRevisionPtr get(const std::string& reference, const Run& run);
   /// The revision that another one was made of; null where there is none any more, or none that
@@ -136,11 +118,11 @@ class Session {
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   [[nodiscard]] std::vector<FeatureTypeInfo> feature_types() const {
-    return engine_.feature_types();
+    return engine().feature_types();
   }
   Load load();
-  [[nodiscard]] const SessionLimits& limits() const { return limits_; }
-  [[nodiscard]] std::uint32_t algorithm_version() const { return engine_.algorithm_version; }
+  [[nodiscard]] const SessionLimits& limits() const { return resources_.limits(); }
+  [[nodiscard]] std::uint32_t algorithm_version() const { return engine().algorithm_version; }
   /// False while the store cannot take what it should: its disk is full or fails.
   /// As Store::on_health.
   void on_store_health(std::function<void(bool healthy)> listener) {
@@ -148,23 +130,18 @@ class Session {
   }
   [[nodiscard]] bool persistent() { return archive_.store().persistent(); }
 
-  /// Answers whatever is under way with Unavailable, and returns when every thread has come to
-  /// rest.
-  void stop();
+  /// Answers whatever is under way with Unavailable. What still runs comes to its end in the lanes.
+  void stop() { maker_.stop(); }
 
  private:
-  Pool& pool(Lane lane);
+  [[nodiscard]] const Engine& engine() const { return resources_.engine(); }
   Validated validated(const Revision* base, const ModelSource& source, const MeshOptions& options,
                       Run run);
 
-  const Engine engine_;
-  const SessionLimits limits_;
+  Resources& resources_;
+  const std::string tenant_;
   const std::unique_ptr<Store> store_;
-  MemoryBudget memory_;
   Archive archive_;
-  Pool metadata_;
-  Pool preparation_;
-  Pool computation_;
   Maker maker_;
 };
 

@@ -23,8 +23,8 @@ namespace remeshd {
 /// A folder holds `FORMAT` (what it is, and of which version), `packs/` (the bytes of revisions),
 /// `journal.a` and `journal.b` (what happened to the catalogue, twice), `tmp/` (files being
 /// written), `quarantine/` (what was found and is not known) and `lock`: one process at a time has
-/// the store. The catalogue itself is in memory, made from the journal; what the journal lost is
-/// made from the heads of the packs.
+/// the store. `tenants/` may be there too, with stores of their own. The catalogue itself is in
+/// memory, made from the journal; what the journal lost is made from the heads of the packs.
 ///
 /// Inv: what `commit` returned from survives a crash. Opening deletes nothing; the first commit
 /// after it deletes what an earlier process left half-written, and packs that were deleted from the

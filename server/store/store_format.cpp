@@ -23,9 +23,9 @@ constexpr const char* kMark = "remeshd";
 
 // What stores of any version up to this one have in their folder. `lost+found` is a file system's.
 const std::set<std::string> kOurs{
-    "FORMAT",  "journal.a",    "journal.b",        "lock",
-    "packs",   "tmp",          "quarantine",       "journal",
-    "objects", "index.sqlite", "index.sqlite-wal", "index.sqlite-shm"};
+    "FORMAT",       "journal.a",        "journal.b",       "lock",    "packs",
+    "tmp",          "quarantine",       "tenants",         "journal", "objects",
+    "index.sqlite", "index.sqlite-wal", "index.sqlite-shm"};
 
 std::optional<int> read_format(const fs::path& file) {
   if (!fs::is_regular_file(file)) return std::nullopt;
@@ -81,11 +81,26 @@ bool has_files(const fs::path& folder) {
   return false;
 }
 
-/// A store in which nothing was stored: names of ours, and nothing in them.
+/// Whether a folder `tenants` has nothing but stores.
+bool has_stores_only(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_directory()) return false;
+    try {
+      look_at_folder(entry.path());
+    } catch (const Error& failure) {
+      if (failure.info().reason != "STORE_FOREIGN") throw;
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A store in which nothing was stored: names of ours, and nothing in them but tenants' stores.
 bool is_bare(const fs::path& folder, const std::set<std::string>& names) {
   if (!std::includes(kOurs.begin(), kOurs.end(), names.begin(), names.end())) return false;
   for (const char* journal : {"journal", "journal.a", "journal.b"})
     if (names.contains(journal) && fs::file_size(folder / journal) > 0) return false;
+  if (names.contains("tenants") && !has_stores_only(folder / "tenants")) return false;
   return !has_files(folder / "packs") && !has_files(folder / "objects");
 }
 

@@ -56,6 +56,50 @@ TEST(GuardedProcess, ReadsItsTokensAnewOnSighup) {
   EXPECT_THAT(process.log(), testing::Not(HasSubstr("-token\n")));
 }
 
+TEST(GuardedProcess, OpensTheStoreOfANewTenantOnSighupAndFindsItAgain) {
+  const Folder folder;
+  const std::string tokens = folder.file("tokens"), store = folder.file("store");
+  const auto write = [&](const std::string& text) {
+    std::ofstream(tokens) << text;
+    std::filesystem::permissions(tokens, std::filesystem::perms(0600));
+  };
+  const std::vector<std::string> arguments{"--listen", "127.0.0.1:0", "--token-file",
+                                           tokens,     "--store",     store};
+  const auto revisions = [](v1::RemeshService::Stub& stub, const std::string& token) {
+    grpc::ClientContext context;
+    context.AddMetadata("authorization", "Bearer " + token);
+    v1::GetServerInfoResponse reply;
+    return stub.GetServerInfo(&context, {}, &reply).ok()
+               ? static_cast<int>(reply.server().load().revisions())
+               : -1;
+  };
+  write("anna annas-first-token\n");
+  {
+    Process process(arguments);
+    const auto stub = connect(process);
+    EXPECT_EQ(revisions(*stub, "annas-first-token"), 0);
+    write("anna annas-first-token\nben bens-first-token\n");
+    process.signal(SIGHUP);
+    for (int i = 0; i < 1000 && revisions(*stub, "bens-first-token") < 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    grpc::ClientContext context;
+    context.AddMetadata("authorization", "Bearer bens-first-token");
+    v1::CreateRevisionRequest request;
+    *request.mutable_model() = plate();
+    request.mutable_options()->set_nodes(200);
+    v1::CreateRevisionResponse reply;
+    const grpc::Status status = stub->CreateRevision(&context, request, &reply);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    EXPECT_EQ(revisions(*stub, "annas-first-token"), 0);
+    process.signal(SIGTERM);
+    EXPECT_EQ(exit_code(process), 0) << process.log();
+  }
+  Process process(arguments);
+  const auto stub = connect(process);
+  EXPECT_EQ(revisions(*stub, "bens-first-token"), 1);
+  EXPECT_EQ(revisions(*stub, "annas-first-token"), 0);
+}
+
 TEST(GuardedProcess, ServesMetrics) {
   Process process({"--listen", "127.0.0.1:0", "--metrics", "localhost:0"});
   const auto stub = connect(process);

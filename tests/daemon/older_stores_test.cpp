@@ -38,7 +38,7 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
     SCOPED_TRACE(opening);
     Store store(folder_);
     MemoryBudget memory(1 << 30);
-    Archive archive(engine_, store, memory, {.held = memory.total()});
+    Archive archive(engine_, store, memory);
     const auto designs = store.read([](Catalogue& c) { return c.designs({}, {}); });
     ASSERT_EQ(designs.size(), 1U);
     EXPECT_EQ(designs[0].name, "simple-a");
@@ -69,7 +69,7 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
   {
     Store store(folder_);
     MemoryBudget memory(1 << 30);
-    Archive archive(engine_, store, memory, {.held = memory.total()});
+    Archive archive(engine_, store, memory);
     const HeldRevisionPtr base = archive.get(archive.resolve("simple-a").id, kRun);
     ModelSource source = base->revision.source;
     parameter(source, "top_x") = 5.0;
@@ -80,7 +80,7 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
   }
   Store store(folder_);
   MemoryBudget memory(1 << 30);
-  Archive archive(engine_, store, memory, {.held = memory.total()});
+  Archive archive(engine_, store, memory);
   EXPECT_EQ(archive.resolve("simple-a@3").id, id);
   EXPECT_GT(archive.get(id, kRun)->revision.delivery.mesh.nodes.size(), 0U);
 }

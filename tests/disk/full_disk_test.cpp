@@ -26,7 +26,7 @@ class FullDisk : public StoreFolderTest {
     archive_.reset();
     store_.reset();
     store_.emplace(folder_);
-    archive_.emplace(engine_, *store_, memory_, Archive::Limits{.held = 1 << 30});
+    archive_.emplace(engine_, *store_, memory_);
   }
   HeldRevisionPtr made(int n) {
     auto held = std::make_shared<HeldRevision>();

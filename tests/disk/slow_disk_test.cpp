@@ -57,7 +57,7 @@ class SlowDisk : public StoreFolderTest, public testing::WithParamInterface<cons
   FileCalls calls_{folder_};
   Store store_{folder_};
   MemoryBudget memory_{1 << 30};
-  Archive archive_{engine_, store_, memory_, {.held = 1 << 30}};
+  Archive archive_{engine_, store_, memory_};
 };
 
 TEST_P(SlowDisk, HoldsUpNeitherTheCatalogueNorAnswersFromMemory) {

@@ -96,8 +96,7 @@ int run(const Settings& settings) {
   {
     Store store(settings.folder), none;
     MemoryBudget budget(kMemory), other_budget(kMemory);
-    Archive archive(engine, store, budget, {.held = kMemory}),
-        memory(engine, none, other_budget, {.held = kMemory});
+    Archive archive(engine, store, budget), memory(engine, none, other_budget);
     HeldRevisionPtr last;
     ModelSource source = case_model("tool1-a");
     for (int n = 0; n <= settings.edits; ++n) {
@@ -139,8 +138,8 @@ int run(const Settings& settings) {
   const auto opening = Clock::now();
   Store store(settings.folder);
   const double opened = milliseconds_since(opening);
-  MemoryBudget budget(kMemory);
-  Archive archive(engine, store, budget, {.held = kMemory / 4});
+  MemoryBudget budget(kMemory, kMemory / 4);
+  Archive archive(engine, store, budget);
   for (std::size_t n = 0; n < ids.size(); n += static_cast<std::size_t>(settings.read_every)) {
     const auto start = Clock::now();
     const HeldRevisionPtr held = archive.get(ids[n], engine_run);

@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <future>
+#include <vector>
 
 #include "tests/support/expect_error.h"
 
 namespace remeshd {
 namespace {
+
+/// Gives way by whatever is asked for.
+BudgetHolder holder_of(std::uint64_t& held) {
+  return {.bytes = [&held] { return held; },
+          .shrink = [&held](std::uint64_t most) { held = std::min(held, most); }};
+}
 
 TEST(MemoryBudget, IsTakenByLeasesAndGivenBackByTheirEnd) {
   MemoryBudget budget(100);
@@ -25,15 +32,61 @@ TEST(MemoryBudget, IsTakenByLeasesAndGivenBackByTheirEnd) {
 TEST(MemoryBudget, RevisionsHeldGiveWay) {
   MemoryBudget budget(100);
   std::uint64_t held = 90;
-  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.add_holder(holder_of(held));
   const auto lease = budget.try_take(30);
   EXPECT_TRUE(lease);
   EXPECT_EQ(held, 70U);
 }
 
+TEST(MemoryBudget, OfSeveralHoldersTheOneThatHasMostGivesWayFirst) {
+  MemoryBudget budget(100);
+  std::uint64_t a = 60, b = 20, c = 5;
+  for (std::uint64_t* held : {&a, &b, &c}) budget.add_holder(holder_of(*held));
+  const auto first = budget.try_take(30);
+  EXPECT_TRUE(first);
+  EXPECT_EQ((std::vector{a, b, c}), (std::vector<std::uint64_t>{45, 20, 5}));
+  const auto second = budget.try_take(40);
+  EXPECT_TRUE(second);
+  EXPECT_EQ((std::vector{a, b, c}), (std::vector<std::uint64_t>{12, 12, 5}));
+}
+
+TEST(MemoryBudget, HoldersGiveWayForWhatAnotherHasInUse) {
+  MemoryBudget budget(100);
+  std::uint64_t idle = 40;
+  budget.add_holder({.bytes = [] { return std::uint64_t{60}; }, .shrink = [](auto) {}});
+  budget.add_holder(holder_of(idle));
+  EXPECT_TRUE(budget.try_take(30));
+  EXPECT_EQ(idle, 10U);
+  EXPECT_FALSE(budget.try_take(41));
+}
+
+TEST(MemoryBudget, AHolderThatIsNoMoreIsNotAsked) {
+  MemoryBudget budget(100);
+  std::uint64_t a = 60;
+  const auto id = budget.add_holder(holder_of(a));
+  EXPECT_EQ(budget.held(), 60U);
+  budget.remove_holder(id);
+  EXPECT_TRUE(budget.try_take(100));
+  EXPECT_EQ(budget.held(), 0U);
+  EXPECT_EQ(a, 60U);
+}
+
+TEST(MemoryBudget, TheHoldersTogetherKeepToWhatTheyMayHave) {
+  MemoryBudget budget(100, 50);
+  std::uint64_t a = 60, b = 20;
+  budget.add_holder(holder_of(a));
+  budget.add_holder(holder_of(b));
+  budget.trim();
+  EXPECT_EQ((std::vector{a, b}), (std::vector<std::uint64_t>{30, 20}));
+  const auto lease = budget.try_take(70);
+  a = 25;
+  budget.trim();
+  EXPECT_EQ((std::vector{a, b}), (std::vector<std::uint64_t>{15, 15}));
+}
+
 TEST(MemoryBudget, GivesNothingWhereTheRevisionsHeldAreInUse) {
   MemoryBudget budget(100);
-  budget.set_reclaim([](std::uint64_t /*most*/) { return std::uint64_t{90}; });
+  budget.add_holder({.bytes = [] { return std::uint64_t{90}; }, .shrink = [](auto) {}});
   EXPECT_FALSE(budget.try_take(30));
   EXPECT_TRUE(budget.try_take(10));
   EXPECT_EQ(test::error_of([&] { budget.take(30, {}, 0); }).reason, "MEMORY_FULL");
@@ -43,7 +96,7 @@ TEST(MemoryBudget, RevisionsHeldGiveWayWhereTheProcessHasMoreThanTheEstimatesSay
   MemoryBudget budget(1600);
   std::uint64_t held = 1000, others = 400;
   int returned = 0;
-  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.add_holder(holder_of(held));
   budget.set_process({[&] { return held + others; }, [&] { ++returned; }});
   const auto first = budget.try_take(100);
   EXPECT_EQ(held, 1000U);  // 1,400 and 100 do fit, and leave a sixteenth
@@ -57,7 +110,7 @@ TEST(MemoryBudget, RevisionsHeldGiveWayWhereTheProcessHasMoreThanTheEstimatesSay
 TEST(MemoryBudget, FreedMemoryGoesBackToTheSystemBeforeRevisionsDo) {
   MemoryBudget budget(1600);
   std::uint64_t held = 1000, freed = 600;
-  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.add_holder(holder_of(held));
   budget.set_process({[&] { return held + freed; }, [&] { freed = 0; }});
   EXPECT_TRUE(budget.try_take(100));
   EXPECT_EQ(held, 1000U);
@@ -66,7 +119,7 @@ TEST(MemoryBudget, FreedMemoryGoesBackToTheSystemBeforeRevisionsDo) {
 TEST(MemoryBudget, AQuarterOfItIsLeftToRevisionsHowMuchElseTheProcessHas) {
   MemoryBudget budget(1600);
   std::uint64_t held = 1000;
-  budget.set_reclaim([&](std::uint64_t most) { return held = std::min(held, most); });
+  budget.add_holder(holder_of(held));
   budget.set_process({[&] { return held + 5000; }, [] {}});
   EXPECT_TRUE(budget.try_take(100));
   EXPECT_EQ(held, 400U);

@@ -42,6 +42,18 @@ TEST_F(TokenFiles, NameTheTenantOfEachToken) {
     EXPECT_EQ(tokens.tenant_of(wrong), std::nullopt) << wrong;
 }
 
+TEST_F(TokenFiles, NameEveryTenantOnce) {
+  const Tokens tokens = Tokens::read(write(
+      "ben 0123456789abcdef\nanna fedcba9876543210\n..b fedcba9876543211\nben a-second-of-bens\n"));
+  EXPECT_EQ(tokens.tenants(), (std::set<std::string>{"..b", "anna", "ben"}));
+}
+
+TEST_F(TokenFiles, NameNoTenantByWhatNamesAnotherFolder) {
+  for (const char* name : {".", "..", "a/b", "../anna"})
+    EXPECT_THAT(complaint(std::string(name) + " 0123456789abcdef\n"), HasSubstr("a tenant's name"))
+        << name;
+}
+
 TEST_F(TokenFiles, OfAnotherFormNameTheLineAndNoToken) {
   EXPECT_THAT(complaint("anna 0123456789abcdef\nben\n"), HasSubstr("tokens:2: is not"));
   EXPECT_THAT(complaint("anna 0123456789abcdef more\n"), HasSubstr("tokens:1: is not"));

@@ -6,41 +6,42 @@
 #include <string>
 #include <vector>
 
-#include "server/session/session.h"
+#include "server/session/tenants.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
-#include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 
 namespace remeshd::test {
 namespace {
 
-/// A session whose limits a test sets before `start`.
+/// Tenants whose limits a test sets before `start`.
 class SessionAdmission : public testing::Test {
  protected:
   ~SessionAdmission() override { fake_.open_gate(); }
 
-  Session& start() {
-    session_ = std::make_unique<Session>(fake_.engine(), std::make_unique<Store>(), limits_);
-    return *session_;
+  void start() {
+    tenants_ = std::make_unique<Tenants>(
+        fake_.engine(), limits_,
+        [](const std::string& /*tenant*/) { return std::make_unique<Store>(); });
   }
   /// Makes another model each time.
   Answer make(const std::string& tenant = "", std::uint32_t nodes = 100) {
     Answer answer;
     const double length = 10.0 + ++made_;
-    session_->make(
+    tenants_->open(tenant);
+    tenants_->of(tenant).make(
         [this, length, nodes]() -> Command {
           ++read_;
           return CreateCommand{.source = model_of({block("plate", length, 40, 10)}),
                                .options = {.nodes = nodes}};
         },
-        answer.listener(), tenant);
+        answer.listener());
     return answer;
   }
 
   FakeEngine fake_;
   SessionLimits limits_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<Tenants> tenants_;
   std::atomic<int> read_ = 0;
   int made_ = 0;
 };
@@ -77,12 +78,12 @@ TEST_F(SessionAdmission, AFullQueueStillAnswersWhatIsThere) {
   const CreateCommand known{.source = model_of({block("plate", 5, 40, 10)}),
                             .options = {.nodes = 100}};
   Answer first, again;
-  session_->make(known, first.listener());
+  tenants_->of("").make(known, first.listener());
   ASSERT_TRUE(first.came());
   fake_.close_gate();
   make();
   ASSERT_TRUE(fake_.wait_at_gate(1));
-  session_->make(known, again.listener());
+  tenants_->of("").make(known, again.listener());
   EXPECT_TRUE(again.made().cached);
 }
 
@@ -95,7 +96,7 @@ TEST_F(SessionAdmission, ATenantThatFloodsLeavesAWorkerToTheOther) {
   ASSERT_TRUE(fake_.wait_at_gate(1));
   make("b");
   EXPECT_TRUE(fake_.wait_at_gate(2));
-  EXPECT_EQ(session_->load().running, 2U);
+  EXPECT_EQ(tenants_->load().running, 2U);
 }
 
 TEST_F(SessionAdmission, WhatComputesTooLongIsStoppedAndAnswered) {

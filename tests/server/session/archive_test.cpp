@@ -30,7 +30,7 @@ class ArchiveTest : public testing::Test {
   const Engine engine_ = fake_.engine();
   Store store_;
   MemoryBudget memory_{1 << 30};
-  Archive archive_{engine_, store_, memory_, {.held = 1 << 30}};
+  Archive archive_{engine_, store_, memory_};
   const HeldRevisionPtr revision_ = computed();
   const std::string& id_ = revision_->record.id;
 };
@@ -77,15 +77,15 @@ TEST_F(ArchiveTest, WhoeverFilesNextWritesADamagedCopyAgain) {
   const StoreFolder folder;
   {
     const auto store = folder.open();
-    Archive(engine_, *store, memory_, {.held = 1 << 30}).file(revision_, "plate", {});
+    Archive(engine_, *store, memory_).file(revision_, "plate", {});
   }
   folder.damage_objects();
   const auto store = folder.open();
   MemoryBudget memory(1 << 30), memory_of_reader(1 << 30);
-  Archive archive(engine_, *store, memory, {.held = 1 << 30});
+  Archive archive(engine_, *store, memory);
   EXPECT_EQ(error_of([&] { archive.find(id_, kRun); }).reason, "STORE_CORRUPTED");
   archive.file(revision_, "another", {});
-  Archive reader(engine_, *store, memory_of_reader, {.held = 1 << 30});
+  Archive reader(engine_, *store, memory_of_reader);
   EXPECT_EQ(reader.get(id_, kRun)->revision.delivery.mesh.nodes.size(), 100U);
 }
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "server/session/session.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
+#include "tests/server/session/only_session.h"
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
@@ -23,12 +23,10 @@ class HeadsTest : public testing::Test {
  protected:
   HeadsTest() { start(); }
 
-  void start() {
-    session_ = std::make_unique<Session>(engine_, std::make_unique<Store>(), SessionLimits{});
-  }
+  void start() { session_ = only_session(engine_, std::make_unique<Store>()); }
   void start_with_store() {
     session_.reset();  // which has the store
-    session_ = std::make_unique<Session>(engine_, folder_.open(), SessionLimits{});
+    session_ = only_session(engine_, folder_.open());
   }
 
   /// A first mesh of a plate `dx` long.
@@ -63,7 +61,7 @@ class HeadsTest : public testing::Test {
   FakeEngine fake_;
   Engine engine_ = fake_.engine();
   StoreFolder folder_;
-  std::unique_ptr<Session> session_;
+  std::shared_ptr<Session> session_;
 };
 
 TEST_F(HeadsTest, AFirstMeshOfTheSameModelTakesTheHead) {

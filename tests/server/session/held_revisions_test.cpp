@@ -28,14 +28,14 @@ constexpr std::uint64_t kAny = 1ULL << 40;
 /// What one takes.
 std::uint64_t bytes_of(const HeldRevisionPtr& revision) {
   MemoryBudget budget(1);
-  HeldRevisions held(budget, kAny, false, blocks_of);
+  HeldRevisions held(budget, false, blocks_of);
   held.insert(revision);
   return held.bytes();
 }
 
 TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
   MemoryBudget budget(3 * bytes_of(revision("", 1000)));
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_TRUE(held.find("a"));  // used now, so `b` is the oldest
   held.insert(revision("d", 1000));
@@ -46,15 +46,24 @@ TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
 }
 
 TEST(HeldRevisions, LetThemGoWhereTheyAreMoreThanThereMayBe) {
-  MemoryBudget budget(kAny);
-  HeldRevisions held(budget, 2 * bytes_of(revision("", 1000)), true, blocks_of);
+  MemoryBudget budget(kAny, 2 * bytes_of(revision("", 1000)));
+  HeldRevisions held(budget, true, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_EQ(held.count(), 2U);
 }
 
+TEST(HeldRevisions, OfATenantThatFloodsGoBeforeTheFewOfAnother) {
+  MemoryBudget budget(kAny, 6 * bytes_of(revision("", 1000)));
+  HeldRevisions paced(budget, true, blocks_of), flooding(budget, true, blocks_of);
+  for (const char* id : {"a", "b"}) paced.insert(revision(id, 1000));
+  for (int n = 0; n < 20; ++n) flooding.insert(revision("f" + std::to_string(n), 1000));
+  EXPECT_EQ(paced.count(), 2U) << "though they were used longest ago";
+  EXPECT_EQ(flooding.count(), 4U);
+}
+
 TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
   MemoryBudget budget(1);
-  HeldRevisions held(budget, kAny, false, blocks_of);
+  HeldRevisions held(budget, false, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   EXPECT_EQ(held.count(), 3U);
   EXPECT_GT(held.bytes(), budget.total());
@@ -62,7 +71,7 @@ TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
 
 TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
   MemoryBudget budget(1);
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   held.insert(revision("a", 10));
   held.insert(revision("b", 1000));
   EXPECT_EQ(held.count(), 1U);
@@ -71,7 +80,7 @@ TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
 
 TEST(HeldRevisions, WhatIsInUseIsNotLetGoOfForItsMemoryWouldStayTaken) {
   MemoryBudget budget(2 * bytes_of(revision("", 1000)));
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   held.insert(revision("a", 1000));
   auto used = held.find("a");
   for (const char* id : {"b", "c", "d"}) held.insert(revision(id, 1000));
@@ -84,7 +93,7 @@ TEST(HeldRevisions, WhatIsInUseIsNotLetGoOfForItsMemoryWouldStayTaken) {
 
 TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
   MemoryBudget budget(3 * bytes_of(revision("", 1000)));
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
   const auto share = budget.try_take(2 * bytes_of(revision("", 1000)));
   EXPECT_TRUE(share);
@@ -94,7 +103,7 @@ TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
 
 TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
   MemoryBudget budget(1);
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   held.insert(revision("a", 10));
   const auto used = held.find("a");
   held.erase("a");
@@ -105,7 +114,7 @@ TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
 
 TEST(HeldRevisions, InsertedAgainCountOnce) {
   MemoryBudget budget(1 << 20);
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   held.insert(revision("a", 10));
   const auto bytes = held.bytes();
   held.insert(revision("a", 10));
@@ -127,7 +136,7 @@ TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
   heir->revision.delivery.mesh.nodes.edit(17) = {1, 2, 3};
   const std::size_t page = Pages<Vec3>::page_bytes();
   MemoryBudget budget(1 << 20);
-  HeldRevisions held(budget, kAny, true, blocks_of);
+  HeldRevisions held(budget, true, blocks_of);
   held.insert(parent);
   const std::uint64_t alone = held.bytes();
   held.insert(heir);

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <memory>
 
-#include "server/session/session.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
+#include "tests/server/session/only_session.h"
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
@@ -35,7 +35,7 @@ class RemakeTest : public testing::Test {
   static std::string name(int n) { return "plate@" + std::to_string(n); }
   void open(std::uint64_t disk = 0) {
     session_.reset();  // which has the store
-    session_ = std::make_unique<Session>(engine_, folder_.open(), SessionLimits{.disk = disk});
+    session_ = only_session(engine_, folder_.open(), {.disk = disk});
   }
   ErrorInfo create(std::uint32_t nodes) {
     Answer answer;
@@ -77,7 +77,7 @@ class RemakeTest : public testing::Test {
   FakeEngine fake_;
   Engine engine_ = fake_.engine();
   StoreFolder folder_;
-  std::unique_ptr<Session> session_;
+  std::shared_ptr<Session> session_;
   std::vector<std::string> ids_, recipes_;
 };
 

@@ -15,6 +15,7 @@
 
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
+#include "tests/server/session/only_session.h"
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
@@ -36,7 +37,7 @@ class SessionTest : public testing::Test {
 
   Session& start(std::unique_ptr<Store> store = std::make_unique<Store>()) {
     session_.reset();
-    session_ = std::make_unique<Session>(engine_, std::move(store), SessionLimits{});
+    session_ = only_session(engine_, std::move(store));
     return *session_;
   }
   /// Whether it comes true within 10 s.
@@ -49,7 +50,7 @@ class SessionTest : public testing::Test {
   FakeEngine fake_;
   Engine engine_ = fake_.engine();
   StoreFolder folder_;
-  std::unique_ptr<Session> session_;
+  std::shared_ptr<Session> session_;
 };
 
 TEST_F(SessionTest, EightRequestsThatWaitForOneComputationAreAnsweredByIt) {
@@ -91,7 +92,7 @@ TEST_F(SessionTest, WhatIsCancelledWhileItWaitsForItsPreparationIsNotPrepared) {
   free.count_down();
   session.later(Lane::Preparation, {.run = [&] { done.count_down(); }, .refused = no_refusal});
   done.wait();
-  session.stop();  // when every thread is at rest, so is the request's
+  session_.reset();  // when every thread is at rest, so is the request's
   EXPECT_EQ(evaluated, 0);
   EXPECT_EQ(answer.answers(), 1);
 }
@@ -105,7 +106,7 @@ TEST_F(SessionTest, AListenerThatThrowsOnItsRevisionHearsOfTheFailureOnce) {
   EXPECT_EQ(answer.error().kind, ErrorKind::Internal);
   EXPECT_THAT(answer.error().message, testing::HasSubstr("no room for the answer"));
   EXPECT_TRUE(session.make(command(), next.listener()) && next.made().cached);
-  session.stop();
+  session_.reset();
   EXPECT_EQ(answer.answers(), 1);
 }
 
@@ -126,7 +127,7 @@ TEST_F(SessionTest, AListenerThatThrowsWhateverItHearsHurtsNobodyElse) {
   ASSERT_TRUE(comes([&] { return session.load().waiting == 2; }));
   fake_.open_gate();
   EXPECT_TRUE(answer.made().revision);
-  session.stop();
+  session_.reset();
   EXPECT_EQ(failures, 1);
 }
 
@@ -229,8 +230,7 @@ class NodeLimit : public SessionTest {
   NodeLimit() { start_limited(); }
   void start_limited() {
     session_.reset();
-    session_ = std::make_unique<Session>(engine_, std::make_unique<Store>(),
-                                         SessionLimits{.max_nodes = 1000});
+    session_ = only_session(engine_, std::make_unique<Store>(), {.max_nodes = 1000});
   }
   HeldRevisionPtr make_plate() {
     Answer answer;

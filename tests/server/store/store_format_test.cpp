@@ -126,6 +126,36 @@ TEST_F(StoreFormat, AStoreInWhichNothingWasStoredIsKnownWithoutItsFormat) {
   EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
 }
 
+TEST_F(StoreFormat, StoresOfTenantsBelowAreLeftAsTheyAre) {
+  make_store(1);
+  { const Store of_anna(folder_ / "tenants" / "anna"); }
+  const auto tenant = content(folder_ / "tenants" / "anna" / "FORMAT");
+  for (const char* damage : {"none", "FORMAT", "packs"}) {
+    fs::remove_all(folder_ / damage);
+    Store store(folder_);
+    EXPECT_TRUE(store.notes().empty()) << store.notes().front();
+    EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
+  }
+  EXPECT_EQ(content(folder_ / "tenants" / "anna" / "FORMAT"), tenant);
+  EXPECT_FALSE(fs::exists(folder_ / "quarantine"));
+}
+
+TEST_F(StoreFormat, AFolderThatHasStoresOfTenantsAloneIsAStore) {
+  { const Store of_anna(folder_ / "tenants" / "anna"); }
+  fs::create_directory(folder_ / "tenants" / "ben");  // just being made
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Unmarked);
+  const Store store(folder_);
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
+}
+
+TEST_F(StoreFormat, AFolderWithTenantsOfAnotherProgramIsRefused) {
+  write(folder_ / "tenants" / "anna" / "letter.txt", "x");
+  expect_refused("STORE_FOREIGN");
+  fs::remove_all(folder_ / "tenants");
+  write(folder_ / "tenants" / "list.txt", "anna");
+  expect_refused("STORE_FOREIGN");
+}
+
 TEST_F(StoreFormat, AStoreInUseIsRefusedAndAnotherMayWaitForIt) {
   auto store = std::make_unique<Store>(folder_);
   expect_refused("STORE_LOCKED");

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+
+#include "server/admission/admission.h"
+#include "server/admission/memory_budget.h"
+#include "server/admission/pool.h"
+#include "server/session/disk_budget.h"
+#include "server/session/engine.h"
+
+namespace remeshd {
+
+struct SessionLimits {
+  int workers = 1;                             ///< computations at a time
+  int threads = 1;                             ///< at most, for one computation
+  std::size_t queue = 64;                      ///< computations that may wait
+  double wait = 60;                            ///< s that one may wait
+  double compute = 600;                        ///< s that one may take; 0: any
+  std::uint64_t memory = 1ULL << 31;           ///< bytes of all that MemoryBudget counts
+  std::uint64_t held = 1ULL << 30;             ///< bytes of revisions held, at most
+  std::uint64_t disk = 0;                      ///< bytes that stored meshes may take; 0: no limit
+  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
+  /// Folder for the stages of computations, those of a named tenant in `tenants/NAME` below it; of
+  /// each in one by its revision's id. Empty: none.
+  std::filesystem::path dumps;
+};
+
+/// Where work is done.
+enum class Lane {
+  Metadata,     ///< answered from the catalogue alone
+  Preparation,  ///< a revision may have to be read
+  Computation,  ///< geometry is worked on
+};
+
+/// What the sessions of all tenants share: the engine, the lanes, the budgets of memory and disk.
+class Resources {
+ public:
+  Resources(Engine engine, SessionLimits limits);
+  /// As `stop`.
+  ~Resources();
+  Resources(const Resources&) = delete;
+  Resources& operator=(const Resources&) = delete;
+
+  [[nodiscard]] const Engine& engine() const { return engine_; }
+  [[nodiscard]] const SessionLimits& limits() const { return limits_; }
+  MemoryBudget& memory() { return memory_; }
+  DiskBudget& disk() { return disk_; }
+  Pool& lane(Lane lane);
+  /// To the lane of computations.
+  Admission& admission() { return admission_; }
+
+  /// Refuses what waits in the lanes, and returns when what runs has ended.
+  void stop();
+
+ private:
+  const Engine engine_;
+  const SessionLimits limits_;
+  MemoryBudget memory_;
+  DiskBudget disk_;
+  Pool metadata_;
+  Pool preparation_;
+  Pool computation_;
+  Admission admission_;
+};
+
+}  // namespace remeshd

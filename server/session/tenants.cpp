@@ -1,0 +1,84 @@
+#include "server/session/tenants.h"
+
+#include <utility>
+
+#include "server/admission/load_error.h"
+
+namespace remeshd {
+
+Tenants::Tenants(Engine engine, SessionLimits limits, OpenStore open_store)
+    : open_store_(std::move(open_store)), resources_(std::move(engine), std::move(limits)) {
+  open("");
+}
+
+Tenants::~Tenants() { stop(); }
+
+void Tenants::open(const std::string& tenant) {
+  const std::scoped_lock opening(opening_);
+  {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) throw error::shutting_down();
+    if (sessions_.contains(tenant)) return;
+  }
+  auto session = std::make_unique<Session>(resources_, tenant, open_store_(tenant));
+  session->on_store_health([this, tenant](bool healthy) { note_health(tenant, healthy); });
+  const std::scoped_lock lock(mutex_);
+  if (stopped_) throw error::shutting_down();
+  sessions_.emplace(tenant, std::move(session));
+}
+
+Session& Tenants::of(const std::string& tenant) {
+  const std::scoped_lock lock(mutex_);
+  return *sessions_.at(tenant);
+}
+
+std::vector<Session*> Tenants::sessions() {
+  const std::scoped_lock lock(mutex_);
+  std::vector<Session*> all;
+  for (const auto& [tenant, session] : sessions_) all.push_back(session.get());
+  return all;
+}
+
+Load Tenants::load() {
+  Load sum;
+  for (Session* const session : sessions()) {
+    const Load load = session->load();
+    sum.running = load.running;  // of the lane that they share
+    sum.queued = load.queued;
+    sum.waiting += load.waiting;
+    sum.held += load.held;
+    sum.held_bytes += load.held_bytes;
+    sum.revisions += load.revisions;
+    sum.designs += load.designs;
+    sum.disk_bytes += load.disk_bytes;
+  }
+  sum.memory_bytes = sum.held_bytes + resources_.memory().leased();
+  return sum;
+}
+
+void Tenants::on_store_health(std::function<void(bool)> listener) {
+  const std::scoped_lock lock(health_);
+  health_listener_ = std::move(listener);
+  if (health_listener_) health_listener_(unhealthy_.empty());
+}
+
+void Tenants::note_health(const std::string& tenant, bool healthy) {
+  const std::scoped_lock lock(health_);
+  const bool before = unhealthy_.empty();
+  if (healthy)
+    unhealthy_.erase(tenant);
+  else
+    unhealthy_.insert(tenant);
+  if (health_listener_ && before != unhealthy_.empty()) health_listener_(!before);
+}
+
+void Tenants::stop() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stopped_ = true;
+  }
+  for (Session* const session : sessions()) session->stop();
+  resources_.stop();
+}
+
+}  // namespace remeshd
