@@ -23,6 +23,7 @@ class Admission {
     Ticket(const Ticket&) = delete;
     Ticket& operator=(const Ticket&) = delete;
     ~Ticket() { admission_.leave(tenant_); }
+    [[nodiscard]] const std::string& tenant() const { return tenant_; }
 
    private:
     Admission& admission_;

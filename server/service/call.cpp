@@ -195,6 +195,18 @@ void CallRecord::end() noexcept try {
 } catch (...) {
 }
 
+grpc::ServerUnaryReactor* refuse(grpc::CallbackServerContext& context, CallRecord& record,
+                                 const Error& why) noexcept {
+  // gRPC runs the end of its own reactor where the call came in, of others on another thread.
+  grpc::ServerUnaryReactor* const reactor = context.DefaultReactor();
+  const grpc::Status status = to_status(why);
+  add_pushback(why, context);
+  record.set_status(status, why.info().reason);
+  record.end();
+  reactor->Finish(status);
+  return reactor;
+}
+
 std::shared_ptr<UnaryCall> UnaryCall::start(grpc::CallbackServerContext* context,
                                             grpc::ByteBuffer* reply,
                                             std::shared_ptr<CallRecord> record) {

@@ -78,6 +78,11 @@ class CallRecord {
   std::string request_id_, reason_, note_;
 };
 
+/// Ends a unary call for which nothing was begun: at a fraction of what a UnaryCall takes, for
+/// there may be very many.
+grpc::ServerUnaryReactor* refuse(grpc::CallbackServerContext& context, CallRecord& record,
+                                 const Error& why) noexcept;
+
 /// Does `work` for a call; an exception of any kind becomes the end of the call. For gRPC's
 /// callbacks and for work on other threads, which no exception may leave.
 template <typename Call, typename Work>

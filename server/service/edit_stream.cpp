@@ -196,6 +196,7 @@ void EditStream::hand_over(Request& request) {
   const auto bytes = std::make_shared<std::string>(std::move(request.bytes));
   const auto mesh = std::make_shared<std::optional<v1::MeshSelection>>();
   const MakeRequestPtr started = session_.make(
+      session_.admit(),
       [self = shared_from_this(), bytes, mesh] { return self->command(*bytes, *mesh); },
       listener(request.turn, request.id, mesh));
   bool cancel = false;

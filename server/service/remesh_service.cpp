@@ -230,9 +230,20 @@ class RawRemeshService final : public RawService {
   /// A call that makes a revision. Its request is read once there is room for its work.
   template <typename Request, typename Response>
   Reply* make(const char* method, Context* context, const Bytes* in, Bytes* out) {
-    const auto call = UnaryCall::start(context, out, record(method, context));
+    const auto record = this->record(method, context);
+    Session* session = nullptr;
+    Admission::TicketPtr ticket;
+    Reply* refused = nullptr;
+    guarded(
+        [&] {
+          record->admit(*context);
+          session = &tenants_.of(record->tenant());
+          ticket = session->admit();
+        },
+        [&](const Error& why) { refused = refuse(*context, *record, why); });
+    if (refused != nullptr) return refused;
+    const auto call = UnaryCall::start(context, out, record);
     answering(*call, [&] {
-      call->record().admit(*context);
       const auto id = std::make_shared<std::string>();
       // A copy of the buffer, not of its bytes: the call may be over before they are read.
       const auto read = [this, call, id, bytes = Bytes(*in)]() -> Command {
@@ -253,8 +264,8 @@ class RawRemeshService final : public RawService {
         });
       };
       const auto failed = [call](const Error& why) { call->fail(why); };
-      const MakeRequestPtr under_way =
-          session_of(*call).make(read, Listener{.progress = {}, .made = made, .failed = failed});
+      const MakeRequestPtr under_way = session->make(
+          std::move(ticket), read, Listener{.progress = {}, .made = made, .failed = failed});
       call->on_cancel([under_way] { under_way->cancel(); });
     });
     return call.get();

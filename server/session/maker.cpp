@@ -38,12 +38,13 @@ Maker::Maker(Parts parts, Limits limits)
 
 Maker::~Maker() { stop(); }
 
-MakeRequestPtr Maker::make(std::function<Command()> read, Listener listener, std::string tenant) {
+MakeRequestPtr Maker::make(Admission::TicketPtr ticket, std::function<Command()> read,
+                           Listener listener) {
   const auto cancel = [this](const WaitingRequestPtr& request) {
     request->stop().request_stop();
     fail(request, error::cancelled());
   };
-  auto request = std::make_shared<WaitingRequest>(std::move(tenant), std::move(listener), cancel);
+  auto request = std::make_shared<WaitingRequest>(ticket->tenant(), std::move(listener), cancel);
   guarded(
       [&] {
         {
@@ -51,10 +52,10 @@ MakeRequestPtr Maker::make(std::function<Command()> read, Listener listener, std
           if (stopped_) throw error::shutting_down();
           requests_.insert(request);
         }
-        const Admission::TicketPtr ticket = parts_.admission.admit(request->tenant());
         parts_.preparation.submit(
             {.tenant = request->tenant(),
-             .run = [this, request, ticket, read = std::move(read)] { prepare(request, read); },
+             .run = [this, request, ticket = std::move(ticket),
+                     read = std::move(read)] { prepare(request, read); },
              .refused = [this, request](const Error& why) { fail(request, why); }});
       },
       [&](const Error& why) { fail(request, why); });

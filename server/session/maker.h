@@ -38,7 +38,6 @@ class Maker {
     MemoryBudget& memory;
     Pool& preparation;
     Pool& computation;
-    Admission& admission;
   };
 
   Maker(Parts parts, Limits limits);
@@ -47,12 +46,12 @@ class Maker {
   Maker(const Maker&) = delete;
   Maker& operator=(const Maker&) = delete;
 
-  /// `read` gives the command; it is called in the lane of preparations, once there is room for its
-  /// work, and may throw Error.
+  /// `read` gives the command; it is called in the lane of preparations and may throw Error.
   ///
   /// Never throws; what is wrong goes to the listener, maybe before this returns. A listener that
   /// throws from `made` hears `failed` next; what it throws from the others is dropped.
-  MakeRequestPtr make(std::function<Command()> read, Listener listener, std::string tenant);
+  MakeRequestPtr make(Admission::TicketPtr ticket, std::function<Command()> read,
+                      Listener listener);
 
   /// Ends every request with Unavailable and asks the computations to stop.
   void stop();

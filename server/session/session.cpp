@@ -27,7 +27,7 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
       store_(std::move(store)),
       archive_(engine(), *store_, resources.memory(), &resources.disk()),
       maker_({engine(), archive_, resources.memory(), resources.lane(Lane::Preparation),
-              resources.lane(Lane::Computation), resources.admission()},
+              resources.lane(Lane::Computation)},
              {.threads = limits().threads,
               .max_nodes = limits().max_nodes,
               .dumps = dumps_of(tenant_, limits().dumps)}) {}

@@ -53,13 +53,17 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// Lets a request in, before anything else is done for it. As Admission::admit.
+  Admission::TicketPtr admit() { return resources_.admission().admit(tenant_); }
   /// As Maker::make.
-  MakeRequestPtr make(std::function<Command()> read, Listener listener) {
-    return maker_.make(std::move(read), std::move(listener), tenant_);
+  MakeRequestPtr make(Admission::TicketPtr ticket, std::function<Command()> read,
+                      Listener listener) {
+    return maker_.make(std::move(ticket), std::move(read), std::move(listener));
   }
-  /// A command that has been read.
+  /// The same of a command that has been read. Throws what `admit` throws.
   MakeRequestPtr make(Command command, Listener listener) {
-    return make([command = std::move(command)] { return command; }, std::move(listener));
+    const auto read = [command = std::move(command)] { return command; };
+    return make(admit(), read, std::move(listener));
   }
 
   /// Has work done in the tenant's name. Throws what Pool::submit throws.

@@ -27,7 +27,7 @@ using Fill = decltype(&fill_lattice);
 
 class Filling : public testing::TestWithParam<Fill> {};
 INSTANTIATE_TEST_SUITE_P(Both, Filling, testing::Values(&fill_lattice, &fill_random),
-                         [](const auto& info) { return info.index == 0 ? "Lattice" : "Random"; });
+                         [](const auto& each) { return each.index == 0 ? "Lattice" : "Random"; });
 
 TEST_P(Filling, SpreadsTheCountAskedFor) {
   const Vec3 c{5, 5, 5};

@@ -29,13 +29,14 @@ class SessionAdmission : public testing::Test {
     Answer answer;
     const double length = 10.0 + ++made_;
     tenants_->open(tenant);
-    tenants_->of(tenant).make(
-        [this, length, nodes]() -> Command {
-          ++read_;
-          return CreateCommand{.source = model_of({block("plate", length, 40, 10)}),
-                               .options = {.nodes = nodes}};
-        },
-        answer.listener());
+    Session& session = tenants_->of(tenant);
+    const auto read = [this, length, nodes]() -> Command {
+      ++read_;
+      return CreateCommand{.source = model_of({block("plate", length, 40, 10)}),
+                           .options = {.nodes = nodes}};
+    };
+    const Listener listener = answer.listener();
+    guarded([&] { session.make(session.admit(), read, listener); }, listener.failed);
     return answer;
   }
 
