@@ -71,7 +71,7 @@ class Archive {
   /// then number and head at once. It keeps the number that it has in the design. Where nothing
   /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
   /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
-  /// store gets it as soon as there is room.
+  /// store gets it as soon as there is room; unless `fail_on` lists NotDurable.
   /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
   /// Throws what `check_filing` throws; then nothing is filed.
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
