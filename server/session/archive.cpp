@@ -50,11 +50,16 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 
 }  // namespace
 
-Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk)
+Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk,
+                 Metrics* metrics)
     : engine_(engine),
       store_(store),
       memory_(memory),
-      held_(memory, store.persistent(), engine.memory_blocks),
+      metrics_(metrics),
+      held_(memory, store.persistent(), engine.memory_blocks,
+            [this] {
+              if (metrics_ != nullptr) metrics_->evicted(Metrics::Tier::Memory);
+            }),
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
                                 : std::function<bool()>()) {
