@@ -123,7 +123,7 @@ struct Daemon::Parts {
       : log(options.log),
         desk(std::make_shared<FrontDesk>(
             FrontDesk{.log = options.log, .metrics = options.metrics, .doorman = options.doorman})),
-        tenants(std::move(engine), session_limits(options), store_opener(options)),
+        tenants(std::move(engine), session_limits(options), store_opener(options), options.metrics),
         max_connections(remeshd::max_connections(options)),
         service(make_remesh_service(tenants, {.facts = facts(), .desk = desk})),
         cache_service(make_cache_service(tenants, {.facts = facts(), .desk = desk})) {
@@ -148,7 +148,8 @@ struct Daemon::Parts {
     desk->metrics->set_source("daemon", [this](MetricsReadings& out) {
       const Load load = tenants.load();
       out.ready = readiness.ready();
-      out.queue_depth.emplace_back("computation", load.queued);
+      for (const Lane lane : {Lane::Metadata, Lane::Preparation, Lane::Computation})
+        out.queue_depth.emplace_back(name_of(lane), tenants.queued(lane));
       out.computations_running = load.running;
       out.memory_bytes = load.memory_bytes;
       out.memory_budget_bytes = tenants.limits().memory;

@@ -110,9 +110,14 @@ void Pool::work() {
     if (!next) return;
     const WorkId id = next->id;
     const std::string tenant = next->work.tenant;
-    running_[id] = {.since = Clock::now(), .overdue = std::move(next->work.overdue)};
+    const auto now = Clock::now();
+    running_[id] = {.since = now, .overdue = std::move(next->work.overdue)};
     if (limits_.compute > 0) wake_watch_.notify_one();
     lock.unlock();
+    if (limits_.waited) {
+      const std::chrono::duration<double> waited = now - next->since;
+      contained([&] { limits_.waited(waited.count()); });
+    }
     contained(next->work.run);
     // What the work holds is let go of before the pool says that it is done with it.
     next.reset();

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <random>
@@ -26,6 +27,8 @@ class Pool {
     double compute = 0;      ///< s; what runs longer hears of it; 0: none
     /// How far its threads give way to others for a processor, as nice(1) counts.
     int niceness = 0;
+    /// Hears, before each work runs, how many seconds it waited; may be empty.
+    std::function<void(double seconds)> waited{};
   };
 
   explicit Pool(Limits limits);

@@ -1,6 +1,7 @@
 #include "server/session/archive.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/admission/load_error.h"
 #include "server/session/clock.h"
@@ -25,6 +26,17 @@ Warning head_kept(const PlaceRecord& made, std::uint32_t head) {
                      "`remesh head " + number + "` makes this one the head"};
 }
 
+Warning not_durable() {
+  return {.code = WarningCode::NotDurable,
+          .message =
+              "the revision is in memory alone, for the store is full; it is stored as soon "
+              "as there is room"};
+}
+
+void set_not_durable(Filed& filed) {
+  if (std::exchange(filed.durable, false)) filed.warnings.push_back(not_durable());
+}
+
 DesignRecord listed_design(Catalogue& catalogue, const std::string& name) {
   auto found = catalogue.design(name);
   if (!found) throw error::design_not_found(name);
@@ -38,11 +50,16 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 
 }  // namespace
 
-Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk)
+Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk,
+                 Metrics* metrics)
     : engine_(engine),
       store_(store),
       memory_(memory),
-      held_(memory, store.persistent(), engine.memory_blocks),
+      metrics_(metrics),
+      held_(memory, store.persistent(), engine.memory_blocks,
+            [this] {
+              if (metrics_ != nullptr) metrics_->evicted(Metrics::Tier::Memory);
+            }),
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
                                 : std::function<bool()>()) {
@@ -110,10 +127,9 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
   const HeadDecision decision = decide_head(rule, now);
   if (decision.conflict && rule.require)
     throw error::head_conflict(design, rule.expected, now.head);
-  if (decision.kept) {
-    filed.head_kept = head_kept(filed.place, filed.head_number);
-    check_warnings({&*filed.head_kept, 1}, fail_on);
-  }
+  if (store_.persistent() && !filed.durable) filed.warnings.push_back(not_durable());
+  if (decision.kept) filed.warnings.push_back(head_kept(filed.place, filed.head_number));
+  check_warnings(filed.warnings, fail_on);
   filed.head_conflict = decision.conflict;
   filed.head = decision.move ? record.id : now.head;
   if (decision.move) filed.head_number = filed.place.number;
@@ -149,12 +165,15 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
   Filing filing = store_.read(plan);
   if (filing.changes.empty() && store_.persistent()) return filing.filed;
 
+  const bool must_last = std::ranges::find(fail_on, WarningCode::NotDurable) != fail_on.end();
+  const auto on_full_disk = must_last ? Store::OnFullDisk::Throw : Store::OnFullDisk::GoOn;
   for (;;) {
     std::optional<OneAtATime::Turn> turn;
     std::optional<Written> written;
     if (store_.persistent() && !is_known(id)) {
       turn.emplace(writing_.take(id));
       if (!is_known(id)) written = write_if_there_is_room(*revision, filing.filed.place);
+      if (written && written->record.bytes == 0) check_warnings({{not_durable()}}, fail_on);
     }
     const std::scoped_lock lock(filing_);
     bool again = false;
@@ -168,13 +187,17 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
         filing.changes.front() = AddRevision{written->record, written->recipe};
         return filing.changes;
       };
-      if (!store_.commit(make, Store::OnFullDisk::GoOn)) filing.filed.durable = false;
+      if (!store_.commit(make, on_full_disk)) set_not_durable(filing.filed);
+    } catch (const Error& failure) {
+      if (written) store_.discard(id);
+      if (failure.info().reason == "STORE_FULL") check_warnings({{not_durable()}}, fail_on);
+      throw;
     } catch (...) {
       if (written) store_.discard(id);
       throw;
     }
     if (again) continue;
-    if (written && written->record.bytes == 0) filing.filed.durable = false;
+    if (written && written->record.bytes == 0) set_not_durable(filing.filed);
     if (!filing.filed.durable && store_.persistent()) {
       set_unsaved(id, true);
       saver_.ask();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "server/observe/metrics.h"
 #include "server/session/background.h"
 #include "server/session/cache_entry.h"
 #include "server/session/commands.h"
@@ -38,8 +39,9 @@ class Archive {
     std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
   };
 
-  /// All of these must outlive the archive. `disk`: null for no limit.
-  Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr);
+  /// All of these must outlive the archive. `disk`: null for no limit; `metrics`: for none.
+  Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr,
+          Metrics* metrics = nullptr);
   ~Archive();
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
@@ -71,7 +73,7 @@ class Archive {
   /// then number and head at once. It keeps the number that it has in the design. Where nothing
   /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
   /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
-  /// store gets it as soon as there is room.
+  /// store gets it as soon as there is room; unless `fail_on` lists NotDurable.
   /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
   /// Throws what `check_filing` throws; then nothing is filed.
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
@@ -121,6 +123,7 @@ class Archive {
   struct Filing;
   Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
                      const HeadRule& rule, const std::vector<WarningCode>& fail_on) const;
+  void count(Metrics::CacheResult where) const;
   HeldRevisionPtr look_up(const std::string& id, const Run& run);
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
   /// Null where there is neither a mesh nor a recipe.
@@ -155,6 +158,7 @@ class Archive {
   const Engine& engine_;
   Store& store_;
   MemoryBudget& memory_;
+  Metrics* const metrics_;  ///< null: none
   HeldRevisions held_;
   std::mutex filing_;                        ///< catalogue and memory change together
   OneAtATime writing_, loading_, remaking_;  ///< by id

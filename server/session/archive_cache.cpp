@@ -148,6 +148,7 @@ bool Archive::drop_mesh(const std::string& id) {
       dropped = record && record->bytes > 0 && !record->pinned && !catalogue.is_base(id);
       return dropped ? Transaction{DropMesh{id}} : Transaction{};
     });
+    if (dropped && metrics_ != nullptr) metrics_->evicted(Metrics::Tier::Disk);
     const std::scoped_lock lock(notes_);
     evictions_ += dropped;
     return dropped;

@@ -36,13 +36,24 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   return held;
 }
 
+void Archive::count(Metrics::CacheResult where) const {
+  if (metrics_ != nullptr) metrics_->cache_request(where);
+}
+
 HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
-  if (auto held = held_.find(id)) return held;
-  if (!store_.persistent()) return nullptr;
+  using enum Metrics::CacheResult;
+  auto held = held_.find(id);
+  if (held) count(Memory);
+  if (held || !store_.persistent()) return held;
   const auto turn = loading_.take(id, run);
-  if (auto held = held_.find(id)) return held;  // another one loaded it
+  held = held_.find(id);  // another one may have loaded it
+  if (held) count(Memory);
+  if (held) return held;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-  return record && record->bytes > 0 ? load(*record, run) : nullptr;
+  if (!record || record->bytes == 0) return nullptr;
+  held = load(*record, run);
+  count(Disk);
+  return held;
 }
 
 HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
@@ -117,6 +128,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
   if (recipe_of(*made).digests != recipe.digests) throw error::not_reproducible(id);
   held_.insert(made);
   note_use(id);
+  count(Metrics::CacheResult::Remade);
   {
     const std::scoped_lock lock(notes_);
     ++remade_;

@@ -66,8 +66,8 @@ struct Filed {
   bool head_conflict = false;  ///< the head was to move, was not the expected one, and stayed
   std::string head;            ///< id after the request
   std::uint32_t head_number = 0;
-  bool durable = false;              ///< it survives the end of the daemon
-  std::optional<Warning> head_kept;  ///< HeadKept, where the head was kept from it
+  bool durable = false;           ///< it survives the end of the daemon
+  std::vector<Warning> warnings;  ///< HeadKept; NotDurable, where there is a store
 };
 
 /// The answer to a command.

@@ -21,10 +21,12 @@ std::uint64_t own_memory(const HeldRevision& held) {
 
 }  // namespace
 
-HeldRevisions::HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of)
+HeldRevisions::HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of,
+                             std::function<void()> evicted)
     : budget_(budget),
       evict_(evict),
       blocks_of_(std::move(blocks_of)),
+      evicted_(std::move(evicted)),
       holder_(budget_.add_holder({.bytes = [this] { return bytes(); },
                                   .shrink = [this](std::uint64_t most) { shrink(most); }})) {}
 
@@ -64,7 +66,9 @@ void HeldRevisions::shrink(std::uint64_t most) {
   for (auto entry = order_.end(); bytes_ > most && entry != order_.begin();) {
     --entry;
     if (entry == order_.begin()) break;
-    if (entry->use_count() == 1) entry = drop(entry);
+    if (entry->use_count() > 1) continue;
+    entry = drop(entry);
+    if (evicted_) evicted_();
   }
 }
 

@@ -24,8 +24,10 @@ class HeldRevisions {
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
 
   /// `blocks_of`: the memory of a revision that others may have a part of.
-  /// `evict`: whether they can be read again. The budget must outlive it.
-  HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of);
+  /// `evict`: whether they can be read again. `evicted`: hears of each that went for want of room,
+  /// under locks; may be empty. The budget must outlive it.
+  HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of,
+                std::function<void()> evicted = {});
   ~HeldRevisions();
   HeldRevisions(const HeldRevisions&) = delete;
   HeldRevisions& operator=(const HeldRevisions&) = delete;
@@ -49,6 +51,7 @@ class HeldRevisions {
   MemoryBudget& budget_;
   const bool evict_;
   const MemoryBlocks blocks_of_;
+  const std::function<void()> evicted_;
   mutable std::mutex mutex_;
   Order order_;
   std::unordered_map<std::string, Order::iterator> by_id_;

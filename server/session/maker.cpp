@@ -162,7 +162,7 @@ void Maker::hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& re
         Made made{.revision = revision, .cached = cached};
         made.filed =
             parts_.archive.file(revision, request->design, request->head, request->fail_on);
-        if (made.filed.head_kept) made.warnings.push_back(*made.filed.head_kept);
+        made.warnings = made.filed.warnings;
         if (!close(request)) return;
         const Listener& listener = request->listener();
         // It is answered: `fail` would do nothing any more.

@@ -1,5 +1,7 @@
 #include "server/session/resources.h"
 
+#include <functional>
+#include <string>
 #include <utility>
 
 #include "server/admission/process_memory.h"
@@ -13,20 +15,41 @@ constexpr std::size_t kLaneQueue = 1024;
 /// turn on the processor.
 constexpr int kComputationNiceness = 5;
 
+/// Counts how long work waits for a lane.
+std::function<void(double)> counts_waits(Lane lane, Metrics* metrics) {
+  if (metrics == nullptr) return {};
+  return [metrics, name = std::string(name_of(lane))](double seconds) {
+    metrics->queue_waited(name, seconds);
+  };
+}
+
 }  // namespace
 
-Resources::Resources(Engine engine, SessionLimits limits)
+const char* name_of(Lane lane) {
+  static constexpr const char* kNames[] = {"metadata", "preparation", "computation"};
+  return kNames[static_cast<std::size_t>(lane)];
+}
+
+Resources::Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metrics> metrics)
     : engine_(std::move(engine)),
       limits_(std::move(limits)),
+      metrics_(std::move(metrics)),
       memory_(limits_.memory, limits_.held),
       disk_(limits_.disk),
-      metadata_({.workers = kMetadataThreads, .queue = kLaneQueue, .wait = limits_.wait}),
-      preparation_({.workers = kPreparationThreads, .queue = kLaneQueue, .wait = limits_.wait}),
+      metadata_({.workers = kMetadataThreads,
+                 .queue = kLaneQueue,
+                 .wait = limits_.wait,
+                 .waited = counts_waits(Lane::Metadata, metrics_.get())}),
+      preparation_({.workers = kPreparationThreads,
+                    .queue = kLaneQueue,
+                    .wait = limits_.wait,
+                    .waited = counts_waits(Lane::Preparation, metrics_.get())}),
       computation_({.workers = limits_.workers,
                     .queue = limits_.queue,
                     .wait = limits_.wait,
                     .compute = limits_.compute,
-                    .niceness = kComputationNiceness}),
+                    .niceness = kComputationNiceness,
+                    .waited = counts_waits(Lane::Computation, metrics_.get())}),
       admission_(computation_) {
   memory_.set_process({resident_bytes, return_freed_memory});
 }

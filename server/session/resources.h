@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 
 #include "server/admission/admission.h"
 #include "server/admission/memory_budget.h"
 #include "server/admission/pool.h"
+#include "server/observe/metrics.h"
 #include "server/session/disk_budget.h"
 #include "server/session/engine.h"
 
@@ -34,10 +36,14 @@ enum class Lane {
   Computation,  ///< geometry is worked on
 };
 
+/// Its name in the metrics.
+const char* name_of(Lane lane);
+
 /// What the sessions of all tenants share: the engine, the lanes, the budgets of memory and disk.
 class Resources {
  public:
-  Resources(Engine engine, SessionLimits limits);
+  /// `metrics`: null for none.
+  Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metrics> metrics);
   /// As `stop`.
   ~Resources();
   Resources(const Resources&) = delete;
@@ -47,6 +53,8 @@ class Resources {
   [[nodiscard]] const SessionLimits& limits() const { return limits_; }
   MemoryBudget& memory() { return memory_; }
   DiskBudget& disk() { return disk_; }
+  /// Null: nothing is counted.
+  [[nodiscard]] Metrics* metrics() const { return metrics_.get(); }
   Pool& lane(Lane lane);
   /// To the lane of computations.
   Admission& admission() { return admission_; }
@@ -57,6 +65,7 @@ class Resources {
  private:
   const Engine engine_;
   const SessionLimits limits_;
+  const std::shared_ptr<Metrics> metrics_;
   MemoryBudget memory_;
   DiskBudget disk_;
   Pool metadata_;

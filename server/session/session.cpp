@@ -25,7 +25,7 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
     : resources_(resources),
       tenant_(std::move(tenant)),
       store_(std::move(store)),
-      archive_(engine(), *store_, resources.memory(), &resources.disk()),
+      archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics()),
       maker_({engine(), archive_, resources.memory(), resources.lane(Lane::Preparation),
               resources.lane(Lane::Computation)},
              {.threads = limits().threads,

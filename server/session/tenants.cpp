@@ -6,8 +6,10 @@
 
 namespace remeshd {
 
-Tenants::Tenants(Engine engine, SessionLimits limits, OpenStore open_store)
-    : open_store_(std::move(open_store)), resources_(std::move(engine), std::move(limits)) {
+Tenants::Tenants(Engine engine, SessionLimits limits, OpenStore open_store,
+                 std::shared_ptr<Metrics> metrics)
+    : open_store_(std::move(open_store)),
+      resources_(std::move(engine), std::move(limits), std::move(metrics)) {
   open("");
 }
 

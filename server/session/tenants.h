@@ -23,8 +23,10 @@ class Tenants {
  public:
   using OpenStore = std::function<std::unique_ptr<Store>(const std::string& tenant)>;
 
-  /// Opens the session of the tenant ``. Throws what `open_store` throws.
-  Tenants(Engine engine, SessionLimits limits, OpenStore open_store);
+  /// Opens the session of the tenant ``. Throws what `open_store` throws. `metrics`: counts queues,
+  /// requests of the cache and evictions; null for none.
+  Tenants(Engine engine, SessionLimits limits, OpenStore open_store,
+          std::shared_ptr<Metrics> metrics = nullptr);
   /// As `stop`.
   ~Tenants();
   Tenants(const Tenants&) = delete;
@@ -38,6 +40,8 @@ class Tenants {
 
   /// Of all together.
   [[nodiscard]] Load load();
+  /// How much waits for a lane.
+  [[nodiscard]] std::size_t queued(Lane lane) { return resources_.lane(lane).queued(); }
   [[nodiscard]] const SessionLimits& limits() const { return resources_.limits(); }
   [[nodiscard]] bool persistent() { return of("").persistent(); }
   /// Has `listener` hear now, and at every change, whether all stores can be written to. It must

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <optional>
 #include <thread>
@@ -9,6 +10,7 @@
 #include "tests/server/fake_engine.h"
 #include "tests/server/store/store_folder.h"
 #include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
 
 namespace remeshd::test {
 namespace {
@@ -71,6 +73,42 @@ TEST_F(FullDisk, RevisionsAreMadeListedAndServedThatAreNotDurable) {
   EXPECT_FALSE(file(2).durable) << "asked for again";
   EXPECT_TRUE(file(1).durable) << "it was stored before";
   calls_.decide({});
+}
+
+TEST_F(FullDisk, IsWarnedOfInTheAnswerThatIsNotDurable) {
+  const auto warned = [](const Filed& filed) {
+    return std::ranges::count(filed.warnings, WarningCode::NotDurable, &Warning::code) == 1;
+  };
+  EXPECT_FALSE(warned(file(1)));
+  fill_disk();
+  EXPECT_TRUE(warned(file(2)));
+  EXPECT_TRUE(warned(file(2))) << "asked for again";
+  EXPECT_FALSE(warned(file(1))) << "it was stored before";
+  EXPECT_TRUE(warned(archive_->file(made(1), "another", {}))) << "its place is in memory alone";
+  make_room();
+  EXPECT_FALSE(warned(file(2)));
+}
+
+TEST_F(FullDisk, FilesNothingWhereTheRequestWantsItDurable) {
+  file(1);
+  for (const char* full : {"packs/", "journal"}) {
+    calls_.decide([full](const FileCall& call, std::size_t) {
+      const bool grows = call.kind == FileCall::Kind::Write || call.kind == FileCall::Kind::Create;
+      return grows && call.path.find(full) != std::string::npos ? ENOSPC : 0;
+    });
+    const ErrorInfo error =
+        error_of([&] { archive_->file(made(2), "plate", {}, {WarningCode::NotDurable}); });
+    EXPECT_EQ(error.reason, "WARNING_IS_ERROR");
+    EXPECT_EQ(listing(*store_), "plate@1 = 1 head\n") << full;
+  }
+  fill_disk();
+  file(2);
+  EXPECT_EQ(
+      error_of([&] { archive_->file(made(2), "plate", {}, {WarningCode::NotDurable}); }).reason,
+      "WARNING_IS_ERROR")
+      << "asked for again";
+  make_room();
+  EXPECT_TRUE(archive_->file(made(2), "plate", {}, {WarningCode::NotDurable}).durable);
 }
 
 TEST_F(FullDisk, IsRecoveredFromByItself) {

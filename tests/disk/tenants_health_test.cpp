@@ -17,13 +17,16 @@ namespace {
 /// Two tenants, of whom the store of one finds its disk full.
 class TenantsHealth : public StoreFolderTest {
  protected:
+  /// Whether the answer says that it is durable.
   bool made(const std::string& tenant, double dx) {
     Answer answer;
     tenants_.of(tenant).make(CreateCommand{.source = model_of({block("plate", dx, 40, 10)}),
                                            .options = {.nodes = 100},
                                            .design = "plate"},
                              answer.listener());
-    return answer.made().filed.durable;
+    const Made made = answer.made();
+    EXPECT_EQ(made.warnings.empty(), made.filed.durable);
+    return made.filed.durable;
   }
   void fill_disk_of(const std::string& tenant) {
     calls_.decide([tenant](const FileCall& call, std::size_t) {

@@ -1,3 +1,4 @@
+#include "remesh/v1/cache.grpc.pb.h"
 #include "server/observe/metrics.h"
 #include "tests/server/daemon_fixture.h"
 
@@ -37,6 +38,43 @@ TEST_F(CountedCalls, AreTheMeshesThatWereMade) {
                            "remeshd_queue_depth{lane=\"computation\"} 0", "remeshd_connections 1"})
     EXPECT_THAT(text, HasSubstr(std::string(line) + '\n'));
   EXPECT_THAT(text, Not(HasSubstr("remeshd_disk_bytes")));
+}
+
+TEST_F(CountedCalls, TellHowLongWorkWaitedInEachLane) {
+  create(plate());
+  list();
+  for (const char* lane : {"metadata", "preparation", "computation"})
+    text_with("remeshd_queue_wait_seconds_count{lane=\"" + std::string(lane) + "\"} 1");
+  for (const char* lane : {"metadata", "preparation", "computation"})
+    text_with("remeshd_queue_depth{lane=\"" + std::string(lane) + "\"} 0");
+}
+
+TEST_F(CountedCalls, TellWhereRevisionsCameFromAndWhichWentForWantOfRoom) {
+  use_store();
+  options_.cache = 1;  // that is one revision
+  create(plate());
+  create(plate());
+  text_with("remeshd_cache_requests_total{result=\"memory\"} 1");
+  create(plate(6));  // the first goes
+  create(plate());   // it is read
+  text_with("remeshd_cache_requests_total{result=\"disk\"} 1");
+  text_with("remeshd_evictions_total{from=\"memory\"} 2");
+
+  grpc::ClientContext context;
+  v1::CollectGarbageRequest all;
+  all.set_disk_bytes(0);
+  v1::CollectGarbageResponse collected;
+  EXPECT_TRUE(v1::CacheService::NewStub(channel_)->CollectGarbage(&context, all, &collected).ok());
+  text_with("remeshd_evictions_total{from=\"disk\"} 2");
+  describe("plate@2");
+  text_with("remeshd_cache_requests_total{result=\"remade\"} 1");
+}
+
+TEST_F(CountedCalls, TellTheBudgetOfTheDisk) {
+  use_store();
+  options_.disk = 1 << 30;
+  create(plate());
+  text_with("remeshd_disk_budget_bytes 1073741824");
 }
 
 TEST_F(CountedCalls, AreThoseThatFailedByTheirCode) {

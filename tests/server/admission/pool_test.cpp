@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <latch>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace remeshd {
 namespace {
@@ -125,6 +128,20 @@ TEST(Pool, TellsWorkThatTakesTooLongOnceAndLetsItEnd) {
                .overdue = [&](const Error& error) { overdue.set_value(error.info().reason); }});
   EXPECT_EQ(told.get(), "COMPUTE_LIMIT_REACHED");
   ended.get_future().wait();
+}
+
+TEST(Pool, TellsHowLongEachWorkWaited) {
+  std::vector<double> waited;
+  Pool pool({.workers = 1, .waited = [&](double seconds) { waited.push_back(seconds); }});
+  Blocker blocker(pool);
+  std::promise<void> last;
+  pool.submit({.run = [&] { last.set_value(); }, .refused = kNoRefusal});
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  blocker.open();
+  last.get_future().wait();
+  ASSERT_EQ(waited.size(), 2U);
+  EXPECT_GE(waited[0], 0);
+  EXPECT_GE(waited[1], 0.005);
 }
 
 TEST(Pool, ATenantThatFloodsLeavesTheOthersTheLastWorker) {
