@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "server/guard/tls_files.h"
+#include "server/limits.h"
 #include "server/observe/metrics.h"
 #include "server/observe/readiness.h"
 #include "server/service/front_desk.h"
@@ -139,7 +140,7 @@ struct Daemon::Parts {
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
             .connections = static_cast<std::uint32_t>(max_connections),
-            .streams = kMostStreams,
+            .streams = limits::kStreamsPerConnection,
             .readiness = &readiness};
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/guard/tls_files.h"
+#include "server/limits.h"
 #include "server/session/engine.h"
 
 namespace grpc {
@@ -26,24 +27,26 @@ struct DaemonOptions {
   /// As `parse_listen_address` takes them; port 0 takes a free one. None: nothing is listened on,
   /// `in_process_channel` only.
   std::vector<std::string> listen = {"127.0.0.1:50051"};
-  std::size_t max_connections = 1024;  ///< at a time; fewer where descriptors do not suffice
+  std::size_t max_connections =
+      limits::kConnections;  ///< at a time; fewer where descriptors do not suffice
   /// Of a tenant by tokens the folder `tenants/NAME` in it. Empty: revisions live in memory and end
   /// with the daemon.
   std::filesystem::path store;
-  double store_wait = 0;                ///< s to wait for another process to let go of the store
-  int workers = 0;                      ///< computations at a time; 0: one per processor
-  int threads = 0;                      ///< at most, for one computation; 0: one per processor
-  std::size_t queue = 64;               ///< computations that may wait for a worker
-  double queue_wait = 60;               ///< s that one may wait
-  double compute_limit = 600;           ///< s that one may take; 0: any
-  std::uint64_t memory = 1ULL << 31;    ///< bytes that computations, loads and revisions may take
-  std::uint64_t cache = 1ULL << 30;     ///< bytes of it that revisions held may take
+  double store_wait = 0;                   ///< s to wait for another process to let go of the store
+  int workers = 0;                         ///< computations at a time; 0: one per processor
+  int threads = 0;                         ///< at most, for one computation; 0: one per processor
+  std::size_t queue = limits::kQueue;      ///< computations that may wait for a worker
+  double queue_wait = limits::kQueueWait;  ///< s that one may wait
+  double compute_limit = limits::kComputeTime;  ///< s that one may take; 0: any
+  std::uint64_t memory =
+      limits::kMemory;                  ///< bytes that computations, loads and revisions may take
+  std::uint64_t cache = limits::kHeld;  ///< bytes of it that revisions held may take
   std::uint64_t disk = 0;               ///< bytes that stored meshes may take; 0: no limit
-  std::uint32_t max_nodes = 5000000;    ///< that may be asked for
-  std::filesystem::path dumps;          ///< for the stages of every computation; empty: none
-  std::shared_ptr<spdlog::logger> log;  ///< null: no log
-  std::shared_ptr<Metrics> metrics;     ///< null: nothing is counted
-  TlsFiles tls;                         ///< for what is no Unix socket
+  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< that may be asked for
+  std::filesystem::path dumps;                 ///< for the stages of every computation; empty: none
+  std::shared_ptr<spdlog::logger> log;         ///< null: no log
+  std::shared_ptr<Metrics> metrics;            ///< null: nothing is counted
+  TlsFiles tls;                                ///< for what is no Unix socket
   /// Asks callers for tokens, by which they are tenants; it has the daemon open the stores of
   /// these. Null: everybody is let in, as the one tenant there is.
   std::shared_ptr<Doorman> doorman;

@@ -4,20 +4,14 @@
 #include <chrono>
 
 #include "server/admission/load_error.h"
+#include "server/limits.h"
 
 namespace remeshd {
-namespace {
-
-// A preparation costs some ms: so many a second leave the workers their processors.
-constexpr double kSparePlaces = 4;
-constexpr double kSparePlacesPerSecond = 5;
-
-}  // namespace
-
 bool Admission::take_spare_place() {
   const auto now = Clock::now();
   const std::chrono::duration<double> since = now - refilled_;
-  spare_places_ = std::min(kSparePlaces, spare_places_ + kSparePlacesPerSecond * since.count());
+  spare_places_ =
+      std::min(limits::kSparePlaces, spare_places_ + limits::kSparePlacesPerSecond * since.count());
   refilled_ = now;
   if (spare_places_ < 1) return false;
   --spare_places_;

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <utility>
+#include "server/limits.h"
 
 namespace remeshd {
-namespace {
-
-constexpr std::chrono::seconds kActive(60);
-
-}  // namespace
-
 void FairQueue::forget_idle(Time now) {
   std::erase_if(tenants_, [now](const auto& entry) {
     const Tenant& tenant = entry.second;
-    return tenant.waiting.empty() && tenant.running == 0 && now - tenant.asked > kActive;
+    return tenant.waiting.empty() && tenant.running == 0 &&
+           now - tenant.asked > limits::kActiveTenant;
   });
 }
 

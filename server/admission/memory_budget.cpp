@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "server/admission/load_error.h"
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 // s; readers that keep revisions in memory end without a word to the budget.
 constexpr double kLookAgain = 0.1;
 constexpr double kRetryAfter = 1;  // s
-// Of the budget: what the process stays below it, for what no lease tells of; twice that is freed
-// once it does not, so that not every lease has to.
-constexpr std::uint64_t kMarginShare = 16;
-// What the revisions held keep all the same, or the next request finds none of them.
-constexpr std::uint64_t kKeptShare = 4;
 
 }  // namespace
 
@@ -85,13 +81,13 @@ bool MemoryBudget::take_now(std::uint64_t bytes) {
 }
 
 void MemoryBudget::keep_process_within(std::uint64_t bytes) {
-  const std::uint64_t margin = total_ / kMarginShare;
+  const std::uint64_t margin = total_ / limits::kMarginShare;
   if (!process_.resident || process_.resident() + margin <= bytes) return;
   process_.return_freed_memory();
   const std::uint64_t wanted = process_.resident() + 2 * margin;
   if (wanted <= bytes) return;
   const std::uint64_t excess = wanted - bytes, held = sum_held();
-  reclaim(std::max(total_ / kKeptShare, held > excess ? held - excess : 0));
+  reclaim(std::max(total_ / limits::kKeptShare, held > excess ? held - excess : 0));
   process_.return_freed_memory();
 }
 

@@ -10,12 +10,11 @@
 
 #include "server/admission/contained.h"
 #include "server/admission/load_error.h"
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
 
-constexpr double kJitter = 0.2;                       // of a retry delay, to either side
-constexpr double kLeastDelay = 0.1, kMostDelay = 60;  // s
 // So long does the watching thread sleep at most.
 constexpr std::chrono::hours kLongSleep(1);
 
@@ -50,8 +49,9 @@ Pool::~Pool() { shutdown(); }
 
 double Pool::retry_delay() {
   const double ahead = static_cast<double>(queue_.waiting() + queue_.running()) / limits_.workers;
-  const double off = std::uniform_real_distribution<double>(1 - kJitter, 1 + kJitter)(jitter_);
-  return std::clamp(mean_seconds_ * ahead, kLeastDelay, kMostDelay) * off;
+  const double off = std::uniform_real_distribution<double>(1 - limits::kDelayJitter,
+                                                            1 + limits::kDelayJitter)(jitter_);
+  return std::clamp(mean_seconds_ * ahead, limits::kLeastDelay, limits::kMostDelay) * off;
 }
 
 WorkId Pool::submit(Work work) {

@@ -12,11 +12,10 @@
 
 #include "server/config/config_error.h"
 #include "server/config/nearest_name.h"
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
-
-constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
 
 const Option* find_option(std::string_view key) {
   for (const Option& option : option_table())
@@ -99,13 +98,14 @@ std::vector<GivenOption> read_config_text(std::string_view text, const std::stri
 
 std::vector<GivenOption> read_config_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string text(kMostBytes + 1, '\0');
+  std::string text(limits::kConfigFileBytes + 1, '\0');
   if (!in) throw ConfigError(fmt::format("{}: {}", file.string(), std::strerror(errno)));
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (in.bad()) throw ConfigError(fmt::format("{}: cannot be read", file.string()));
   text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kMostBytes)
-    throw ConfigError(fmt::format("{}: has more than {} bytes", file.string(), kMostBytes));
+  if (text.size() > limits::kConfigFileBytes)
+    throw ConfigError(
+        fmt::format("{}: has more than {} bytes", file.string(), limits::kConfigFileBytes));
   return read_config_text(text, file.string());
 }
 

@@ -6,11 +6,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
-
-constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
 
 struct OpenFile {
   int descriptor;
@@ -32,7 +31,7 @@ std::string read_secret_file(const std::filesystem::path& file) {
   if (status.st_uid != 0 && status.st_uid != ::geteuid()) throw fail("belongs to another user");
   if ((status.st_mode & (S_IROTH | S_IWOTH | S_IWGRP)) != 0)
     throw fail("others may read or change it; chmod 600 keeps them out");
-  std::string text(kMostBytes + 1, '\0');
+  std::string text(limits::kSecretFileBytes + 1, '\0');
   std::size_t size = 0;
   while (size < text.size()) {
     const ssize_t got = ::read(in.descriptor, text.data() + size, text.size() - size);
@@ -40,7 +39,7 @@ std::string read_secret_file(const std::filesystem::path& file) {
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
   }
-  if (size > kMostBytes) throw fail("has more than a mebibyte");
+  if (size > limits::kSecretFileBytes) throw fail("has more than a mebibyte");
   text.resize(size);
   return text;
 }

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "server/limits.h"
 #include "server/service/encode_cache.h"
 #include "server/service/page_token.h"
 #include "server/session/session_error.h"
@@ -12,8 +13,6 @@ namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
-
-constexpr std::uint32_t kMostRows = 1000;
 
 /// What a list in this order goes by.
 std::int64_t key_of(const CacheEntry& entry, v1::CacheOrder order) {
@@ -67,8 +66,9 @@ v1::ListCacheEntriesResponse list_cache_entries(Session& session,
     const Key after{last.value, last.id};
     row = std::ranges::find_if(rows, [&](const auto& r) { return before(after, r.first); });
   }
-  const std::uint32_t limit =
-      request.page_size() == 0 ? kMostRows : std::min(request.page_size(), kMostRows);
+  const std::uint32_t limit = request.page_size() == 0
+                                  ? limits::kListRows
+                                  : std::min(request.page_size(), limits::kListRows);
   v1::ListCacheEntriesResponse out;
   for (std::uint32_t n = 0; n < limit && row != rows.end(); ++n, ++row)
     *out.add_entries() = encode(row->second);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "server/limits.h"
 #include "server/service/encode.h"
 #include "server/service/page_token.h"
 #include "server/session/session_error.h"
@@ -12,10 +13,8 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-constexpr std::uint32_t kMostRows = 1000;
-
 int rows_of(std::uint32_t wanted) {
-  return static_cast<int>(wanted == 0 ? kMostRows : std::min(wanted, kMostRows));
+  return static_cast<int>(wanted == 0 ? limits::kListRows : std::min(wanted, limits::kListRows));
 }
 
 /// Nanoseconds since 1970; times before or after what these can tell become the first or last.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proto/checksum.h"
+#include "server/limits.h"
 #include "server/service/array_delta.h"
 #include "server/session/session_error.h"
 
@@ -12,9 +13,6 @@ namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
-
-// A message may have 1 MiB; around the data there are at most a few dozen bytes.
-constexpr std::size_t kPartBytes = (std::size_t{1} << 20) - 1024;
 
 static_assert(static_cast<int>(ArrayName::Nodes) == v1::MESH_ARRAY_NODES &&
                   static_cast<int>(ArrayName::OriginalTets) == v1::MESH_ARRAY_ORIGINAL_TETS &&
@@ -135,7 +133,7 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
 void MeshMessages::put_part(v1::MeshPart& part) {
   const Sent& sent = arrays_[array_];
   std::string& data = *part.mutable_data();
-  const std::size_t size = std::min<std::uint64_t>(kPartBytes, sent.bytes - offset_);
+  const std::size_t size = std::min<std::uint64_t>(limits::kMeshPartBytes, sent.bytes - offset_);
   data.reserve(size);
   if (sent.encoding == v1::MeshHeader::ENCODING_DELTA) {
     data.append(sent.delta, offset_, size);

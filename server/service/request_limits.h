@@ -3,12 +3,13 @@
 #include <cstddef>
 
 #include "proto/json_reader.h"
+#include "server/limits.h"
 
 namespace remeshd {
 
 /// What a request may be at most.
 struct RequestLimits {
-  std::size_t message_bytes = std::size_t{8} << 20;
+  std::size_t message_bytes = limits::kRequestBytes;
   DocumentLimits document;  ///< of text in it
 };
 

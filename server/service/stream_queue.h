@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "server/limits.h"
 
 namespace remeshd {
 
@@ -32,11 +33,11 @@ using ReplySourcePtr = std::shared_ptr<ReplySource>;
 class StreamQueue {
  public:
   struct Limits {
-    std::size_t requests = 4096;
-    std::size_t request_bytes = std::size_t{8} << 20;
-    std::size_t replies = 256;
-    std::size_t reply_bytes = std::size_t{4} << 20;
-    std::size_t sources = 2;  ///< each keeps the mesh of a revision in memory
+    std::size_t requests = limits::kStreamRequests;
+    std::size_t request_bytes = limits::kStreamRequestBytes;
+    std::size_t replies = limits::kStreamReplies;
+    std::size_t reply_bytes = limits::kStreamReplyBytes;
+    std::size_t sources = limits::kStreamMeshes;  ///< each keeps the mesh of a revision in memory
   };
   struct Request {
     std::string id;

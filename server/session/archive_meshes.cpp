@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "server/limits.h"
 #include "server/session/archive.h"
 #include "server/session/clock.h"
 #include "server/session/session_error.h"
@@ -11,12 +12,9 @@
 namespace remeshd {
 namespace {
 
-constexpr double kWaitToLoad = 60;  // s
-
 /// Bytes that a revision and what it is read from take together.
 std::uint64_t loading_memory(const RevisionRecord& record) {
-  constexpr std::uint64_t kBytesPerNode = 1500;
-  return kBytesPerNode * record.nodes;
+  return limits::kBytesPerNode * record.nodes;
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
 
 HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
   const auto share =
-      memory_.take(std::min(loading_memory(record), memory_.total()), run.stop, kWaitToLoad);
+      memory_.take(std::min(loading_memory(record), memory_.total()), run.stop, limits::kLoadWait);
   run.poll();
   try {
     const HeldRevisionPtr parent = held_.find(record.parent);

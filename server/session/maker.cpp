@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/limits.h"
 #include "server/session/clock.h"
 #include "server/session/fail_on.h"
 #include "server/session/guarded.h"
@@ -11,13 +12,11 @@
 namespace remeshd {
 namespace {
 
-/// Bytes that a computation needs at its peak, beside its base (tests/bench/README.md: 1,411 a
-/// node).
+/// Bytes that a computation needs at its peak, beside its base.
 std::uint64_t working_memory(const Prepared& prepared) {
-  constexpr double kBytesPerNode = 1500;
   double nodes = prepared.nodes;
   if (prepared.base) nodes = std::max(nodes, 1.0 * prepared.base->record.nodes);
-  return static_cast<std::uint64_t>(kBytesPerNode * nodes);
+  return static_cast<std::uint64_t>(limits::kBytesPerNode * nodes);
 }
 
 }  // namespace

@@ -5,15 +5,10 @@
 #include <utility>
 
 #include "server/admission/process_memory.h"
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
-
-constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
-constexpr std::size_t kLaneQueue = 1024;
-/// Of computations: a refusal, health or a progress event does not wait for the end of a worker's
-/// turn on the processor.
-constexpr int kComputationNiceness = 5;
 
 /// Counts how long work waits for a lane.
 std::function<void(double)> counts_waits(Lane lane, Metrics* metrics) {
@@ -36,19 +31,19 @@ Resources::Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metric
       metrics_(std::move(metrics)),
       memory_(limits_.memory, limits_.held),
       disk_(limits_.disk),
-      metadata_({.workers = kMetadataThreads,
-                 .queue = kLaneQueue,
+      metadata_({.workers = limits::kMetadataThreads,
+                 .queue = limits::kLaneQueue,
                  .wait = limits_.wait,
                  .waited = counts_waits(Lane::Metadata, metrics_.get())}),
-      preparation_({.workers = kPreparationThreads,
-                    .queue = kLaneQueue,
+      preparation_({.workers = limits::kPreparationThreads,
+                    .queue = limits::kLaneQueue,
                     .wait = limits_.wait,
                     .waited = counts_waits(Lane::Preparation, metrics_.get())}),
       computation_({.workers = limits_.workers,
                     .queue = limits_.queue,
                     .wait = limits_.wait,
                     .compute = limits_.compute,
-                    .niceness = kComputationNiceness,
+                    .niceness = limits::kComputationNiceness,
                     .waited = counts_waits(Lane::Computation, metrics_.get())}),
       admission_(computation_) {
   memory_.set_process({resident_bytes, return_freed_memory});

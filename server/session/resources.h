@@ -8,6 +8,7 @@
 #include "server/admission/admission.h"
 #include "server/admission/memory_budget.h"
 #include "server/admission/pool.h"
+#include "server/limits.h"
 #include "server/observe/metrics.h"
 #include "server/session/disk_budget.h"
 #include "server/session/engine.h"
@@ -17,11 +18,11 @@ namespace remeshd {
 struct SessionLimits {
   int workers = 1;                             ///< computations at a time
   int threads = 1;                             ///< at most, for one computation
-  std::size_t queue = 64;                      ///< computations that may wait
-  double wait = 60;                            ///< s that one may wait
-  double compute = 600;                        ///< s that one may take; 0: any
-  std::uint64_t memory = 1ULL << 31;           ///< bytes of all that MemoryBudget counts
-  std::uint64_t held = 1ULL << 30;             ///< bytes of revisions held, at most
+  std::size_t queue = limits::kQueue;          ///< computations that may wait
+  double wait = limits::kQueueWait;            ///< s that one may wait
+  double compute = limits::kComputeTime;       ///< s that one may take; 0: any
+  std::uint64_t memory = limits::kMemory;      ///< bytes of all that MemoryBudget counts
+  std::uint64_t held = limits::kHeld;          ///< bytes of revisions held, at most
   std::uint64_t disk = 0;                      ///< bytes that stored meshes may take; 0: no limit
   std::uint32_t max_nodes = kDefaultMaxNodes;  ///< as Run::max_nodes
   /// Folder for the stages of computations, those of a named tenant in `tenants/NAME` below it; of

@@ -1,12 +1,11 @@
 #include "server/session/session.h"
 
+#include "server/limits.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
 namespace {
-
-constexpr int kMostChildren = 1000;
 
 /// What a side of a comparison comes to.
 struct Side {
@@ -56,7 +55,7 @@ Description Session::describe(const std::string& text, const Run& run) {
   store_->read([&](Catalogue& catalogue) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
-    description.children = catalogue.children(reference.id, kMostChildren);
+    description.children = catalogue.children(reference.id, limits::kChildren);
     description.durable =
         archive_.is_durable(reference.id) && catalogue.revision(reference.id).has_value();
   });

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "server/transport/transport_limits.h"
+#include "server/limits.h"
 
 namespace remeshd {
 namespace {
@@ -26,7 +26,7 @@ Descriptor open_spare() { return Descriptor(::open("/dev/null", O_RDONLY | O_CLO
 /// What gRPC sets on the connections that it accepts itself; fails harmlessly for a Unix socket.
 void prepare(int connection) {
   constexpr int kOn = 1;
-  constexpr int kTimeout = kKeepaliveTimeoutMs;
+  constexpr int kTimeout = limits::kKeepaliveTimeoutMs;
   ::setsockopt(connection, IPPROTO_TCP, TCP_NODELAY, &kOn, sizeof(kOn));
   ::setsockopt(connection, IPPROTO_TCP, TCP_USER_TIMEOUT, &kTimeout, sizeof(kTimeout));
 }

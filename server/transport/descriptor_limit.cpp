@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include "server/limits.h"
 
 namespace remeshd {
 
@@ -14,7 +15,7 @@ void raise_descriptor_limit() {
 }
 
 std::size_t connections_within_descriptors(std::size_t wanted) {
-  constexpr rlim_t kReserve = 256;  // store, log, helpers' pipes, what gRPC polls with
+  constexpr rlim_t kReserve = limits::kOwnDescriptors;
   rlimit limit{};
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return wanted;
   const rlim_t most =
