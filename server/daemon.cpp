@@ -8,6 +8,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -61,6 +62,16 @@ Tenants::OpenStore store_opener(const DaemonOptions& options) {
       for (const std::string& note : store->notes()) log->warn("store{}: {}", whose, note);
     return store;
   };
+}
+
+/// What hinders the daemon while stores of tenants cannot be written to; empty for none.
+std::string why_not_stored(const std::set<std::string>& tenants) {
+  if (tenants.empty()) return "";
+  std::string named;
+  for (const std::string& tenant : tenants)
+    if (!tenant.empty()) named += (named.empty() ? "" : ", ") + tenant;
+  return (named.empty() ? "it" : "that of " + named) +
+         " cannot be written to; revisions live in memory";
 }
 
 /// The connections that there may be, told where they are fewer than asked for; 0 where nothing is
@@ -167,8 +178,8 @@ struct Daemon::Parts {
     grpc::HealthCheckServiceInterface* const health = server->GetHealthCheckService();
     if (health == nullptr) return;
     health->SetServingStatus("liveness", true);
-    tenants.on_store_health([this](bool healthy) {
-      readiness.set("store", healthy ? "" : "it cannot be written to; revisions live in memory");
+    tenants.on_store_health([this](const std::set<std::string>& unhealthy) {
+      readiness.set("store", why_not_stored(unhealthy));
     });
     readiness.on_change(
         [this, health, was_ready = true](bool ready, const std::string& why_not) mutable {

@@ -58,20 +58,16 @@ Load Tenants::load() {
   return sum;
 }
 
-void Tenants::on_store_health(std::function<void(bool)> listener) {
+void Tenants::on_store_health(HealthListener listener) {
   const std::scoped_lock lock(health_);
   health_listener_ = std::move(listener);
-  if (health_listener_) health_listener_(unhealthy_.empty());
+  if (health_listener_) health_listener_(unhealthy_);
 }
 
 void Tenants::note_health(const std::string& tenant, bool healthy) {
   const std::scoped_lock lock(health_);
-  const bool before = unhealthy_.empty();
-  if (healthy)
-    unhealthy_.erase(tenant);
-  else
-    unhealthy_.insert(tenant);
-  if (health_listener_ && before != unhealthy_.empty()) health_listener_(!before);
+  const bool changed = healthy ? unhealthy_.erase(tenant) > 0 : unhealthy_.insert(tenant).second;
+  if (changed && health_listener_) health_listener_(unhealthy_);
 }
 
 void Tenants::stop() {

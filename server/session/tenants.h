@@ -44,9 +44,10 @@ class Tenants {
   [[nodiscard]] std::size_t queued(Lane lane) { return resources_.lane(lane).queued(); }
   [[nodiscard]] const SessionLimits& limits() const { return resources_.limits(); }
   [[nodiscard]] bool persistent() { return of("").persistent(); }
-  /// Has `listener` hear now, and at every change, whether all stores can be written to. It must
-  /// not call back; empty: nobody.
-  void on_store_health(std::function<void(bool healthy)> listener);
+  /// Hears of the tenants whose stores cannot be written to.
+  using HealthListener = std::function<void(const std::set<std::string>& unhealthy)>;
+  /// Has `listener` hear of them now and at every change. It must not call back; empty: nobody.
+  void on_store_health(HealthListener listener);
 
   /// Answers whatever is under way with Unavailable, and returns when every thread has come to
   /// rest. No session is opened any more.
@@ -59,7 +60,7 @@ class Tenants {
   const OpenStore open_store_;
   std::mutex health_;                ///< guards what follows
   std::set<std::string> unhealthy_;  ///< tenants
-  std::function<void(bool)> health_listener_;
+  HealthListener health_listener_;
   Resources resources_;
   std::mutex opening_;  ///< one session at a time
   std::mutex mutex_;    ///< guards what follows

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "server/session/tenants.h"
@@ -34,7 +35,7 @@ class TenantsHealth : public StoreFolderTest {
       return grows && call.path.find("tenants/" + tenant + "/") != std::string::npos ? ENOSPC : 0;
     });
   }
-  std::vector<bool> heard() {
+  std::vector<std::set<std::string>> heard() {
     const std::scoped_lock lock(mutex_);
     return heard_;
   }
@@ -42,27 +43,28 @@ class TenantsHealth : public StoreFolderTest {
   FileCalls calls_{folder_};
   FakeEngine fake_;
   std::mutex mutex_;
-  std::vector<bool> heard_;
+  std::vector<std::set<std::string>> heard_;
   Tenants tenants_{
       fake_.engine(), {}, [this](const std::string& tenant) {
         return std::make_unique<Store>(tenant.empty() ? folder_ : folder_ / "tenants" / tenant);
       }};
 };
 
-TEST_F(TenantsHealth, AllIsWellWhileEveryStoreCanBeWrittenTo) {
+TEST_F(TenantsHealth, NamesThoseWhoseStoresCannotBeWrittenTo) {
+  using Tenants = std::set<std::string>;
   for (const char* tenant : {"anna", "ben"}) tenants_.open(tenant);
-  tenants_.on_store_health([this](bool healthy) {
+  tenants_.on_store_health([this](const std::set<std::string>& unhealthy) {
     const std::scoped_lock lock(mutex_);
-    heard_.push_back(healthy);
+    heard_.push_back(unhealthy);
   });
   fill_disk_of("anna");
   EXPECT_FALSE(made("anna", 80));
   EXPECT_TRUE(made("ben", 80));
-  EXPECT_EQ(heard(), (std::vector{true, false})) << "ben's store takes nothing back";
+  EXPECT_EQ(heard(), (std::vector{Tenants{}, Tenants{"anna"}}));
   calls_.decide({});
   for (int k = 0; k < 10000 && heard().size() < 3; ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(heard(), (std::vector{true, false, true}));
+  EXPECT_EQ(heard(), (std::vector{Tenants{}, Tenants{"anna"}, Tenants{}}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <stdexcept>
@@ -177,6 +178,34 @@ TEST_F(TenantsTest, MeshesStoredOfTheOneThatHasMostGoFirst) {
   EXPECT_LT(anna().cache().cache_stats().stored, 5U);
   EXPECT_EQ(ben().cache().collect_garbage({}).meshes, 0U);
   EXPECT_EQ(anna().load().revisions, 13U);
+}
+
+TEST_F(TenantsTest, MayWorkAtTheSameTimeWhereMemoryAndDiskAreShort) {
+  start();
+  made(anna(), plate(80));
+  const Load one = anna().load();
+  start({.workers = 2, .held = 2 * one.held_bytes, .disk = 4 * one.disk_bytes});
+  std::atomic<bool> done = false;
+  std::vector<std::thread> others;
+  others.emplace_back([&] {
+    while (!done) ben().cache().collect_garbage({});
+  });
+  others.emplace_back([&] {
+    while (!done) tenants_->load(), anna().cache().cache_stats(), ben().cache().cache_entries();
+  });
+  others.emplace_back([&] {
+    for (int n = 0; !done; n = (n + 1) % 8) tenants_->open("new-" + std::to_string(n));
+  });
+  std::vector<std::thread> makers;
+  for (Session* const session : {&anna(), &ben(), &anna(), &ben()})
+    makers.emplace_back([=] {
+      for (int n = 0; n < 8; ++n) EXPECT_TRUE(made(*session, plate(100 + n)).revision);
+    });
+  for (std::thread& maker : makers) maker.join();
+  done = true;
+  for (std::thread& other : others) other.join();
+  EXPECT_EQ(anna().load().revisions, 9U);
+  EXPECT_EQ(ben().load().revisions, 8U);
 }
 
 TEST_F(TenantsTest, WhatAllHoldInMemoryCountsWhereThereIsNoStore) {
