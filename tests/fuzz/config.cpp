@@ -46,16 +46,23 @@ std::vector<std::string> split(std::string_view text) {
   return out;
 }
 
+/// Neither arguments nor variables have a NUL in them.
+std::vector<std::string> texts_of_process(std::string_view text) {
+  std::vector<std::string> out = split(text);
+  for (std::string& each : out) each.resize(std::min(each.find('\0'), each.size()));
+  return out;
+}
+
 void environment(std::string_view text) {
   Settings settings;
-  for (const GivenOption& given : read_environment(split(text)).given)
+  for (const GivenOption& given : read_environment(texts_of_process(text)).given)
     given.option->set(settings, given.value);
   check_settings_told(settings);
 }
 
 /// Files that an input would name are left alone: they may be devices.
 void flags(std::string_view text) {
-  std::vector<std::string> arguments = split(text);
+  std::vector<std::string> arguments = texts_of_process(text);
   std::erase_if(arguments, [](const std::string& a) { return a.starts_with("--config"); });
   const Configuration read = read_configuration(arguments, {});
   if (read.answer) return;

@@ -91,22 +91,19 @@ const ModelSource& source_of_every_type() {
 
 void check_model(const v1::FeatureModel& message) {
   const ModelSource source = decode(message);
-  // Values have been looked at: the document is now one that any daemon takes.
+  check_evaluated(source);
+  // All has been looked at: what is kept of it is a document that any daemon takes.
   const std::string text = write_document(message);
   const v1::FeatureModel again = parse_model(text);
   expect(decode(again) == source, "a document that was written is another model");
   expect(write_document(again) == text, "a document that is written in two ways");
   check_source(source);
-  check_evaluated(source);
 }
 
 void check_edit(const v1::ModelEdit& message) {
   const ModelSource& base = source_of_every_type();
   static const FeatureModel base_model = evaluate(base);
   const ModelEdit edit = decode(message);
-  const std::string text = write_document(message);
-  expect(write_document(parse_edit(text)) == text, "an edit that is written in two ways");
-
   ModelSource edited;
   try {
     edited = apply(base, edit);
@@ -116,9 +113,12 @@ void check_edit(const v1::ModelEdit& message) {
            "an error of an edit that is not there");
     throw;
   }
+  const FeatureModel model = evaluate(edited);
+  // Only an edit that is right is kept.
+  const std::string text = write_document(message);
+  expect(write_document(parse_edit(text)) == text, "an edit that is written in two ways");
   expect(apply(base, decode(parse_edit(text))) == edited, "an edit that was written is another");
   check_source(edited);
-  const FeatureModel model = evaluate(edited);
   expect(motion_bound(base_model, model) >= 0, "a motion that is none");
   expect(motion_bound(base_model, model) == motion_bound(model, base_model),
          "a motion that is longer one way");

@@ -21,6 +21,7 @@ constexpr std::uint8_t kChecksums = 1;  // put before every line
 constexpr std::uint8_t kFormat = 2;     // the first line is FORMAT's
 constexpr std::uint8_t kCopy = 4;       // a line alone of `=` stands before the second file's text
 constexpr std::uint8_t kFirstLayout = 8;  // the journal of the first layout
+constexpr std::uint8_t kStore = 16;       // open all of the store, which takes longer
 
 std::string lines_of(std::string_view text, bool checksums) {
   if (!checksums) return std::string(text);
@@ -30,8 +31,7 @@ std::string lines_of(std::string_view text, bool checksums) {
   return out;
 }
 
-void write_files(Input input, const ScratchFolder& folder) {
-  const std::uint8_t how = input.byte();
+void write_files(std::uint8_t how, Input input, const ScratchFolder& folder) {
   const bool checksums = (how & kChecksums) != 0;
   if ((how & kFormat) != 0)
     folder.write("FORMAT", lines_of(input.until('\n'), checksums));
@@ -66,34 +66,64 @@ std::string text_of(const std::vector<Transaction>& transactions) {
   return text;
 }
 
-std::vector<Transaction> snapshot(Store& store) {
-  return store.read([](Catalogue& catalogue) { return catalogue.snapshot(); });
+/// An empty catalogue: the same one anew, for to make one takes longer than to fill it.
+Catalogue& emptied(Catalogue& catalogue) {
+  catalogue.apply({StartAnew{}});
+  return catalogue;
+}
+
+/// A catalogue tells itself in transactions that make it again.
+std::vector<Transaction> checked_snapshot(Catalogue& catalogue) {
+  std::vector<Transaction> all = catalogue.snapshot();
+  check_lines(all);
+  static Catalogue other;
+  Catalogue& again = emptied(other);
+  expect(again.apply_all(all) == 0, "a catalogue that cannot be made again");
+  expect(text_of(again.snapshot()) == text_of(all), "a catalogue is made again as another");
+  for (const RevisionRecord& record : catalogue.revisions()) {
+    catalogue.places(record.id);
+    catalogue.children(record.id, 10);
+    catalogue.recipe(record.id);
+  }
+  catalogue.list({}, {});
+  catalogue.designs({}, {});
+  return all;
+}
+
+void check_journal(const ScratchFolder& folder) {
+  Journal journal(folder.path(), folder.path());
+  const std::uint64_t lines = journal.lines();
+  const std::vector<Transaction> read = journal.take_transactions();
+  expect(read.size() == lines, "a line of the journal is counted and not given");
+  check_lines(read);
+  static Catalogue all_read;
+  Catalogue& catalogue = emptied(all_read);
+  catalogue.apply_all(read);
+  const std::vector<Transaction> all = checked_snapshot(catalogue);
+  journal.rewrite(all);
+  Journal again(folder.path(), folder.path());
+  expect(again.whole(), "a journal that was rewritten is not whole");
+  expect(text_of(again.take_transactions()) == text_of(all), "a journal is rewritten as another");
+}
+
+void check_store(const ScratchFolder& folder) {
+  std::string found;
+  for (int opening = 0; opening < 2; ++opening) {
+    Store store(folder.path());
+    const std::string all = text_of(store.read(checked_snapshot));
+    expect(opening == 0 || all == found, "a store that is opened again is another");
+    found = all;
+  }
 }
 
 void check(Input input) {
   const ScratchFolder folder;
-  write_files(input, folder);
-  std::vector<Transaction> found;
-  {
-    Store store(folder.path());
-    found = snapshot(store);
-    check_lines(found);
-    Catalogue catalogue;
-    expect(catalogue.apply_all(found) == 0, "a catalogue that cannot be made again");
-    expect(text_of(catalogue.snapshot()) == text_of(found), "a catalogue is made again as another");
-    store.read([](Catalogue& all) {
-      for (const RevisionRecord& record : all.revisions()) {
-        all.places(record.id);
-        all.children(record.id, 10);
-        all.recipe(record.id);
-      }
-      all.list({}, {});
-      all.designs({}, {});
-      return 0;
-    });
-  }
-  Store again(folder.path());
-  expect(text_of(snapshot(again)) == text_of(found), "a store that is opened again is another");
+  const std::uint8_t how = input.byte();
+  write_files(how, input, folder);
+  if ((how & (kStore | kFirstLayout | kFormat)) != 0)
+    check_store(folder);
+  else
+    check_journal(folder);
 }
 
 }  // namespace
@@ -138,6 +168,7 @@ remeshd::fuzz::Seeds remeshd::fuzz::journal_seeds() {
     seeds.push_back(static_cast<char>(kChecksums) + line.substr(line.find('{')));
   }
   seeds.push_back('\0' + lines);
+  seeds.push_back(static_cast<char>(kStore) + lines);
   seeds.push_back(static_cast<char>(kChecksums) + texts);
   seeds.push_back(static_cast<char>(kCopy) + lines.substr(0, 300) + "\n=\n" + lines);
   seeds.push_back(static_cast<char>(kChecksums | kFormat) +

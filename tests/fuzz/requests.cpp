@@ -52,10 +52,11 @@ void check_command(const CreateCommand& command) {
 }
 
 void check_command(const EditCommand& command) {
-  const v1::ModelEdit edit = parse_edit(command.document);
-  expect(write_document(edit) == command.document, "an edit is kept as another document");
   edit_options(command.options, {});
   quiet_session().validate_edit(command.base, command.edit, command.options, {});
+  // Only an edit that is right is kept.
+  expect(write_document(parse_edit(command.document)) == command.document,
+         "an edit is kept as another document");
 }
 
 template <typename Request>
