@@ -86,6 +86,9 @@ void check_master(const Master& m, const Delivery& d, const BoundaryModel& bound
   expect_size(m.tet_of_slot.size(), m.mesh.slots(), "master.tet_of_slot");
   expect_below(m.tet_of_slot, -1 - static_cast<std::int64_t>(m.clusters.size()), d.mesh.tets.size(),
                "master.tet_of_slot");
+  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(m.mesh.slots()); ++slot)
+    if (m.inside(slot))
+      expect_below(m.mesh.corners(slot), 0, d.mesh.nodes.size(), "delaunay.slots");
   m.clusters.for_each([&](std::size_t, const Cluster& c) {
     expect_below(c.delaunay, 0, m.mesh.slots(), "master.clusters");
     expect_below(c.delivered, 0, d.mesh.tets.size(), "master.clusters");
@@ -132,7 +135,7 @@ void check_piece(const BoundaryPiece& piece, const FeatureModel& model) {
     fail("kinds of surfaces");
   for (const double number : surface.frame.m) expect_finite(std::isfinite(number));
   expect_finite(std::isfinite(surface.r1) && std::isfinite(surface.r2));
-  if (piece.material_names.empty()) fail("names of faces");
+  if (piece.material_names.empty() && piece.other_names.empty()) fail("names of faces");
   check_names(piece.material_names, model);
   check_names(piece.other_names, model);
 }
