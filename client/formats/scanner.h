@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <string>
@@ -24,7 +25,7 @@ class Scanner {
     if (at_end()) throw FileError("it ends too soon");
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     std::string_view text = bytes_.substr(at_, end - at_);
-    at_ = end + 1;
+    at_ = std::min(end + 1, bytes_.size());
     if (text.ends_with('\r')) text.remove_suffix(1);
     return text;
   }

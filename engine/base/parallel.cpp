@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 
 namespace remeshd {
@@ -19,16 +20,24 @@ void each(std::size_t count, const Run& run, const F& f) {
     return;
   }
   std::vector<std::exception_ptr> thrown(count);
+  // TBB sees to it that calls come after what stands before them, and their ends before what
+  // follows, but in a library that ThreadSanitizer does not see into.
+  std::atomic<bool> begun{false};
+  std::atomic<std::size_t> ended{0};
   const auto call = [&](std::size_t k) {
+    begun.load(std::memory_order_acquire);
     try {
       f(k);
     } catch (...) {
       thrown[k] = std::current_exception();
     }
+    ended.fetch_add(1, std::memory_order_release);
   };
+  begun.store(true, std::memory_order_release);
   const int threads = std::min(run.threads, tbb::info::default_concurrency());
   tbb::task_arena arena(static_cast<int>(std::min<std::size_t>(threads, count)));
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, call, tbb::simple_partitioner()); });
+  ended.load(std::memory_order_acquire);
   const auto first = std::ranges::find_if(thrown, [](const auto& e) { return e != nullptr; });
   if (first != thrown.end()) std::rethrow_exception(*first);
 }

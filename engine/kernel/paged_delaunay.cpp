@@ -205,14 +205,22 @@ bool PagedDelaunay::consistent() const {
   const auto slots = static_cast<std::int32_t>(slots_.size());
   const auto vertices = static_cast<std::int32_t>(points_.size()) + Delaunay::kFar;
   bool good = boxes_.size() == slots_.pages();
-  slots_.for_each([&](std::size_t, const Slot& slot) {
+  slots_.for_each([&](std::size_t index, const Slot& slot) {
     if (slot.v[0] == Delaunay::kDead) return;
     for (int i = 0; i < 4; ++i) {
       good &= slot.v[i] >= 0 && slot.v[i] < vertices;
-      good &= slot.n[i] >= -1 && slot.n[i] / 4 < slots;
+      const std::int32_t beyond = slot.n[i];
+      if (beyond == -1) continue;
+      const bool there = beyond >= 0 && beyond / 4 < slots;
+      good &= there;
+      if (!there) continue;
+      const Slot& other = slots_[beyond / 4];
+      good &= other.v[0] != Delaunay::kDead &&
+              other.n[beyond % 4] == 4 * static_cast<std::int32_t>(index) + i;
     }
   });
-  for (const std::int32_t slot : free_) good &= slot >= 0 && slot < slots;
+  for (const std::int32_t slot : free_)
+    good &= slot >= 0 && slot < slots && slots_[slot].v[0] == Delaunay::kDead;
   return good;
 }
 

@@ -156,7 +156,6 @@ std::int32_t NearestNode::nearest(const Vec3& p, std::int32_t guess) const {
 }
 
 bool NearestNode::any_within(const Vec3& p, double radius) const {
-  if (nodes_.empty()) return false;
   return look_within(
       p, radius, [&](std::int32_t, const Vec3& at) { return norm2(at - p) <= radius * radius; });
 }

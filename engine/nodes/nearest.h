@@ -52,6 +52,7 @@ class NearestNode {
   /// until it returns true; returns whether it did.
   template <class Look>
   bool look_within(const Vec3& p, double radius, const Look& look) const {
+    if (nodes_.empty()) return false;  // there are no cells
     for (const auto& [node, at] : strays_)
       if (look(node, at)) return true;
     const double reach = radius + drift_;

@@ -302,6 +302,7 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
 
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
+  check_parts(documents.parts, revision.model);
   revision.cells = restore_cells(revision.model, std::move(documents.parts));
   revision.master = std::make_shared<const Master>(std::move(master));
   check_indices(revision);

@@ -1,6 +1,10 @@
 #include "engine/remesh/image_check.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "engine/remesh/master.h"
@@ -82,13 +86,78 @@ void check_master(const Master& m, const Delivery& d, const BoundaryModel& bound
   expect_size(m.tet_of_slot.size(), m.mesh.slots(), "master.tet_of_slot");
   expect_below(m.tet_of_slot, -1 - static_cast<std::int64_t>(m.clusters.size()), d.mesh.tets.size(),
                "master.tet_of_slot");
+  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(m.mesh.slots()); ++slot)
+    if (m.inside(slot))
+      expect_below(m.mesh.corners(slot), 0, d.mesh.nodes.size(), "delaunay.slots");
   m.clusters.for_each([&](std::size_t, const Cluster& c) {
     expect_below(c.delaunay, 0, m.mesh.slots(), "master.clusters");
     expect_below(c.delivered, 0, d.mesh.tets.size(), "master.clusters");
   });
 }
 
+bool is_finite(const Vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void expect_finite(bool finite) {
+  if (!finite) throw error::internal("store", "a stored boundary has numbers that are none");
+}
+
+void check_names(const std::vector<FaceName>& names, const FeatureModel& model) {
+  for (const FaceName& name : names)
+    expect_below(std::array{name.feature}, 0, model.features.size(), "names of faces");
+}
+
+void check_face(const kernel::BrepFace& face, const kernel::Brep& brep) {
+  expect_below(face.edges, 0, brep.edges.size(), "edges of faces");
+  for (const auto& triangle : face.triangles)
+    expect_below(triangle, 0, brep.points.size(), "triangles of faces");
+  expect_finite(is_finite(face.centroid) && std::isfinite(face.area) &&
+                std::isfinite(face.swept_volume));
+}
+
+void check_edge(const kernel::BrepEdge& edge, const kernel::Brep& brep) {
+  if (edge.kind < kernel::BrepEdge::Kind::Line || edge.kind > kernel::BrepEdge::Kind::Other)
+    fail("kinds of edges");
+  expect_below(edge.vertices, 0, brep.vertices.size(), "vertices of edges");
+  expect_below(edge.chain, 0, brep.points.size(), "points of edges");
+  if (edge.points.size() < 2 || edge.chain.size() < 2) fail("points of edges");
+  for (const Vec3& p : edge.points) expect_finite(is_finite(p));
+  for (const Vec3& p : edge.tangents) expect_finite(is_finite(p));
+  for (const auto& [p, along] : edge.samples) expect_finite(is_finite(p) && is_finite(along));
+  expect_finite(is_finite(edge.centre) && is_finite(edge.axis) && std::isfinite(edge.radius) &&
+                std::isfinite(edge.length));
+}
+
+void check_piece(const BoundaryPiece& piece, const FeatureModel& model) {
+  const Surface& surface = piece.surface;
+  if (surface.kind < Surface::Kind::Plane || surface.kind > Surface::Kind::Torus)
+    fail("kinds of surfaces");
+  for (const double number : surface.frame.m) expect_finite(std::isfinite(number));
+  expect_finite(std::isfinite(surface.r1) && std::isfinite(surface.r2));
+  if (piece.material_names.empty() && piece.other_names.empty()) fail("names of faces");
+  check_names(piece.material_names, model);
+  check_names(piece.other_names, model);
+}
+
 }  // namespace
+
+void check_parts(const BoundaryParts& parts, const FeatureModel& model) {
+  const kernel::Brep& brep = parts.brep;
+  expect_size(parts.pieces.size(), brep.faces.size(), "faces");
+  if (brep.vertices.size() > brep.points.size()) fail("points");
+  std::vector<char> bounds(brep.edges.size(), 0);
+  for (const kernel::BrepFace& face : brep.faces) {
+    check_face(face, brep);
+    for (const int edge : face.edges) bounds[static_cast<std::size_t>(edge)] = 1;
+  }
+  if (std::ranges::find(bounds, 0) != bounds.end()) fail("edges of faces");
+  for (const kernel::BrepEdge& edge : brep.edges) check_edge(edge, brep);
+  for (const kernel::BrepVertex& vertex : brep.vertices) expect_finite(is_finite(vertex.position));
+  for (const Vec3& p : brep.points) expect_finite(is_finite(p));
+  for (const BoundaryPiece& piece : parts.pieces) check_piece(piece, model);
+  expect_finite(is_finite(brep.reference) && std::isfinite(brep.scale) && brep.scale > 0);
+}
 
 void check_indices(const Revision& revision) {
   check_delivery(revision.delivery);

@@ -1,8 +1,15 @@
 #pragma once
 
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/remesh.h"
 
 namespace remeshd {
+
+/// Looks at every index of the parts of a boundary, and whether its numbers are some: what joins
+/// them may rely on that.
+///
+/// Throws Error(Internal).
+void check_parts(const BoundaryParts& parts, const FeatureModel& model);
 
 /// Looks at every index and count of a revision that was read: what uses it may rely on them.
 ///

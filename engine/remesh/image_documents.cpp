@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "engine/base/error.h"
+#include "engine/remesh/stored_archive.h"
 #include "engine/remesh/stored_types.h"
 
 namespace remeshd {
@@ -12,7 +13,21 @@ namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
 constexpr std::uint32_t kFormat = 10;
+
+class DocumentsArchive : public StoredArchive<DocumentsArchive> {
+ public:
+  explicit DocumentsArchive(std::string_view bytes) : StoredArchive(this, bytes) {}
+};
 }  // namespace
+}  // namespace remeshd
+
+/// cereal asks for one; enumerators are read as it writes them.
+template <>
+struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> {
+  using type = cereal::PortableBinaryOutputArchive;
+};
+
+namespace remeshd {
 
 template <class A>
 void serialize(A& a, ModelSource& m) {
@@ -44,8 +59,7 @@ std::string write_documents(const Revision& revision) {
 Documents read_documents(const std::string& bytes, Revision& revision) {
   Documents documents;
   try {
-    std::istringstream in(bytes, std::ios::binary);
-    cereal::PortableBinaryInputArchive archive(in);
+    DocumentsArchive archive(bytes);
     std::uint32_t format = 0;
     archive(format);
     if (format != kFormat) throw error::internal("store", "a revision of another format");

@@ -1,15 +1,12 @@
 #include "engine/remesh/older_format.h"
 
-#include <bit>
-#include <cereal/archives/portable_binary.hpp>
-#include <cstring>
 #include <string_view>
-#include <type_traits>
 
 #include "engine/base/error.h"
 #include "engine/mesh/tet_boxes.h"
 #include "engine/remesh/image_check.h"
 #include "engine/remesh/master.h"
+#include "engine/remesh/stored_archive.h"
 #include "engine/remesh/stored_types.h"
 
 namespace remeshd {
@@ -19,30 +16,16 @@ namespace {
 constexpr std::uint32_t kOldest = 8;  // what older programs wrote is refused
 constexpr std::uint32_t kTypedWarnings = 9;
 
-/// Reads what cereal's portable binary archive wrote. A type of its own, so that the structs below
-/// may be read otherwise than they are written today.
-class OlderArchive : public cereal::InputArchive<OlderArchive, cereal::AllowEmptyClassElision> {
+/// A type of its own, so that the structs below may be read otherwise than they are written today.
+class OlderArchive : public StoredArchive<OlderArchive> {
  public:
-  explicit OlderArchive(std::string_view bytes)
-      : cereal::InputArchive<OlderArchive, cereal::AllowEmptyClassElision>(this), rest_(bytes) {
-    std::uint8_t little_endian = 0;
-    take(&little_endian, 1);
-    if (little_endian != 1 || std::endian::native != std::endian::little)
-      throw error::internal("store", "a revision of another machine");
+  explicit OlderArchive(std::string_view bytes) : StoredArchive(this, bytes) {
     take(&format, sizeof format);
     if (format < kOldest || format > kTypedWarnings)
       throw error::internal("store", "a revision of another format");
   }
-  void take(void* to, std::size_t size) {
-    if (size > rest_.size()) throw error::internal("store", "a stored revision is cut off");
-    if (size > 0) std::memcpy(to, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
 
   std::uint32_t format = 0;
-
- private:
-  std::string_view rest_;
 };
 
 }  // namespace
@@ -56,22 +39,6 @@ struct cereal::traits::detail::get_output_from_input<remeshd::OlderArchive> {
 
 namespace remeshd {
 namespace {
-
-template <class T>
-requires std::is_arithmetic_v<T>
-void load(OlderArchive& a, T& value) { a.take(&value, sizeof value); }
-template <class T>
-void load(OlderArchive& a, cereal::NameValuePair<T>& pair) {
-  a(pair.value);
-}
-template <class T>
-void load(OlderArchive& a, cereal::SizeTag<T>& tag) {
-  a(tag.size);
-}
-template <class T>
-void load(OlderArchive& a, cereal::BinaryData<T>& data) {
-  a.take(data.data, data.size);
-}
 
 /// A warning from when there were sentences alone.
 Warning typed(const std::string& sentence) {
@@ -157,6 +124,7 @@ Revision read_older_format(const std::string& bytes, const Run& run) {
   }
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
+  check_parts(parts, revision.model);
   revision.cells = restore_cells(revision.model, std::move(parts));
   revision.master = std::make_shared<const Master>(std::move(master));
   if (anchored) {

@@ -12,6 +12,7 @@
 
 #include "server/config/config_error.h"
 #include "server/config/nearest_name.h"
+#include "server/config/plain_characters.h"
 #include "server/limits.h"
 
 namespace remeshd {
@@ -66,6 +67,7 @@ std::optional<OptionValue> value_of(const toml::node& node, OptionKind kind) {
 }
 
 toml::table parse(std::string_view text, const std::string& name) {
+  check_plain_characters(text, name);
   try {
     return toml::parse(text, name);
   } catch (const toml::parse_error& failure) {

@@ -20,7 +20,8 @@ int rows_of(std::uint32_t wanted) {
 /// Nanoseconds since 1970; times before or after what these can tell become the first or last.
 std::int64_t ns_of(const google::protobuf::Timestamp& time) {
   constexpr std::int64_t kNano = 1000000000;
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / kNano - 1;
+  // A message may have any 32 bits for nanoseconds: up to three seconds more or less.
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / kNano - 3;
   return std::clamp(time.seconds(), -kMost, kMost) * kNano + time.nanos();
 }
 

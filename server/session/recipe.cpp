@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/error.h"
+#include "server/store/json_number.h"
 
 namespace remeshd {
 namespace {
@@ -141,12 +142,12 @@ json to_json(const MeshOptions& o) {
 }
 MeshOptions options_in(const json& j) {
   MeshOptions o;
-  if (j.contains("nodes")) o.nodes = j.at("nodes").get<std::uint32_t>();
+  if (j.contains("nodes")) o.nodes = whole_number<std::uint32_t>(j.at("nodes"));
   if (j.contains("size")) o.size = j.at("size").get<double>();
-  j.at("iterations").get_to(o.iterations);
-  j.at("seed").get_to(o.seed);
-  j.at("inside").get_to(o.inside);
-  j.at("start").get_to(o.start);
+  read_number(j, "iterations", o.iterations);
+  read_number(j, "seed", o.seed);
+  o.inside = MeshOptions::Inside{whole_number<std::uint8_t>(j.at("inside"))};
+  o.start = MeshOptions::Start{whole_number<std::uint8_t>(j.at("start"))};
   j.at("rebuild").get_to(o.rebuild);
   j.at("clean_up").get_to(o.clean_up);
   j.at("threshold").get_to(o.threshold);
@@ -189,12 +190,12 @@ Recipe read_recipe(const std::string& text) {
     if (j.at("format") != kFormat) throw error::internal("store", "a recipe of another format");
     Recipe recipe{.revision = j.at("revision"),
                   .parent = j.at("parent"),
-                  .algorithm_version = j.at("algorithm_version"),
+                  .algorithm_version = whole_number<std::uint32_t>(j.at("algorithm_version")),
                   .model = model_in(j.at("model")),
                   .edit = j.at("edit"),
                   .options = options_in(j.at("options"))};
     for (const json& digest : j.at("digests"))
-      recipe.digests.push_back({ArrayName{digest.at(0).get<std::uint8_t>()}, digest.at(1)});
+      recipe.digests.push_back({ArrayName{whole_number<std::uint8_t>(digest.at(0))}, digest.at(1)});
     return recipe;
   } catch (const json::exception& failure) {
     throw error::internal("store", std::string("a recipe cannot be read: ") + failure.what());

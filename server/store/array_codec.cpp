@@ -181,7 +181,8 @@ std::string plain_pages(const Pages& pages, const StoredArray& array, const Deco
 void check_encoded(const EncodedArray& encoded) {
   const std::size_t element = bytes_of(encoded.type) * encoded.components;
   if (element == 0 || encoded.bytes % element != 0 || encoded.piece_bytes == 0 ||
-      encoded.piece_bytes % element != 0 || encoded.bytes > kMostBytes)
+      encoded.piece_bytes % element != 0 || encoded.bytes > kMostBytes ||
+      encoded.piece_bytes > kMostBytes)
     throw corrupted(encoded.name);
 }
 

@@ -4,6 +4,7 @@
 
 #include "engine/base/error.h"
 #include "server/store/checked_line.h"
+#include "server/store/json_number.h"
 #include "server/store/packed_text.h"
 
 namespace remeshd {
@@ -64,22 +65,24 @@ Operation from_json(const json& j) {
     r.root = j.value("root", r.parent.empty() ? r.id : "");
     j.at("model_name").get_to(r.model_name);
     r.model = j.value("model", "");
-    r.algorithm_version = j.value("algorithm_version", 0U);
-    j.at("created_ns").get_to(r.created_ns);
-    j.at("nodes").get_to(r.nodes);
-    j.at("tets").get_to(r.tets);
-    j.at("bytes").get_to(r.bytes);
+    r.algorithm_version = number_or(j, "algorithm_version", 0U);
+    read_number(j, "created_ns", r.created_ns);
+    read_number(j, "nodes", r.nodes);
+    read_number(j, "tets", r.tets);
+    read_number(j, "bytes", r.bytes);
     r.base = j.value("base", "");
     r.seconds = j.value("seconds", std::vector<double>());
     r.pinned = j.value("pinned", false);
     return AddRevision{r, from_base64(j.value("recipe", ""))};
   }
-  if (j.contains("add_place")) return AddPlace{j.at("add_place"), j.at("number"), j.at("id")};
+  if (j.contains("add_place"))
+    return AddPlace{j.at("add_place"), whole_number<std::uint32_t>(j.at("number")), j.at("id")};
   if (j.contains("set_head")) return SetHead{j.at("set_head"), j.at("id")};
-  if (j.contains("remove_place")) return RemovePlace{j.at("remove_place"), j.at("number")};
+  if (j.contains("remove_place"))
+    return RemovePlace{j.at("remove_place"), whole_number<std::uint32_t>(j.at("number"))};
   if (j.contains("add_design"))
-    return AddDesign{j.at("add_design"), j.at("next_number"),
-                     j.value("changed_ns", std::int64_t{0}), j.value("listed", true)};
+    return AddDesign{j.at("add_design"), whole_number<std::uint32_t>(j.at("next_number")),
+                     number_or(j, "changed_ns", std::int64_t{0}), j.value("listed", true)};
   if (j.contains("keep_recipe"))
     return KeepRecipe{j.at("keep_recipe"), j.at("parent"),
                       from_base64(j.at("recipe").get<std::string>())};
@@ -108,7 +111,7 @@ std::optional<JournalLine> read_journal_line(std::string_view line) {
     const bool first_version = content.is_array();
     if (!first_version && content.at("version") != kVersion) return std::nullopt;
     JournalLine out;
-    if (!first_version) content.at("number").get_to(out.number);
+    if (!first_version) read_number(content, "number", out.number);
     for (const json& operation : first_version ? content : content.at("operations"))
       out.transaction.push_back(from_json(operation));
     return out;

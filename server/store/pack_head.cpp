@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/store/checked_line.h"
+#include "server/store/json_number.h"
 #include "server/store/store_format.h"
 
 namespace remeshd {
@@ -36,7 +37,7 @@ std::optional<int> version_of(const Line& line) {
     const std::string format = line.content.at("format");
     if (format == kFirstFormat) return 0;
     if (format != kFormat || !line.checked) return std::nullopt;
-    return line.content.at("store").get<int>();
+    return whole_number<int>(line.content.at("store"));
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -96,35 +97,38 @@ std::optional<PackHead> read_pack_head(std::string_view start) {
                    .root = j.value("root", ""),
                    .model_name = j.at("model_name"),
                    .model = j.value("model", ""),
-                   .algorithm_version = j.value("algorithm_version", 0U),
-                   .nodes = j.at("nodes"),
-                   .tets = j.at("tets")};
+                   .algorithm_version = number_or(j, "algorithm_version", 0U),
+                   .nodes = whole_number<std::uint32_t>(j.at("nodes")),
+                   .tets = whole_number<std::uint32_t>(j.at("tets"))};
     if (head.record.parent.empty()) head.record.root = head.record.id;
-    head.first = {.design = j.at("design"), .number = j.at("number"), .id = head.record.id};
+    head.first = {.design = j.at("design"),
+                  .number = whole_number<std::uint32_t>(j.at("number")),
+                  .id = head.record.id};
     if (*version < kFirstWithArrays) {
-      j.at("created_ns").get_to(head.record.created_ns);
+      read_number(j, "created_ns", head.record.created_ns);
       if (*version > 0) j.at("sha256").get_to(head.data);
       return head;
     }
     j.at("base").get_to(head.record.base);
     j.at("base_content").get_to(head.base_content);
-    j.at("chain").get_to(head.chain);
-    j.at("chain_bytes").get_to(head.chain_bytes);
-    j.at("full_bytes").get_to(head.full_bytes);
+    read_number(j, "chain", head.chain);
+    read_number(j, "chain_bytes", head.chain_bytes);
+    read_number(j, "full_bytes", head.full_bytes);
     for (const json& a : j.at("arrays"))
-      head.arrays.push_back({.name = a.at("name"),
-                             .base = a.at("base"),
-                             .type = StoredType{a.at("type").get<std::uint8_t>()},
-                             .components = a.at("components"),
-                             .bytes = a.at("bytes"),
-                             .piece_bytes = a.at("page"),
-                             .encoding = ArrayEncoding{a.at("encoding").get<std::uint8_t>()},
-                             .data_bytes = a.at("data")});
+      head.arrays.push_back(
+          {.name = a.at("name"),
+           .base = a.at("base"),
+           .type = StoredType{whole_number<std::uint8_t>(a.at("type"))},
+           .components = whole_number<std::uint32_t>(a.at("components")),
+           .bytes = whole_number<std::uint64_t>(a.at("bytes")),
+           .piece_bytes = whole_number<std::uint64_t>(a.at("page")),
+           .encoding = ArrayEncoding{whole_number<std::uint8_t>(a.at("encoding"))},
+           .data_bytes = whole_number<std::uint64_t>(a.at("data"))});
     j.at("content").get_to(head.content);
-    j.at("recipe").get_to(head.recipe_size);
+    read_number(j, "recipe", head.recipe_size);
     if (start.size() - line->size >= head.recipe_size) {
       const std::string_view recipe = start.substr(line->size, head.recipe_size);
-      if (content_hash(recipe) == j.at("recipe_hash")) head.recipe = recipe;
+      if (j.at("recipe_hash") == content_hash(recipe)) head.recipe = recipe;
     }
     j.at("data").get_to(head.data);
     return head;

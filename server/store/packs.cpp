@@ -176,6 +176,8 @@ Packs::File Packs::read_file(const std::string& id) const {
   auto head = read_pack_head(std::string_view(file.bytes).substr(0, kMostHeadBytes));
   if (!head || head->store_version == 0) throw damaged("its head cannot be read");
   if (head->record.id != id) throw damaged("it is another revision");
+  if (!head->record.base.empty() && !is_full_id(head->record.base))
+    throw damaged("its base is no revision");
   const std::string_view rest = std::string_view(file.bytes).substr(head->size);
   if (rest.size() < head->recipe_size) throw damaged("it is cut off");
   const bool in_one_piece = head->store_version < kFirstWithArrays;

@@ -10,6 +10,7 @@
 #include "server/store/checked_line.h"
 #include "server/store/files.h"
 #include "server/store/journal_line.h"
+#include "server/store/json_number.h"
 #include "server/store/pack_head.h"
 #include "server/store/store_error.h"
 
@@ -32,11 +33,13 @@ std::optional<int> read_format(const fs::path& file) {
   const std::string start = read_start(file, kMostHeadBytes);
   const auto text = checked_text(start);
   if (!text) return std::nullopt;
-  const json content = json::parse(*text, nullptr, false);
-  if (!content.is_object() || content.value("store", "") != kMark) return std::nullopt;
-  const auto version = content.find("version");
-  if (version == content.end() || !version->is_number_integer()) return std::nullopt;
-  return version->get<int>();
+  try {
+    const json content = json::parse(*text);
+    if (content.at("store") != kMark) return std::nullopt;
+    return whole_number<int>(content.at("version"));
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
 }
 
 std::string start_of(const fs::path& file) {

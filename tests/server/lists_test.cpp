@@ -90,6 +90,20 @@ TEST_F(Lists, OfRevisionsHoldWhatTheFilterLetsThrough) {
   EXPECT_EQ(rows(request).size(), 5U);
 }
 
+TEST_F(Lists, TakeTimesBeyondAnyClockForTheFirstAndTheLast) {
+  v1::ListRevisionsRequest request;
+  auto& filter = *request.mutable_filter();
+  filter.mutable_created_from()->set_seconds(std::numeric_limits<std::int64_t>::max());
+  filter.mutable_created_from()->set_nanos(std::numeric_limits<std::int32_t>::max());
+  grpc::ClientContext context;
+  v1::ListRevisionsResponse reply;
+  EXPECT_TRUE(stub().ListRevisions(&context, request, &reply).ok());
+  EXPECT_THAT(reply.revisions(), IsEmpty());
+  filter.mutable_created_from()->set_seconds(std::numeric_limits<std::int64_t>::min());
+  filter.mutable_created_from()->set_nanos(std::numeric_limits<std::int32_t>::min());
+  EXPECT_EQ(rows(request).size(), 5U);
+}
+
 TEST_F(Lists, ThatAreEmptyOrOfNoDesign) {
   grpc::ClientContext first, second;
   v1::ListRevisionsRequest request;

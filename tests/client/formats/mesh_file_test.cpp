@@ -113,6 +113,11 @@ TEST(MeshFileName, DecidesTheFormatAndAnUnknownOneIsRefused) {
   EXPECT_THROW(write_mesh("/nowhere/at/all.vtu", sample_mesh(1)), FileError);
 }
 
+TEST(Msh, ThatEndsBehindABinaryHeaderIsRefused) {
+  EXPECT_THROW(parse_msh("$MeshFormat\n4.1 1 8"), FileError);
+  EXPECT_THROW(parse_msh("$MeshFormat\n4.1 1 8\n"), FileError);
+}
+
 TEST(Inp, WritesCoordinatesThatCalculixCanCutAtTwentyCharacters) {
   Mesh mesh = sample_mesh(1);
   mesh.nodes[0] = {-1.2345678901234567e-15, 123456.78901234567, -0.1 - 0.2};

@@ -92,6 +92,13 @@ TEST(NearestNode, FollowsNodesHoweverManyMoveHoweverFar) {
   }
 }
 
+TEST(NearestNode, WithoutNodesFindsNone) {
+  const NearestNode grid({}, 1);
+  EXPECT_EQ(grid.nearest({4, 0, 0}), -1);
+  EXPECT_FALSE(grid.any_within({4, 0, 0}, 100));
+  grid.for_each_within({4, 0, 0}, 100, [](std::int32_t, double) { ADD_FAILURE(); });
+}
+
 TEST(NearestNode, FollowsTheFirstNodes) {
   NearestNode grid({}, 1);
   const std::vector<Vec3> points{{0, 0, 0}, {5, 0, 0}};

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <memory>
 #include <random>
 #include <set>
 
 #include "engine/base/error.h"
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/master.h"
 #include "tests/support/cases.h"
 #include "tests/support/stored.h"
@@ -105,6 +108,50 @@ TEST(Image, NoIndexBeyondAnArrayIsLetPass) {
     image.arrays[i].own(bytes);
     EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << array.name;
   }
+}
+
+/// What is thrown for the image of a revision whose boundary was changed.
+template <typename Change>
+std::string fault_of_boundary(const Revision& revision, const Change& change) {
+  auto parts = std::make_shared<BoundaryParts>(*revision.cells.parts);
+  change(*parts);
+  Revision changed = revision;
+  changed.cells.parts = parts;
+  try {
+    revision_of(test::copied(image_of(changed)), nullptr, kRun);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+TEST(Image, NoIndexIntoTheBoundaryBeyondItIsLetPass) {
+  const Revision revision = first();
+  const auto fault = [&](const auto& change) { return fault_of_boundary(revision, change); };
+  const int far = 1 << 20;
+  EXPECT_EQ(fault([](BoundaryParts&) {}), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.faces[0].triangles[0][1] = far; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.faces[0].edges[0] = far; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].vertices[1] = -1; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].chain[0] = far; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].points.clear(); }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.points.clear(); }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.vertices[0].position.x = HUGE_VAL; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces.pop_back(); }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].other_names.push_back({far, "x"}); }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].surface.kind = Surface::Kind{9}; }), "");
+}
+
+TEST(Image, TetsThatAreNotEachOthersNeighboursAreAnError) {
+  const StoredArrays whole = test::copied(image_of(first()));
+  StoredArrays image = whole;
+  const auto slots = std::ranges::find(image.arrays, "delaunay.slots", &StoredArray::name);
+  ASSERT_NE(slots, image.arrays.end());
+  std::string bytes = slots->flat();
+  // The first tet's first neighbour, behind its four vertices, becomes its second one.
+  std::memcpy(bytes.data() + 16, bytes.data() + 20, 4);
+  slots->own(bytes);
+  EXPECT_THROW(revision_of(image, nullptr, kRun), Error);
 }
 
 TEST(Image, ArraysThatAreCutOffAreAnError) {

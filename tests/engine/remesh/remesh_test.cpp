@@ -203,6 +203,15 @@ TEST(Remesh, FeaturesComeAndGo) {
   EXPECT_LT(with.cells.volume, without.cells.volume);
 }
 
+TEST(Remesh, AModelFarSmallerThanTheEdgeLengthOfItsBaseIsMeshed) {
+  const Revision large = first("simple-a", {.nodes = 60});
+  const ModelSource tiny =
+      test::model_of({test::block("plate", 4, 4, 2), test::placed(test::cylinder("hole", 1.1, 2),
+                                                                  0.5, 0, 0, Nature::Subtractive)});
+  ASSERT_GT(large.edge_length, 20);
+  expect_valid(make_revision(&large, tiny, {}, kRun));
+}
+
 TEST(Remesh, AChainOfSmallEditsNeitherThinsTheMeshOutNorClotsIt) {
   Revision r = first("fig11-a");
   const double density = r.delivery.mesh.nodes.size() / r.cells.volume;

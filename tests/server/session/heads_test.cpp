@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
@@ -199,6 +201,9 @@ TEST_F(HeadsTest, AWarningThatIsListedIsAnErrorAndNothingIsFiled) {
   ASSERT_TRUE(error.warning);
   EXPECT_EQ(error.warning->code, WarningCode::FaceLost);
   EXPECT_EQ(design(), "none");
+  // It is let go after the answer.
+  for (int k = 0; k < 10000 && session_->load().held > 0; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(session_->load().held, 0U);
 
   // Who does not mind gets it, and who does gets the error from the cache too.

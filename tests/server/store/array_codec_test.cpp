@@ -137,6 +137,14 @@ TEST(ArrayCodec, DamagedDataAreAnErrorOrAnotherArrayAndNeverMore) {
   }
 }
 
+TEST(ArrayCodec, PagesLargerThanAnyArrayAreRefused) {
+  PageDepths depths;
+  EncodedArray encoded = encode(array_of({1, 2, 3, 4}), nullptr, depths);
+  const std::size_t element = bytes_of(encoded.type) * encoded.components;
+  encoded.piece_bytes = ~std::uint64_t{0} / element * element;  // rounding up to pages would wrap
+  EXPECT_THROW(static_cast<void>(decode(encoded, nullptr)), Error);
+}
+
 TEST(ArrayCodec, TheContentHashTellsBytesNamesAndTypes) {
   const StoredArrays arrays{{array_of({1, 2, 3, 4})}};
   const std::string hash = content_hash(arrays);

@@ -77,6 +77,17 @@ TEST_F(PacksTest, AFileOfAnotherRevisionIsNotBelieved) {
   EXPECT_EQ(reason_of(2), "STORE_CORRUPTED");
 }
 
+TEST_F(PacksTest, AFileWhoseBaseIsNoRevisionIsDamaged) {
+  for (const char* base : {"x", "../../tmp/somewhere"}) {
+    PackHead head{.record = record(1), .base_content = "c", .data = content_hash("")};
+    head.record.base = base;
+    write(packs_.path_of(id(1)), write_pack_head(head));
+    EXPECT_EQ(reason_of(1), "STORE_CORRUPTED");
+    EXPECT_NE(packs_.fault_of(id(1)), "");
+    EXPECT_FALSE(packs_.is_whole(id(1)));
+  }
+}
+
 TEST_F(PacksTest, ADamagedFileIsReplaced) {
   put(record(1), "abc");
   write(packs_.path_of(id(1)), "damaged");

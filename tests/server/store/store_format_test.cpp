@@ -117,6 +117,15 @@ TEST_F(StoreFormat, ADamagedOrMissingFormatIsWrittenAnew) {
   EXPECT_EQ(content(folder_ / "FORMAT"), format);
 }
 
+TEST_F(StoreFormat, AFormatOfOtherValuesCountsAsDamaged) {
+  make_store(1);
+  for (const char* text : {R"({"store":1,"version":2})", R"({"store":"remeshd","version":"2"})",
+                           R"({"store":"remeshd","version":1e300})", R"({"version":2})", "[]"}) {
+    write(folder_ / "FORMAT", checked_line(text));
+    EXPECT_EQ(look_at_folder(folder_), FolderKind::Unmarked) << text;
+  }
+}
+
 TEST_F(StoreFormat, AStoreInWhichNothingWasStoredIsKnownWithoutItsFormat) {
   make_store(0);
   write(folder_ / "FORMAT", "damaged");
