@@ -22,6 +22,8 @@ constexpr std::size_t kFewPages = 4;  // one in so many
 constexpr std::size_t kMostPatched = std::size_t{1} << 18;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;  // of a decoded array
 
+constexpr std::uint64_t kMostGrowth = std::uint64_t{1} << 15;  // zstd makes 128 KiB of four bytes
+
 struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
   void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
@@ -62,7 +64,9 @@ std::string compress(std::string_view bytes, std::string_view prefix = {}) {
 
 std::string decompress(const std::string& name, std::string_view data, std::uint64_t bytes,
                        std::string_view prefix = {}) {
-  if (ZSTD_getFrameContentSize(data.data(), data.size()) != bytes) throw corrupted(name);
+  if (ZSTD_getFrameContentSize(data.data(), data.size()) != bytes ||
+      bytes / kMostGrowth > data.size())
+    throw corrupted(name);
   const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
   if (!prefix.empty()) {
     ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, 31);

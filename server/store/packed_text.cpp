@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kLevel = 3;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostGrowth = std::size_t{1} << 15;  // zstd makes 128 KiB of four bytes
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int kBits = 6;  // of a digit
@@ -39,7 +40,8 @@ std::string packed(std::string_view text) {
 
 std::string unpacked(std::string_view bytes) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMostBytes)
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMostBytes ||
+      size / kMostGrowth > bytes.size())
     throw error::store_corrupted("", "a text cannot be unpacked");
   std::string text(size, '\0');
   if (ZSTD_decompress(text.data(), text.size(), bytes.data(), bytes.size()) != size)

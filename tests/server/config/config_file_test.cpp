@@ -54,6 +54,11 @@ TEST(ConfigFiles, ThatAreNoTomlNameTheLine) {
   EXPECT_THAT(complaint_about(std::string(100000, '[')), testing::StartsWith("remeshd.toml:1: "));
 }
 
+TEST(ConfigFiles, ThatAreNoTomlAreRefusedWithAssertionsToo) {
+  for (const char* text : {"[%", "[[%", "a.% = 1", "[a.%]"})
+    EXPECT_THAT(complaint_about(text), testing::StartsWith("remeshd.toml:1: ")) << text;
+}
+
 TEST(ConfigFiles, WithAKeyInBothWaysOfWritingAreRefused) {
   EXPECT_THAT(complaint_about("maxNodes = 50\nmax_nodes = 60"),
               testing::HasSubstr("is given twice"));

@@ -1,6 +1,7 @@
 #include "server/store/packed_text.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "engine/base/error.h"
 
@@ -36,6 +37,21 @@ TEST(Base64, ComesBack) {
     bytes += static_cast<char>(i * 7);
   }
   EXPECT_THROW(from_base64("Zm9v!"), Error);
+}
+
+TEST(PackedText, ThatClaimsMoreThanItsBytesCanHoldTakesNoMemory) {
+  // A frame of zstd: its mark, a length of four bytes, 2^30, and one block of one byte.
+  const std::string frame("\x28\xB5\x2F\xFD\xA0\x00\x00\x00\x40\x0B\x00\x00x", 13);
+  const auto most = [] {
+    struct rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;  // KiB
+  };
+  const long before = most();
+  EXPECT_THROW(unpacked(frame), Error);
+  EXPECT_LT(most() - before, 100 * 1024);
+  const std::string long_text(1 << 24, 'a');
+  EXPECT_EQ(unpacked(packed(long_text)), long_text) << "that packs as densely as any";
 }
 
 }  // namespace
