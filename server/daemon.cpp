@@ -5,6 +5,7 @@
 #include <spdlog/logger.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -124,17 +125,20 @@ struct Daemon::Parts {
   std::shared_ptr<spdlog::logger> log;
   Readiness readiness;
   const std::shared_ptr<FrontDesk> desk;
+  const std::function<std::uint64_t()> helper_crashes;  ///< may be empty
   Tenants tenants;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
-  std::unique_ptr<AcceptLoop> connections;  ///< null where nothing is listened on
+  std::unique_ptr<AcceptLoop> connections;             ///< null where nothing is listened on
+  std::atomic<const AcceptLoop*> accepting = nullptr;  ///< the same, for calls that it brings
   std::once_flag ended;
 
   Parts(const DaemonOptions& options, Engine engine)
       : log(options.log),
         desk(std::make_shared<FrontDesk>(
             FrontDesk{.log = options.log, .metrics = options.metrics, .doorman = options.doorman})),
+        helper_crashes(engine.helper_crashes),
         tenants(std::move(engine), session_limits(options), store_opener(options), options.metrics),
         max_connections(remeshd::max_connections(options)),
         service(make_remesh_service(tenants, {.facts = facts(), .desk = desk})),
@@ -148,11 +152,18 @@ struct Daemon::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
+  [[nodiscard]] std::size_t open_connections() const {
+    const AcceptLoop* const loop = accepting;
+    return loop == nullptr ? 0 : loop->count();
+  }
+
   [[nodiscard]] ServerFacts facts() const {
     return {.version = REMESHD_VERSION,
             .connections = static_cast<std::uint32_t>(max_connections),
             .streams = limits::kStreamsPerConnection,
-            .readiness = &readiness};
+            .readiness = &readiness,
+            .open_connections = [this] { return open_connections(); },
+            .open_streams = [streams = desk->streams] { return streams->load(); }};
   }
 
   void tell_metrics() {
@@ -169,6 +180,8 @@ struct Daemon::Parts {
       if (tenants.limits().disk > 0) out.disk_budget_bytes = tenants.limits().disk;
       out.revisions = load.revisions;
       if (connections) out.connections = connections->count();
+      out.streams = desk->streams->load();
+      if (helper_crashes) out.helper_crashes = static_cast<double>(helper_crashes());
     });
   }
 
@@ -219,6 +232,7 @@ Daemon::Daemon(const DaemonOptions& options, Engine engine) {
   };
   parts_->connections = std::make_unique<AcceptLoop>(std::move(sockets), parts_->max_connections,
                                                      hand_over, options.log);
+  parts_->accepting = parts_->connections.get();
   parts_->tell_metrics();
 }
 

@@ -1,4 +1,5 @@
 #include "engine/difference/compare.h"
+#include "engine/kernel/tetgen.h"
 #include "engine/remesh/image.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/remesh/stages.h"
@@ -34,7 +35,8 @@ Engine production_engine() {
           .image_of = image_of,
           .revision_of = revision_of,
           .feature_types = [] { return feature_types(); },
-          .memory_blocks = memory_blocks};
+          .memory_blocks = memory_blocks,
+          .helper_crashes = kernel::tetgen_crashes};
 }
 
 }  // namespace remeshd

@@ -1,6 +1,7 @@
 #include "engine/kernel/tetgen.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -21,6 +22,13 @@ namespace {
 using namespace tetgen_protocol;
 
 constexpr const char* kProgram = "remeshd-tetgen";
+
+std::atomic<std::uint64_t> crashes = 0;
+
+Error crashed(const std::string& how) {
+  ++crashes;
+  return error::tetgen_crashed(how);
+}
 
 template <typename T>
 void put(std::vector<std::byte>& bytes, std::span<const T> values) {
@@ -89,7 +97,7 @@ void turn_positive(TetMesh& mesh) {
 QualityMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits) {
   std::vector<AnswerHeader> header;
   if (!take(bytes, header, 1) || header[0].magic != kAnswerMagic)
-    throw error::tetgen_crashed("it gave no answer");
+    throw crashed("it gave no answer");
   const auto& [magic, status, points, tets, facets, segments] = header[0];
   if (status == Status::OutOfMemory) throw error::tetgen_out_of_memory(limits.address_space);
   if (status != Status::Meshed) throw error::tetgen_refused(why_refused(status));
@@ -101,7 +109,7 @@ QualityMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits)
       !take(bytes, out.segment_markers, segments) || !bytes.empty() ||
       !in_range(mesh.tets, points) || !in_range(out.facets, points) ||
       !in_range(out.segments, points))
-    throw error::tetgen_crashed("its answer is damaged");
+    throw crashed("its answer is damaged");
   if (mesh.tets.empty()) throw error::tetgen_refused("the surface closes nothing off");
   turn_positive(mesh);
   return out;
@@ -122,11 +130,11 @@ QualityMesh ask(const std::vector<std::byte>& request, const TetGenLimits& limit
     case HelperEnd::Kind::NotStarted:
       throw error::tetgen_missing(helper.string(), std::generic_category().message(end.code));
     case HelperEnd::Kind::TalkedTooMuch:
-      throw error::tetgen_crashed("its answer has no end");
+      throw crashed("its answer has no end");
     case HelperEnd::Kind::Signalled:
       break;
   }
-  throw error::tetgen_crashed("signal " + std::to_string(end.code) + " ended it");
+  throw crashed("signal " + std::to_string(end.code) + " ended it");
 }
 
 template <typename Corners>
@@ -168,6 +176,8 @@ std::vector<std::int32_t> find_regions(const QualityMesh& out) {
 }
 
 }  // namespace
+
+std::uint64_t tetgen_crashes() { return crashes; }
 
 std::filesystem::path find_tetgen_helper() {
   if (const char* set = std::getenv("REMESHD_TETGEN"); set != nullptr && *set != '\0') return set;

@@ -75,6 +75,9 @@ TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, 
 QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,
                        const TetGenLimits& limits, const Run& run);
 
+/// How often TETGEN_CRASHED was thrown in this process, for whoever watches it.
+std::uint64_t tetgen_crashes();
+
 /// Where `remeshd-tetgen` is: $REMESHD_TETGEN if set, else beside the running program, else in
 /// ../libexec/remeshd from there.
 std::filesystem::path find_tetgen_helper();

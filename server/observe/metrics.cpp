@@ -60,9 +60,7 @@ Metrics::Parts::Parts(const std::string& version, std::uint32_t algorithm_versio
       reuse(family<prometheus::Histogram>(registry, "remeshd_reuse_ratio",
                                           "Share of an edit's tets that its base has too")),
       least_dihedral(family<prometheus::Histogram>(registry, "remeshd_least_dihedral_degrees",
-                                                   "Least dihedral angle of a mesh")),
-      streams(
-          family<prometheus::Gauge>(registry, "remeshd_streams", "Streams that are open").Add({})) {
+                                                   "Least dihedral angle of a mesh")) {
   family<prometheus::Gauge>(registry, "remeshd_build_info", "Version of the program; always 1")
       .Add({{"version", version}, {"algorithm", std::to_string(algorithm_version)}})
       .Set(1);
@@ -94,6 +92,9 @@ std::vector<MetricFamily> Metrics::Parts::Collect() const {
   add(out, "remeshd_disk_budget_bytes", "Bytes that they may have", now.disk_budget_bytes);
   add(out, "remeshd_revisions", "Revisions in the catalogue", now.revisions);
   add(out, "remeshd_connections", "Connections that are open", now.connections);
+  add(out, "remeshd_streams", "Streams that are open", now.streams);
+  add(out, "remeshd_helper_crashes_total", "Crashes of the TetGen helper", now.helper_crashes,
+      MetricType::Counter);
   add(out, "remeshd_log_dropped_total", "Lines of the log that were never written", now.log_dropped,
       MetricType::Counter);
   return out;
@@ -113,8 +114,6 @@ void Metrics::call_ended(const std::string& method, const std::string& code,
 void Metrics::refused(const std::string& reason) noexcept {
   count([&] { parts_->refusals.Add({{"reason", reason}}).Increment(); });
 }
-void Metrics::stream_began() noexcept { parts_->streams.Increment(); }
-void Metrics::stream_ended() noexcept { parts_->streams.Decrement(); }
 void Metrics::queue_waited(const std::string& lane, double seconds) noexcept {
   count([&] { parts_->queue_wait.Add({{"lane", lane}}, kSeconds).Observe(seconds); });
 }
@@ -139,15 +138,6 @@ void Metrics::evicted(Tier from) noexcept {
     parts_->evictions.Add({{"from", from == Tier::Memory ? "memory" : "disk"}}).Increment();
   });
 }
-void Metrics::helper_crashed() noexcept {
-  count([&] {
-    family<prometheus::Counter>(parts_->registry, "remeshd_helper_crashes_total",
-                                "Ends of the TetGen helper by a signal")
-        .Add({})
-        .Increment();
-  });
-}
-
 void Metrics::set_source(const std::string& name, Source source) {
   const std::scoped_lock lock(parts_->mutex);
   if (source)

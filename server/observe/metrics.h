@@ -20,7 +20,8 @@ struct MetricsReadings {
   std::optional<double> memory_bytes, memory_budget_bytes;  ///< of revisions held
   std::optional<double> disk_bytes, disk_budget_bytes;
   std::optional<double> revisions;
-  std::optional<double> connections;
+  std::optional<double> connections, streams;
+  std::optional<double> helper_crashes;
   std::optional<double> log_dropped;
 };
 
@@ -48,14 +49,11 @@ class Metrics {
   void call_ended(const std::string& method, const std::string& code, double seconds) noexcept;
   /// It was refused for what the daemon allows, by the reason of its Error.
   void refused(const std::string& reason) noexcept;
-  void stream_began() noexcept;
-  void stream_ended() noexcept;
   void queue_waited(const std::string& lane, double seconds) noexcept;
   void computed(const RevisionFigures& figures) noexcept;
   /// Where the mesh of a request came from.
   void cache_request(CacheResult result) noexcept;
   void evicted(Tier from) noexcept;
-  void helper_crashed() noexcept;
 
   /// `source` is called at each look, by whoever looks; what it throws is dropped. In place of the
   /// one before of this name, which is called no more once this has returned; an empty one: none.

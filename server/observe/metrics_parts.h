@@ -36,7 +36,6 @@ struct Metrics::Parts final : prometheus::Collectable {
   Family<prometheus::Histogram>& phases;
   Family<prometheus::Histogram>& reuse;
   Family<prometheus::Histogram>& least_dihedral;
-  prometheus::Gauge& streams;
   mutable std::mutex mutex;
   std::map<std::string, Metrics::Source> sources;
 };

@@ -165,8 +165,7 @@ void CallRecord::set_note(std::string note) {
 }
 
 void CallRecord::count_as_stream() {
-  if (!desk_->metrics || std::exchange(streams_, true)) return;
-  desk_->metrics->stream_began();
+  if (!std::exchange(streams_, true)) ++*desk_->streams;
 }
 
 void CallRecord::count_request(grpc::StatusCode code, const std::string& reason,
@@ -178,10 +177,10 @@ void CallRecord::count_request(grpc::StatusCode code, const std::string& reason,
 void CallRecord::end() noexcept try {
   const std::scoped_lock lock(mutex_);
   pass_.reset();
+  if (std::exchange(streams_, false)) --*desk_->streams;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
   if (desk_->metrics) {
     count(*desk_->metrics, method_, status_, reason_, spent.count());
-    if (streams_) desk_->metrics->stream_ended();
   }
   if (!desk_->log) return;
   std::string line = fmt::format("call={} method={} peer={} ms={:.1f} status={}", number_, method_,

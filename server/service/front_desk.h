@@ -2,6 +2,8 @@
 
 #include <spdlog/logger.h>
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 
 #include "server/guard/doorman.h"
@@ -16,6 +18,9 @@ struct FrontDesk {
   std::shared_ptr<Metrics> metrics;     ///< may be null
   std::shared_ptr<Doorman> doorman;     ///< null: everybody is let in
   std::shared_ptr<CallGate> gate = std::make_shared<CallGate>();
+  /// Streams that are open now.
+  std::shared_ptr<std::atomic<std::uint32_t>> streams =
+      std::make_shared<std::atomic<std::uint32_t>>(0);
 };
 using FrontDeskPtr = std::shared_ptr<const FrontDesk>;
 

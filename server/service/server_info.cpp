@@ -29,10 +29,12 @@ void put_limits(const Session& session, const ServerFacts& facts, const RequestL
   out.set_memory_bytes(limits.memory);
 }
 
-void put_load(Session& session, v1::ServerLoad& out) {
+void put_load(Session& session, const ServerFacts& facts, v1::ServerLoad& out) {
   const Load load = session.load();
   out.set_running(count_of(load.running));
   out.set_queued(count_of(load.queued));
+  if (facts.open_connections) out.set_connections(count_of(facts.open_connections()));
+  if (facts.open_streams) out.set_streams(count_of(facts.open_streams()));
   out.set_revisions(load.revisions);
   out.set_designs(load.designs);
   out.set_cached_revisions(count_of(load.held));
@@ -60,7 +62,7 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   for (const v1::MeshArray array : supported_arrays())
     out.mutable_capabilities()->add_arrays(array);
   put_limits(session, facts, limits, *out.mutable_limits());
-  put_load(session, *out.mutable_load());
+  put_load(session, facts, *out.mutable_load());
   return out;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "remesh/v1/server.pb.h"
@@ -17,7 +19,8 @@ struct ServerFacts {
   std::uint32_t connections = 0;  ///< at most; 0: no limit of its own
   std::uint32_t streams = 0;      ///< likewise, of calls at a time on one connection
   std::chrono::system_clock::time_point started = std::chrono::system_clock::now();
-  const Readiness* readiness = nullptr;  ///< null: always ready
+  const Readiness* readiness = nullptr;                             ///< null: always ready
+  std::function<std::size_t()> open_connections{}, open_streams{};  ///< empty: not counted
 };
 
 /// Capabilities, limits and load of this daemon.

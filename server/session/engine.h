@@ -48,6 +48,8 @@ struct Engine {
   std::function<Revision(const StoredArrays&, const Revision* alike, const Run&)> revision_of;
   std::function<std::vector<FeatureTypeInfo>()> feature_types;
   std::function<std::vector<MemoryBlock>(const Revision&)> memory_blocks;
+  /// How often a helper process has crashed so far; may be empty.
+  std::function<std::uint64_t()> helper_crashes{};
 };
 
 }  // namespace remeshd

@@ -79,6 +79,19 @@ TEST_F(CountedCalls, TellWhereRevisionsCameFromAndWhichWentForWantOfRoom) {
   EXPECT_TRUE(tells(requests + "\"remade\"}"));
 }
 
+class CountedCrashes : public CountedCalls {
+  [[nodiscard]] Engine make_engine() const override {
+    Engine engine = CountedCalls::make_engine();
+    engine.helper_crashes = [] { return std::uint64_t{3}; };
+    return engine;
+  }
+};
+
+TEST_F(CountedCrashes, OfTheHelperAreTold) {
+  info();
+  text_with("remeshd_helper_crashes_total 3");
+}
+
 TEST_F(CountedCalls, TellTheBudgetOfTheDisk) {
   use_store();
   options_.disk = 1 << 30;
@@ -103,6 +116,8 @@ TEST_F(CountedCalls, AreTheRequestsOfAStreamAndTheStreamItself) {
   while (reply.has_progress());
   text_with("remeshd_calls_total{code=\"OK\",method=\"EditStream.request\"} 1");
   text_with("remeshd_streams 1");
+  EXPECT_EQ(info().load().streams(), 1U);
+  EXPECT_EQ(info().load().connections(), 1U);
   request.Clear();
   ASSERT_TRUE(stream->Write(request));
   do ASSERT_TRUE(stream->Read(&reply));
@@ -112,6 +127,7 @@ TEST_F(CountedCalls, AreTheRequestsOfAStreamAndTheStreamItself) {
   EXPECT_FALSE(stream->Read(&reply));
   EXPECT_TRUE(stream->Finish().ok());
   text_with("remeshd_streams 0");
+  EXPECT_EQ(info().load().streams(), 0U);
   text_with("remeshd_calls_total{code=\"OK\",method=\"EditStream\"} 1");
 }
 

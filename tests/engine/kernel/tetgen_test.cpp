@@ -247,8 +247,10 @@ TEST_F(TetGen, IsMissingWhereTheFileMayNotBeRun) {
 }
 
 TEST_F(TetGen, ThatIsKilledBeforeItReadsIsAnErrorWithTheSignal) {
+  const std::uint64_t before = tetgen_crashes();
   const ErrorInfo info = failure(sphere(60, 120), {.helper = script("kill -SEGV $$")});
   EXPECT_EQ(info.reason, "TETGEN_CRASHED");
+  EXPECT_EQ(tetgen_crashes(), before + 1);
   EXPECT_NE(info.message.find("signal 11"), std::string::npos) << info.message;
 }
 

@@ -16,23 +16,21 @@ TEST(MetricsTexts, HaveWhatWasCounted) {
   metrics.call_ended("GetMesh", "OK", 0.02);
   metrics.call_ended("GetMesh", "OK", 0.03);
   metrics.refused("BUSY");
-  metrics.stream_began();
   metrics.queue_waited("computation", 1);
   metrics.computed({.phases = {{"optimise", 0.5}}, .reuse = 0.75, .least_dihedral = 25});
   metrics.cache_request(Metrics::CacheResult::Disk);
   metrics.evicted(Metrics::Tier::Memory);
-  metrics.helper_crashed();
   const std::string text = metrics.text();
   for (const char* line :
        {"remeshd_build_info{algorithm=\"13\",version=\"1.2.3\"} 1",
         "remeshd_calls_total{code=\"OK\",method=\"GetMesh\"} 2",
         "remeshd_call_seconds_count{method=\"GetMesh\"} 2",
         "remeshd_call_seconds_bucket{method=\"GetMesh\",le=\"0.025\"} 1",
-        "remeshd_refusals_total{reason=\"BUSY\"} 1", "remeshd_streams 1",
+        "remeshd_refusals_total{reason=\"BUSY\"} 1",
         "remeshd_queue_wait_seconds_count{lane=\"computation\"} 1",
         "remeshd_phase_seconds_sum{phase=\"optimise\"} 0.5", "remeshd_reuse_ratio_sum 0.75",
         "remeshd_least_dihedral_degrees_count 1", "remeshd_cache_requests_total{result=\"disk\"} 1",
-        "remeshd_evictions_total{from=\"memory\"} 1", "remeshd_helper_crashes_total 1"})
+        "remeshd_evictions_total{from=\"memory\"} 1"})
     EXPECT_THAT(text, HasSubstr(std::string(line) + '\n'));
 }
 
@@ -46,11 +44,13 @@ TEST(MetricsTexts, HaveWhatSourcesTellNowAndLeaveOutWhatNoneKnows) {
     out.queue_depth = {{"computation", 3}, {"metadata", 0}};
   });
   metrics.set_source("log", [](MetricsReadings& out) { out.log_dropped = 7; });
+  metrics.set_source("helper", [](MetricsReadings& out) { out.helper_crashes = 2; });
   bytes = 200;
   const std::string text = metrics.text();
   for (const char* line :
        {"remeshd_ready 1", "remeshd_memory_bytes 200",
         "remeshd_queue_depth{lane=\"computation\"} 3", "remeshd_queue_depth{lane=\"metadata\"} 0",
+        "# TYPE remeshd_helper_crashes_total counter\nremeshd_helper_crashes_total 2",
         "# TYPE remeshd_log_dropped_total counter\nremeshd_log_dropped_total 7"})
     EXPECT_THAT(text, HasSubstr(std::string(line) + '\n'));
   EXPECT_THAT(text, Not(HasSubstr("disk")));
@@ -62,6 +62,7 @@ TEST(MetricsTexts, SurviveASourceThatThrows) {
   Metrics metrics("1.2.3", 13);
   metrics.set_source("broken", [](MetricsReadings&) { throw std::runtime_error("no"); });
   metrics.set_source("log", [](MetricsReadings& out) { out.log_dropped = 7; });
+  metrics.set_source("helper", [](MetricsReadings& out) { out.helper_crashes = 2; });
   EXPECT_THAT(metrics.text(), HasSubstr("remeshd_log_dropped_total 7"));
 }
 
