@@ -66,7 +66,7 @@ for target in "${targets[@]}"; do
   log=build-fuzz/findings/$target.log
   words=() dictionary=tests/fuzz/dictionaries/$target.txt
   [ ! -f "$dictionary" ] || words=(-dict="$dictionary")
-  nice "build-fuzz/bin/fuzz_$target" "${limits[@]}" -print_final_stats=1 \
+  nice -n 5 "build-fuzz/bin/fuzz_$target" "${limits[@]}" -print_final_stats=1 \
     -artifact_prefix="build-fuzz/findings/$target/" "${words[@]}" \
     "build-fuzz/corpus/$target" "$corpus/$target" >"$log" 2>&1 &
   fuzzer=$!

@@ -23,11 +23,11 @@ TEST(PlainCharacters, OutsideOfQuotesAreAscii) {
 
 TEST(PlainCharacters, InStringsAndCommentsMayBeAny) {
   for (const std::string& text :
-       {"# " + kStrange + "\na = 1", "\xEF\xBB\xBF# a mark", "a = \"" + kStrange + "\"",
-        "a = \"\\\"" + kStrange + "\"", "a = ['" + kStrange + "\\', '" + kStrange + "']",
-        "\"" + kStrange + "\" = 1", "a = \"\"\"\n\"" + kStrange + "\"\"\"\nb = 2",
-        "a = '''\n'" + kStrange + "'''\n", "a = \"" + kStrange, std::string("a = \"\\"),
-        std::string()})
+       {"# " + kStrange + "\na = 1", std::string("\xEF\xBB\xBF# a mark"),
+        "a = \"" + kStrange + "\"", "a = \"\\\"" + kStrange + "\"",
+        "a = ['" + kStrange + "\\', '" + kStrange + "']", "\"" + kStrange + "\" = 1",
+        "a = \"\"\"\n\"" + kStrange + "\"\"\"\nb = 2", "a = '''\n'" + kStrange + "'''\n",
+        "a = \"" + kStrange, std::string("a = \"\\"), std::string()})
     EXPECT_NO_THROW(check_plain_characters(text, "f")) << text;
 }
 
