@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/model/limits.h"
 #include "engine/remesh/master.h"
 
 namespace remeshd {
@@ -25,6 +26,26 @@ template <class Values>
 void expect_below(const Values& values, std::int64_t least, std::size_t end, const char* array) {
   for (const auto value : values)
     if (value < least || value >= static_cast<std::int64_t>(end)) fail(array);
+}
+
+bool is_finite(const Vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void expect_finite(bool finite) {
+  if (!finite) throw error::internal("store", "a stored revision has numbers that are none");
+}
+
+/// Nodes lie in features, whose coordinates and sizes are at most kMaxLength.
+bool is_place(const Vec3& p) {
+  constexpr double kMost = 100 * kMaxLength;
+  return std::fabs(p.x) <= kMost && std::fabs(p.y) <= kMost && std::fabs(p.z) <= kMost;
+}
+
+void check_places(const Pages<Vec3>& places, const char* array) {
+  places.for_each([&](std::size_t, const Vec3& p) {
+    if (!is_place(p)) fail(array);
+  });
 }
 
 void check_supports(const Pages<Support>& supports, const BoundaryModel& boundary,
@@ -52,6 +73,7 @@ void check_supports(const Pages<Support>& supports, const BoundaryModel& boundar
 
 void check_delivery(const Delivery& d) {
   const std::size_t nodes = d.mesh.nodes.size(), tets = d.mesh.tets.size();
+  check_places(d.mesh.nodes, "delivery.nodes");
   d.mesh.tets.for_each(
       [&](std::size_t, const Tet& tet) { expect_below(tet, 0, nodes, "delivery.tets"); });
   expect_size(d.node_ids.size(), nodes, "delivery.node_ids");
@@ -80,6 +102,8 @@ void check_delivery(const Delivery& d) {
 
 void check_master(const Master& m, const Delivery& d, const BoundaryModel& boundary) {
   if (!m.mesh.consistent()) fail("delaunay.slots");
+  check_places(m.positions(), "delaunay.points");
+  for (const Vec3& corner : m.mesh.far_corners()) expect_finite(is_finite(corner));
   expect_size(m.positions().size(), d.mesh.nodes.size(), "delaunay.points");
   expect_size(m.supports.size(), d.mesh.nodes.size(), "master.supports");
   check_supports(m.supports, boundary, "master.supports");
@@ -93,14 +117,6 @@ void check_master(const Master& m, const Delivery& d, const BoundaryModel& bound
     expect_below(c.delaunay, 0, m.mesh.slots(), "master.clusters");
     expect_below(c.delivered, 0, d.mesh.tets.size(), "master.clusters");
   });
-}
-
-bool is_finite(const Vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-void expect_finite(bool finite) {
-  if (!finite) throw error::internal("store", "a stored boundary has numbers that are none");
 }
 
 void check_names(const std::vector<FaceName>& names, const FeatureModel& model) {
@@ -160,9 +176,13 @@ void check_parts(const BoundaryParts& parts, const FeatureModel& model) {
 }
 
 void check_indices(const Revision& revision) {
+  expect_finite(std::isfinite(revision.edge_length) && revision.edge_length > 0);
+  for (const Transform& transform : revision.delivery.map.transforms)
+    for (const double number : transform.m) expect_finite(std::isfinite(number));
   check_delivery(revision.delivery);
   check_master(*revision.master, revision.delivery, revision.cells.boundary);
   if (const Anchor* anchor = revision.anchor.get()) {
+    check_places(anchor->nodes, "anchor.nodes");
     expect_size(anchor->nodes.size(), revision.delivery.mesh.nodes.size(), "anchor.nodes");
     expect_size(anchor->supports.size(), anchor->nodes.size(), "anchor.supports");
     check_supports(anchor->supports, revision.cells.boundary, "anchor.supports");

@@ -11,7 +11,8 @@ namespace remeshd {
 /// Throws Error(Internal).
 void check_parts(const BoundaryParts& parts, const FeatureModel& model);
 
-/// Looks at every index and count of a revision that was read: what uses it may rely on them.
+/// Looks at every index, count and coordinate of a revision that was read: what uses it may rely on
+/// them.
 ///
 /// Pre: its cells, master and delivery are filled in.
 /// Throws Error(Internal), naming the array at fault.

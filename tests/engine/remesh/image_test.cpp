@@ -142,6 +142,20 @@ TEST(Image, NoIndexIntoTheBoundaryBeyondItIsLetPass) {
   EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].surface.kind = Surface::Kind{9}; }), "");
 }
 
+TEST(Image, NodesNowhereAreAnError) {
+  const StoredArrays whole = test::copied(image_of(first()));
+  for (const char* name : {"delivery.nodes", "delaunay.points"})
+    for (const double x : {std::nan(""), HUGE_VAL, 1e200}) {
+      StoredArrays image = whole;
+      const auto nodes = std::ranges::find(image.arrays, name, &StoredArray::name);
+      ASSERT_NE(nodes, image.arrays.end());
+      std::string bytes = nodes->flat();
+      std::memcpy(bytes.data() + 8, &x, sizeof x);
+      nodes->own(bytes);
+      EXPECT_THROW(revision_of(image, nullptr, kRun), Error) << name << " " << x;
+    }
+}
+
 TEST(Image, TetsThatAreNotEachOthersNeighboursAreAnError) {
   const StoredArrays whole = test::copied(image_of(first()));
   StoredArrays image = whole;
