@@ -7,6 +7,7 @@
 #include "server/service/decode.h"
 #include "tests/fuzz/documents.h"
 #include "tests/server/fake_engine.h"
+#include "tests/server/session/only_session.h"
 
 namespace remeshd::fuzz {
 namespace {
@@ -21,10 +22,10 @@ void make(Session& session, Command command) {
   expect(failure.empty(), "the session cannot be made: " + failure);
 }
 
-std::unique_ptr<Session> make_session() {
+std::shared_ptr<Session> make_session() {
   const test::FakeEngine engine;
-  auto session = std::make_unique<Session>(engine.engine(), std::make_unique<Store>(),
-                                           SessionLimits{.max_nodes = 10000});
+  auto session =
+      test::only_session(engine.engine(), std::make_unique<Store>(), {.max_nodes = 10000});
   make(
       *session,
       CreateCommand{.source = source_of_every_type(), .options = {.nodes = 20}, .design = "plate"});
@@ -37,7 +38,7 @@ std::unique_ptr<Session> make_session() {
 }  // namespace
 
 Session& quiet_session() {
-  static const std::unique_ptr<Session> session = make_session();
+  static const std::shared_ptr<Session> session = make_session();
   return *session;
 }
 
