@@ -44,7 +44,9 @@ std::string from_base64(std::string_view text) {
 std::string head_of_base64(std::string_view text, std::size_t count) {
   const std::size_t characters = (count + 2) / 3 * 4;
   if (text.size() < characters) throw FileError("base64 data are cut short");
-  return from_base64(text.substr(0, characters)).substr(0, count);
+  const std::string bytes = from_base64(text.substr(0, characters));
+  if (bytes.size() < count) throw FileError("base64 data are cut short");  // padded within
+  return bytes.substr(0, count);
 }
 
 /// The sizes in front of an array's data.
@@ -61,6 +63,8 @@ std::vector<std::size_t> sizes(const std::string& bytes, const Storage& storage)
 }
 
 std::string inflate_block(std::string_view packed, std::uint64_t size) {
+  constexpr std::uint64_t kMostGrowth = 2048;  // deflate makes 1032 bytes of one
+  if (size / kMostGrowth > packed.size()) throw FileError("compressed data are damaged");
   std::string out(size, '\0');
   uLongf length = size;
   if (uncompress(reinterpret_cast<Bytef*>(out.data()), &length,
@@ -113,7 +117,12 @@ std::vector<To> converted(const std::string& bytes) {
   Scanner scanner(bytes);
   std::vector<To> out;
   out.reserve(bytes.size() / sizeof(From));
-  while (!scanner.at_end()) out.push_back(static_cast<To>(scanner.raw<From>()));
+  while (!scanner.at_end()) {
+    const From value = scanner.raw<From>();
+    if constexpr (std::is_integral_v<To> && std::is_floating_point_v<From>)
+      if (!(value >= -0x1p62 && value <= 0x1p62)) throw FileError("a whole number is too large");
+    out.push_back(static_cast<To>(value));
+  }
   return out;
 }
 
@@ -172,10 +181,9 @@ void read_piece(pugi::xml_node piece, const Storage& storage, FileMesh& mesh) {
     std::array<std::int32_t, 4> tet{};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::int64_t node = connectivity[static_cast<std::size_t>(offsets[c]) - 4 + k];
-      const std::int64_t place = node + static_cast<std::int64_t>(first);
-      if (node < 0 || place >= static_cast<std::int64_t>(mesh.nodes.size()))
+      if (node < 0 || static_cast<std::uint64_t>(node) >= mesh.nodes.size() - first)
         throw FileError("a tet refers to a node that is not there");
-      tet[k] = static_cast<std::int32_t>(place);
+      tet[k] = static_cast<std::int32_t>(static_cast<std::size_t>(node) + first);
     }
     mesh.tets.push_back(tet);
   }

@@ -35,7 +35,8 @@ export ASAN_SYMBOLIZER_PATH=${ASAN_SYMBOLIZER_PATH:-$(command -v llvm-symbolizer
 corpus=tests/fuzz/corpus
 # libFuzzer looks for leaks after each of the first thousand inputs that keep something, a tenth of
 # a second each; the tests look for them in the corpus, under the preset asan.
-limits=(-max_len=4096 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -detect_leaks=0)
+limits=(-max_len=4096 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -report_slow_units=20
+        -detect_leaks=0)
 
 take_in() {  # TARGET
   local target=$1 merged=build-fuzz/merged/$1
@@ -66,7 +67,7 @@ for target in "${targets[@]}"; do
   log=build-fuzz/findings/$target.log
   words=() dictionary=tests/fuzz/dictionaries/$target.txt
   [ ! -f "$dictionary" ] || words=(-dict="$dictionary")
-  nice -n 5 "build-fuzz/bin/fuzz_$target" "${limits[@]}" -print_final_stats=1 \
+  nice -n 1 "build-fuzz/bin/fuzz_$target" "${limits[@]}" -print_final_stats=1 \
     -artifact_prefix="build-fuzz/findings/$target/" "${words[@]}" \
     "build-fuzz/corpus/$target" "$corpus/$target" >"$log" 2>&1 &
   fuzzer=$!

@@ -113,6 +113,15 @@ TEST(MeshFileName, DecidesTheFormatAndAnUnknownOneIsRefused) {
   EXPECT_THROW(write_mesh("/nowhere/at/all.vtu", sample_mesh(1)), FileError);
 }
 
+TEST(Vtu, WhoseBase64EndsWithinItsSizesIsRefused) {
+  for (const char* compressor : {"", R"(compressor="vtkZLibDataCompressor")"})
+    EXPECT_THROW(
+        parse_vtu(std::string(R"(<VTKFile type="UnstructuredGrid" )") + compressor +
+                  R"(><UnstructuredGrid><Piece><Points><DataArray type="Float64" format="binary">)"
+                  "AA==AA==AA==AA==</DataArray></Points></Piece></UnstructuredGrid></VTKFile>"),
+        FileError);
+}
+
 TEST(Msh, ThatEndsBehindABinaryHeaderIsRefused) {
   EXPECT_THROW(parse_msh("$MeshFormat\n4.1 1 8"), FileError);
   EXPECT_THROW(parse_msh("$MeshFormat\n4.1 1 8\n"), FileError);
