@@ -46,10 +46,11 @@ struct ByteServer::Service final : grpc::CallbackGenericService {
   grpc::ByteBuffer message;
 };
 
-ByteServer::ByteServer(std::size_t messages, std::size_t bytes)
+ByteServer::ByteServer(std::size_t messages, std::size_t bytes,
+                       const std::shared_ptr<grpc::ServerCredentials>& credentials)
     : service_(std::make_unique<Service>(messages, bytes)) {
   grpc::ServerBuilder builder;
-  builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port_);
+  builder.AddListeningPort("127.0.0.1:0", credentials, &port_);
   builder.RegisterCallbackGenericService(service_.get());
   server_ = builder.BuildAndStart();
 }

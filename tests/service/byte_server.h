@@ -5,7 +5,8 @@
 
 namespace grpc {
 class Server;
-}
+class ServerCredentials;
+}  // namespace grpc
 
 namespace remeshd::test {
 
@@ -15,7 +16,8 @@ class ByteServer {
  public:
   /// Each call is answered by so many messages of so many bytes. Listens on a free port of
   /// loopback.
-  ByteServer(std::size_t messages, std::size_t bytes);
+  ByteServer(std::size_t messages, std::size_t bytes,
+             const std::shared_ptr<grpc::ServerCredentials>& credentials);
   ~ByteServer();
 
   [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(port_); }

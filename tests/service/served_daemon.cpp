@@ -10,7 +10,9 @@
 
 namespace remeshd::test {
 
-ServedDaemon::ServedDaemon(std::vector<std::string> arguments, std::optional<int> processor) {
+ServedDaemon::ServedDaemon(std::vector<std::string> arguments, std::optional<int> processor,
+                           Credentials credentials)
+    : credentials_(std::move(credentials)) {
   arguments.insert(arguments.begin(), {"--listen", "127.0.0.1:0"});
   {
     std::optional<OnProcessor> there;
@@ -29,7 +31,7 @@ std::shared_ptr<grpc::Channel> ServedDaemon::connect(bool unlimited_messages) co
     arguments.SetMaxReceiveMessageSize(-1);
     arguments.SetMaxSendMessageSize(-1);
   }
-  return grpc::CreateCustomChannel(address_, grpc::InsecureChannelCredentials(), arguments);
+  return grpc::CreateCustomChannel(address_, credentials_, arguments);
 }
 
 std::string ServedDaemon::obituary(const std::string& what) {

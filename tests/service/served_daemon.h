@@ -14,8 +14,12 @@ namespace remeshd::test {
 /// (`OnProcessor`), and a stub for it.
 class ServedDaemon {
  public:
-  /// Throws std::runtime_error where it does not serve within 10 s.
-  explicit ServedDaemon(std::vector<std::string> arguments, std::optional<int> processor = {});
+  using Credentials = std::shared_ptr<grpc::ChannelCredentials>;
+
+  /// `credentials`: of all connections to it. Throws std::runtime_error where it does not serve
+  /// within 10 s.
+  explicit ServedDaemon(std::vector<std::string> arguments, std::optional<int> processor = {},
+                        Credentials credentials = grpc::InsecureChannelCredentials());
 
   v1::RemeshService::Stub& stub() { return *stub_; }
   Process& process() { return *process_; }
@@ -38,6 +42,7 @@ class ServedDaemon {
   /// What went wrong, with how the process ended and all that it said.
   std::string obituary(const std::string& what);
 
+  const Credentials credentials_;
   std::unique_ptr<Process> process_;
   std::string address_;
   std::unique_ptr<v1::RemeshService::Stub> stub_;

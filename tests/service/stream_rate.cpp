@@ -11,6 +11,7 @@
 #include "tests/service/byte_server.h"
 #include "tests/service/client_process.h"
 #include "tests/service/goals.h"
+#include "tests/service/mutual_tls.h"
 #include "tests/service/processors.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
@@ -25,6 +26,8 @@ struct Settings {
   std::uint32_t nodes = 460000;
   int rounds = 9;
   bool goals = false;
+  bool mtls = false;  ///< both ends show certificates
+  std::string keys;   ///< folder of those
   std::string serve;  ///< be the server of bytes, and write the address into that file
   std::size_t messages = 0, bytes = 0;
 };
@@ -76,7 +79,9 @@ std::string address_in(const std::filesystem::path& file) {
 }
 
 int serve_bytes(const Settings& settings) {
-  ByteServer server(settings.messages, settings.bytes);
+  ByteServer server(
+      settings.messages, settings.bytes,
+      settings.keys.empty() ? grpc::InsecureServerCredentials() : mutual_tls_server(settings.keys));
   const std::string unfinished = settings.serve + ".unfinished";
   std::ofstream(unfinished) << server.address() << '\n';
   std::filesystem::rename(unfinished, settings.serve);
@@ -85,23 +90,33 @@ int serve_bytes(const Settings& settings) {
 }
 
 int run(const Settings& settings) {
-  ServedDaemon daemon({"--memory", "8192", "--cache", "8192"}, 0);
+  const StoreFolder folder("stream-rate");
+  std::filesystem::create_directory(folder.path());
+  const std::string keys = settings.mtls ? folder.path() : "";
+  std::vector<std::string> arguments{"--memory", "8192", "--cache", "8192"};
+  std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
+  if (settings.mtls) {
+    write_keys(keys);
+    credentials = mutual_tls_client(keys);
+    arguments.insert(arguments.end(), {"--tls-cert", keys + "/server.cert", "--tls-key",
+                                       keys + "/server.key", "--tls-client-ca", keys + "/ca.pem"});
+  }
+  ServedDaemon daemon(arguments, 0, credentials);
   const std::string revision = made_by(daemon.stub(), create_tool1(settings.nodes));
   const OnProcessor client(1);
   const Stream first = read(daemon.connect(true), revision);
 
-  const StoreFolder folder("stream-rate");
-  std::filesystem::create_directory(folder.path());
   const std::string file = folder.path() + "/address";
   std::optional<ClientProcess> server;
+  std::vector<std::string> serve{"--serve",    file,
+                                 "--messages", std::to_string(first.messages),
+                                 "--bytes",    std::to_string(first.bytes / first.messages)};
+  if (settings.mtls) serve.insert(serve.end(), {"--keys", keys});
   {
     const OnProcessor there(0);
-    server.emplace(std::vector<std::string>{"--serve", file, "--messages",
-                                            std::to_string(first.messages), "--bytes",
-                                            std::to_string(first.bytes / first.messages)});
+    server.emplace(serve);
   }
-  const auto bare_channel =
-      grpc::CreateChannel(address_in(file), grpc::InsecureChannelCredentials());
+  const auto bare_channel = grpc::CreateChannel(address_in(file), credentials);
   const auto channel = daemon.connect(true);
 
   std::vector<double> mesh, bare, ratio;
@@ -130,6 +145,8 @@ int main(int argc, char** argv) {
   CLI::App app("The rate of a mesh over that of a bare stream of bytes");
   app.add_option("--nodes", settings.nodes);
   app.add_option("--rounds", settings.rounds);
+  app.add_flag("--mtls", settings.mtls, "both ends show certificates");
+  app.add_option("--keys", settings.keys)->group("");
   app.add_option("--serve", settings.serve)->group("");
   app.add_option("--messages", settings.messages)->group("");
   app.add_option("--bytes", settings.bytes)->group("");
