@@ -17,6 +17,14 @@ std::uint64_t loading_memory(const RevisionRecord& record) {
   return limits::kBytesPerNode * record.nodes;
 }
 
+/// Bytes that making a revision of its recipe needs at its peak, as far as can be told.
+std::uint64_t remaking_memory(const Recipe& recipe, const RevisionRecord& record,
+                              const HeldRevision* parent) {
+  std::uint64_t nodes = std::max(record.nodes, recipe.options.nodes.value_or(0));
+  if (parent != nullptr) nodes = std::max<std::uint64_t>(nodes, parent->record.nodes);
+  return limits::kBytesPerNode * nodes;
+}
+
 }  // namespace
 
 HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
@@ -118,6 +126,9 @@ HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
                                                 .algorithm_version = recipe.algorithm_version});
   made->edit = recipe.edit;
   made->asked = recipe.options;
+  const std::uint64_t bytes = remaking_memory(recipe, made->record, parent.get());
+  const auto share = memory_.take(std::min(bytes, memory_.total()), run.stop, limits::kLoadWait);
+  run.poll();
   made->revision = engine_.make_revision(parent ? &parent->revision : nullptr, recipe.model,
                                          recipe.options, run);
   made->revision.report.revision = id;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <memory>
 
+#include "server/limits.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
 #include "tests/server/session/only_session.h"
@@ -101,6 +102,22 @@ TEST_F(RemakeTest, AllOfAChainMayBeGone) {
   EXPECT_EQ(served(4), recipes_[3]);
   EXPECT_EQ(session_->cache().cache_stats().remade, 4U);
   expect_all_served();
+}
+
+TEST_F(RemakeTest, WhatIsMadeAgainTakesItsMemoryFromTheBudget) {
+  session_.reset();
+  damage(4);
+  std::uint64_t leased = 0;
+  engine_.make_revision = [this, &leased, make = engine_.make_revision](
+                              const Revision* original, const ModelSource& source,
+                              const MeshOptions& options, const remeshd::Run& run) {
+    const Load load = session_->load();
+    leased = load.memory_bytes - load.held_bytes;
+    return make(original, source, options, run);
+  };
+  open();
+  EXPECT_EQ(served(4), recipes_[3]);
+  EXPECT_GE(leased, 100 * limits::kBytesPerNode);
 }
 
 TEST_F(RemakeTest, TheParentMayHaveBeenDeleted) {
