@@ -19,6 +19,8 @@ const std::string kToken = "anna-s-secret-token";
 
 class TokenCalls : public DaemonTest {
  protected:
+  /// Calls that end write into the log.
+  ~TokenCalls() override { stop(); }
   void SetUp() override {
     write("anna " + kToken + "\n");
     options_.doorman = std::make_shared<Doorman>(file());
