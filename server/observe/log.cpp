@@ -4,6 +4,7 @@
 #include <spdlog/async_logger.h>
 
 #include <utility>
+#include <vector>
 
 #include "server/observe/log_sink.h"
 
@@ -27,8 +28,9 @@ Log::Log(const LogOptions& options) : parts_(std::make_unique<Parts>()) {
 
 Log::~Log() {
   // The thread cannot be ended while nobody reads what it writes: then it is left to the end of
-  // the process, with what it needs.
-  if (!flush(std::chrono::seconds(1))) static_cast<void>(parts_.release());
+  // the process, with what it needs; in reach, so that nobody takes it for lost.
+  static std::vector<std::unique_ptr<Parts>>& left = *new std::vector<std::unique_ptr<Parts>>;
+  if (!flush(std::chrono::seconds(1))) left.push_back(std::move(parts_));
 }
 
 std::shared_ptr<spdlog::logger> Log::logger() const { return parts_->logger; }

@@ -240,6 +240,7 @@ void UnaryCall::finish(const grpc::Status& status, const std::string& reason) no
 void UnaryCall::on_cancel(std::function<void()> action) {
   {
     const std::scoped_lock lock(mutex_);
+    if (done_) return;
     if (!cancelled_) {
       on_cancel_ = std::move(action);
       return;
@@ -264,6 +265,7 @@ void UnaryCall::OnDone() {
   {
     // The action may hold what holds this call.
     const std::scoped_lock lock(mutex_);
+    done_ = true;
     on_cancel_ = nullptr;
   }
   // The last hold may be this one.

@@ -115,6 +115,7 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   void give_up() noexcept;
 
   /// What to do when the client cancels or its deadline passes; done at once where it has already.
+  /// Nothing once the call is done.
   void on_cancel(std::function<void()> action);
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
@@ -135,7 +136,7 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   std::stop_source stop_;
   std::atomic<bool> ended_ = false;
   std::mutex mutex_;
-  bool cancelled_ = false;
+  bool cancelled_ = false, done_ = false;
   std::function<void()> on_cancel_;
   std::shared_ptr<UnaryCall> self_;
 };

@@ -65,13 +65,13 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
   }
 
   void next() {
-    const Recipe& recipe = recipes_.at(at_);
-    const bool last = at_ + 1 == recipes_.size();
+    const std::size_t at = at_;
+    const Recipe& recipe = recipes_.at(at);
+    const bool last = at + 1 == recipes_.size();
     const HeadRule head = last ? head_ : HeadRule{.advance = false};
-    Listener listener{
-        .progress = {},
-        .made = [self = shared_from_this()](const Made& made) { self->take(made); },
-        .failed = [self = shared_from_this()](const Error& why) { self->failed_(why); }};
+    Listener listener{.progress = {},
+                      .made = [self = shared_from_this()](const Made& made) { self->take(made); },
+                      .failed = [self = shared_from_this()](const Error& why) { self->fail(why); }};
     MakeRequestPtr step;
     if (recipe.parent.empty()) {
       step = session_.make(CreateCommand{.source = recipe.model,
@@ -82,7 +82,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
                            std::move(listener));
     } else {
       step = session_.make(
-          EditCommand{.base = at_ == 0 ? recipe.parent : base_,
+          EditCommand{.base = at == 0 ? recipe.parent : base_,
                       .edit = decode(parse_edit(recipe.edit, {.bytes = recipe.edit.size()})),
                       .document = recipe.edit,
                       .options = all_of(recipe.options),
@@ -94,6 +94,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
     bool cancelled = false;
     {
       const std::scoped_lock lock(mutex_);
+      if (ended_ || at_ != at) return;  // it has its answer already
       step_ = step;
       cancelled = cancelled_;
     }
@@ -102,11 +103,28 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
 
  private:
   void take(const Made& made) {
-    if (at_ + 1 == recipes_.size()) return made_(made, ancestors_);
+    if (at_ + 1 == recipes_.size()) {
+      end();
+      return made_(made, ancestors_);
+    }
     base_ = made.filed.record.id;
     ancestors_.push_back(base_);
-    ++at_;
-    guarded([&] { next(); }, [&](const Error& why) { failed_(why); });
+    {
+      const std::scoped_lock lock(mutex_);
+      ++at_;
+    }
+    guarded([&] { next(); }, [&](const Error& why) { fail(why); });
+  }
+  void fail(const Error& why) {
+    end();
+    failed_(why);
+  }
+  /// Lets go of the last step, which holds this.
+  void end() {
+    MakeRequestPtr step;  // ends after the lock
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+    step.swap(step_);
   }
 
   Session& session_;
@@ -120,7 +138,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
   std::string base_;
   std::vector<std::string> ancestors_;
   std::mutex mutex_;
-  bool cancelled_ = false;
+  bool cancelled_ = false, ended_ = false;
   MakeRequestPtr step_;
 };
 

@@ -77,7 +77,17 @@ class Reader {
 StoredArrays image_of_fake(const Revision& r) {
   Writer out;
   out.text(encode(r.source).SerializeAsString());
-  out.value(r.options);
+  // Number by number: between them lie bytes that are anything.
+  const MeshOptions& o = r.options;
+  out.value(o.nodes.value_or(0));
+  out.value(o.size.value_or(0));
+  out.value(o.iterations);
+  out.value(o.seed);
+  out.value(o.inside);
+  out.value(o.start);
+  out.value(o.rebuild);
+  out.value(o.clean_up);
+  out.value(o.threshold);
   out.value(r.edge_length);
   out.list(r.delivery.mesh.nodes);
   out.list(r.delivery.mesh.tets);
@@ -146,7 +156,18 @@ Revision revision_of_fake(const StoredArrays& image) {
   if (!message.ParseFromString(model)) throw error::internal("serialise", "no model");
   r.source = decode(message);
   r.model = evaluate(r.source);
-  in.value(r.options);
+  MeshOptions& o = r.options;
+  in.value(o.nodes.emplace());
+  in.value(o.size.emplace());
+  if (*o.nodes == 0) o.nodes.reset();
+  if (*o.size == 0) o.size.reset();
+  in.value(o.iterations);
+  in.value(o.seed);
+  in.value(o.inside);
+  in.value(o.start);
+  in.value(o.rebuild);
+  in.value(o.clean_up);
+  in.value(o.threshold);
   in.value(r.edge_length);
   in.list(r.delivery.mesh.nodes);
   in.list(r.delivery.mesh.tets);

@@ -1,0 +1,22 @@
+#include "server/service/call.h"
+
+#include <gtest/gtest.h>
+
+namespace remeshd::test {
+namespace {
+
+TEST(UnaryCalls, KeepNoActionOnceTheyAreDone) {
+  grpc::CallbackServerContext context;
+  grpc::ByteBuffer reply;
+  const auto record = std::make_shared<CallRecord>(std::make_shared<FrontDesk>(), "M", context);
+  const auto call = UnaryCall::start(&context, &reply, record);
+  const auto before = std::make_shared<int>(), after = std::make_shared<int>();
+  call->on_cancel([before] {});
+  call->OnDone();
+  call->on_cancel([after] {});
+  EXPECT_EQ(before.use_count(), 1);
+  EXPECT_EQ(after.use_count(), 1);
+}
+
+}  // namespace
+}  // namespace remeshd::test

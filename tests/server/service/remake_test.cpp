@@ -1,0 +1,42 @@
+#include "server/service/remake.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/server/fake_engine.h"
+#include "tests/server/session/answer.h"
+#include "tests/server/session/only_session.h"
+#include "tests/server/session/store_folder.h"
+#include "tests/support/cases.h"
+
+namespace remeshd::test {
+namespace {
+
+TEST(RemakingARevision, HoldsNothingOnceItIsAnswered) {
+  const FakeEngine fake;
+  const StoreFolder folder;
+  const auto session = only_session(fake.engine(), folder.open());
+  const Answer first;
+  session->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
+                              .options = {.nodes = 100},
+                              .design = "plate"},
+                first.listener());
+  ASSERT_TRUE(first.came());
+
+  remesh::v1::RemakeRevisionRequest request;
+  request.set_revision("plate");
+  const auto answered = std::make_shared<std::atomic<bool>>(false);
+  const std::weak_ptr<MakeRequest> remaking = remake(
+      *session, request, remeshd::Run{}, [answered](const Made&, const auto&) { *answered = true; },
+      [answered](const Error&) { *answered = true; });
+  // Whoever answers lets go of it a moment later.
+  for (int i = 0; i < 5000 && (!*answered || !remaking.expired()); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_TRUE(*answered);
+  EXPECT_TRUE(remaking.expired());
+}
+
+}  // namespace
+}  // namespace remeshd::test
