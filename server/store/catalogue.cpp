@@ -17,7 +17,8 @@ CREATE TABLE revisions(
 CREATE INDEX revisions_by_parent ON revisions(parent, id);
 CREATE INDEX revisions_by_base ON revisions(base);
 CREATE TABLE recipes(
-  id TEXT PRIMARY KEY, parent TEXT NOT NULL, recipe TEXT NOT NULL) WITHOUT ROWID;
+  id TEXT PRIMARY KEY, parent TEXT NOT NULL, recipe TEXT NOT NULL, line_start INTEGER NOT NULL,
+  line_length INTEGER NOT NULL) WITHOUT ROWID;
 CREATE INDEX recipes_by_parent ON recipes(parent);
 CREATE TABLE designs(
   name TEXT PRIMARY KEY, next_number INTEGER NOT NULL, head TEXT NOT NULL,
@@ -89,8 +90,9 @@ std::vector<Transaction> Catalogue::snapshot() {
   while (unplaced.step())
     all.push_back({AddRevision{read_revision(unplaced, 0), recipe(unplaced.text(0))}});
   auto kept = database_.prepare(
-      "SELECT id, parent, recipe FROM recipes WHERE id NOT IN (SELECT id FROM revisions)");
-  while (kept.step()) all.push_back({KeepRecipe{kept.text(0), kept.text(1), kept.text(2)}});
+      "SELECT recipe, line_start, line_length, id, parent FROM recipes "
+      "WHERE id NOT IN (SELECT id FROM revisions)");
+  while (kept.step()) all.push_back({KeepRecipe{kept.text(3), kept.text(4), read_recipe(kept)}});
   for (const SetHead& head : heads) all.push_back({head});
   return all;
 }
@@ -155,12 +157,32 @@ void Catalogue::apply_one(const Operation& operation) {
   }
 }
 
-void Catalogue::keep_recipe(const KeepRecipe& recipe) {
-  database_.prepare("INSERT OR REPLACE INTO recipes VALUES(?, ?, ?)")
-      .bind(recipe.id)
-      .bind(recipe.parent)
-      .bind(recipe.recipe)
+void Catalogue::keep_recipe(const KeepRecipe& keep) {
+  const JournalPlace line = keep.recipe.place.value_or(JournalPlace{});
+  database_.prepare("INSERT OR REPLACE INTO recipes VALUES(?, ?, ?, ?, ?)")
+      .bind(keep.id)
+      .bind(keep.parent)
+      .bind(keep.recipe.bytes)
+      .bind(static_cast<std::int64_t>(line.start))
+      .bind(static_cast<std::int64_t>(line.length))
       .run();
+}
+
+void Catalogue::set_recipe_places(const std::vector<RecipePlace>& places) {
+  database_.execute("SAVEPOINT places");
+  try {
+    for (const auto& [id, line] : places)
+      database_
+          .prepare("UPDATE recipes SET recipe = '', line_start = ?, line_length = ? WHERE id = ?")
+          .bind(static_cast<std::int64_t>(line.start))
+          .bind(static_cast<std::int64_t>(line.length))
+          .bind(id)
+          .run();
+  } catch (...) {
+    database_.try_execute("ROLLBACK TO places; RELEASE places");
+    throw;
+  }
+  database_.execute("RELEASE places");
 }
 
 void Catalogue::drop_recipe(std::string id) {
@@ -278,10 +300,17 @@ std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
   return ids;
 }
 
-std::string Catalogue::recipe(const std::string& id) {
-  auto row = database_.prepare("SELECT recipe FROM recipes WHERE id = ?");
+KeptRecipe Catalogue::recipe(const std::string& id) {
+  auto row = database_.prepare("SELECT recipe, line_start, line_length FROM recipes WHERE id = ?");
   row.bind(id);
-  return row.step() ? row.text(0) : "";
+  return row.step() ? read_recipe(row) : KeptRecipe{};
+}
+
+std::uint64_t Catalogue::count_kept() {
+  auto row = database_.prepare(
+      "SELECT max((SELECT count(*) FROM revisions), (SELECT count(*) FROM recipes))");
+  row.step();
+  return static_cast<std::uint64_t>(row.number(0));
 }
 
 std::vector<std::pair<std::string, std::string>> Catalogue::recipes() {

@@ -49,8 +49,12 @@ class Catalogue {
   /// Designs without revisions too, but for those that were taken off the list.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
   std::vector<std::string> children(const std::string& id, int limit);
-  /// Its recipe as `packed`, be the revision deleted; empty where there is none.
-  std::string recipe(const std::string& id);
+  /// Its recipe, be the revision deleted; empty where there is none.
+  KeptRecipe recipe(const std::string& id);
+  /// Recipes stand in the journal, all or none of these. Throws Error(`INDEX_FAILED`).
+  void set_recipe_places(const std::vector<RecipePlace>& places);
+  /// Ids of which there is a record or a recipe, at least half of them.
+  std::uint64_t count_kept();
   /// Ids that have a recipe, with those of their parents.
   std::vector<std::pair<std::string, std::string>> recipes();
   /// All, by id.

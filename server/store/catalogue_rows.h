@@ -42,6 +42,13 @@ inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .pinned = row.number(first + 12) != 0};
 }
 
+/// Of columns that begin with those of a recipe: itself, start and length of its line.
+inline KeptRecipe read_recipe(const Sqlite::Statement& row) {
+  if (row.number(2) == 0) return {row.text(0)};
+  return {JournalPlace{.start = static_cast<std::uint64_t>(row.number(1)),
+                       .length = static_cast<std::uint64_t>(row.number(2))}};
+}
+
 /// Designs that are on the list, with the columns that `read_design` takes. Where the time of the
 /// last change is not known, it is that of the newest revision.
 inline const std::string kSelectDesigns =

@@ -44,6 +44,21 @@ void File::sync() const {
   if (::fsync(descriptor_) != 0) throw error::store_failed("syncing", path_.string(), errno);
 }
 
+std::string File::read(std::uint64_t start, std::size_t length) const {
+  std::string bytes(length, '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
+                                static_cast<off_t>(start + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw error::store_failed("reading", path_.string(), errno);
+    if (got == 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
 void File::set_time(std::int64_t time_ns) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   const timespec time{.tv_sec = time_ns / kSecond, .tv_nsec = time_ns % kSecond};
@@ -85,6 +100,12 @@ void remove_file(const std::filesystem::path& file) {
 
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
                    const std::filesystem::path& scratch, std::optional<std::int64_t> time_ns) {
+  write_durably(
+      file, [&](File& out) { out.write(bytes); }, scratch, time_ns);
+}
+
+void write_durably(const std::filesystem::path& file, const std::function<void(File&)>& write,
+                   const std::filesystem::path& scratch, std::optional<std::int64_t> time_ns) {
   // What an earlier process left in `scratch` may have had this one's number.
   static const std::string process =
       std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
@@ -92,7 +113,7 @@ void write_durably(const std::filesystem::path& file, std::string_view bytes,
   const std::filesystem::path temporary = scratch / (process + "-" + std::to_string(counter++));
   try {
     File out(temporary, O_WRONLY | O_CREAT | O_EXCL);
-    out.write(bytes);
+    write(out);
     if (time_ns) out.set_time(*time_ns);
     out.sync();
     rename_file(temporary, file);
@@ -125,18 +146,7 @@ void write_in_place(const std::filesystem::path& file, std::string_view bytes, s
 }
 
 std::string read_start(const std::filesystem::path& file, std::size_t limit) {
-  const File in(file, O_RDONLY);
-  std::string bytes(limit, '\0');
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t got = ::read(in.descriptor(), bytes.data() + done, bytes.size() - done);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw error::store_failed("reading", file.string(), errno);
-    if (got == 0) break;
-    done += static_cast<std::size_t>(got);
-  }
-  bytes.resize(done);
-  return bytes;
+  return File(file, O_RDONLY).read(0, limit);
 }
 
 std::string read_whole(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ class File {
   /// Waits until what was written is on the disk. After a failure nothing that was written since
   /// the last success may be believed to be there, even if a second call succeeds.
   void sync() const;
+  /// What stands at `start`, at most `length` bytes; fewer at the end of the file. Throws
+  /// Error(STORE_FAILED).
+  [[nodiscard]] std::string read(std::uint64_t start, std::size_t length) const;
   /// Sets the time of the last change, in ns since 1970.
   void set_time(std::int64_t time_ns);
   /// Cuts the file off.
@@ -41,6 +45,10 @@ class File {
 /// it throws, nothing is left in `scratch`, and the file may have been replaced or not. `time_ns`:
 /// as `write_in_place`. Throws Error(STORE_FAILED, STORE_FULL).
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
+                   const std::filesystem::path& scratch,
+                   std::optional<std::int64_t> time_ns = std::nullopt);
+/// The same for what `write` writes, bit by bit.
+void write_durably(const std::filesystem::path& file, const std::function<void(File&)>& write,
                    const std::filesystem::path& scratch,
                    std::optional<std::int64_t> time_ns = std::nullopt);
 

@@ -7,34 +7,59 @@
 
 #include "engine/base/error.h"
 #include "server/store/journal_line.h"
+#include "server/store/line_reader.h"
 
 namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes written at a time
+
 /// What one of the two files holds.
 struct Reading {
   std::map<std::uint64_t, Transaction> lines;  ///< by number
   std::string unreadable;
+  std::uint64_t size = 0;
   bool whole = true;  ///< every line can be read, and ends
 };
 
-Reading read_lines(std::string_view text) {
+/// Of a line that stands at `place` the recipes are left there.
+void leave_recipes(Transaction& transaction, const JournalPlace& place) {
+  for (Operation& operation : transaction)
+    if (KeptRecipe* recipe = recipe_in(operation).recipe) *recipe = KeptRecipe(place);
+}
+
+/// Throws Error(STORE_FAILED).
+Reading read_lines(const File& file, bool with_recipes) {
   Reading reading;
-  for (std::size_t start = 0, end = 0; start < text.size(); start = end) {
-    end = text.find('\n', start);
-    end = end == std::string::npos ? text.size() : end + 1;
-    const std::string_view line = text.substr(start, end - start);
-    auto read = read_journal_line(line);
+  LineReader lines(file);
+  while (const auto line = lines.next()) {
+    const std::uint64_t start = lines.place() - line->size();
+    auto read = read_journal_line(*line);
     if (read) {
+      if (!with_recipes) leave_recipes(read->transaction, {start, line->size()});
       reading.lines.insert_or_assign(read->number, std::move(read->transaction));
     } else {
-      reading.unreadable += line;
-      if (!line.ends_with('\n')) reading.unreadable += '\n';
+      reading.unreadable += *line;
+      if (!line->ends_with('\n')) reading.unreadable += '\n';
     }
-    reading.whole &= read && line.ends_with('\n');
+    reading.whole &= read && line->ends_with('\n');
   }
+  reading.size = lines.place();
   return reading;
+}
+
+/// The recipe of `id` in the line that stands there; empty where there is none.
+std::string recipe_in(const std::optional<File>& file, const JournalPlace& place,
+                      const std::string& id) {
+  if (!file) return {};
+  auto line = read_journal_line(file->read(place.start, place.length));
+  if (!line) return {};
+  for (Operation& operation : line->transaction)
+    if (const BroughtRecipe brought = recipe_in(operation);
+        brought.id != nullptr && *brought.id == id)
+      return std::move(brought.recipe->bytes);
+  return {};
 }
 
 }  // namespace
@@ -44,33 +69,33 @@ Journal::Journal(const fs::path& folder, fs::path scratch)
   read_both();
 }
 
-std::string Journal::read_file(const fs::path& file) {
-  if (!fs::exists(file)) {
-    whole_ = false;
-    return {};
-  }
-  try {
-    return read_whole(file);
-  } catch (const Error&) {
-    whole_ = false;
-    failed_files_.push_back(file);
-    return {};
-  }
-}
-
 void Journal::read_both() {
-  const std::string first_text = read_file(file_);
-  const std::string copy_text = read_file(copy_);
-  size_ = first_text.size();
-  Reading first = read_lines(first_text);
+  // Of a file that the disk does not give nothing is used.
+  const auto read = [&](const fs::path& path, std::optional<File>& file, const auto& what) {
+    whole_ = whole_ && fs::exists(path);
+    if (!fs::exists(path)) return;
+    try {
+      file.emplace(path, O_RDONLY);
+      what();
+    } catch (const Error&) {
+      whole_ = false;
+      failed_files_.push_back(path);
+      file.reset();
+    }
+  };
+  Reading first, copy;
+  read(file_, in_, [&] { first = read_lines(*in_, false); });
+  read(copy_, copy_in_, [&] {
+    if (in_ && same_content(*in_, *copy_in_)) return;
+    whole_ = false;
+    copy = read_lines(*copy_in_, true);
+  });
   unreadable_ = first.unreadable;
-  whole_ = whole_ && first.whole && copy_text == first_text;
-  if (copy_text != first_text) {
-    Reading copy = read_lines(copy_text);
-    // Of a copy that was not waited for anything may be on the disk.
-    if (!first.whole) unreadable_ += copy.unreadable;
-    first.lines.merge(copy.lines);
-  }
+  // Of a copy that was not waited for anything may be on the disk.
+  if (!in_ || !first.whole) unreadable_ += copy.unreadable;
+  whole_ = whole_ && first.whole;
+  size_ = first.size;
+  first.lines.merge(copy.lines);
   std::uint64_t before = 0;
   for (auto& [number, transaction] : first.lines) {
     if (before > 0) lost_ += number - before - 1;
@@ -81,9 +106,20 @@ void Journal::read_both() {
   lines_ = first.lines.size();
 }
 
-void Journal::append(const Transaction& transaction) {
-  const std::string line =
-      write_journal_line({.number = last_number_ + 1, .transaction = transaction});
+std::string Journal::recipe(const std::string& id, const JournalPlace& line) const {
+  std::string found;
+  try {
+    found = recipe_in(in_, line, id);
+  } catch (const Error&) {
+    found = recipe_in(copy_in_, line, id);
+    if (found.empty()) throw;
+    return found;
+  }
+  return found.empty() ? recipe_in(copy_in_, line, id) : found;
+}
+
+JournalPlace Journal::append(const Transaction& transaction) {
+  const std::string line = line_of(transaction, last_number_ + 1);
   if (!out_) out_.emplace(file_, O_WRONLY | O_APPEND);
   uncertain_ = true;
   try {
@@ -96,10 +132,12 @@ void Journal::append(const Transaction& transaction) {
   }
   out_->sync();
   uncertain_ = false;
+  const JournalPlace place{.start = size_, .length = line.size()};
   ++last_number_;
   ++lines_;
   size_ += line.size();
   append_to_copy(line);
+  return place;
 }
 
 void Journal::append_to_copy(std::string_view line) {
@@ -113,19 +151,49 @@ void Journal::append_to_copy(std::string_view line) {
   }
 }
 
-void Journal::rewrite(const std::vector<Transaction>& transactions) {
-  std::string text;
-  std::uint64_t number = last_number_;
-  for (const Transaction& transaction : transactions)
-    text += write_journal_line({.number = ++number, .transaction = transaction});
+std::string Journal::line_of(Transaction transaction, std::uint64_t number) const {
+  for (Operation& operation : transaction) {
+    const auto [id, recipe] = recipe_in(operation);
+    if (id != nullptr && recipe->place) *recipe = KeptRecipe(this->recipe(*id, *recipe->place));
+  }
+  return write_journal_line({.number = number, .transaction = std::move(transaction)});
+}
+
+void Journal::rewrite(const std::vector<Transaction>& transactions,
+                      const std::function<void(const std::vector<RecipePlace>&)>& moved) {
+  std::uint64_t number = last_number_, size = 0;
+  std::vector<RecipePlace> places;
+  const auto write_lines = [&](File& out) {
+    std::string piece;
+    for (Transaction transaction : transactions) {
+      const std::string line = line_of(transaction, ++number);
+      for (Operation& operation : transaction)
+        if (const std::string* id = recipe_in(operation).id)
+          places.push_back({*id, {.start = size, .length = line.size()}});
+      size += line.size();
+      piece += line;
+      if (piece.size() < kPiece) continue;
+      out.write(piece);
+      piece.clear();
+    }
+    out.write(piece);
+  };
   out_.reset();
   copy_out_.reset();
   uncertain_ = true;
-  write_durably(file_, text, scratch_);
+  write_durably(file_, write_lines, scratch_);
   last_number_ = number;
   lines_ = transactions.size();
-  size_ = text.size();
-  write_durably(copy_, text, scratch_);
+  size_ = size;
+  File in(file_, O_RDONLY);
+  const auto write_copy = [&](File& out) {
+    for (std::uint64_t start = 0; start < size; start += kPiece) out.write(in.read(start, kPiece));
+  };
+  write_durably(copy_, write_copy, scratch_);
+  File copy_in(copy_, O_RDONLY);
+  moved(places);
+  in_ = std::move(in);
+  copy_in_ = std::move(copy_in);
   uncertain_ = false;
   whole_ = true;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,8 @@ namespace remeshd {
 /// store once its line is on the disk in the first file, `journal.a`; the second, `journal.b`, is
 /// written after it and not waited for.
 ///
+/// Recipes, which are most of it, are left in the files: transactions that were read tell where.
+///
 /// Opening changes no file.
 class Journal {
  public:
@@ -24,7 +27,8 @@ class Journal {
   /// Scratch files go to `scratch`.
   Journal(const std::filesystem::path& folder, std::filesystem::path scratch);
 
-  /// What was in the files, in order. Given once.
+  /// What was in the files, in order; recipes by the lines that have them, but for those that only
+  /// the second file has. Given once.
   std::vector<Transaction> take_transactions() { return std::move(transactions_); }
   /// Lines of which neither copy could be read; those of an operation that this version does not
   /// know count.
@@ -43,23 +47,33 @@ class Journal {
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
 
-  /// Throws Error(STORE_FAILED, STORE_FULL); the transaction is then not in the journal, unless
-  /// `uncertain`: then it may be there after a crash, until `rewrite` has succeeded.
-  void append(const Transaction& transaction);
+  /// Returns where it stands. Throws Error(STORE_FAILED, STORE_FULL); the transaction is then not
+  /// in the journal, unless `uncertain`: then it may be there after a crash, until `rewrite` has
+  /// succeeded.
+  JournalPlace append(const Transaction& transaction);
   /// Whether the journal has to be rewritten before a line can be appended: a write to it failed,
   /// and what the disk has of it is not known.
   [[nodiscard]] bool uncertain() const { return uncertain_; }
 
-  /// Replaces all there is by `transactions`. Throws Error(STORE_FAILED, STORE_FULL); the journal
-  /// is then as before, or holds all of them.
-  void rewrite(const std::vector<Transaction>& transactions);
+  /// Replaces all there is by `transactions`. `moved` hears where their recipes stand from then on;
+  /// until it has returned, places are those of before. Throws Error(STORE_FAILED, STORE_FULL), and
+  /// what `moved` throws; the journal is then as before, or holds all of them, and places are those
+  /// of before.
+  void rewrite(const std::vector<Transaction>& transactions,
+               const std::function<void(const std::vector<RecipePlace>&)>& moved);
+
+  /// A recipe as `packed`; empty where its line is damaged in both files. Throws
+  /// Error(STORE_FAILED).
+  [[nodiscard]] std::string recipe(const std::string& id, const JournalPlace& line) const;
 
  private:
-  std::string read_file(const std::filesystem::path& file);
   void read_both();
   void append_to_copy(std::string_view line);
+  std::string line_of(Transaction transaction, std::uint64_t number) const;
 
   const std::filesystem::path file_, copy_, scratch_;
+  /// What places tell of: the files as they were opened or last rewritten, be others there by now.
+  std::optional<File> in_, copy_in_;
   std::vector<Transaction> transactions_;
   std::string unreadable_;
   std::vector<std::filesystem::path> failed_files_;

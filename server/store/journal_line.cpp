@@ -30,7 +30,7 @@ struct ToJson {
            {"base", r.base},
            {"seconds", r.seconds},
            {"pinned", r.pinned}};
-    if (!op.recipe.empty()) j["recipe"] = base64(op.recipe);
+    if (!op.recipe.empty()) j["recipe"] = base64(op.recipe.bytes);
     return j;
   }
   json operator()(const AddPlace& op) const {
@@ -48,7 +48,7 @@ struct ToJson {
             {"listed", op.listed}};
   }
   json operator()(const KeepRecipe& op) const {
-    return {{"keep_recipe", op.id}, {"parent", op.parent}, {"recipe", base64(op.recipe)}};
+    return {{"keep_recipe", op.id}, {"parent", op.parent}, {"recipe", base64(op.recipe.bytes)}};
   }
   json operator()(const DropMesh& op) const { return {{"drop_mesh", op.id}}; }
   json operator()(const SetPin& op) const { return {{"set_pin", op.id}, {"pinned", op.pinned}}; }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -44,15 +46,41 @@ struct DesignRecord {
   friend bool operator==(const DesignRecord&, const DesignRecord&) = default;
 };
 
+/// Where a line of the journal stands in its first file.
+struct JournalPlace {
+  std::uint64_t start = 0;   ///< byte
+  std::uint64_t length = 0;  ///< bytes, line break included
+  friend bool operator==(const JournalPlace&, const JournalPlace&) = default;
+};
+
+/// A recipe, or the line of the journal that has it: recipes of long chains are too many for the
+/// memory.
+struct KeptRecipe {
+  KeptRecipe() = default;
+  KeptRecipe(std::string packed_text) : bytes(std::move(packed_text)) {}
+  KeptRecipe(JournalPlace line) : place(line) {}
+
+  std::string bytes;                  ///< as `packed`
+  std::optional<JournalPlace> place;  ///< then `bytes` is empty
+  [[nodiscard]] bool empty() const { return bytes.empty() && !place; }
+  friend bool operator==(const KeptRecipe&, const KeptRecipe&) = default;
+};
+
+/// That of a revision.
+struct RecipePlace {
+  std::string id;
+  JournalPlace line;
+};
+
 struct AddRevision {
   RevisionRecord record;
-  std::string recipe{};  ///< as `packed`; empty: the one that is there, if any
+  KeptRecipe recipe{};  ///< empty: the one that is there, if any
 };
 /// The recipe of a revision that is no more, and that others have to be made of again.
 struct KeepRecipe {
   std::string id;
   std::string parent;
-  std::string recipe;  ///< as `packed`
+  KeptRecipe recipe;
 };
 /// The mesh goes; the revision stays, and its recipe.
 struct DropMesh {
@@ -95,5 +123,18 @@ using Operation = std::variant<AddRevision, AddPlace, SetHead, RemovePlace, Remo
 
 /// What happens to the catalogue at once, or not at all.
 using Transaction = std::vector<Operation>;
+
+/// The recipe that an operation brings, and whose it is; nulls where it brings none.
+struct BroughtRecipe {
+  const std::string* id = nullptr;
+  KeptRecipe* recipe = nullptr;
+};
+inline BroughtRecipe recipe_in(Operation& operation) {
+  if (auto* added = std::get_if<AddRevision>(&operation);
+      added != nullptr && !added->recipe.empty())
+    return {&added->record.id, &added->recipe};
+  if (auto* kept = std::get_if<KeepRecipe>(&operation)) return {&kept->id, &kept->recipe};
+  return {};
+}
 
 }  // namespace remeshd

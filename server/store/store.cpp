@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <exception>
 #include <thread>
 #include <tuple>
 
@@ -22,7 +23,7 @@ namespace {
 
 // A journal is rewritten when most of its lines tell of what is no more.
 constexpr std::uint64_t kFewLines = 1000;
-constexpr std::uint64_t kMostLinesPerRevision = 4;
+constexpr std::uint64_t kMostLinesPerKept = 4;  // per revision or recipe
 
 void make_folders(const fs::path& folder) {
   if (fs::is_directory(folder)) return;
@@ -220,10 +221,24 @@ StoredArrays Store::get(const std::string& id) { return packs_->get(id); }
 std::string Store::fault_of(const std::string& id) const { return packs_->fault_of(id); }
 
 std::string Store::recipe(const std::string& id) {
-  std::string bytes = read([&](Catalogue& catalogue) { return catalogue.recipe(id); });
-  if (bytes.empty() && persistent())
-    if (auto head = packs_->head(id)) bytes = std::move(head->recipe);
+  const std::string bytes = packed_recipe_of(id);
   return bytes.empty() ? bytes : unpacked(bytes);
+}
+
+std::string Store::packed_recipe_of(const std::string& id) {
+  // Places of lines change when the journal is rewritten.
+  const std::scoped_lock lock(committing_);
+  KeptRecipe kept = read([&](Catalogue& catalogue) { return catalogue.recipe(id); });
+  std::exception_ptr failure;
+  try {
+    if (kept.place) kept.bytes = journal_->recipe(id, *kept.place);
+  } catch (const Error&) {
+    failure = std::current_exception();
+  }
+  if (!kept.bytes.empty() || !persistent()) return kept.bytes;
+  if (auto head = packs_->head(id); head && !head->recipe.empty()) return head->recipe;
+  if (failure) std::rethrow_exception(failure);
+  return {};
 }
 
 Store::Room Store::room() const {
@@ -312,15 +327,17 @@ void Store::apply(const Transaction& transaction) {
   }
 }
 
-void Store::enter(const Transaction& transaction) {
-  const std::uint64_t revisions =
-      read([](Catalogue& catalogue) { return catalogue.count_revisions(); });
-  const std::uint64_t many = kFewLines + kMostLinesPerRevision * revisions;
-  if (journal_behind_ || journal_->uncertain() || journal_->lines() > many) {
+void Store::enter(Transaction& transaction) {
+  if (journal_->lines() > many_lines_)  // to count takes long
+    many_lines_ = kFewLines + kMostLinesPerKept *
+                                  read([](Catalogue& catalogue) { return catalogue.count_kept(); });
+  if (journal_behind_ || journal_->uncertain() || journal_->lines() > many_lines_) {
     rewrite_journal(transaction);
-  } else {
-    journal_->append(transaction);
+    return;
   }
+  const JournalPlace line = journal_->append(transaction);
+  for (Operation& operation : transaction)
+    if (KeptRecipe* recipe = recipe_in(operation).recipe) *recipe = KeptRecipe(line);
 }
 
 void Store::rewrite_journal(const Transaction& last) {
@@ -335,7 +352,9 @@ void Store::rewrite_journal(const Transaction& last) {
     return snapshot;
   });
   if (!last.empty()) all.push_back(last);
-  journal_->rewrite(all);
+  journal_->rewrite(all, [&](const std::vector<RecipePlace>& places) {
+    read([&](Catalogue& catalogue) { catalogue.set_recipe_places(places); });
+  });
   journal_behind_ = false;
 }
 

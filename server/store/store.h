@@ -64,7 +64,7 @@ class Store {
   /// What is wrong with the file of a revision; else empty. Pre: the store is persistent.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
   /// The recipe of a revision, be its mesh gone or it deleted: the journal's, else the file's.
-  /// Empty where there is none.
+  /// Empty where there is none. Waits for the disk. Throws Error(STORE_FAILED, STORE_CORRUPTED).
   std::string recipe(const std::string& id);
   /// What the folder and its file system have beside revisions.
   struct Room {
@@ -104,10 +104,11 @@ class Store {
   void load(std::vector<Transaction> transactions);
   void adopt_unknown_packs(class Quarantine& quarantine);
   void apply(const Transaction& transaction);
-  void enter(const Transaction& transaction);
+  void enter(Transaction& transaction);
   void rewrite_journal(const Transaction& last);
   void drop_added(const Transaction& transaction);
   bool is_needed(const std::string& id);
+  std::string packed_recipe_of(const std::string& id);
   void tidy();
 
   // Whoever changes something holds the first all along, and waits for the disk with it; the second
@@ -124,7 +125,8 @@ class Store {
   std::mutex health_;  ///< guards the listener
   std::function<void(bool)> health_listener_;
   std::atomic<bool> healthy_ = true;
-  bool journal_behind_ = false;  ///< the journal does not say what the catalogue says
+  std::uint64_t many_lines_ = 0;  ///< from where on the journal may have too many
+  bool journal_behind_ = false;   ///< the journal does not say what the catalogue says
   /// Revisions that the journal says were removed, or that could not be added, and that may have a
   /// pack: with its base.
   std::map<std::string, std::string> leftovers_;

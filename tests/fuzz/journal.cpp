@@ -72,10 +72,19 @@ Catalogue& emptied(Catalogue& catalogue) {
   return catalogue;
 }
 
+/// The same with the recipes that are told by their place, as `read` gives them.
+template <typename Read>
+std::vector<Transaction> with_recipes(std::vector<Transaction> transactions, const Read& read) {
+  for (Transaction& transaction : transactions)
+    for (Operation& operation : transaction)
+      if (const auto [id, recipe] = recipe_in(operation); id != nullptr && recipe->place)
+        *recipe = KeptRecipe(read(*id, *recipe->place));
+  return transactions;
+}
+
 /// A catalogue tells itself in transactions that make it again.
 std::vector<Transaction> checked_snapshot(Catalogue& catalogue) {
   std::vector<Transaction> all = catalogue.snapshot();
-  check_lines(all);
   static Catalogue other;
   Catalogue& again = emptied(other);
   expect(again.apply_all(all) == 0, "a catalogue that cannot be made again");
@@ -95,22 +104,37 @@ void check_journal(const ScratchFolder& folder) {
   const std::uint64_t lines = journal.lines();
   const std::vector<Transaction> read = journal.take_transactions();
   expect(read.size() == lines, "a line of the journal is counted and not given");
-  check_lines(read);
+  const auto recipe_of = [](const Journal& from) {
+    return [&](const std::string& id, const JournalPlace& line) { return from.recipe(id, line); };
+  };
+  check_lines(with_recipes(read, recipe_of(journal)));
   static Catalogue all_read;
   Catalogue& catalogue = emptied(all_read);
   catalogue.apply_all(read);
-  const std::vector<Transaction> all = checked_snapshot(catalogue);
-  journal.rewrite(all);
+  const std::string all = text_of(with_recipes(checked_snapshot(catalogue), recipe_of(journal)));
+  journal.rewrite(catalogue.snapshot(), [&](const std::vector<RecipePlace>& places) {
+    catalogue.set_recipe_places(places);
+  });
+  expect(text_of(with_recipes(catalogue.snapshot(), recipe_of(journal))) == all,
+         "a recipe is another once the journal was rewritten");
   Journal again(folder.path(), folder.path());
   expect(again.whole(), "a journal that was rewritten is not whole");
-  expect(text_of(again.take_transactions()) == text_of(all), "a journal is rewritten as another");
+  expect(text_of(with_recipes(again.take_transactions(), recipe_of(again))) == all,
+         "a journal is rewritten as another");
 }
 
 void check_store(const ScratchFolder& folder) {
   std::string found;
   for (int opening = 0; opening < 2; ++opening) {
     Store store(folder.path());
-    const std::string all = text_of(store.read(checked_snapshot));
+    const auto recipe_of = [&](const std::string& id, const JournalPlace&) -> std::string {
+      try {
+        return store.recipe(id);
+      } catch (const Error&) {
+        return "no recipe";
+      }
+    };
+    const std::string all = text_of(with_recipes(store.read(checked_snapshot), recipe_of));
     expect(opening == 0 || all == found, "a store that is opened again is another");
     found = all;
   }

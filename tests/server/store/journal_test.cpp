@@ -19,8 +19,19 @@ class JournalTest : public StoreFolderTest {
   Journal open() { return {folder_, scratch_}; }
   Journal fresh() {
     Journal journal = open();
-    journal.rewrite({});
+    rewrite(journal, {});
     return journal;
+  }
+  static std::vector<RecipePlace> rewrite(Journal& journal,
+                                          const std::vector<Transaction>& transactions) {
+    std::vector<RecipePlace> moved;
+    journal.rewrite(transactions, [&](const std::vector<RecipePlace>& places) { moved = places; });
+    return moved;
+  }
+  /// Of the n-th transaction's first operation.
+  static JournalPlace place_of_recipe(Journal& journal, std::size_t n) {
+    auto all = journal.take_transactions();
+    return recipe_in(all.at(n).at(0)).recipe->place.value();
   }
   static void append(Journal& journal, const std::string& id) {
     journal.append({RemoveRevision{id}});
@@ -176,7 +187,7 @@ TEST_F(JournalTest, RewritingReplacesBothAndGoesOn) {
   {
     Journal journal = fresh();
     for (const char* id : {"aa", "bb"}) append(journal, id);
-    journal.rewrite({{RemoveRevision{"cc"}}});
+    rewrite(journal, {{RemoveRevision{"cc"}}});
     EXPECT_EQ(journal.lines(), 1U);
     append(journal, "dd");
   }
@@ -189,13 +200,103 @@ TEST_F(JournalTest, ARewriteThatOnlyTheFirstFileSawIsComplete) {
   Journal journal = fresh();
   append(journal, "aa");
   const std::string before = content(second_);
-  journal.rewrite({{StartAnew{}}, {RemoveRevision{"bb"}}});
+  rewrite(journal, {{StartAnew{}}, {RemoveRevision{"bb"}}});
   write(second_, before);
   Journal opened = open();
   const auto all = opened.take_transactions();
   ASSERT_EQ(all.size(), 3U);  // the old line, then what replaces everything
   EXPECT_TRUE(std::holds_alternative<StartAnew>(all[1][0]));
   EXPECT_EQ(std::get<RemoveRevision>(all[2][0]).id, "bb");
+}
+
+TEST_F(JournalTest, RecipesAreLeftInTheFile) {
+  JournalPlace place;
+  {
+    Journal journal = fresh();
+    append(journal, "aa");
+    place = journal.append({AddRevision{record(1), {"one"}}, KeepRecipe{"bb", "", {"two"}}});
+    EXPECT_EQ(journal.recipe(id(1), place), "one");
+    EXPECT_EQ(journal.recipe("bb", place), "two");
+    EXPECT_EQ(journal.recipe("cc", place), "");
+  }
+  Journal journal = open();
+  EXPECT_EQ(journal.recipe(id(1), place), "one");
+  EXPECT_EQ(place_of_recipe(journal, 1), place);
+}
+
+TEST_F(JournalTest, ARecipeWithoutTextIsStillARecipeOfTheLine) {
+  Journal journal = fresh();
+  const JournalPlace place = journal.append({KeepRecipe{"bb", "aa", {}}});
+  EXPECT_EQ(journal.recipe("bb", place), "");
+  Journal again = open();
+  EXPECT_EQ(std::get<KeepRecipe>(again.take_transactions().at(0).at(0)).parent, "aa");
+}
+
+TEST_F(JournalTest, ARecipeThatIsDamagedInOneFileIsReadInTheOther) {
+  Journal journal = fresh();
+  const JournalPlace place = journal.append({KeepRecipe{"bb", "", {"text"}}});
+  flip_bit(first_, place.start + place.length / 2);
+  EXPECT_EQ(open().recipe("bb", place), "text");
+  flip_bit(second_, place.start + 4);
+  EXPECT_EQ(open().recipe("bb", place), "");
+}
+
+TEST_F(JournalTest, RecipesThatOnlyTheSecondFileHasAreRead) {
+  {
+    Journal journal = fresh();
+    append(journal, "aa");
+    journal.append({KeepRecipe{"bb", "", {"text"}}});
+  }
+  fs::remove(first_);
+  Journal journal = open();
+  const auto all = journal.take_transactions();
+  EXPECT_EQ(std::get<KeepRecipe>(all.at(1).at(0)).recipe, KeptRecipe("text"));
+}
+
+TEST_F(JournalTest, RewritingTakesRecipesAlongAndTellsTheirPlaces) {
+  Journal journal = fresh();
+  append(journal, "aa");
+  const JournalPlace place = journal.append({AddRevision{record(1), {"one"}}});
+  const auto moved = rewrite(journal, {{AddRevision{record(1), {place}}, AddPlace{"d", 1, id(1)}},
+                                       {KeepRecipe{"bb", id(1), {"two"}}}});
+  ASSERT_EQ(moved.size(), 2U);
+  EXPECT_EQ(moved[0].id, id(1));
+  EXPECT_NE(moved[0].line, place);
+  EXPECT_EQ(journal.recipe(id(1), moved[0].line), "one");
+  EXPECT_EQ(journal.recipe("bb", moved[1].line), "two");
+  Journal again = open();
+  EXPECT_TRUE(again.whole());
+  EXPECT_EQ(again.recipe(id(1), moved[0].line), "one");
+  EXPECT_EQ(place_of_recipe(again, 1), moved[1].line);
+}
+
+TEST_F(JournalTest, PlacesStandUntilWhoeverHasThemKnowsTheNewOnes) {
+  Journal journal = fresh();
+  append(journal, "aa");
+  const JournalPlace place = journal.append({KeepRecipe{"bb", "", {"text"}}});
+  const Transaction kept{KeepRecipe{"bb", "", {place}}};
+  const auto fails = [](const std::vector<RecipePlace>&) { throw std::bad_alloc(); };
+  EXPECT_THROW(journal.rewrite({kept}, fails), std::bad_alloc);
+  EXPECT_TRUE(journal.uncertain());
+  EXPECT_EQ(journal.recipe("bb", place), "text");
+  const auto moved = rewrite(journal, {kept});
+  EXPECT_FALSE(journal.uncertain());
+  EXPECT_EQ(journal.recipe("bb", moved.at(0).line), "text");
+}
+
+TEST_F(JournalTest, ALineMayBeLongerThanWhatIsReadAtATime) {
+  const std::string large(std::size_t{1} << 20, 'x');
+  JournalPlace place;
+  {
+    Journal journal = fresh();
+    append(journal, "aa");
+    place = journal.append({KeepRecipe{"bb", "", {large}}});
+    append(journal, "cc");
+  }
+  Journal journal = open();
+  EXPECT_TRUE(journal.whole());
+  EXPECT_EQ(journal.lines(), 3U);
+  EXPECT_EQ(journal.recipe("bb", place), large);
 }
 
 }  // namespace
