@@ -94,6 +94,10 @@ inline constexpr double kLoadWait = 60;
 inline constexpr std::uint64_t kMarginShare = 16;
 /// Of the budget: what the revisions held keep all the same, or the next request finds none.
 inline constexpr std::uint64_t kKeptShare = 4;
+/// The process is looked at so often, and what it freed given back to the system where it grew by
+/// so many bytes since it last was.
+inline constexpr std::chrono::seconds kReturnInterval(10);
+inline constexpr std::uint64_t kReturnGrowth = 16 * kMebi;
 
 // Files of the operator's. Larger ones are a mistake.
 

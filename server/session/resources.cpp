@@ -45,7 +45,8 @@ Resources::Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metric
                     .compute = limits_.compute,
                     .niceness = limits::kComputationNiceness,
                     .waited = counts_waits(Lane::Computation, metrics_.get())}),
-      admission_(computation_) {
+      admission_(computation_),
+      freed_memory_({resident_bytes, return_freed_memory}) {
   memory_.set_process({resident_bytes, return_freed_memory});
 }
 

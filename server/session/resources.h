@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "server/admission/admission.h"
+#include "server/admission/freed_memory.h"
 #include "server/admission/memory_budget.h"
 #include "server/admission/pool.h"
 #include "server/limits.h"
@@ -73,6 +74,7 @@ class Resources {
   Pool preparation_;
   Pool computation_;
   Admission admission_;
+  FreedMemory freed_memory_;
 };
 
 }  // namespace remeshd
