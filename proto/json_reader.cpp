@@ -70,7 +70,8 @@ class TreeBuilder {
   bool boolean(bool value) { return put({value}); }
   bool number_integer(std::int64_t value) { return put({static_cast<double>(value)}); }
   bool number_unsigned(std::uint64_t value) { return put({static_cast<double>(value)}); }
-  bool number_float(double value, const std::string& /*text*/) { return put({value}); }
+  /// Zero loses its sign, as `-0`, which is a whole number, does.
+  bool number_float(double value, const std::string& /*text*/) { return put({value + 0.0}); }
   bool string(std::string& value) { return put({std::move(value)}); }
   bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
 

@@ -64,7 +64,8 @@ std::string digits(Number number) {
   return {text, end};
 }
 
-std::string real(double number) { return std::isfinite(number) ? digits(number) : "null"; }
+/// Zero has no sign: a document would be read again as another.
+std::string real(double number) { return std::isfinite(number) ? digits(number + 0.0) : "null"; }
 
 Piece token(std::string text) { return {std::move(text), false, {}}; }
 

@@ -103,6 +103,25 @@ TEST(Document, WhatIsWrittenReadsBackEqualAndWritesTheSameTextAgain) {
   }
 }
 
+TEST(Document, ZeroHasNoSign) {
+  const auto profile = [](const std::string& y) {
+    return parse_model(with_feature(R"("parameters": {"profile": [[1, )" + y + "]]}"));
+  };
+  const std::string zero = write_document(profile("0"));
+  for (const char* minus : {"-0", "-0.0", "-0e5", "-1e-999"})
+    EXPECT_EQ(write_document(profile(minus)), zero) << minus;
+  v1::FeatureModel message = profile("7");
+  message.mutable_features(0)
+      ->mutable_parameters(0)
+      ->mutable_value()
+      ->mutable_list_value()
+      ->mutable_values(0)
+      ->mutable_list_value()
+      ->mutable_values(1)
+      ->set_number_value(-0.0);
+  EXPECT_EQ(write_document(message), zero);
+}
+
 TEST(Document, AReferencePointIsAListOfThreeValues) {
   const v1::FeatureModel model = parse_model(with_feature(R"("referencePoint": [0, "h/2", 5])"));
   ASSERT_EQ(model.features(0).reference_choice_case(), v1::Feature::kReferencePoint);

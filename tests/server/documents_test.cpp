@@ -45,6 +45,14 @@ TEST_F(Documents, GiveTheRevisionThatTheirMessagesGive) {
   EXPECT_EQ(engine_.made(), 2);
 }
 
+TEST_F(Documents, GiveTheRevisionThatTheirMessagesGiveWhereZeroHasASign) {
+  create(plate());
+  const auto child = edit("plate@1", set("at", -0.0));
+  EXPECT_EQ(edit("plate@1", set("at", 0)).revision().id(), child.revision().id());
+  const auto again = edit(edit_as_text("plate@1", write_document(set("at", -0.0))));
+  EXPECT_EQ(again.revision().id(), child.revision().id());
+}
+
 TEST_F(Documents, AreComparedAndValidated) {
   create(plate());
   const std::string model = write_document(plate(6));
