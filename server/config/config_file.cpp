@@ -13,9 +13,10 @@
 #include <fstream>
 #include <optional>
 
+#include "engine/base/utf8.h"
+#include "server/config/ascii_form.h"
 #include "server/config/config_error.h"
 #include "server/config/nearest_name.h"
-#include "server/config/plain_characters.h"
 #include "server/limits.h"
 
 namespace remeshd {
@@ -27,18 +28,23 @@ const Option* find_option(std::string_view key) {
   return nullptr;
 }
 
-std::optional<std::vector<std::string>> list_of(const toml::node& node) {
+std::optional<std::string> text_of(const toml::node& node, const AsciiForm& form) {
+  const auto text = node.value_exact<std::string>();
+  return text ? std::optional(form.original(*text)) : std::nullopt;
+}
+
+std::optional<std::vector<std::string>> list_of(const toml::node& node, const AsciiForm& form) {
   std::vector<std::string> list;
   if (const auto* array = node.as_array()) {
     for (const toml::node& element : *array) {
-      const auto text = element.value_exact<std::string>();
+      const auto text = text_of(element, form);
       if (!text) return std::nullopt;
       list.push_back(*text);
     }
     return list;
   }
   // One element needs no brackets.
-  if (const auto text = node.value_exact<std::string>()) return std::vector{*text};
+  if (const auto text = text_of(node, form)) return std::vector{*text};
   return std::nullopt;
 }
 
@@ -48,7 +54,8 @@ std::optional<OptionValue> exact(const toml::node& node) {
   return std::nullopt;
 }
 
-std::optional<OptionValue> value_of(const toml::node& node, OptionKind kind) {
+std::optional<OptionValue> value_of(const toml::node& node, const AsciiForm& form,
+                                    OptionKind kind) {
   switch (kind) {
     case OptionKind::Switch:
       return exact<bool>(node);
@@ -61,40 +68,51 @@ std::optional<OptionValue> value_of(const toml::node& node, OptionKind kind) {
         return OptionValue(*value);
       return std::nullopt;
     case OptionKind::Text:
-      return exact<std::string>(node);
+      if (auto text = text_of(node, form)) return OptionValue(*std::move(text));
+      return std::nullopt;
     case OptionKind::List:
-      if (auto list = list_of(node)) return OptionValue(std::move(*list));
+      if (auto list = list_of(node, form)) return OptionValue(std::move(*list));
       return std::nullopt;
   }
   return std::nullopt;
 }
 
-toml::table parse(std::string_view text, const std::string& name) {
-  check_plain_characters(text, name);
+void check_utf8(std::string_view text, const std::string& name) {
+  for (std::size_t line = 1, start = 0; start < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    if (!is_utf8(text.substr(start, end - start)))
+      throw ConfigError(fmt::format("{}:{}: the line is not UTF-8", name, line));
+    start = end + 1;
+  }
+}
+
+toml::table parse(const AsciiForm& form, const std::string& name) {
   try {
-    return toml::parse(text, name);
+    return toml::parse(form.text(), name);
   } catch (const toml::parse_error& failure) {
     throw ConfigError(fmt::format("{}:{}: {}", name, failure.source().begin.line,
-                                  std::string_view(failure.description())));
+                                  form.original(failure.description())));
   }
 }
 
 }  // namespace
 
 std::vector<GivenOption> read_config_text(std::string_view text, const std::string& name) {
-  const toml::table table = parse(text, name);
+  check_utf8(text, name);
+  const AsciiForm form(text);
+  const toml::table table = parse(form, name);
   std::vector<GivenOption> out;
   for (const auto& [key, node] : table) {
-    const std::string place =
-        fmt::format("{}:{}: {}", name, key.source().begin.line, std::string_view(key.str()));
-    const Option* const option = find_option(key.str());
+    const std::string word = form.original(key.str());
+    const std::string place = fmt::format("{}:{}: {}", name, key.source().begin.line, word);
+    const Option* const option = find_option(word);
     if (option == nullptr)
-      throw ConfigError(place + " is unknown" + suggestion(key.str(), option_names(&Option::key)));
+      throw ConfigError(place + " is unknown" + suggestion(word, option_names(&Option::key)));
     if (std::any_of(out.begin(), out.end(),
                     [option](const GivenOption& given) { return given.option == option; }))
       throw ConfigError(fmt::format("{} is given twice: as `{}` and as `{}`", place, option->key(),
                                     option->snake_key()));
-    auto value = value_of(node, option->kind);
+    auto value = value_of(node, form, option->kind);
     if (!value) throw ConfigError(fmt::format("{} is to be {}", place, name_of(option->kind)));
     out.push_back({option, std::move(*value), place});
   }
