@@ -242,7 +242,7 @@ void UnaryCall::on_cancel(std::function<void()> action) {
     const std::scoped_lock lock(mutex_);
     if (done_) return;
     if (!cancelled_) {
-      on_cancel_ = std::move(action);
+      on_cancel_.push_back(std::move(action));
       return;
     }
   }
@@ -250,23 +250,23 @@ void UnaryCall::on_cancel(std::function<void()> action) {
 }
 
 void UnaryCall::OnCancel() {
-  std::function<void()> action;
+  std::vector<std::function<void()>> actions;
   {
     const std::scoped_lock lock(mutex_);
     cancelled_ = true;
-    action = std::move(on_cancel_);
+    actions.swap(on_cancel_);
   }
   stop_.request_stop();
-  if (action) answering(*this, action);
+  for (const auto& action : actions) answering(*this, action);
 }
 
 void UnaryCall::OnDone() {
   record_->end();
   {
-    // The action may hold what holds this call.
+    // The actions may hold what holds this call.
     const std::scoped_lock lock(mutex_);
     done_ = true;
-    on_cancel_ = nullptr;
+    on_cancel_.clear();
   }
   // The last hold may be this one.
   const auto self = std::move(self_);
