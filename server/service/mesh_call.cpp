@@ -18,28 +18,36 @@ MeshCall* MeshCall::start(Tenants& tenants, grpc::CallbackServerContext* context
     session.later(Lane::Preparation,
                   {.run =
                        [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
-                         answering(*call, [&] {
-                           call->prepare(session, bytes, message_limit);
-                           call->write_next();
-                         });
+                         answering(*call, [&] { call->fetch(session, bytes, message_limit); });
                        },
                    .refused = [call](const Error& why) { call->fail(why); }});
   });
   return call.get();
 }
 
-void MeshCall::prepare(Session& session, const grpc::ByteBuffer& request,
-                       std::size_t message_limit) {
-  v1::GetMeshRequest message;
-  from_bytes(request, message_limit, message);
-  check_selection(message.selection());
-  const Run run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}};
-  const HeldRevisionPtr revision = session.get(message.revision(), run);
+void MeshCall::fetch(Session& session, const grpc::ByteBuffer& request, std::size_t message_limit) {
+  const auto message = std::make_shared<v1::GetMeshRequest>();
+  from_bytes(request, message_limit, *message);
+  check_selection(message->selection());
+  const auto call = shared_from_this();
+  session.fetch(session.resolve(message->revision()).id, stop_.get_token(),
+                {.got =
+                     [call, &session, message](const HeldRevisionPtr& revision) {
+                       answering(*call, [&] { call->begin(session, *message, revision); });
+                     },
+                 .failed = [call](const Error& why) { call->fail(why); }});
+}
+
+void MeshCall::begin(Session& session, const v1::GetMeshRequest& request,
+                     const HeldRevisionPtr& revision) {
   record_->set_note("revision=" + revision->record.id.substr(0, 12));
+  const Run run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}};
+  run.poll();  // the mesh may have been made for others too
   const HeldRevisionPtr parent =
-      message.selection().delta() ? session.parent_of(*revision, run) : nullptr;
-  messages_.emplace(revision, parent, message.selection());
-  if (message.has_resume_from()) messages_->resume_from(message.resume_from());
+      request.selection().delta() ? session.parent_of(*revision, run) : nullptr;
+  messages_.emplace(revision, parent, request.selection());
+  if (request.has_resume_from()) messages_->resume_from(request.resume_from());
+  write_next();
 }
 
 void MeshCall::write_next() {

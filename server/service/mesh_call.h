@@ -15,9 +15,9 @@
 
 namespace remeshd {
 
-/// One GetMesh: the revision is found in the lane of preparations, then message follows message as
-/// the client takes them. One thing happens after the other: preparation, a write, the next write,
-/// the end. So no operation starts after `Finish`, and the call lives until then.
+/// One GetMesh: the revision is fetched from the lane of preparations, then message follows message
+/// as the client takes them. One thing happens after the other: preparation, a write, the next
+/// write, the end. So no operation starts after `Finish`, and the call lives until then.
 class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                        public std::enable_shared_from_this<MeshCall> {
  public:
@@ -37,7 +37,9 @@ class MeshCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   void OnDone() override;
 
  private:
-  void prepare(Session& session, const grpc::ByteBuffer& request, std::size_t message_limit);
+  void fetch(Session& session, const grpc::ByteBuffer& request, std::size_t message_limit);
+  void begin(Session& session, const remesh::v1::GetMeshRequest& request,
+             const HeldRevisionPtr& revision);
   void write_next();
   /// Ends the call; only the first end has an effect.
   void end(const grpc::Status& status, const std::string& reason = {}) noexcept;

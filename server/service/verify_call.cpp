@@ -24,7 +24,7 @@ VerifyCall* VerifyCall::start(Tenants& tenants, grpc::CallbackServerContext* con
                          answering(*call, [&] {
                            v1::VerifyCacheRequest message;
                            from_bytes(bytes, message_limit, message);
-                           call->verify(session, message.repair());
+                           call->begin(session, message);
                          });
                        },
                    .refused = [call](const Error& why) { call->fail(why); }});
@@ -32,30 +32,56 @@ VerifyCall* VerifyCall::start(Tenants& tenants, grpc::CallbackServerContext* con
   return call.get();
 }
 
-void VerifyCall::verify(Session& session, bool repair) {
-  v1::VerifyCacheResponse so_far;
-  auto last = std::chrono::steady_clock::now();
-  const auto found = [&](const CacheFault& fault) {
-    so_far.set_findings(so_far.findings() + 1);
-    v1::VerifyCacheResponse message = so_far;
-    message.mutable_finding()->set_revision(fault.revision);
-    message.mutable_finding()->set_what(fault.what);
-    message.mutable_finding()->set_repaired(fault.repaired);
-    send(message);
-  };
-  const auto progress = [&](std::uint64_t read, std::uint64_t total) {
-    so_far.set_bytes_read(read);
-    so_far.set_bytes_total(total);
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last < kProgress) return;
-    last = now;
-    send(so_far);
-  };
-  session.cache().verify_cache(repair, found, progress,
-                               {.stop = stop_.get_token(), .on_progress = {}, .dumps = {}});
-  so_far.set_done(true);
-  send(so_far);
+void VerifyCall::begin(Session& session, const v1::VerifyCacheRequest& request) {
+  session_ = &session;
+  repair_ = request.repair();
+  verification_.emplace(session.cache());
+  so_far_.set_bytes_total(verification_->bytes_total());
+  go_on();
+}
+
+void VerifyCall::go_on() {
+  while (!verification_->ended()) {
+    Run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}}.poll();
+    const std::optional<CacheFault> fault = verification_->next();
+    so_far_.set_bytes_read(verification_->bytes_read());
+    if (fault && repair_) {
+      return session_->repair(*fault, stop_.get_token(),
+                              [call = shared_from_this()](const CacheFault& told) {
+                                answering(*call, [&] {
+                                  call->tell(told);
+                                  call->go_on_later();
+                                });
+                              });
+    }
+    if (fault) tell(*fault);
+    tell_progress();
+  }
+  so_far_.set_done(true);
+  send(so_far_);
   end(grpc::Status::OK);
+}
+
+void VerifyCall::go_on_later() {
+  const auto call = shared_from_this();
+  session_->later(Lane::Preparation, {.run = [call] { answering(*call, [&] { call->go_on(); }); },
+                                      .refused = [call](const Error& why) { call->fail(why); }});
+}
+
+void VerifyCall::tell(const CacheFault& fault) {
+  so_far_.set_findings(so_far_.findings() + 1);
+  v1::VerifyCacheResponse message = so_far_;
+  message.mutable_finding()->set_revision(fault.revision);
+  message.mutable_finding()->set_what(fault.what);
+  message.mutable_finding()->set_repaired(fault.repaired);
+  send(message);
+}
+
+void VerifyCall::tell_progress() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - told_ < kProgress) return;
+  told_ = now;
+  send(so_far_);
 }
 
 void VerifyCall::send(const v1::VerifyCacheResponse& message) {

@@ -7,17 +7,20 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 
 #include "remesh/v1/cache.pb.h"
 #include "server/service/call.h"
 #include "server/service/status.h"
 #include "server/session/tenants.h"
+#include "server/session/verification.h"
 
 namespace remeshd {
 
 /// One VerifyCache: the store is read in the lane of preparations, and what is found is sent as it
-/// comes. Nothing starts after `Finish`, and the call lives until then.
+/// comes. While a mesh is made again, no thread waits for it. Nothing starts after `Finish`, and
+/// the call lives until then.
 class VerifyCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
                          public std::enable_shared_from_this<VerifyCall> {
  public:
@@ -37,7 +40,11 @@ class VerifyCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   void OnDone() override;
 
  private:
-  void verify(Session& session, bool repair);
+  void begin(Session& session, const remesh::v1::VerifyCacheRequest& request);
+  void go_on();
+  void go_on_later();
+  void tell(const CacheFault& fault);
+  void tell_progress();
   void send(const remesh::v1::VerifyCacheResponse& message);
   /// Ends the call once everything is sent; only the first end has an effect.
   void end(const grpc::Status& status, const std::string& reason = {}) noexcept;
@@ -46,6 +53,14 @@ class VerifyCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<VerifyCall> self_;
   std::stop_source stop_;
+
+  // Of the one piece of work under way.
+  Session* session_ = nullptr;
+  bool repair_ = false;
+  std::optional<Verification> verification_;
+  remesh::v1::VerifyCacheResponse so_far_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+
   std::mutex mutex_;                      ///< guards what follows
   std::deque<grpc::ByteBuffer> waiting_;  ///< the first is being written
   bool ended_ = false, finished_ = false;
