@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/service/call.h"
+#include "server/service/message_stream.h"
 #include "server/service/remesh_service.h"
 #include "server/session/session_error.h"
 #include "server/session/tenants.h"
@@ -64,6 +65,34 @@ grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& o
         const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
         call->reply(answer(session, request, run));
       });
+}
+
+/// A call to which `work(stream, session, request)` replies with a stream of messages; it is called
+/// in the lane of preparations.
+template <typename Request, typename Work>
+grpc::ServerWriteReactor<grpc::ByteBuffer>* work_on_stream(Tenants& tenants,
+                                                           const ServiceOptions& options,
+                                                           const char* method,
+                                                           grpc::CallbackServerContext* context,
+                                                           const grpc::ByteBuffer& in, Work work) {
+  const auto stream =
+      MessageStream::start(context, std::make_shared<CallRecord>(options.desk, method, *context));
+  answering(*stream, [&] {
+    stream->record().admit(*context);
+    stream->record().count_as_stream();
+    Session& session = tenants.of(stream->record().tenant());
+    session.later(Lane::Preparation,
+                  {.run =
+                       [stream, &session, work, bytes = in, limit = options.limits.message_bytes] {
+                         answering(*stream, [&] {
+                           Request request;
+                           from_bytes(bytes, limit, request);
+                           work(stream, session, request);
+                         });
+                       },
+                   .refused = [stream](const Error& why) { stream->fail(why); }});
+  });
+  return stream.get();
 }
 
 }  // namespace remeshd

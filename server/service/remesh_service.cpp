@@ -60,8 +60,8 @@ class RawRemeshService final : public RawService {
                                       record("EditStream", context));
   }
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
-    return MeshCall::start(tenants_, context, *in, options_.limits.message_bytes,
-                           record("GetMesh", context));
+    return work_on_stream<v1::GetMeshRequest>(tenants_, options_, "GetMesh", context, *in,
+                                              send_mesh);
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {

@@ -1,5 +1,7 @@
 #include "server/session/session.h"
 
+#include <algorithm>
+
 #include "server/limits.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
@@ -35,6 +37,14 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
 
 HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
   return archive_.get(resolve(reference).id, run);
+}
+
+MemoryBudget::Lease Session::take_stream_memory(const std::stop_token& stop) {
+  MemoryBudget& memory = resources_.memory();
+  auto lease = memory.take(std::min<std::uint64_t>(2 * limits::kUntakenBytes, memory.total()), stop,
+                           limits::kLoadWait);
+  Run{.stop = stop, .on_progress = {}, .dumps = {}}.poll();
+  return lease;
 }
 
 void Session::repair(CacheFault fault, const std::stop_token& stop,

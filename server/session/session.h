@@ -72,6 +72,9 @@ class Session {
     work.tenant = tenant_;
     return resources_.lane(lane).submit(std::move(work));
   }
+  /// For the replies of a stream that wait for its client. Waits as the reading of a revision does.
+  /// Throws what MemoryBudget::take throws, Error(Cancelled).
+  MemoryBudget::Lease take_stream_memory(const std::stop_token& stop);
   /// As Pool::withdraw.
   bool withdraw(Lane lane, WorkId id) { return resources_.lane(lane).withdraw(id); }
 
