@@ -47,6 +47,9 @@ class CallRecord {
   void admit(const grpc::ServerContextBase& context);
   /// The same for a stream, of which each request counts by itself: `enter`.
   void admit_stream(const grpc::ServerContextBase& context);
+  /// For a stream that goes on: the file of tokens may have been read anew since it was let in.
+  /// Throws what Doorman::check_again throws.
+  void check_still_admitted(const grpc::ServerContextBase& context) const;
   [[nodiscard]] CallGate::Pass enter() const { return desk_->gate->enter(); }
   /// Whose call it is; set by `admit`. Empty where the daemon asks for no tokens.
   [[nodiscard]] const std::string& tenant() const { return tenant_; }

@@ -14,6 +14,7 @@ std::shared_ptr<MessageStream> MessageStream::start(grpc::CallbackServerContext*
 }
 
 void MessageStream::send(const google::protobuf::Message& message) {
+  record_->check_still_admitted(*context_);
   grpc::ByteBuffer bytes = to_bytes(message);
   const std::scoped_lock lock(mutex_);
   if (ended_) return;

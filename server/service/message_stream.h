@@ -34,6 +34,7 @@ class MessageStream final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
       : context_(context), record_(std::move(record)) {}
 
   /// Adds a message to what waits; nothing once the call has ended.
+  /// Throws Error(Unauthenticated) where the client's token does not count any more.
   void send(const google::protobuf::Message& message);
   /// Whether nothing waits for the client.
   [[nodiscard]] bool all_taken() const;
