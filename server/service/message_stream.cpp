@@ -14,10 +14,10 @@ std::shared_ptr<MessageStream> MessageStream::start(grpc::CallbackServerContext*
 }
 
 void MessageStream::send(const google::protobuf::Message& message) {
-  record_->check_still_admitted(*context_);
   grpc::ByteBuffer bytes = to_bytes(message);
   const std::scoped_lock lock(mutex_);
   if (ended_) return;
+  record_->check_still_admitted(*context_);  // gRPC keeps the context until the end
   const std::size_t size = bytes.Length();
   waiting_.push_back({std::move(bytes), size});
   waiting_bytes_ += size;
@@ -31,8 +31,9 @@ bool MessageStream::all_taken() const {
 
 bool MessageStream::wait_for_client(std::function<void()> go_on) {
   const std::scoped_lock lock(mutex_);
+  if (ended_) return true;
   if (waiting_bytes_ < limits::kUntakenBytes) return false;
-  if (!ended_) go_on_ = std::move(go_on);
+  go_on_ = std::move(go_on);
   return true;
 }
 

@@ -38,8 +38,9 @@ class MessageStream final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   void send(const google::protobuf::Message& message);
   /// Whether nothing waits for the client.
   [[nodiscard]] bool all_taken() const;
-  /// Whether so much waits that no more may be sent. If so, `go_on` is called once the client has
-  /// taken all of it, by a thread of gRPC that must not be kept; never where the call ends before.
+  /// Whether no more may be sent: so much waits, or the call has ended. If so, `go_on` is called
+  /// once the client has taken all that waits, by a thread of gRPC that must not be kept; never
+  /// where the call ends before.
   bool wait_for_client(std::function<void()> go_on);
   /// What the messages take of the memory budget, until the call has ended.
   void keep(MemoryBudget::Lease memory);

@@ -112,8 +112,8 @@ class Archive {
   /// Lets meshes go from the disk until no more is taken than asked for, else than the budget
   /// allows this tenant, as `meshes_to_drop` chooses.
   Collected collect_garbage(const GarbageOptions& options);
-  /// Reads the stored mesh of a revision; what is wrong with it, if anything. A damaged one is not
-  /// read again before it has been stored again.
+  /// Reads the stored mesh of a revision; what is wrong with it, if anything. That it is
+  /// damaged is kept in mind: whoever files it next stores it again.
   std::optional<CacheFault> check_stored(const std::string& id);
   /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone; whether
   /// it is whole now.

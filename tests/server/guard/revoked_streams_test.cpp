@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -23,6 +24,7 @@ class RevokedStreams : public DaemonTest {
     write("anna " + kToken + "\n");
     options_.doorman = std::make_shared<Doorman>(file());
     context_.AddMetadata("authorization", "Bearer " + kToken);
+    context_.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(10));
   }
   ~RevokedStreams() override { engine_.open_gate(); }
 

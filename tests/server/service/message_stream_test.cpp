@@ -69,6 +69,7 @@ TEST_F(MessageStreamTest, AfterTheEndNothingIsSentAndNobodyGoesOn) {
   stream_->send(message(1));
   stream_->OnWriteDone(true);
   EXPECT_TRUE(stream_->all_taken());
+  EXPECT_TRUE(stream_->wait_for_client([this] { ++told_; })) << "who makes messages stops";
   EXPECT_EQ(told_, 0);
 }
 

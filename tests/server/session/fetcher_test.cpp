@@ -107,6 +107,9 @@ class FetcherTest : public testing::Test {
   bool wait_for_waiting(std::size_t requests) {
     return wait_until([&] { return session_->load().waiting == requests; });
   }
+  bool wait_for_a_free_worker() {
+    return wait_until([&] { return session_->load().running == 0; });
+  }
   int made_again() const { return fake_.made() - made_; }
 
   FakeEngine fake_;
@@ -156,6 +159,7 @@ TEST_F(FetcherTest, AFullQueueRefusesWhatMustBeComputedAndNothingElse) {
   EXPECT_NE(fetch(id(0)).revision(), nullptr);
   fake_.open_gate();
   EXPECT_NE(first.revision(), nullptr);
+  ASSERT_TRUE(wait_for_a_free_worker());
   EXPECT_NE(fetch(id(2)).revision(), nullptr) << "a refusal leaves nothing behind";
 }
 
@@ -166,7 +170,7 @@ TEST_F(FetcherTest, WhatComputesTooLongIsStoppedAndAllHearOfIt) {
   const Fetched one = fetch(id(0)), other = fetch(id(0));
   EXPECT_EQ(one.error().reason, "COMPUTE_LIMIT_REACHED");
   EXPECT_EQ(other.error().reason, "COMPUTE_LIMIT_REACHED");
-  EXPECT_TRUE(fake_.wait_stopped(1));
+  EXPECT_TRUE(wait_for_a_free_worker());
 }
 
 TEST_F(FetcherTest, AComputationIsStoppedWhenTheLastWhoWaitsForItLeaves) {
@@ -175,6 +179,7 @@ TEST_F(FetcherTest, AComputationIsStoppedWhenTheLastWhoWaitsForItLeaves) {
   std::stop_source first, second;
   const Fetched one = fetch(id(0), first.get_token()), other = fetch(id(0), second.get_token());
   ASSERT_TRUE(wait_for_waiting(2));
+  ASSERT_TRUE(fake_.wait_at_gate(1));
   first.request_stop();
   EXPECT_EQ(one.error().kind, ErrorKind::Cancelled);
   EXPECT_EQ(session_->load().waiting, 1U);
@@ -237,6 +242,7 @@ TEST_F(FetcherTest, TheEndOfTheDaemonAnswersThoseWhoWait) {
   fake_.close_gate();
   const Fetched running = fetch(id(0)), queued = fetch(id(1));
   ASSERT_TRUE(wait_for_waiting(2));
+  ASSERT_TRUE(fake_.wait_at_gate(1));
   session_->stop();
   EXPECT_EQ(running.error().reason, "SHUTTING_DOWN");
   EXPECT_EQ(queued.error().reason, "SHUTTING_DOWN");
