@@ -47,6 +47,9 @@ inline constexpr int kChildren = 1000;
 /// Bytes of a mesh in one message: below the 4 MiB that gRPC's clients take without being told, and
 /// four of them are what a reader that pauses holds beside its mesh.
 inline constexpr std::size_t kMeshPartBytes = kMebi - kKibi;
+/// Bytes of the replies of a call that wait for its client, beyond which no more are made. One
+/// message more may have been made by then: twice that is taken from the memory budget.
+inline constexpr std::size_t kUntakenBytes = kMeshPartBytes;
 
 // Of one EditStream: what waits in it.
 

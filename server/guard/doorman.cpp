@@ -60,4 +60,10 @@ std::string Doorman::tenant_of(const std::optional<std::string_view>& authorizat
   throw unauthenticated("CREDENTIALS_INVALID", "the token is not known");
 }
 
+void Doorman::check_again(const std::optional<std::string_view>& authorization,
+                          const std::string& tenant) const {
+  if (tenant_of(authorization) != tenant)
+    throw unauthenticated("CREDENTIALS_INVALID", "the token has become another tenant's");
+}
+
 }  // namespace remeshd

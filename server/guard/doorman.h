@@ -30,6 +30,10 @@ class Doorman {
   /// The tenant of a call with this `authorization` (none: no such metadata).
   /// Throws Error(Unauthenticated): CREDENTIALS_MISSING, CREDENTIALS_INVALID.
   [[nodiscard]] std::string tenant_of(const std::optional<std::string_view>& authorization) const;
+  /// Whether a call that was let in for a tenant would be let in for it today too.
+  /// Throws Error(Unauthenticated): CREDENTIALS_INVALID.
+  void check_again(const std::optional<std::string_view>& authorization,
+                   const std::string& tenant) const;
 
  private:
   const std::filesystem::path file_;

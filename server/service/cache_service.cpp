@@ -1,6 +1,5 @@
 #include "remesh/v1/cache.grpc.pb.h"
 #include "server/service/cache_list.h"
-#include "server/service/call.h"
 #include "server/service/encode_cache.h"
 #include "server/service/query.h"
 #include "server/service/raw_service.h"
@@ -58,8 +57,8 @@ class RawCacheService final : public RawService {
         });
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {
-    return VerifyCall::start(tenants_, context, *in, options_.limits.message_bytes,
-                             record("VerifyCache", context));
+    return work_on_stream<v1::VerifyCacheRequest>(tenants_, options_, "VerifyCache", context, *in,
+                                                  verify_cache);
   }
   Reply* SetPin(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::SetPinRequest>(
@@ -73,10 +72,6 @@ class RawCacheService final : public RawService {
   }
 
  private:
-  std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
-    return std::make_shared<CallRecord>(options_.desk, method, *context);
-  }
-
   template <typename Request, typename Answer>
   Reply* query(const char* method, Lane lane, Context* context, const Bytes* in, Bytes* out,
                Answer answer) {

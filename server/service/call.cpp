@@ -75,6 +75,14 @@ std::string trace_parent_of(const grpc::ServerContextBase& context) {
   return is_trace_parent(text) ? std::string(text) : "";
 }
 
+/// What the client sent to show whose it is, if anything.
+std::optional<std::string_view> authorization_of(const grpc::ServerContextBase& context) {
+  const auto& metadata = context.client_metadata();
+  const auto sent = metadata.find("authorization");
+  if (sent == metadata.end()) return std::nullopt;
+  return std::string_view(sent->second.data(), sent->second.size());
+}
+
 /// Counts the end of a call, and that it was refused where that is what its code says.
 void count(Metrics& metrics, const std::string& method, const std::string& code,
            const std::string& reason, double seconds) noexcept {
@@ -137,13 +145,11 @@ void CallRecord::admit(const grpc::ServerContextBase& context) {
 }
 
 void CallRecord::admit_stream(const grpc::ServerContextBase& context) {
-  if (!desk_->doorman) return;
-  const auto& metadata = context.client_metadata();
-  const auto sent = metadata.find("authorization");
-  tenant_ = desk_->doorman->tenant_of(
-      sent == metadata.end()
-          ? std::nullopt
-          : std::optional(std::string_view(sent->second.data(), sent->second.size())));
+  if (desk_->doorman) tenant_ = desk_->doorman->tenant_of(authorization_of(context));
+}
+
+void CallRecord::check_still_admitted(const grpc::ServerContextBase& context) const {
+  if (desk_->doorman) desk_->doorman->check_again(authorization_of(context), tenant_);
 }
 
 void CallRecord::set_request_id(std::string id) {
@@ -242,7 +248,7 @@ void UnaryCall::on_cancel(std::function<void()> action) {
     const std::scoped_lock lock(mutex_);
     if (done_) return;
     if (!cancelled_) {
-      on_cancel_ = std::move(action);
+      on_cancel_.push_back(std::move(action));
       return;
     }
   }
@@ -250,23 +256,23 @@ void UnaryCall::on_cancel(std::function<void()> action) {
 }
 
 void UnaryCall::OnCancel() {
-  std::function<void()> action;
+  std::vector<std::function<void()>> actions;
   {
     const std::scoped_lock lock(mutex_);
     cancelled_ = true;
-    action = std::move(on_cancel_);
+    actions.swap(on_cancel_);
   }
   stop_.request_stop();
-  if (action) answering(*this, action);
+  for (const auto& action : actions) answering(*this, action);
 }
 
 void UnaryCall::OnDone() {
   record_->end();
   {
-    // The action may hold what holds this call.
+    // The actions may hold what holds this call.
     const std::scoped_lock lock(mutex_);
     done_ = true;
-    on_cancel_ = nullptr;
+    on_cancel_.clear();
   }
   // The last hold may be this one.
   const auto self = std::move(self_);

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "server/service/front_desk.h"
@@ -46,6 +47,9 @@ class CallRecord {
   void admit(const grpc::ServerContextBase& context);
   /// The same for a stream, of which each request counts by itself: `enter`.
   void admit_stream(const grpc::ServerContextBase& context);
+  /// For a stream that goes on: the file of tokens may have been read anew since it was let in.
+  /// Throws what Doorman::check_again throws.
+  void check_still_admitted(const grpc::ServerContextBase& context) const;
   [[nodiscard]] CallGate::Pass enter() const { return desk_->gate->enter(); }
   /// Whose call it is; set by `admit`. Empty where the daemon asks for no tokens.
   [[nodiscard]] const std::string& tenant() const { return tenant_; }
@@ -114,8 +118,8 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   /// Without the memory for an Error.
   void give_up() noexcept;
 
-  /// What to do when the client cancels or its deadline passes; done at once where it has already.
-  /// Nothing once the call is done.
+  /// What to do when the client cancels or its deadline passes, beside what was told before; done
+  /// at once where it has already. Nothing once the call is done.
   void on_cancel(std::function<void()> action);
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
@@ -137,7 +141,7 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
   std::atomic<bool> ended_ = false;
   std::mutex mutex_;
   bool cancelled_ = false, done_ = false;
-  std::function<void()> on_cancel_;
+  std::vector<std::function<void()>> on_cancel_;
   std::shared_ptr<UnaryCall> self_;
 };
 

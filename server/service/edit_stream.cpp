@@ -70,8 +70,8 @@ class NoMesh final : public ReplySource {
 }  // namespace
 
 EditStream::EditStream(Session& session, const RequestLimits& limits,
-                       std::shared_ptr<CallRecord> record)
-    : session_(session), limits_(limits), record_(std::move(record)) {}
+                       grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record)
+    : session_(session), limits_(limits), context_(context), record_(std::move(record)) {}
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
     Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
@@ -86,7 +86,7 @@ grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
   } catch (const Error& why) {
     return new Refused(context, why, std::move(record));
   }
-  const auto stream = std::make_shared<EditStream>(*session, limits, std::move(record));
+  const auto stream = std::make_shared<EditStream>(*session, limits, context, std::move(record));
   stream->self_ = stream;
   stream->advance();
   return stream.get();
@@ -97,9 +97,9 @@ void EditStream::safely(Work&& work) noexcept {
   try {
     work();
   } catch (const std::bad_alloc&) {
-    close(grpc::StatusCode::RESOURCE_EXHAUSTED);
+    close(out_of_memory_status());
   } catch (...) {
-    close(grpc::StatusCode::INTERNAL);
+    close({grpc::StatusCode::INTERNAL, ""});
   }
 }
 
@@ -171,6 +171,16 @@ void EditStream::cancel_by_id(const std::string& id) {
 }
 
 void EditStream::begin() {
+  // Here and not where it is read: requests that were sent ahead are not carried out either.
+  try {
+    record_->check_still_admitted(*context_);
+  } catch (const Error& why) {
+    return close(to_status(why), why.info().reason);
+  }
+  begin_next();
+}
+
+void EditStream::begin_next() {
   Request request;
   {
     const std::scoped_lock lock(mutex_);
@@ -354,22 +364,24 @@ void EditStream::OnWriteDone(bool ok) {
     queue_.written();
     outgoing_.Clear();
   }
-  if (!ok) close(grpc::StatusCode::CANCELLED);
+  if (!ok) close(grpc::Status::CANCELLED);
   advance();
 }
 
 void EditStream::OnCancel() {
   const auto self = shared_from_this();
-  close(grpc::StatusCode::CANCELLED);
+  close(grpc::Status::CANCELLED);
   advance();
 }
 
-void EditStream::close(grpc::StatusCode code) noexcept {
+void EditStream::close(grpc::Status status, std::string reason) noexcept {
   MakeRequestPtr request;
   {
     const std::scoped_lock lock(mutex_);
-    if (!closed_) end_code_ = code;
-    closed_ = true;
+    if (!std::exchange(closed_, true)) {
+      end_status_ = std::move(status);
+      end_reason_ = std::move(reason);
+    }
     queue_.close();
     request = request_;
   }
@@ -385,9 +397,8 @@ void EditStream::finish() noexcept {
                       " failed=" + std::to_string(failed_));
   } catch (...) {  // the log's line does without
   }
-  const grpc::Status status(end_code_, "");
-  record_->set_status(status);
-  Finish(status);
+  record_->set_status(end_status_, end_reason_);
+  Finish(end_status_);
 }
 
 void EditStream::OnDone() {

@@ -28,12 +28,14 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
                          public std::enable_shared_from_this<EditStream> {
  public:
   /// A stream that is not let in ends at once. Which tenant it is of is settled for all its
-  /// requests.
+  /// requests: where its token does not count for that tenant any more, it ends in place of its
+  /// next request.
   static grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* start(
       Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
       std::shared_ptr<CallRecord> record);
   /// Use `start`.
-  EditStream(Session& session, const RequestLimits& limits, std::shared_ptr<CallRecord> record);
+  EditStream(Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
+             std::shared_ptr<CallRecord> record);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -52,6 +54,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 
   // What is handed to the session, and its answers.
   void begin();
+  void begin_next();
   void hand_over(Request& request);
   /// What a request asks for; its bytes are let go of. Throws what is wrong with it.
   /// `mesh`: gets what of the mesh is wanted, if any is.
@@ -70,8 +73,8 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void act(std::unique_lock<std::mutex>& lock, Action action) noexcept;
   void finish() noexcept;
   /// Drops what waits and stops what is at work; once that has answered, the stream ends with this
-  /// code.
-  void close(grpc::StatusCode code) noexcept;
+  /// status, for this reason in the log.
+  void close(grpc::Status status, std::string reason = {}) noexcept;
   /// An exception that no request can be told of closes the stream.
   template <typename Work>
   void safely(Work&& work) noexcept;
@@ -81,6 +84,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 
   Session& session_;
   const RequestLimits limits_;
+  grpc::CallbackServerContext* const context_;
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<EditStream> self_;
 
@@ -103,7 +107,8 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   bool reads_done_ = false;
   bool closed_ = false;
   bool finished_ = false;
-  grpc::StatusCode end_code_ = grpc::StatusCode::OK;
+  grpc::Status end_status_;
+  std::string end_reason_;
   std::uint64_t answered_ = 0, failed_ = 0;
 };
 

@@ -1,74 +1,47 @@
 #include "server/service/mesh_call.h"
 
-#include <utility>
+#include "server/service/mesh_messages.h"
 
 namespace remeshd {
+namespace {
 
 namespace v1 = remesh::v1;
 
-MeshCall* MeshCall::start(Tenants& tenants, grpc::CallbackServerContext* context,
-                          const grpc::ByteBuffer& request, std::size_t message_limit,
-                          std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<MeshCall>(context, std::move(record));
-  call->self_ = call;
-  answering(*call, [&] {
-    call->record_->admit(*context);
-    call->record_->count_as_stream();
-    Session& session = tenants.of(call->record_->tenant());
-    session.later(Lane::Preparation,
-                  {.run =
-                       [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
-                         answering(*call, [&] {
-                           call->prepare(session, bytes, message_limit);
-                           call->write_next();
-                         });
-                       },
-                   .refused = [call](const Error& why) { call->fail(why); }});
-  });
-  return call.get();
+/// Messages until the client has to take them first.
+void write(const std::shared_ptr<MessageStream>& stream,
+           const std::shared_ptr<MeshMessages>& messages) {
+  const auto go_on = [stream, messages] { write(stream, messages); };
+  for (v1::GetMeshResponse response; messages->next(*response.mutable_mesh());) {
+    stream->send(response);
+    if (stream->wait_for_client(go_on)) return;
+  }
+  stream->end();
 }
 
-void MeshCall::prepare(Session& session, const grpc::ByteBuffer& request,
-                       std::size_t message_limit) {
-  v1::GetMeshRequest message;
-  from_bytes(request, message_limit, message);
-  check_selection(message.selection());
-  const Run run{.stop = stop_.get_token(), .on_progress = {}, .dumps = {}};
-  const HeldRevisionPtr revision = session.get(message.revision(), run);
-  record_->set_note("revision=" + revision->record.id.substr(0, 12));
+void begin(const std::shared_ptr<MessageStream>& stream, Session& session,
+           const v1::GetMeshRequest& request, const HeldRevisionPtr& revision) {
+  stream->record().set_note("revision=" + revision->record.id.substr(0, 12));
+  const Run run{.stop = stream->stop_token(), .on_progress = {}, .dumps = {}};
   const HeldRevisionPtr parent =
-      message.selection().delta() ? session.parent_of(*revision, run) : nullptr;
-  messages_.emplace(revision, parent, message.selection());
-  if (message.has_resume_from()) messages_->resume_from(message.resume_from());
+      request.selection().delta() ? session.parent_of(*revision, run) : nullptr;
+  // After what was read, whose memory may be all that there is.
+  stream->keep(session.take_stream_memory(run.stop));
+  const auto messages = std::make_shared<MeshMessages>(revision, parent, request.selection());
+  if (request.has_resume_from()) messages->resume_from(request.resume_from());
+  write(stream, messages);
 }
 
-void MeshCall::write_next() {
-  v1::GetMeshResponse response;
-  if (!messages_->next(*response.mutable_mesh())) return end(grpc::Status::OK);
-  outgoing_ = to_bytes(response);
-  StartWrite(&outgoing_);
-}
+}  // namespace
 
-void MeshCall::OnWriteDone(bool ok) {
-  if (!ok || stop_.stop_requested()) return end(grpc::Status::CANCELLED);
-  answering(*this, [&] { write_next(); });
-}
-
-void MeshCall::fail(const Error& why) noexcept {
-  if (ended_) return;
-  add_pushback(why, *context_);
-  end(to_status(why), why.info().reason);
-}
-
-void MeshCall::end(const grpc::Status& status, const std::string& reason) noexcept {
-  if (ended_.exchange(true)) return;
-  record_->set_status(status, reason);
-  Finish(status);
-}
-
-void MeshCall::OnDone() {
-  record_->end();
-  const auto self = std::move(self_);
+void send_mesh(const std::shared_ptr<MessageStream>& stream, Session& session,
+               const v1::GetMeshRequest& request) {
+  check_selection(request.selection());
+  session.fetch(session.resolve(request.revision()).id, stream->stop_token(),
+                {.got =
+                     [stream, &session, request](const HeldRevisionPtr& revision) {
+                       answering(*stream, [&] { begin(stream, session, request, revision); });
+                     },
+                 .failed = [stream](const Error& why) { stream->fail(why); }});
 }
 
 }  // namespace remeshd

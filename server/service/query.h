@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "server/service/call.h"
+#include "server/service/message_stream.h"
 #include "server/service/remesh_service.h"
 #include "server/session/session_error.h"
 #include "server/session/tenants.h"
@@ -15,29 +16,28 @@ struct QueryKind {
   Lane lane;
 };
 
-/// A call whose reply `answer(session, request, run)` gives, with the session of its tenant, in a
-/// lane, where the request is read too. It is withdrawn when its client goes away before it had its
-/// turn.
-template <typename Request, typename Answer>
-grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& options,
-                                       QueryKind kind, grpc::CallbackServerContext* context,
-                                       const grpc::ByteBuffer& in, grpc::ByteBuffer* out,
-                                       Answer answer) {
+/// A call that `work(call, session, request)` replies to, at once or later, with the session of its
+/// tenant; it is called in a lane, where the request is read too. The call is withdrawn when its
+/// client goes away before it had its turn.
+template <typename Request, typename Work>
+grpc::ServerUnaryReactor* work_on_query(Tenants& tenants, const ServiceOptions& options,
+                                        QueryKind kind, grpc::CallbackServerContext* context,
+                                        const grpc::ByteBuffer& in, grpc::ByteBuffer* out,
+                                        Work work) {
   const auto call = UnaryCall::start(
       context, out, std::make_shared<CallRecord>(options.desk, kind.method, *context));
   answering(*call, [&] {
     call->record().admit(*context);
     Session& session = tenants.of(call->record().tenant());
-    const WorkId work = session.later(
+    const WorkId id = session.later(
         kind.lane,
         // A copy of the buffer, not of its bytes: the call may be over before they are read.
         {.run =
-             [call, &session, answer, bytes = in, limit = options.limits.message_bytes] {
+             [call, &session, work, bytes = in, limit = options.limits.message_bytes] {
                answering(*call, [&] {
                  Request request;
                  from_bytes(bytes, limit, request);
-                 const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-                 call->reply(answer(session, request, run));
+                 work(call, session, request);
                });
              },
          .refused = [call](const Error& why) { call->fail(why); },
@@ -46,11 +46,53 @@ grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& o
                call->fail(why);
                call->stop();
              }});
-    call->on_cancel([call, &session, lane = kind.lane, work] {
-      if (session.withdraw(lane, work)) call->fail(error::cancelled());
+    call->on_cancel([call, &session, lane = kind.lane, id] {
+      if (session.withdraw(lane, id)) call->fail(error::cancelled());
     });
   });
   return call.get();
+}
+
+/// The same of a call whose reply `answer(session, request, run)` gives.
+template <typename Request, typename Answer>
+grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& options,
+                                       QueryKind kind, grpc::CallbackServerContext* context,
+                                       const grpc::ByteBuffer& in, grpc::ByteBuffer* out,
+                                       Answer answer) {
+  return work_on_query<Request>(
+      tenants, options, kind, context, in, out,
+      [answer](const std::shared_ptr<UnaryCall>& call, Session& session, const Request& request) {
+        const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+        call->reply(answer(session, request, run));
+      });
+}
+
+/// A call to which `work(stream, session, request)` replies with a stream of messages; it is called
+/// in the lane of preparations.
+template <typename Request, typename Work>
+grpc::ServerWriteReactor<grpc::ByteBuffer>* work_on_stream(Tenants& tenants,
+                                                           const ServiceOptions& options,
+                                                           const char* method,
+                                                           grpc::CallbackServerContext* context,
+                                                           const grpc::ByteBuffer& in, Work work) {
+  const auto stream =
+      MessageStream::start(context, std::make_shared<CallRecord>(options.desk, method, *context));
+  answering(*stream, [&] {
+    stream->record().admit(*context);
+    stream->record().count_as_stream();
+    Session& session = tenants.of(stream->record().tenant());
+    session.later(Lane::Preparation,
+                  {.run =
+                       [stream, &session, work, bytes = in, limit = options.limits.message_bytes] {
+                         answering(*stream, [&] {
+                           Request request;
+                           from_bytes(bytes, limit, request);
+                           work(stream, session, request);
+                         });
+                       },
+                   .refused = [stream](const Error& why) { stream->fail(why); }});
+  });
+  return stream.get();
 }
 
 }  // namespace remeshd

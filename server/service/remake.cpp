@@ -1,6 +1,8 @@
 #include "server/service/remake.h"
 
+#include <algorithm>
 #include <mutex>
+#include <stop_token>
 #include <utility>
 
 #include "proto/document.h"
@@ -24,30 +26,24 @@ OptionsPatch all_of(const MeshOptions& options) {
           .clean_up = options.clean_up};
 }
 
-/// Whether a revision can be built on as it is.
-bool can_be_had(Session& session, const std::string& id, const Run& run) {
-  try {
-    session.get(id, run);
-    return true;
-  } catch (const Error& failure) {
-    const std::string& reason = failure.info().reason;
-    if (reason != "REVISION_OUTDATED" && reason != "NOT_REPRODUCIBLE" &&
-        reason != "STORE_CORRUPTED" && reason != "REVISION_NOT_FOUND")
-      throw;
-    return false;
-  }
+/// Whether it says that a revision cannot be built on as it is.
+bool is_lost(const Error& failure) {
+  const std::string& reason = failure.info().reason;
+  return reason == "REVISION_OUTDATED" || reason == "NOT_REPRODUCIBLE" ||
+         reason == "STORE_CORRUPTED" || reason == "REVISION_NOT_FOUND";
 }
 
-/// Recipes that are followed one after the other, each on what the one before gave.
+/// Goes back from a recipe to the first one whose parent can be had, then follows the recipes one
+/// after the other, each on what the one before gave.
 class Remaking final : public MakeRequest, public std::enable_shared_from_this<Remaking> {
  public:
   using OnMade = std::function<void(const Made&, const std::vector<std::string>&)>;
   using OnFailed = std::function<void(const Error&)>;
 
-  Remaking(Session& session, std::vector<Recipe> recipes, HeadRule head, std::string design,
-           int threads, OnMade made, OnFailed failed)
+  Remaking(Session& session, Recipe recipe, HeadRule head, std::string design, int threads,
+           OnMade made, OnFailed failed)
       : session_(session),
-        recipes_(std::move(recipes)),
+        recipes_{std::move(recipe)},
         head_(std::move(head)),
         design_(std::move(design)),
         threads_(threads),
@@ -61,7 +57,46 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
       cancelled_ = true;
       step = step_;
     }
+    stop_.request_stop();
     if (step) step->cancel();
+  }
+
+  /// For the lane of preparations.
+  void find_base() {
+    const auto go_on = [self = shared_from_this()] {
+      std::ranges::reverse(self->recipes_);
+      self->next();
+    };
+    const std::string parent = recipes_.back().parent;
+    if (parent.empty()) return go_on();
+    session_.fetch(parent, stop_.get_token(),
+                   {.got = [go_on](const HeldRevisionPtr& /*base*/) { go_on(); },
+                    .failed = [self = shared_from_this(),
+                               parent](const Error& why) { self->base_failed(parent, why); }});
+  }
+
+ private:
+  void base_failed(const std::string& parent, const Error& why) {
+    if (!is_lost(why)) return fail(why);
+    // As work of its own: this may be a thread that others wait for, and a chain of ancestors may
+    // be longer than a stack is deep.
+    guarded(
+        [&] {
+          session_.later(
+              Lane::Preparation,
+              {.run =
+                   [self = shared_from_this(), parent] {
+                     guarded(
+                         [&] {
+                           self->recipes_.push_back(self->session_.recipe_of_ancestor(parent));
+                           self->find_base();
+                         },
+                         [&](const Error& failure) { self->fail(failure); });
+                   },
+               .refused = [self =
+                               shared_from_this()](const Error& failure) { self->fail(failure); }});
+        },
+        [&](const Error& failure) { fail(failure); });
   }
 
   void next() {
@@ -101,7 +136,6 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
     if (cancelled) step->cancel();
   }
 
- private:
   void take(const Made& made) {
     if (at_ + 1 == recipes_.size()) {
       end();
@@ -128,7 +162,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
   }
 
   Session& session_;
-  const std::vector<Recipe> recipes_;  ///< the furthest ancestor's first
+  std::vector<Recipe> recipes_;  ///< once the base is found, the furthest ancestor's first
   const HeadRule head_;
   const std::string design_;
   const int threads_;
@@ -137,6 +171,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
   std::size_t at_ = 0;
   std::string base_;
   std::vector<std::string> ancestors_;
+  std::stop_source stop_;  ///< of the search for the base
   std::mutex mutex_;
   bool cancelled_ = false, ended_ = false;
   MakeRequestPtr step_;
@@ -144,21 +179,16 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
 
 }  // namespace
 
-MakeRequestPtr remake(Session& session, const v1::RemakeRevisionRequest& request, const Run& run,
+MakeRequestPtr remake(Session& session, const v1::RemakeRevisionRequest& request,
                       std::function<void(const Made&, const std::vector<std::string>&)> made,
                       std::function<void(const Error&)> failed) {
-  if (request.revision().empty()) throw error::reference_missing("revision");
   const Reference reference = session.resolve(request.revision());
   std::string design = request.design().empty() ? reference.design : request.design();
   if (design.empty()) design = session.design_of(reference.id);
-  std::vector<Recipe> recipes{session.recipe(reference.id)};
-  while (!recipes.back().parent.empty() && !can_be_had(session, recipes.back().parent, run))
-    recipes.push_back(session.recipe_of_ancestor(recipes.back().parent));
   const auto remaking = std::make_shared<Remaking>(
-      session, std::vector<Recipe>(recipes.rbegin(), recipes.rend()), decode(request.head()),
-      std::move(design), std::max<int>(1, static_cast<int>(request.threads())), std::move(made),
-      std::move(failed));
-  remaking->next();
+      session, session.recipe(reference.id), decode(request.head()), std::move(design),
+      std::max<int>(1, static_cast<int>(request.threads())), std::move(made), std::move(failed));
+  remaking->find_base();
   return remaking;
 }
 

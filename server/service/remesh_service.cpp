@@ -52,37 +52,21 @@ class RawRemeshService final : public RawService {
                                                                    out);
   }
   Reply* RemakeRevision(Context* context, const Bytes* in, Bytes* out) override {
-    const auto call = UnaryCall::start(context, out, record("RemakeRevision", context));
-    answering(*call, [&] {
-      call->record().admit(*context);
-      const auto refused = [call](const Error& why) { call->fail(why); };
-      Session& session = session_of(*call);
-      const WorkId work = session.later(
-          Lane::Preparation,
-          {.run = [this, &session, call,
-                   bytes = Bytes(*in)] { answering(*call, [&] { remake(session, call, bytes); }); },
-           .refused = refused});
-      call->on_cancel([&session, call, work] {
-        if (session.withdraw(Lane::Preparation, work)) call->fail(error::cancelled());
-      });
-    });
-    return call.get();
+    return work_on_query<v1::RemakeRevisionRequest>(
+        tenants_, options_, {"RemakeRevision", Lane::Preparation}, context, *in, out, remake_for);
   }
   grpc::ServerBidiReactor<Bytes, Bytes>* EditStream(Context* context) override {
     return remeshd::EditStream::start(tenants_, options_.limits, context,
                                       record("EditStream", context));
   }
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
-    return MeshCall::start(tenants_, context, *in, options_.limits.message_bytes,
-                           record("GetMesh", context));
+    return work_on_stream<v1::GetMeshRequest>(tenants_, options_, "GetMesh", context, *in,
+                                              send_mesh);
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::GetRevisionRequest>("GetRevision", Lane::Preparation, context, in, out,
-                                         [](Session& session, const auto& request, const Run& run) {
-                                           return encode(session.describe(request.revision(), run),
-                                                         request.documents());
-                                         });
+    return work_on_query<v1::GetRevisionRequest>(
+        tenants_, options_, {"GetRevision", Lane::Preparation}, context, *in, out, describe_for);
   }
   Reply* GetRecipe(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetRecipeRequest>("GetRecipe", Lane::Preparation, context, in, out,
@@ -199,15 +183,24 @@ class RawRemeshService final : public RawService {
  private:
   [[nodiscard]] const DocumentLimits& documents() const { return options_.limits.document; }
 
-  /// Of the tenant that the call, once admitted, is known to be of.
-  [[nodiscard]] Session& session_of(UnaryCall& call) { return tenants_.of(call.record().tenant()); }
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
     return std::make_shared<CallRecord>(options_.desk, method, *context);
   }
 
-  void remake(Session& session, const std::shared_ptr<UnaryCall>& call, const Bytes& bytes) {
-    v1::RemakeRevisionRequest request;
-    from_bytes(bytes, options_.limits.message_bytes, request);
+  static void describe_for(const std::shared_ptr<UnaryCall>& call, Session& session,
+                           const v1::GetRevisionRequest& request) {
+    const Reference reference = session.resolve(request.revision());
+    session.fetch(reference.id, call->stop_token(),
+                  {.got =
+                       [call, &session, reference,
+                        documents = request.documents()](const HeldRevisionPtr& revision) {
+                         call->reply(encode(session.describe(reference, revision), documents));
+                       },
+                   .failed = [call](const Error& why) { call->fail(why); }});
+  }
+
+  static void remake_for(const std::shared_ptr<UnaryCall>& call, Session& session,
+                         const v1::RemakeRevisionRequest& request) {
     const std::string id = request.request_id();
     call->record().set_request_id(id);
     check_request_id(id);
@@ -222,8 +215,7 @@ class RawRemeshService final : public RawService {
       });
     };
     const auto failed = [call](const Error& why) { call->fail(why); };
-    const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
-    const MakeRequestPtr under_way = remeshd::remake(session, request, run, made, failed);
+    const MakeRequestPtr under_way = remake(session, request, made, failed);
     call->on_cancel([under_way] { under_way->cancel(); });
   }
 

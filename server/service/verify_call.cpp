@@ -1,99 +1,94 @@
 #include "server/service/verify_call.h"
 
+#include <chrono>
+#include <optional>
 #include <utility>
 
+#include "server/session/verification.h"
+
 namespace remeshd {
+namespace {
 
 namespace v1 = remesh::v1;
 
-namespace {
 constexpr std::chrono::milliseconds kProgress(500);  // at least every second is promised
-}
 
-VerifyCall* VerifyCall::start(Tenants& tenants, grpc::CallbackServerContext* context,
-                              const grpc::ByteBuffer& request, std::size_t message_limit,
-                              std::shared_ptr<CallRecord> record) {
-  auto call = std::make_shared<VerifyCall>(context, std::move(record));
-  call->self_ = call;
-  answering(*call, [&] {
-    call->record_->admit(*context);
-    Session& session = tenants.of(call->record_->tenant());
-    session.later(Lane::Preparation,
-                  {.run =
-                       [call, &session, bytes = grpc::ByteBuffer(request), message_limit] {
-                         answering(*call, [&] {
-                           v1::VerifyCacheRequest message;
-                           from_bytes(bytes, message_limit, message);
-                           call->verify(session, message.repair());
-                         });
-                       },
-                   .refused = [call](const Error& why) { call->fail(why); }});
-  });
-  return call.get();
-}
+/// One VerifyCache under way. One piece of its work follows the other.
+class VerifyCall final : public std::enable_shared_from_this<VerifyCall> {
+ public:
+  VerifyCall(std::shared_ptr<MessageStream> stream, Session& session, bool repair)
+      : stream_(std::move(stream)),
+        session_(session),
+        repair_(repair),
+        verification_(session.cache()) {
+    so_far_.set_bytes_total(verification_.bytes_total());
+  }
 
-void VerifyCall::verify(Session& session, bool repair) {
-  v1::VerifyCacheResponse so_far;
-  auto last = std::chrono::steady_clock::now();
-  const auto found = [&](const CacheFault& fault) {
-    so_far.set_findings(so_far.findings() + 1);
-    v1::VerifyCacheResponse message = so_far;
+  /// For the lane of preparations.
+  void go_on() {
+    const auto resume = [call = shared_from_this()] { call->go_on_later(); };
+    while (!verification_.ended()) {
+      if (stream_->wait_for_client(resume)) return;
+      Run{.stop = stream_->stop_token(), .on_progress = {}, .dumps = {}}.poll();
+      const std::optional<CacheFault> fault = verification_.next();
+      so_far_.set_bytes_read(verification_.bytes_read());
+      if (fault && repair_) return repair(*fault);
+      if (fault) tell(*fault);
+      tell_progress();
+    }
+    so_far_.set_done(true);
+    stream_->send(so_far_);
+    stream_->end();
+  }
+
+ private:
+  void go_on_later() {
+    const auto call = shared_from_this();
+    session_.later(Lane::Preparation,
+                   {.run = [call] { answering(*call->stream_, [&] { call->go_on(); }); },
+                    .refused = [call](const Error& why) { call->stream_->fail(why); }});
+  }
+
+  void repair(const CacheFault& fault) {
+    session_.repair(fault, stream_->stop_token(),
+                    [call = shared_from_this()](const CacheFault& told) {
+                      answering(*call->stream_, [&] {
+                        call->tell(told);
+                        call->go_on_later();
+                      });
+                    });
+  }
+
+  void tell(const CacheFault& fault) {
+    so_far_.set_findings(so_far_.findings() + 1);
+    v1::VerifyCacheResponse message = so_far_;
     message.mutable_finding()->set_revision(fault.revision);
     message.mutable_finding()->set_what(fault.what);
     message.mutable_finding()->set_repaired(fault.repaired);
-    send(message);
-  };
-  const auto progress = [&](std::uint64_t read, std::uint64_t total) {
-    so_far.set_bytes_read(read);
-    so_far.set_bytes_total(total);
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last < kProgress) return;
-    last = now;
-    send(so_far);
-  };
-  session.cache().verify_cache(repair, found, progress,
-                               {.stop = stop_.get_token(), .on_progress = {}, .dumps = {}});
-  so_far.set_done(true);
-  send(so_far);
-  end(grpc::Status::OK);
-}
-
-void VerifyCall::send(const v1::VerifyCacheResponse& message) {
-  const std::scoped_lock lock(mutex_);
-  if (ended_) return;
-  waiting_.push_back(to_bytes(message));
-  if (waiting_.size() == 1) StartWrite(&waiting_.front());
-}
-
-void VerifyCall::OnWriteDone(bool ok) {
-  const auto self = shared_from_this();  // `Finish` may end the call while the lock is held
-  const std::scoped_lock lock(mutex_);
-  waiting_.pop_front();
-  if (!ok) waiting_.clear();
-  if (!waiting_.empty()) {
-    StartWrite(&waiting_.front());
-  } else if (ended_ && !std::exchange(finished_, true)) {
-    Finish(status_);
+    stream_->send(message);
   }
-}
 
-void VerifyCall::fail(const Error& why) noexcept {
-  add_pushback(why, *context_);
-  end(to_status(why), why.info().reason);
-}
+  void tell_progress() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < kProgress || !stream_->all_taken()) return;
+    told_ = now;
+    stream_->send(so_far_);
+  }
 
-void VerifyCall::end(const grpc::Status& status, const std::string& reason) noexcept {
-  const auto self = weak_from_this().lock();  // as in OnWriteDone
-  const std::scoped_lock lock(mutex_);
-  if (std::exchange(ended_, true)) return;
-  record_->set_status(status, reason);
-  status_ = status;
-  if (waiting_.empty() && !std::exchange(finished_, true)) Finish(status_);
-}
+  const std::shared_ptr<MessageStream> stream_;
+  Session& session_;
+  const bool repair_;
+  Verification verification_;
+  v1::VerifyCacheResponse so_far_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
 
-void VerifyCall::OnDone() {
-  record_->end();
-  const auto self = std::move(self_);
+}  // namespace
+
+void verify_cache(const std::shared_ptr<MessageStream>& stream, Session& session,
+                  const v1::VerifyCacheRequest& request) {
+  stream->keep(session.take_stream_memory(stream->stop_token()));
+  std::make_shared<VerifyCall>(stream, session, request.repair())->go_on();
 }
 
 }  // namespace remeshd

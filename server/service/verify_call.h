@@ -1,55 +1,17 @@
 #pragma once
 
-#include <grpcpp/support/byte_buffer.h>
-#include <grpcpp/support/server_callback.h>
-
-#include <chrono>
-#include <deque>
 #include <memory>
-#include <mutex>
-#include <stop_token>
 
 #include "remesh/v1/cache.pb.h"
-#include "server/service/call.h"
-#include "server/service/status.h"
-#include "server/session/tenants.h"
+#include "server/service/message_stream.h"
+#include "server/session/session.h"
 
 namespace remeshd {
 
-/// One VerifyCache: the store is read in the lane of preparations, and what is found is sent as it
-/// comes. Nothing starts after `Finish`, and the call lives until then.
-class VerifyCall final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
-                         public std::enable_shared_from_this<VerifyCall> {
- public:
-  static VerifyCall* start(Tenants& tenants, grpc::CallbackServerContext* context,
-                           const grpc::ByteBuffer& request, std::size_t message_limit,
-                           std::shared_ptr<CallRecord> record);
-  /// Use `start`.
-  VerifyCall(grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record)
-      : context_(context), record_(std::move(record)) {}
-
-  void fail(const Error& why) noexcept;
-  /// Without the memory for an Error.
-  void give_up() noexcept { end(out_of_memory_status()); }
-
-  void OnWriteDone(bool ok) override;
-  void OnCancel() override { stop_.request_stop(); }
-  void OnDone() override;
-
- private:
-  void verify(Session& session, bool repair);
-  void send(const remesh::v1::VerifyCacheResponse& message);
-  /// Ends the call once everything is sent; only the first end has an effect.
-  void end(const grpc::Status& status, const std::string& reason = {}) noexcept;
-
-  grpc::CallbackServerContext* const context_;
-  const std::shared_ptr<CallRecord> record_;
-  std::shared_ptr<VerifyCall> self_;
-  std::stop_source stop_;
-  std::mutex mutex_;                      ///< guards what follows
-  std::deque<grpc::ByteBuffer> waiting_;  ///< the first is being written
-  bool ended_ = false, finished_ = false;
-  grpc::Status status_;
-};
+/// Answers a VerifyCache: all that is stored is read, and what is found is sent as it comes. While
+/// a mesh is made again, or the client has to take what waits for it, no thread waits. For the lane
+/// of preparations.
+void verify_cache(const std::shared_ptr<MessageStream>& stream, Session& session,
+                  const remesh::v1::VerifyCacheRequest& request);
 
 }  // namespace remeshd

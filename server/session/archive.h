@@ -1,8 +1,10 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -50,9 +52,13 @@ class Archive {
   /// The revision, read from the store if need be; null if there is none, or if its mesh has gone.
   /// Throws Error(`STORE_CORRUPTED`).
   HeldRevisionPtr find(const std::string& id, const Run& run);
-  /// The same, for one that was resolved; a mesh that has gone or is damaged is made again of its
-  /// recipe, which takes as long as it took, and stored again. Nothing is given out that has not
-  /// the digests of then.
+  /// The same, for one that was resolved; null where its mesh must be made again of its recipe,
+  /// which `get` does.
+  /// Throws Error: REVISION_NOT_FOUND; STORE_CORRUPTED where there is no recipe; REVISION_OUTDATED.
+  HeldRevisionPtr at_hand(const std::string& id, const Run& run);
+  /// The same; a mesh that has gone or is damaged is made again of its recipe, which takes as long
+  /// as it took, and stored again. So it belongs in the lane of computations: elsewhere `Fetcher`.
+  /// Nothing is given out that has not the digests of then.
   /// Throws Error: REVISION_NOT_FOUND; STORE_CORRUPTED where there is no recipe; REVISION_OUTDATED,
   /// NOT_REPRODUCIBLE; what `make_revision` throws.
   HeldRevisionPtr get(const std::string& id, const Run& run);
@@ -106,11 +112,12 @@ class Archive {
   /// Lets meshes go from the disk until no more is taken than asked for, else than the budget
   /// allows this tenant, as `meshes_to_drop` chooses.
   Collected collect_garbage(const GarbageOptions& options);
-  /// Reads all that is stored; calls `found` with each thing that is wrong and `progress` with the
-  /// bytes read. With `repair` damaged meshes are made again.
-  void verify_cache(bool repair, const std::function<void(const CacheFault&)>& found,
-                    const std::function<void(std::uint64_t read, std::uint64_t total)>& progress,
-                    const Run& run);
+  /// Reads the stored mesh of a revision; what is wrong with it, if anything. That it is
+  /// damaged is kept in mind: whoever files it next stores it again.
+  std::optional<CacheFault> check_stored(const std::string& id);
+  /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone; whether
+  /// it is whole now.
+  bool store_again(const HeldRevisionPtr& revision);
   /// Keeps a mesh from going, or lets it.
   CacheEntry set_pin(const std::string& text, bool pinned);
 
@@ -124,7 +131,16 @@ class Archive {
   Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
                      const HeadRule& rule, const std::vector<WarningCode>& fail_on) const;
   void count(Metrics::CacheResult where) const;
+  void count_use(const std::string& id, bool hit);
   HeldRevisionPtr look_up(const std::string& id, const Run& run);
+  /// What is at hand; where its mesh is damaged, why.
+  struct Reading {
+    HeldRevisionPtr held;
+    std::exception_ptr damage;
+  };
+  Reading read(const std::string& id, const Run& run);
+  /// What a mesh is made again of, if it can be. Throws Error(REVISION_OUTDATED).
+  std::optional<Recipe> recipe_to_follow(const std::string& id);
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
   /// Null where there is neither a mesh nor a recipe.
   HeldRevisionPtr obtain(const std::string& id, const Run& run);

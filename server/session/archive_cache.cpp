@@ -186,34 +186,15 @@ void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
   store_.discard(id);
 }
 
-void Archive::verify_cache(bool repair, const std::function<void(const CacheFault&)>& found,
-                           const std::function<void(std::uint64_t, std::uint64_t)>& progress,
-                           const Run& run) {
-  const auto records = store_.read([](Catalogue& catalogue) { return catalogue.revisions(); });
-  std::uint64_t read = 0, total = 0;
-  for (const RevisionRecord& record : records) total += record.bytes;
-  for (const RevisionRecord& record : records) {
-    run.poll();
-    if (record.bytes == 0) continue;
-    CacheFault fault{.revision = record.id, .what = store_.fault_of(record.id)};
-    read += record.bytes;
-    // It may have been deleted meanwhile.
-    if (!fault.what.empty() &&
-        store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(record.id); })) {
-      set_damaged(record.id, true);
-      if (repair) {
-        try {
-          if (const HeldRevisionPtr held = obtain(record.id, run)) keep(held);
-          fault.repaired = !is_damaged(record.id);
-        } catch (const Error& failure) {
-          if (failure.info().kind == ErrorKind::Cancelled) throw;
-          fault.what += "; it cannot be made again: " + failure.info().message;
-        }
-      }
-      found(fault);
-    }
-    progress(read, total);
-  }
+std::optional<CacheFault> Archive::check_stored(const std::string& id) {
+  const auto stored = [&] {
+    return store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(id); });
+  };
+  if (!stored()) return std::nullopt;
+  CacheFault fault{.revision = id, .what = store_.fault_of(id)};
+  if (fault.what.empty() || !stored()) return std::nullopt;  // it may have gone meanwhile
+  set_damaged(id, true);
+  return fault;
 }
 
 CacheEntry Archive::set_pin(const std::string& text, bool pinned) {

@@ -32,14 +32,34 @@ HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
   try {
     held = look_up(id, run);
   } catch (...) {
-    const std::scoped_lock lock(notes_);
-    ++misses_;
+    count_use(id, false);
     throw;
   }
-  if (held) note_use(id);
-  const std::scoped_lock lock(notes_);
-  ++(held ? hits_ : misses_);
+  count_use(id, held != nullptr);
   return held;
+}
+
+void Archive::count_use(const std::string& id, bool hit) {
+  if (hit) note_use(id);
+  const std::scoped_lock lock(notes_);
+  ++(hit ? hits_ : misses_);
+}
+
+Archive::Reading Archive::read(const std::string& id, const Run& run) {
+  try {
+    return {look_up(id, run), nullptr};
+  } catch (const Error& failure) {
+    if (failure.info().kind != ErrorKind::Internal) throw;
+    return {nullptr, std::current_exception()};
+  }
+}
+
+HeldRevisionPtr Archive::at_hand(const std::string& id, const Run& run) {
+  const Reading reading = read(id, run);
+  if (reading.held) count_use(id, true);  // a miss is counted by who has it made again
+  if (reading.held || (store_.persistent() && recipe_to_follow(id))) return reading.held;
+  if (reading.damage) std::rethrow_exception(reading.damage);
+  throw error::revision_not_found(id, "it was deleted a moment ago");
 }
 
 void Archive::count(Metrics::CacheResult where) const {
@@ -84,25 +104,27 @@ HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
 }
 
 HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
-  std::exception_ptr damage;
-  try {
-    if (auto held = find(id, run)) return held;
-  } catch (const Error& failure) {
-    if (failure.info().kind != ErrorKind::Internal) throw;
-    damage = std::current_exception();
-  }
-  if (!store_.persistent()) return nullptr;
+  const Reading reading = read(id, run);
+  count_use(id, reading.held != nullptr);
+  if (reading.held || !store_.persistent()) return reading.held;
   auto held = remake(id, run);
-  if (!held && damage) std::rethrow_exception(damage);
+  if (!held && reading.damage) std::rethrow_exception(reading.damage);
   return held;
 }
 
-HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
+std::optional<Recipe> Archive::recipe_to_follow(const std::string& id) {
   const std::string text = store_.recipe(id);
-  if (text.empty()) return nullptr;
-  const Recipe recipe = read_recipe(text);
+  if (text.empty()) return std::nullopt;
+  Recipe recipe = read_recipe(text);
   if (recipe.algorithm_version != engine_.algorithm_version)
     throw error::revision_outdated(id, recipe.algorithm_version, engine_.algorithm_version);
+  return recipe;
+}
+
+HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
+  const std::optional<Recipe> followed = recipe_to_follow(id);
+  if (!followed) return nullptr;
+  const Recipe& recipe = *followed;
   const auto turn = remaking_.take(id, run);
   if (auto held = held_.find(id)) return held;
   HeldRevisionPtr parent;
@@ -253,6 +275,11 @@ void Archive::keep(const HeldRevisionPtr& revision) {
   store_.discard(id);
   set_damaged(id, false);
   if (disk_ != nullptr) disk_->look_soon();
+}
+
+bool Archive::store_again(const HeldRevisionPtr& revision) {
+  keep(revision);
+  return !is_damaged(revision->record.id);
 }
 
 bool Archive::is_damaged(const std::string& id) const {

@@ -54,28 +54,45 @@ MakeRequestPtr Maker::make(Admission::TicketPtr ticket, std::function<Command()>
         parts_.preparation.submit(
             {.tenant = request->tenant(),
              .run = [this, request, ticket = std::move(ticket),
-                     read = std::move(read)] { prepare(request, read); },
+                     read = std::move(read)] { begin(request, ticket, read); },
              .refused = [this, request](const Error& why) { fail(request, why); }});
       },
       [&](const Error& why) { fail(request, why); });
   return request;
 }
 
-void Maker::prepare(const WaitingRequestPtr& request, const std::function<Command()>& read) {
+/// The ticket is held until the request is prepared, also while its base is made again.
+void Maker::begin(const WaitingRequestPtr& request, const Admission::TicketPtr& ticket,
+                  const std::function<Command()>& read) {
   guarded(
       [&] {
         if (request->answered()) return;  // cancelled while it waited
-        const Prepared prepared = preparation_.prepare(read(), request->stop().get_token());
-        request->design = prepared.design;
-        request->head = prepared.head;
-        request->fail_on = prepared.fail_on;
-        // Before anything is computed, where it can be told by now.
-        if (prepared.head.require || !prepared.fail_on.empty())
-          parts_.archive.check_filing(preparation_.record_of(prepared), prepared.design,
-                                      prepared.head, prepared.fail_on);
-        proceed(request, prepared);
+        const auto command = std::make_shared<const Command>(read());
+        const std::optional<EditBase> base = preparation_.base_of(*command);
+        if (!base) return prepare(request, *command, base, nullptr);
+        parts_.fetcher.fetch(
+            base->id, request->stop().get_token(),
+            {.got =
+                 [this, request, ticket, command, base](const HeldRevisionPtr& revision) {
+                   prepare(request, *command, base, revision);
+                 },
+             .failed = [this, request](const Error& why) { fail(request, why); }});
       },
       [&](const Error& why) { fail(request, why); });
+}
+
+void Maker::prepare(const WaitingRequestPtr& request, const Command& command,
+                    const std::optional<EditBase>& base, const HeldRevisionPtr& revision) {
+  const Prepared prepared =
+      preparation_.prepare(command, base, revision, request->stop().get_token());
+  request->design = prepared.design;
+  request->head = prepared.head;
+  request->fail_on = prepared.fail_on;
+  // Before anything is computed, where it can be told by now.
+  if (prepared.head.require || !prepared.fail_on.empty())
+    parts_.archive.check_filing(preparation_.record_of(prepared), prepared.design, prepared.head,
+                                prepared.fail_on);
+  proceed(request, prepared);
 }
 
 HeldRevisionPtr Maker::find_intact(const std::string& id, const std::stop_token& stop) const {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -13,12 +14,13 @@
 #include "server/session/commands.h"
 #include "server/session/computations.h"
 #include "server/session/engine.h"
+#include "server/session/fetcher.h"
 #include "server/session/make_request.h"
 #include "server/session/preparation.h"
 
 namespace remeshd {
 
-/// Makes revisions. A command is read and prepared (base read, edit applied, model validated, id
+/// Makes revisions. A command is read and prepared (base fetched, edit applied, model validated, id
 /// found) in the lane of preparations; a revision that exists is handed out, one on its way is
 /// waited for together, and any other is computed in the lane of computations, with a share of the
 /// memory budget for as long.
@@ -35,6 +37,7 @@ class Maker {
   struct Parts {
     const Engine& engine;
     Archive& archive;
+    Fetcher& fetcher;
     MemoryBudget& memory;
     Pool& preparation;
     Pool& computation;
@@ -62,7 +65,10 @@ class Maker {
  private:
   using Clock = FairQueue::Clock;
 
-  void prepare(const WaitingRequestPtr& request, const std::function<Command()>& read);
+  void begin(const WaitingRequestPtr& request, const Admission::TicketPtr& ticket,
+             const std::function<Command()>& read);
+  void prepare(const WaitingRequestPtr& request, const Command& command,
+               const std::optional<EditBase>& base, const HeldRevisionPtr& revision);
   void proceed(const WaitingRequestPtr& request, const Prepared& prepared);
   HeldRevisionPtr find_intact(const std::string& id, const std::stop_token& stop) const;
   void compute(const ComputationPtr& computation);

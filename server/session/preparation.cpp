@@ -9,11 +9,28 @@
 
 namespace remeshd {
 
-Prepared Preparation::prepare(const Command& command, std::stop_token stop) const {
+std::optional<EditBase> Preparation::base_of(const Command& command) const {
+  const auto* edit = std::get_if<EditCommand>(&command);
+  if (edit == nullptr) return std::nullopt;
+  if (edit->base.empty()) throw error::reference_missing("base");
+  const Reference reference = archive_.resolve(edit->base);
+  EditBase base{.id = reference.id,
+                .design = edit->design.empty() ? reference.design : edit->design};
+  if (base.design.empty()) {
+    const auto places =
+        archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
+    if (!places.empty()) base.design = places.front().design;
+  }
+  check_design_name(base.design);
+  return base;
+}
+
+Prepared Preparation::prepare(const Command& command, const std::optional<EditBase>& base,
+                              const HeldRevisionPtr& revision, std::stop_token stop) const {
   const Run run{.stop = std::move(stop), .on_progress = {}, .dumps = {}, .max_nodes = max_nodes_};
   if (const auto* create = std::get_if<CreateCommand>(&command))
     return prepare_create(*create, run);
-  return prepare_edit(std::get<EditCommand>(command), run);
+  return prepare_edit(std::get<EditCommand>(command), *base, revision, run);
 }
 
 Prepared Preparation::prepare_create(const CreateCommand& command, const Run& run) const {
@@ -32,19 +49,12 @@ Prepared Preparation::prepare_create(const CreateCommand& command, const Run& ru
   return prepared;
 }
 
-Prepared Preparation::prepare_edit(const EditCommand& command, const Run& run) const {
-  if (command.base.empty()) throw error::reference_missing("base");
-  const Reference base = archive_.resolve(command.base);
-  Prepared prepared;
-  prepared.design = command.design.empty() ? base.design : command.design;
-  if (prepared.design.empty()) {
-    const auto places =
-        archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
-    if (!places.empty()) prepared.design = places.front().design;
-  }
-  check_design_name(prepared.design);
-  prepared.base = archive_.get(base.id, run);
+Prepared Preparation::prepare_edit(const EditCommand& command, const EditBase& base,
+                                   const HeldRevisionPtr& revision, const Run& run) const {
   run.poll();  // reading the base takes a while
+  Prepared prepared;
+  prepared.design = base.design;
+  prepared.base = revision;
   const Revision& original = prepared.base->revision;
   prepared.edit = command.document;
   prepared.source = engine_.apply(original.source, command.edit);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,13 @@ struct Prepared {
   double nodes = 0;  ///< at least, as far as can be told before anything is computed
 };
 
-/// Makes commands definite: reads the base, applies the edit, checks options and node limit, finds
+/// What an edit is of, and where it is filed.
+struct EditBase {
+  std::string id;
+  std::string design;
+};
+
+/// Makes commands definite: finds the base, applies the edit, checks options and node limit, finds
 /// the id.
 class Preparation {
  public:
@@ -33,14 +40,19 @@ class Preparation {
   Preparation(const Engine& engine, Archive& archive, int threads, std::uint32_t max_nodes)
       : engine_(engine), archive_(archive), threads_(threads), max_nodes_(max_nodes) {}
 
-  /// Throws what is wrong with the command.
-  [[nodiscard]] Prepared prepare(const Command& command, std::stop_token stop) const;
+  /// What `prepare` has to be given of an edit; nothing for a first mesh.
+  /// Throws Error where there is no such revision, or no such design can be.
+  [[nodiscard]] std::optional<EditBase> base_of(const Command& command) const;
+  /// `revision`: that of the base. Throws what is wrong with the command.
+  [[nodiscard]] Prepared prepare(const Command& command, const std::optional<EditBase>& base,
+                                 const HeldRevisionPtr& revision, std::stop_token stop) const;
   /// What can be told of the revision before it is made.
   [[nodiscard]] RevisionRecord record_of(const Prepared& prepared) const;
 
  private:
   [[nodiscard]] Prepared prepare_create(const CreateCommand& command, const Run& run) const;
-  [[nodiscard]] Prepared prepare_edit(const EditCommand& command, const Run& run) const;
+  [[nodiscard]] Prepared prepare_edit(const EditCommand& command, const EditBase& base,
+                                      const HeldRevisionPtr& revision, const Run& run) const;
 
   const Engine& engine_;
   Archive& archive_;

@@ -1,5 +1,7 @@
 #include "server/session/session.h"
 
+#include <algorithm>
+
 #include "server/limits.h"
 #include "server/session/mesh_options.h"
 #include "server/session/session_error.h"
@@ -25,15 +27,40 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
       tenant_(std::move(tenant)),
       store_(std::move(store)),
       archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics()),
-      maker_({engine(), archive_, resources.memory(), resources.lane(Lane::Preparation),
+      fetcher_(tenant_,
+               {archive_, resources.lane(Lane::Preparation), resources.lane(Lane::Computation)}),
+      maker_({engine(), archive_, fetcher_, resources.memory(), resources.lane(Lane::Preparation),
               resources.lane(Lane::Computation)},
              {.threads = limits().threads,
               .max_nodes = limits().max_nodes,
               .dumps = dumps_of(tenant_, limits().dumps)}) {}
 
 HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
-  if (reference.empty()) throw error::reference_missing("revision");
-  return archive_.get(archive_.resolve(reference).id, run);
+  return archive_.get(resolve(reference).id, run);
+}
+
+MemoryBudget::Lease Session::take_stream_memory(const std::stop_token& stop) {
+  MemoryBudget& memory = resources_.memory();
+  auto lease = memory.take(std::min<std::uint64_t>(2 * limits::kUntakenBytes, memory.total()), stop,
+                           limits::kLoadWait);
+  Run{.stop = stop, .on_progress = {}, .dumps = {}}.poll();
+  return lease;
+}
+
+void Session::repair(CacheFault fault, const std::stop_token& stop,
+                     std::function<void(const CacheFault&)> done) {
+  const auto told = std::make_shared<CacheFault>(std::move(fault));
+  fetch(told->revision, stop,
+        {.got =
+             [this, told, done](const HeldRevisionPtr& revision) {
+               told->repaired = archive_.store_again(revision);
+               contained([&] { done(*told); });
+             },
+         .failed =
+             [told, done](const Error& why) {
+               told->what += "; it cannot be made again: " + why.info().message;
+               done(*told);
+             }});
 }
 
 HeldRevisionPtr Session::parent_of(const HeldRevision& revision, const Run& run) {
@@ -46,11 +73,9 @@ HeldRevisionPtr Session::parent_of(const HeldRevision& revision, const Run& run)
   }
 }
 
-Description Session::describe(const std::string& text, const Run& run) {
-  if (text.empty()) throw error::reference_missing("revision");
-  const Reference reference = archive_.resolve(text);
+Description Session::describe(const Reference& reference, const HeldRevisionPtr& revision) {
   Description description;
-  description.revision = archive_.get(reference.id, run);
+  description.revision = revision;
   description.record = description.revision->record;
   store_->read([&](Catalogue& catalogue) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
@@ -129,7 +154,7 @@ Load Session::load() {
   const Pool& computation = resources_.lane(Lane::Computation);
   Load load{.running = computation.running(),
             .queued = computation.queued(),
-            .waiting = maker_.waiting(),
+            .waiting = maker_.waiting() + fetcher_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
   load.memory_bytes = load.held_bytes + resources_.memory().leased();

@@ -9,6 +9,7 @@
 #include "server/session/archive.h"
 #include "server/session/commands.h"
 #include "server/session/engine.h"
+#include "server/session/fetcher.h"
 #include "server/session/maker.h"
 #include "server/session/resources.h"
 #include "server/session/session_error.h"
@@ -71,14 +72,24 @@ class Session {
     work.tenant = tenant_;
     return resources_.lane(lane).submit(std::move(work));
   }
+  /// For the replies of a stream that wait for its client. Waits as the reading of a revision does.
+  /// Throws what MemoryBudget::take throws, Error(Cancelled).
+  MemoryBudget::Lease take_stream_memory(const std::stop_token& stop);
   /// As Pool::withdraw.
   bool withdraw(Lane lane, WorkId id) { return resources_.lane(lane).withdraw(id); }
 
+  /// The revision, made again of its recipe if need be: for the lane of computations.
   HeldRevisionPtr get(const std::string& reference, const Run& run);
+  /// The same for the lane of preparations, of an id. As Fetcher::fetch.
+  void fetch(const std::string& id, const std::stop_token& stop,
+             const Fetcher::Receiver& receiver) {
+    fetcher_.fetch(id, stop, receiver);
+  }
   /// The revision that another one was made of; null where there is none any more, or none that
   /// can be read.
   HeldRevisionPtr parent_of(const HeldRevision& revision, const Run& run);
-  Description describe(const std::string& reference, const Run& run);
+  /// Of a revision that `reference` resolves to.
+  Description describe(const Reference& reference, const HeldRevisionPtr& revision);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
   /// Everything that is checked before a mesh is made, the limit on nodes too.
@@ -103,13 +114,13 @@ class Session {
   }
 
   /// What a revision is made of again, whether its mesh is there or not.
-  Recipe recipe(const std::string& reference) {
-    if (reference.empty()) throw error::reference_missing("revision");
-    return archive_.recipe(archive_.resolve(reference).id);
-  }
+  Recipe recipe(const std::string& reference) { return archive_.recipe(resolve(reference).id); }
   /// The same of an id whose revision may have been deleted, while others are made of it.
   Recipe recipe_of_ancestor(const std::string& id) { return archive_.recipe(id); }
-  Reference resolve(const std::string& reference) { return archive_.resolve(reference); }
+  Reference resolve(const std::string& reference) {
+    if (reference.empty()) throw error::reference_missing("revision");
+    return archive_.resolve(reference);
+  }
   /// The first design that a revision stands in; empty for none.
   std::string design_of(const std::string& id) {
     const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
@@ -117,6 +128,10 @@ class Session {
   }
   /// Meshes in memory and on disk: what they take, which of them stay and go.
   Archive& cache() { return archive_; }
+  /// Has a damaged mesh made again and stored. `done` hears of the fault, repaired or with the
+  /// reason why not, from any thread, maybe before this returns. For the lane of preparations.
+  void repair(CacheFault fault, const std::stop_token& stop,
+              std::function<void(const CacheFault&)> done);
 
   /// Throws Error: DESIGN_NOT_FOUND.
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
@@ -135,7 +150,10 @@ class Session {
   [[nodiscard]] bool persistent() { return archive_.store().persistent(); }
 
   /// Answers whatever is under way with Unavailable. What still runs comes to its end in the lanes.
-  void stop() { maker_.stop(); }
+  void stop() {
+    maker_.stop();
+    fetcher_.stop();
+  }
 
  private:
   [[nodiscard]] const Engine& engine() const { return resources_.engine(); }
@@ -146,6 +164,7 @@ class Session {
   const std::string tenant_;
   const std::unique_ptr<Store> store_;
   Archive archive_;
+  Fetcher fetcher_;
   Maker maker_;
 };
 

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <mutex>
 #include <random>
@@ -6,6 +5,7 @@
 #include <vector>
 
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -149,12 +149,12 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("The most memory of a daemon that has a budget");
-  app.add_option("--memory", settings.memory, "the budget, MiB");
-  app.add_option("--times", settings.times, "of the budget in revisions");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--clients", settings.clients);
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("The most memory of a daemon that has a budget",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--memory", settings.memory, "the budget, MiB");
+  options.add_option("--times", settings.times, "of the budget in revisions");
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--clients", settings.clients);
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -11,6 +10,7 @@
 
 #include "tests/service/client_process.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/log_lines.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
@@ -188,14 +188,17 @@ class Cancels {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("How soon a processor is free of what nobody wants any more");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--cancels", settings.cancels, "half of first meshes, half of edits");
-  app.add_option("--kills", settings.kills, "of clients");
-  app.add_flag("--frozen", settings.frozen, "a client that stops, too: takes up to two minutes");
-  app.add_option("--client-of", settings.client_of)->group("");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  if (!settings.client_of.empty()) return remeshd::test::Cancels::be_client(settings);
-  return remeshd::test::Cancels(settings).run();
+  remeshd::test::LoadProgram program("How soon a processor is free of what nobody wants any more",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--cancels", settings.cancels, "half of first meshes, half of edits");
+  options.add_option("--kills", settings.kills, "of clients");
+  options.add_flag("--frozen", settings.frozen,
+                   "a client that stops, too: takes up to two minutes");
+  options.add_option("--client-of", settings.client_of)->group("");
+  return program.run(argc, argv, [&] {
+    if (!settings.client_of.empty()) return remeshd::test::Cancels::be_client(settings);
+    return remeshd::test::Cancels(settings).run();
+  });
 }

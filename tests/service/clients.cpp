@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <thread>
 #include <vector>
 
 #include "tests/service/edit_load.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -47,11 +47,10 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("Throughput of two clients over that of one");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--seconds", settings.seconds, "of a round");
-  app.add_option("--rounds", settings.rounds);
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("Throughput of two clients over that of one", settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--seconds", settings.seconds, "of a round");
+  options.add_option("--rounds", settings.rounds);
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

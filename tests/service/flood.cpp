@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <condition_variable>
 #include <cstdio>
@@ -9,6 +8,7 @@
 
 #include "tests/service/edit_load.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/log_lines.h"
 #include "tests/service/processors.h"
 #include "tests/service/requests.h"
@@ -82,12 +82,12 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What a flood of edits does to a daemon with one worker");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--seconds", settings.seconds);
-  app.add_option("--times", settings.times, "of the daemon's capacity");
-  app.add_option("--queue", settings.queue, "as remeshd's own option");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("What a flood of edits does to a daemon with one worker",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--seconds", settings.seconds);
+  options.add_option("--times", settings.times, "of the daemon's capacity");
+  options.add_option("--queue", settings.queue, "as remeshd's own option");
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <limits>
 #include <string>
 
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/raw_call.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
@@ -115,9 +115,9 @@ class Hostile {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What requests cost that ask for more than there is");
-  app.add_option("--megabytes", settings.megabytes, "of a document");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::Hostile(settings).run();
+  remeshd::test::LoadProgram program("What requests cost that ask for more than there is",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--megabytes", settings.megabytes, "of a document");
+  return program.run(argc, argv, [&] { return remeshd::test::Hostile(settings).run(); });
 }

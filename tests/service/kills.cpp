@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <random>
@@ -7,6 +6,7 @@
 
 #include "tests/service/goals.h"
 #include "tests/service/kept_revisions.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -185,11 +185,11 @@ class Kills {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What is left after kill -9 at random moments");
-  app.add_option("--kills", settings.kills);
-  app.add_option("--revisions", settings.revisions, "that the store has at most, about");
-  app.add_option("--seed", settings.seed, "of the moments");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::Kills(settings).run();
+  remeshd::test::LoadProgram program("What is left after kill -9 at random moments",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--kills", settings.kills);
+  options.add_option("--revisions", settings.revisions, "that the store has at most, about");
+  options.add_option("--seed", settings.seed, "of the moments");
+  return program.run(argc, argv, [&] { return remeshd::test::Kills(settings).run(); });
 }

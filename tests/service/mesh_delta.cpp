@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -7,6 +6,7 @@
 #include "remeshd/client.h"
 #include "server/daemon.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/timing.h"
 
 // What meshes in a stream cost: bytes of a mesh told by its difference from its parent's over those
@@ -91,10 +91,10 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("Measures meshes that come in a stream as differences");
-  app.add_option("--edits", settings.edits)->check(CLI::Range(2, 100000));
-  app.add_option("--nodes", settings.nodes);
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("Measures meshes that come in a stream as differences",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--edits", settings.edits)->check(CLI::Range(2, 100000));
+  options.add_option("--nodes", settings.nodes);
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <cstdio>
 #include <list>
@@ -8,6 +7,7 @@
 
 #include "server/transport/descriptor_limit.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -181,13 +181,12 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What clients cost that do not read");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--readers", settings.readers);
-  app.add_option("--writer-seconds", settings.writer_seconds);
-  app.add_option("--connections", settings.connections);
-  app.add_option("--streams", settings.streams, "over these connections together");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("What clients cost that do not read", settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--readers", settings.readers);
+  options.add_option("--writer-seconds", settings.writer_seconds);
+  options.add_option("--connections", settings.connections);
+  options.add_option("--streams", settings.streams, "over these connections together");
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

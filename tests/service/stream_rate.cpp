@@ -1,6 +1,5 @@
 #include <grpcpp/generic/generic_stub.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "tests/service/byte_server.h"
 #include "tests/service/client_process.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/mutual_tls.h"
 #include "tests/service/processors.h"
 #include "tests/service/requests.h"
@@ -142,16 +142,18 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("The rate of a mesh over that of a bare stream of bytes");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--rounds", settings.rounds);
-  app.add_flag("--mtls", settings.mtls, "both ends show certificates");
-  app.add_option("--keys", settings.keys)->group("");
-  app.add_option("--serve", settings.serve)->group("");
-  app.add_option("--messages", settings.messages)->group("");
-  app.add_option("--bytes", settings.bytes)->group("");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  if (!settings.serve.empty()) return remeshd::test::serve_bytes(settings);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("The rate of a mesh over that of a bare stream of bytes",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--rounds", settings.rounds);
+  options.add_flag("--mtls", settings.mtls, "both ends show certificates");
+  options.add_option("--keys", settings.keys)->group("");
+  options.add_option("--serve", settings.serve)->group("");
+  options.add_option("--messages", settings.messages)->group("");
+  options.add_option("--bytes", settings.bytes)->group("");
+  return program.run(argc, argv, [&] {
+    if (!settings.serve.empty()) return remeshd::test::serve_bytes(settings);
+    return remeshd::test::run(settings);
+  });
 }

@@ -1,13 +1,14 @@
-#include <CLI/CLI.hpp>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "tests/service/edit_load.h"
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/tenant_stub.h"
@@ -83,6 +84,39 @@ int compare_until(v1::RemeshService::Stub& stub, const Settings& settings, doubl
   return done;
 }
 
+/// Comparisons and edits without end, each on a thread of its own.
+class Flood {
+ public:
+  Flood(v1::RemeshService::Stub& stub, EditLoad& load, const Settings& settings, double per_second)
+      : edits_(std::async(std::launch::async, [&load, &settings, per_second] {
+          return load.open_loop(per_second, settings.seconds + 1);
+        })) {
+    for (int i = 0; i < settings.comparisons; ++i)
+      comparisons_.push_back(std::async(std::launch::async, [this, &stub, &settings, i] {
+        return compare_until(stub, settings, 3.1 + 0.1 * i, stop_);
+      }));
+  }
+  /// Where the other tenant fails, its end must not wait for comparisons without end.
+  ~Flood() { stop_ = true; }
+  Flood(const Flood&) = delete;
+  Flood& operator=(const Flood&) = delete;
+
+  /// Throws what one of the threads threw.
+  EditLoad::Counts end() {
+    stop_ = true;
+    for (auto& each : comparisons_) compared_ += each.get();
+    return edits_.get();
+  }
+  /// Comparisons that came to their end.
+  [[nodiscard]] int compared() const { return compared_; }
+
+ private:
+  std::atomic<bool> stop_ = false;
+  int compared_ = 0;
+  std::future<EditLoad::Counts> edits_;
+  std::vector<std::future<int>> comparisons_;
+};
+
 int run(const Settings& settings) {
   const StoreFolder store("tenants");
   const std::filesystem::path tokens = store.path() + ".tokens";
@@ -99,28 +133,17 @@ int run(const Settings& settings) {
 
   int number = 0;
   std::vector<double> alone = paced_edits(*paced, base, settings, number);
-  std::atomic<bool> stop = false;
-  std::atomic<int> compared = 0;
-  EditLoad::Counts flood;
-  std::vector<double> beside;
-  {
-    std::vector<std::jthread> others;
-    for (int i = 0; i < settings.comparisons; ++i)
-      others.emplace_back(
-          [&, i] { compared += compare_until(*flooding, settings, 3.1 + 0.1 * i, stop); });
-    others.emplace_back(
-        [&] { flood = load.open_loop(settings.times * capacity, settings.seconds + 1); });
-    std::this_thread::sleep_for(std::chrono::seconds(1));
-    beside = paced_edits(*paced, base, settings, number);
-    stop = true;
-  }
+  Flood flood(*flooding, load, settings, settings.times * capacity);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const std::vector<double> beside = paced_edits(*paced, base, settings, number);
+  const EditLoad::Counts edits = flood.end();
   for (const double spent : paced_edits(*paced, base, settings, number)) alone.push_back(spent);
 
   Goals goals(settings.goals);
-  goals.tell("edits of the flood done", static_cast<double>(flood.done));
-  goals.tell("  refused", static_cast<double>(flood.refused));
-  goals.tell("huge comparisons done", compared);
-  goals.must("the flood was refused at times", flood.refused > 0);
+  goals.tell("edits of the flood done", static_cast<double>(edits.done));
+  goals.tell("  refused", static_cast<double>(edits.refused));
+  goals.tell("huge comparisons done", flood.compared());
+  goals.must("the flood was refused at times", edits.refused > 0);
   goals.tell("paced edits alone, median", median(alone), "ms");
   goals.tell("  p95", percentile(alone, 0.95), "ms");
   goals.tell("paced edits beside the flood, median", median(beside), "ms");
@@ -135,14 +158,15 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What a tenant hears of another one that floods the daemon");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--seconds", settings.seconds, "of each of the three rounds");
-  app.add_option("--times", settings.times, "of the daemon's capacity, that the flood asks for");
-  app.add_option("--pace", settings.pace, "s between the other tenant's edits");
-  app.add_option("--comparisons", settings.comparisons, "at a time");
-  app.add_option("--holes", settings.holes, "in a row of the plates that are compared");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("What a tenant hears of another one that floods the daemon",
+                                     settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--seconds", settings.seconds, "of each of the three rounds");
+  options.add_option("--times", settings.times,
+                     "of the daemon's capacity, that the flood asks for");
+  options.add_option("--pace", settings.pace, "s between the other tenant's edits");
+  options.add_option("--comparisons", settings.comparisons, "at a time");
+  options.add_option("--holes", settings.holes, "in a row of the plates that are compared");
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 namespace remeshd::test {
 namespace {
 
@@ -16,6 +19,20 @@ TEST(UnaryCalls, KeepNoActionOnceTheyAreDone) {
   call->on_cancel([after] {});
   EXPECT_EQ(before.use_count(), 1);
   EXPECT_EQ(after.use_count(), 1);
+}
+
+TEST(UnaryCalls, DoAllThatTheyWereToldToDoWhenTheirClientCancels) {
+  grpc::CallbackServerContext context;
+  grpc::ByteBuffer reply;
+  const auto call = std::make_shared<UnaryCall>(
+      &context, &reply,
+      std::make_shared<CallRecord>(std::make_shared<FrontDesk>(), "Method", context));
+  std::string done;
+  call->on_cancel([&] { done += "work stopped, "; });
+  call->on_cancel([&] { done += "work withdrawn, "; });
+  call->OnCancel();
+  call->on_cancel([&] { done += "told too late"; });
+  EXPECT_EQ(done, "work stopped, work withdrawn, told too late");
 }
 
 }  // namespace

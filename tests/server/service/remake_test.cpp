@@ -29,7 +29,7 @@ TEST(RemakingARevision, HoldsNothingOnceItIsAnswered) {
   request.set_revision("plate");
   const auto answered = std::make_shared<std::atomic<bool>>(false);
   const std::weak_ptr<MakeRequest> remaking = remake(
-      *session, request, remeshd::Run{}, [answered](const Made&, const auto&) { *answered = true; },
+      *session, request, [answered](const Made&, const auto&) { *answered = true; },
       [answered](const Error&) { *answered = true; });
   // Whoever answers lets go of it a moment later.
   for (int i = 0; i < 5000 && (!*answered || !remaking.expired()); ++i)

@@ -154,7 +154,7 @@ TEST_F(HeadsTest, AHeadIsNotSetWhereItIsNotTheExpectedOneOrTheDesignHasItNot) {
   EXPECT_EQ(refused(stranger, "plate", ""), "REVISION_NOT_FOUND");
   EXPECT_EQ(refused(first, "nowhere", ""), "DESIGN_NOT_FOUND");
   EXPECT_EQ(refused("plate@7", "", ""), "REVISION_NOT_FOUND");
-  EXPECT_EQ(session_->describe("plate", {}).record.id, second);
+  EXPECT_EQ(session_->get("plate", {})->record.id, second);
 }
 
 TEST_F(HeadsTest, ADesignIsRemovedWithWhatNoOtherHasAndItsNumbersGoOn) {
@@ -245,7 +245,8 @@ TEST_F(HeadsTest, TheRecordTellsRootAndVersionAndOutlivesTheDaemon) {
   edit.document = R"({"edits": []})";
   const Made second = ask(edit).made();
   start_with_store();
-  const RevisionRecord record = session_->describe("plate", {}).record;
+  const RevisionRecord record =
+      session_->describe(session_->resolve("plate"), session_->get("plate", {})).record;
   EXPECT_EQ(record, second.filed.record);
   EXPECT_EQ(record.root, first.filed.record.id);
   EXPECT_EQ(record.algorithm_version, 7U);

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <memory>
 
 #include "server/limits.h"
+#include "server/session/verification.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
 #include "tests/server/session/only_session.h"
@@ -215,9 +217,17 @@ TEST_F(RemakeTest, APinnedMeshStays) {
 TEST_F(RemakeTest, WhatIsDamagedIsFoundAndRepaired) {
   const auto faults = [&](bool repair) {
     std::vector<CacheFault> found;
-    session_->cache().verify_cache(
-        repair, [&](const CacheFault& fault) { found.push_back(fault); },
-        [](std::uint64_t, std::uint64_t) {}, kRun);
+    for (Verification all(session_->cache()); !all.ended();) {
+      const auto fault = all.next();
+      if (!fault) continue;
+      if (!repair) {
+        found.push_back(*fault);
+        continue;
+      }
+      std::promise<CacheFault> told;
+      session_->repair(*fault, {}, [&](const CacheFault& result) { told.set_value(result); });
+      found.push_back(told.get_future().get());
+    }
     return found;
   };
   EXPECT_TRUE(faults(false).empty());
