@@ -13,7 +13,7 @@ namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
 constexpr std::uint32_t kFormat = 11;
-constexpr std::uint32_t kWithoutAttempts = 10;  // the same but for these, which come last
+constexpr std::uint32_t kShorterReport = 10;  // without attempts and geometry, which come last
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -34,7 +34,7 @@ template <class A>
 void serialize(A& a, ModelSource& m) {
   a(m.name, m.unit, m.parameters, m.features);
 }
-/// But for the id and the seconds, which are not the mesh's own, and the attempts.
+/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry.
 template <class A>
 void serialize(A& a, Report& r) {
   a(r.way, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
@@ -57,7 +57,7 @@ std::string write_documents(const Revision& revision) {
             revision.master->mesh.far_corners(), revision.master->next_node_id,
             revision.master->next_tet_id, revision.anchor != nullptr);
     if (revision.anchor) archive(revision.anchor->source);
-    archive(revision.report.attempts);
+    archive(revision.report.attempts, revision.report.geometry);
   }
   return std::move(out).str();
 }
@@ -68,7 +68,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     DocumentsArchive archive(bytes);
     std::uint32_t format = 0;
     archive(format);
-    if (format != kFormat && format != kWithoutAttempts)
+    if (format != kFormat && format != kShorterReport)
       throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     MeshGroups& groups = revision.delivery.groups;
@@ -78,7 +78,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
             documents.master.mesh.far_corners(), documents.master.next_node_id,
             documents.master.next_tet_id, documents.anchored);
     if (documents.anchored) archive(documents.anchor_source);
-    if (format != kWithoutAttempts) archive(revision.report.attempts);
+    if (format != kShorterReport) archive(revision.report.attempts, revision.report.geometry);
 #endif
   } catch (const Error&) {
     throw;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
 #include "engine/remesh/lost_names.h"
@@ -137,6 +138,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.cells = original ? build_cells(revision.model, original->model, original->cells, run)
                             : build_cells(revision.model, run);
   const CellularModel& cells = revision.cells;
+  report.geometry = cells.parts->geometry;
   const Density density = resolve_density(original, options, cells, run);
   revision.edge_length = report.edge_length = density.edge_length;
   watch.lap(seconds.setup);

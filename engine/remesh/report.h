@@ -86,6 +86,7 @@ struct Report {
   /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
   /// share of those that it keeps.
   double last_resort_share = 0;
+  std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
   std::vector<Warning> warnings;
 };
 

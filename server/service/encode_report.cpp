@@ -111,6 +111,7 @@ void put_diagnostics(const Report& report, bool first_mesh, v1::Diagnostics& out
   out.mutable_free_per_iteration()->Assign(counts.free_per_iteration.begin(),
                                            counts.free_per_iteration.end());
   put_quality(report.quality_before, *out.mutable_quality_before());
+  out.set_geometry(report.geometry);
 }
 
 }  // namespace

@@ -17,5 +17,11 @@ TEST(EncodedReport, TellsWhatWasTriedInItsOrder) {
   EXPECT_EQ(report.attempts(1).strategy(), "local, 4 edge lengths");
 }
 
+TEST(EncodedReport, TellsHowTheBoundaryCameAbout) {
+  HeldRevision held;
+  held.revision.report.geometry = "swept";
+  EXPECT_EQ(encode_report(held).diagnostics().geometry(), "swept");
+}
+
 }  // namespace
 }  // namespace remeshd
