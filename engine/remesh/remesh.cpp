@@ -155,6 +155,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
       return revision;
     }
   }
+  run.warn(report.warnings);
+  if (run.on_warnings) run.warn(names_to_be_lost(original, revision.model, cells.boundary));
   Ways ways(original, revision, density, watch, run);
   NewMesh made = ways.first_valid();
   deliver(std::move(made.candidate), made.copied_from, original, *made.source, revision, run);

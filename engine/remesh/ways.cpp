@@ -155,6 +155,7 @@ void Ways::next(Way way, const NewMesh& failed, const char* what) {
                              : "")));
   warning.message += std::string("; ") + what;
   report.warnings.push_back(std::move(warning));
+  run_.warn({&report.warnings.back(), 1});
 }
 
 /// Within the part of the original that what changes reaches; where that does not do, gives no
