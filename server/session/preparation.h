@@ -33,7 +33,7 @@ class Preparation {
   Preparation(const Engine& engine, Archive& archive, int threads, std::uint32_t max_nodes)
       : engine_(engine), archive_(archive), threads_(threads), max_nodes_(max_nodes) {}
 
-  /// Throws what is wrong with the command.
+  /// Throws what is wrong with the command, with its place in the document that it came as.
   [[nodiscard]] Prepared prepare(const Command& command, std::stop_token stop) const;
   /// What can be told of the revision before it is made.
   [[nodiscard]] RevisionRecord record_of(const Prepared& prepared) const;
