@@ -1,6 +1,7 @@
 #include "client/cli/base.h"
 
 #include "client/cli/exit_code.h"
+#include "client/cli/in_document.h"
 #include "proto/document.h"
 
 namespace remeshd::cli {
@@ -20,14 +21,16 @@ Named resolve(const std::string& name) {
 }
 
 std::variant<remesh::v1::FeatureModel, remesh::v1::ModelEdit> read_either(const std::string& file) {
-  return parse_document(read_document(file));
+  return in_document(file, [&] { return parse_document(read_document(file)); });
 }
 
 remesh::v1::FeatureModel read_model(const std::string& file) {
-  return parse_model(read_document(file));
+  return in_document(file, [&] { return parse_model(read_document(file)); });
 }
 
-remesh::v1::ModelEdit read_edit(const std::string& file) { return parse_edit(read_document(file)); }
+remesh::v1::ModelEdit read_edit(const std::string& file) {
+  return in_document(file, [&] { return parse_edit(read_document(file)); });
+}
 
 Base resolve_base(const std::string& name) {
   Named named = resolve(name);

@@ -6,6 +6,7 @@
 #include "client/cli/commands/command.h"
 #include "client/cli/console.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/in_document.h"
 #include "remeshd/mesh_file.h"
 
 #ifndef REMESHD_VERSION
@@ -71,14 +72,19 @@ void build(CLI::App& app, Line& line) {
   add_info_command(app, line.action);
 }
 
-/// Says what went wrong and which exit code that is.
-int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& options) {
+/// Says what went wrong and which exit code that is. `place`: in a file, else empty.
+int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& options,
+         const std::string& place = {}) {
   remesh::v1::Error plain = error;
   plain.clear_hint();
+  if (!place.empty()) {
+    plain.clear_line();
+    plain.clear_column();
+  }
   if (exit_code(error) == kUnreachable && !options.local)
     console.error("no answer from a daemon at " + options.address +
                   "; start one (remeshd), say where it is (--address), or do without (--local)");
-  console.error(client::describe(plain));
+  console.error((place.empty() ? "" : place + ": ") + client::describe(plain));
   if (!error.hint().empty()) console.error("hint: " + error.hint());
   if (error.has_retry_after())
     console.error("try again in " + std::to_string(std::lround(error.retry_after() + 0.5)) + " s");
@@ -124,6 +130,8 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
   } catch (const Interrupted&) {
     console.error("interrupted");
     return kInterrupted;
+  } catch (const InDocument& e) {
+    return fail(console, e.detail(), line.options, e.place());
   } catch (const client::CallError& e) {
     return fail(console, e.detail(), line.options);
   } catch (const DocumentError& e) {

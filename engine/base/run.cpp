@@ -13,4 +13,9 @@ void Run::report(std::string_view stage, double fraction, int iteration) const {
   if (on_progress) on_progress({stage, iteration, fraction});
 }
 
+void Run::warn(std::span<const Warning> certain) const {
+  if (on_warnings && !certain.empty()) on_warnings(certain);
+  poll();
+}
+
 }  // namespace remeshd

@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <string_view>
+
+#include "engine/base/warning.h"
 
 namespace remeshd {
 
@@ -28,10 +31,15 @@ struct Run {
   std::filesystem::path dumps;  ///< empty: no dumps
   /// A mesh that would need more nodes is refused (`MESH_TOO_LARGE`) before any of them is made.
   std::uint32_t max_nodes = kDefaultMaxNodes;
+  /// Hears of warnings that the result is certain to have, before more work is done for it; not of
+  /// all of them. It may throw, or request the stop; may be empty.
+  std::function<void(std::span<const Warning>)> on_warnings = {};
 
   /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.
   void poll() const;
   void report(std::string_view stage, double fraction, int iteration = 0) const;
+  /// Tells warnings that are certain, then polls.
+  void warn(std::span<const Warning> certain) const;
 };
 
 /// Polls once in a while: to be called for every tet or node of a long loop.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "engine/cellular/boundary_model.h"
@@ -27,6 +28,10 @@ struct BoundaryPiece {
 struct BoundaryParts {
   kernel::Brep brep;
   std::vector<BoundaryPiece> pieces;
+  /// How they came about: `fused` by the CAD kernel; of an edit, stitched into what is `kept` of
+  /// its base: nothing, or what was `fused in part`, `swept` or `crossed`. Empty where they were
+  /// stored.
+  std::string_view geometry = {};
 };
 
 /// Takes the pieces that are boundary out of a fuse.

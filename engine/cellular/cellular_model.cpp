@@ -142,7 +142,9 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
   fuse_features(model, membership, fuse_frame(membership), run, [&](FusedFeatures fused) {
     const Brep& brep = *fused.cells.brep;
     require_one_piece(fused.cells, model);
-    out = join_boundary(boundary_parts(brep, fused.pieces), membership);
+    BoundaryParts parts = boundary_parts(brep, fused.pieces);
+    parts.geometry = "fused";
+    out = join_boundary(std::move(parts), membership);
     fill_edges_and_vertices(fused.cells, brep, skeleton_of(brep, fused.pieces, false),
                             skeleton_of(brep, fused.pieces, true));
     out.on_demand = std::make_shared<const ComplexOnDemand>(std::move(fused.cells));

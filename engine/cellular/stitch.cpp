@@ -453,15 +453,17 @@ std::optional<BoundaryParts> stitch(const EditedModel& edited, const StitchBase&
     return std::nullopt;
   FuseFrame frame = fuse_frame(edited.membership);
   frame.reference = base.parts.brep.reference;
-  const auto stitched = [&](const FusedParts& fused) {
-    return Stitcher(base.parts, changes, fused, meeting).stitch(edited.membership);
+  const auto stitched = [&](const FusedParts& fused, std::string_view geometry) {
+    auto parts = Stitcher(base.parts, changes, fused, meeting).stitch(edited.membership);
+    if (parts) parts->geometry = features.empty() ? "kept" : geometry;
+    return parts;
   };
   if (const auto swept = swept_parts(edited.model, edited.membership, features, frame))
-    if (auto parts = stitched(*swept)) return parts;
+    if (auto parts = stitched(*swept, "swept")) return parts;
   if (const auto crossed = crossed_parts(edited.model, edited.membership, features, frame))
-    if (auto parts = stitched(*crossed)) return parts;
+    if (auto parts = stitched(*crossed, "crossed")) return parts;
   if (features.size() >= edited.model.features.size()) return std::nullopt;
-  return stitched(fuse_some(edited, features, frame, run));
+  return stitched(fuse_some(edited, features, frame, run), "fused in part");
 }
 
 }  // namespace remeshd

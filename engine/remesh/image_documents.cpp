@@ -12,7 +12,8 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 10;
+constexpr std::uint32_t kFormat = 11;
+constexpr std::uint32_t kShorterReport = 10;  // without attempts and geometry, which come last
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -33,12 +34,16 @@ template <class A>
 void serialize(A& a, ModelSource& m) {
   a(m.name, m.unit, m.parameters, m.features);
 }
-/// But for the id and the seconds, which are not the mesh's own.
+/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry.
 template <class A>
 void serialize(A& a, Report& r) {
   a(r.way, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
     r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
     r.warnings);
+}
+template <class A>
+void serialize(A& a, Attempt& t) {
+  a(t.strategy, t.reason);
 }
 
 std::string write_documents(const Revision& revision) {
@@ -52,6 +57,7 @@ std::string write_documents(const Revision& revision) {
             revision.master->mesh.far_corners(), revision.master->next_node_id,
             revision.master->next_tet_id, revision.anchor != nullptr);
     if (revision.anchor) archive(revision.anchor->source);
+    archive(revision.report.attempts, revision.report.geometry);
   }
   return std::move(out).str();
 }
@@ -62,7 +68,8 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     DocumentsArchive archive(bytes);
     std::uint32_t format = 0;
     archive(format);
-    if (format != kFormat) throw error::internal("store", "a revision of another format");
+    if (format != kFormat && format != kShorterReport)
+      throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     MeshGroups& groups = revision.delivery.groups;
     archive(revision.source, revision.meshed_source, revision.options, revision.edge_length,
@@ -71,6 +78,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
             documents.master.mesh.far_corners(), documents.master.next_node_id,
             documents.master.next_tet_id, documents.anchored);
     if (documents.anchored) archive(documents.anchor_source);
+    if (format != kShorterReport) archive(revision.report.attempts, revision.report.geometry);
 #endif
   } catch (const Error&) {
     throw;

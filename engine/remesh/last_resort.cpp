@@ -17,20 +17,26 @@
 #include "engine/nodes/density.h"
 #include "engine/remesh/failure_place.h"
 #include "engine/remesh/stopwatch.h"
+#include "engine/remesh/trial.h"
 
 namespace remeshd {
 
 namespace {
 
 /// One way to ask TetGen.
-struct Attempt {
+struct Question {
+  const char* name;       ///< as an attempt's strategy
   double surface_length;  ///< x edge length
   bool split_surface;
 };
 // Mostly the first will do. A finer surface comes before points that TetGen adds on it: these go
 // where a thin wall makes its tets bad, by the ten thousand.
-constexpr std::array kAttempts{Attempt{1, false}, Attempt{0.7, false}, Attempt{1, true},
-                               Attempt{0.5, false}, Attempt{0.5, true}};
+constexpr std::array kQuestions{
+    Question{"TetGen, facets of 1 edge length", 1, false},
+    Question{"TetGen, facets of 0.7 edge lengths", 0.7, false},
+    Question{"TetGen, facets of 1 edge length, points added on them", 1, true},
+    Question{"TetGen, facets of 0.5 edge lengths", 0.5, false},
+    Question{"TetGen, facets of 0.5 edge lengths, points added on them", 0.5, true}};
 // Facets and nodes inside: so many times what a regular mesh has, and some more.
 constexpr double kMostTimes = 10;
 constexpr std::uint32_t kMostMore = 10'000;
@@ -172,11 +178,21 @@ bool is_flat_only(const Candidate& c) {
          sound(c.whole.mesh, v);
 }
 
+FailurePlace place_of(const MeshDefect& defect, const LastResort& input) {
+  return find_failure(defect, input.model, input.membership, input.cells.boundary,
+                      input.edge_length);
+}
+
+std::string fault_of(const Verification& failed, const LastResort& input) {
+  if (failed.failures.empty()) return "the mesh did not pass verification";
+  const MeshDefect& defect = failed.failures.front();
+  return describe(defect, place_of(defect, input));
+}
+
 Error not_recovered(const LastResort& input, const Verification& failed, const std::string& also) {
   if (failed.failures.empty()) return error::boundary_not_recovered(also, {}, {});
   const MeshDefect& defect = failed.failures.front();
-  const FailurePlace place =
-      find_failure(defect, input.model, input.membership, input.cells.boundary, input.edge_length);
+  const FailurePlace place = place_of(defect, input);
   std::optional<Vec3> at;
   if (!place.faces.empty()) at = defect.place;
   return error::boundary_not_recovered(describe(defect, place) + (also.empty() ? "" : "; " + also),
@@ -194,21 +210,28 @@ Candidate mesh_by_tetgen(const LastResort& input, const Run& run) {
   std::optional<Error> failure;
   kernel::TetGenLimits limits = input.limits;
   const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
-  for (const Attempt& attempt : kAttempts) {
+  std::vector<Attempt> given_up;
+  for (const Question& question : kQuestions) {
+    const Trial trial(question.name);
     const SurfaceMesh surface = mesh_surface(
         input.cells.boundary,
-        {.edge_length = attempt.surface_length * input.edge_length, .most_facets = facets}, run);
+        {.edge_length = question.surface_length * input.edge_length, .most_facets = facets}, run);
     limits.seconds = input.limits.seconds - watch.total();
     if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
     try {
-      Candidate c = try_tetgen(surface, attempt.split_surface, input, limits, run);
-      if (c.verification.valid) return c;
+      Candidate c = try_tetgen(surface, question.split_surface, input, limits, run);
+      if (c.verification.valid) {
+        c.given_up = std::move(given_up);
+        return c;
+      }
       failure = not_recovered(input, c.verification, {});
-      if (!attempt.split_surface && is_flat_only(c)) break;
+      given_up.push_back(trial.given_up(fault_of(c.verification, input)));
+      if (!question.split_surface && is_flat_only(c)) break;
     } catch (const Error& e) {
       if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
       if (!tetgen_failed(e)) throw;
       failure = e;
+      given_up.push_back(trial.given_up(e.info().message));
     }
   }
   throw Error(*failure);

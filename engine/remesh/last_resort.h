@@ -23,11 +23,11 @@ struct LastResort {
 /// as a film or a razor-thin gap would need, is none that anyone has asked for: it is refused. So
 /// is one with nothing wrong but flat tets: there the model is flat.
 ///
-/// Post: a valid candidate. Its `loop.mesh` is the Delaunay mesh of the delivered mesh's nodes, its
-/// `delaunay` what peeling leaves of that: it may lack parts of the boundary.
-/// Throws what mesh_surface and run_tetgen throw; Error(BOUNDARY_NOT_RECOVERED) where no mesh was
-/// valid. TETGEN_TOO_SLOW is not followed by another try: a clock decides on errors, never on
-/// meshes.
+/// Post: a valid candidate, with the tries that were given up before. Its `loop.mesh` is the
+/// Delaunay mesh of the delivered mesh's nodes, its `delaunay` what peeling leaves of that: it may
+/// lack parts of the boundary. Throws what mesh_surface and run_tetgen throw;
+/// Error(BOUNDARY_NOT_RECOVERED) where no mesh was valid. TETGEN_TOO_SLOW is not followed by
+/// another try: a clock decides on errors, never on meshes.
 Candidate mesh_by_tetgen(const LastResort& input, const Run& run);
 
 /// The same after other ways to a mesh have failed.

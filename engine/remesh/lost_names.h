@@ -16,4 +16,11 @@ namespace remeshd {
 /// for a first mesh.
 std::vector<Warning> lost_names(const Revision* original, const Revision& made);
 
+/// Those of them that are certain before there is a mesh, from the model and the boundary alone: a
+/// verified mesh has a facet on each face, and none with a name that its face has not. What depends
+/// on where tets lie is left out: whether a feature without a face still has material, and groups
+/// on faces that several features share.
+std::vector<Warning> names_to_be_lost(const Revision* original, const FeatureModel& model,
+                                      const BoundaryModel& boundary);
+
 }  // namespace remeshd

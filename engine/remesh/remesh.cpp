@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "engine/cellular/boundary_parts.h"
 #include "engine/remesh/continuation.h"
 #include "engine/remesh/deliver.h"
 #include "engine/remesh/lost_names.h"
 #include "engine/remesh/master.h"
 #include "engine/remesh/shortfalls.h"
 #include "engine/remesh/stopwatch.h"
+#include "engine/remesh/trial.h"
 #include "engine/remesh/ways.h"
 #include "engine/remesh/wear.h"
 
@@ -32,12 +34,13 @@ void repeat(const Revision& original, Revision& revision, const Run& run) {
 
 /// Nearly the same geometry: the connectivity of the original's mesh, where that serves.
 bool continue_with(const Revision& original, Revision& revision, const Run& run) {
+  const Trial trial("morphed");
   auto result = continue_mesh(original, revision, run);
   if (const auto* why = std::get_if<NotContinued>(&result)) {
-    if (!why->empty())
-      revision.report.warnings.push_back(
-          {.code = WarningCode::Fallback,
-           .message = "the connectivity could not be kept: " + *why});
+    if (why->empty()) return false;
+    revision.report.attempts.push_back(trial.given_up(*why));
+    revision.report.warnings.push_back(
+        {.code = WarningCode::Fallback, .message = "the connectivity could not be kept: " + *why});
     return false;
   }
   auto& mesh = std::get<ContinuedMesh>(result);
@@ -69,14 +72,17 @@ void renew_if_worn(const Revision& original, Ways& ways, Revision& revision, con
   const WearReference now = wear_reference(revision);
   if (is_regular(original) || !worn(now, original.reference)) return;
   const Report as_remeshed = revision.report;
-  NewMesh made = ways.regular(revision.options.seed);
+  const Attempt remesh = ways.last_given_up("the mesh had worn: " + describe(now));
+  NewMesh made = ways.regular(revision.options.seed, "renewed");
   Revision anew = revision;
   const bool valid = made.candidate.verification.valid;
+  const std::string fault = valid ? "" : ways.fault_of(made);
   if (valid) deliver(std::move(made.candidate), nullptr, &original, *made.source, anew, run);
   anew.reference = wear_reference(anew);
   if (valid && worn(now, anew.reference)) {
     revision = std::move(anew);
     revision.report.way = Way::Renewed;
+    revision.report.attempts.push_back(remesh);
     revision.report.warnings.push_back({.code = WarningCode::Renewed,
                                         .message = "the mesh had worn (" + describe(now) +
                                                    ") and was made anew (" +
@@ -86,6 +92,8 @@ void renew_if_worn(const Revision& original, Ways& ways, Revision& revision, con
   const PhaseSeconds spent = revision.report.seconds;
   revision.report = as_remeshed;
   revision.report.seconds = spent;
+  revision.report.attempts.push_back(ways.last_given_up(
+      valid ? "no better than the mesh that had worn: " + describe(anew.reference) : fault));
   revision.reference = now;
 }
 
@@ -130,6 +138,7 @@ Revision make_revision(const Revision* original, const ModelSource& document,
   revision.cells = original ? build_cells(revision.model, original->model, original->cells, run)
                             : build_cells(revision.model, run);
   const CellularModel& cells = revision.cells;
+  report.geometry = cells.parts->geometry;
   const Density density = resolve_density(original, options, cells, run);
   revision.edge_length = report.edge_length = density.edge_length;
   watch.lap(seconds.setup);
@@ -146,6 +155,8 @@ Revision make_revision(const Revision* original, const ModelSource& document,
       return revision;
     }
   }
+  run.warn(report.warnings);
+  if (run.on_warnings) run.warn(names_to_be_lost(original, revision.model, cells.boundary));
   Ways ways(original, revision, density, watch, run);
   NewMesh made = ways.first_valid();
   deliver(std::move(made.candidate), made.copied_from, original, *made.source, revision, run);

@@ -140,7 +140,9 @@ struct Revision {
 /// more than a tenth off in number, and the regular mesh is better. The first edit of a regular
 /// mesh is never made anew for that.
 ///
-/// The result depends on the arguments alone, not on `run.threads` or the clock.
+/// The result depends on the arguments alone, not on `run.threads` or the clock. `run.on_warnings`
+/// hears before there is a mesh of names that will be lost, and of each strategy that is given up
+/// with a warning before the next begins.
 /// Throws Error: what `evaluate` and `build_cells` throw; `OPTIONS_INVALID`; `MESH_TOO_LARGE` where
 /// more nodes than `run.max_nodes` would be needed, before any is made; `BOUNDARY_NOT_RECOVERED`
 /// where no valid mesh could be made, naming the place and the features there; Cancelled within 100

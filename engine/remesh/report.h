@@ -42,6 +42,13 @@ enum class Way : std::uint8_t {
   Renewed,    ///< a regular mesh, valid as the remesh was: edits had worn it
 };
 
+/// A strategy that was tried and not taken.
+struct Attempt {
+  std::string strategy;  ///< a way, with what tells it from others: `local, 4 edge lengths`
+  std::string reason;    ///< what its mesh lacked
+  double seconds = 0;
+};
+
 /// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
 struct GroupArea {
   std::string group;  ///< `plate.top`
@@ -57,11 +64,12 @@ struct VerificationFigures {
   double volume_error = 0;  ///< relative, what chords cut off apart
 };
 
-/// What a run did. Everything but `seconds` is the same for the same request.
+/// What a run did. Everything but seconds, those of attempts too, is the same for the same request.
 struct Report {
   std::string revision;  ///< set by the session
   bool cached = false;   ///< set by the session
   Way way = Way::Local;
+  std::vector<Attempt> attempts;  ///< in the order tried
   PhaseSeconds seconds;
   Counts counts;
   double free_share = 1;  ///< mean over the iterations; frozen nodes count as free
@@ -78,6 +86,7 @@ struct Report {
   /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
   /// share of those that it keeps.
   double last_resort_share = 0;
+  std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
   std::vector<Warning> warnings;
 };
 

@@ -62,6 +62,7 @@ struct Candidate {
   std::uint32_t bad_at_rim =
       0;  ///< tets that the clean-up could not mend, beside what is not in the part
   double verify_seconds = 0;
+  std::vector<Attempt> given_up;  ///< on the way to it, by a strategy that has several tries
 };
 
 /// What a mesh is made for.

@@ -21,7 +21,13 @@ constexpr double kOnEntity = 1e-7;  // of the diagonal: a copied node stands on 
 constexpr int kRepairRounds = 8;
 // x edge length. Of 136 attempts of the campaign 9 had to go on from 4 to the next and 22 from 3.5;
 // from 5 it is 3, but parts of the cases are a tenth to a half larger.
-constexpr std::array kReaches{4.0, 6.0, 8.0};
+struct PartReach {
+  double lengths;
+  const char* strategy;
+};
+constexpr std::array kReaches{PartReach{4, "local, 4 edge lengths"},
+                              PartReach{6, "local, 6 edge lengths"},
+                              PartReach{8, "local, 8 edge lengths"}};
 constexpr double kFewInserted = 200, kMostInserted = 0.2;
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
@@ -63,7 +69,8 @@ NewMesh Ways::first_valid() {
   NewMesh made = begin(original_);
   watch_.lap(revision_.report.seconds.difference);
   Candidate& candidate = made.candidate;
-  Setting setting{{original_, *made.source, revision_.cells, revision_.options},
+  Setting setting{original_ ? "local, everywhere" : "local",
+                  {original_, *made.source, revision_.cells, revision_.options},
                   density_,
                   revision_.options.seed,
                   false};
@@ -72,12 +79,13 @@ NewMesh Ways::first_valid() {
   // New places for all nodes would lose the boundary again that the original has by its many.
   if (failed() && original_ && !candidate.too_fine && !is_finer_than_asked(*original_)) {
     next(Way::Full, made, "all nodes were optimised anew");
+    setting.strategy = "full";
     setting.all_free = true;
     candidate = attempt(setting);
   }
   if (failed() && !candidate.too_fine) {
     next(Way::Fresh, made, "meshed from another seed");
-    made = regular(revision_.options.seed + kOtherSeed);
+    made = regular(revision_.options.seed + kOtherSeed, "fresh");
   }
   if (failed()) {
     next(Way::TetGen, made, "meshed by TetGen");
@@ -87,20 +95,31 @@ NewMesh Ways::first_valid() {
         last_resort({revision_.model, made.source->modified(), revision_.cells,
                      density_.edge_length, revision_.options.clean_up, revision_.options.threshold},
                     candidate.verification, run_);
-    revision_.report.seconds.verify += candidate.verify_seconds;
-    revision_.report.counts = {.nodes_new =
-                                   static_cast<std::uint32_t>(candidate.whole.mesh.nodes.size())};
+    Report& report = revision_.report;
+    report.attempts.insert(report.attempts.end(), candidate.given_up.begin(),
+                           candidate.given_up.end());
+    report.seconds.verify += candidate.verify_seconds;
+    report.counts = {.nodes_new = static_cast<std::uint32_t>(candidate.whole.mesh.nodes.size())};
   }
   return made;
 }
 
-NewMesh Ways::regular(std::uint64_t seed) {
+NewMesh Ways::regular(std::uint64_t seed, const char* strategy) {
   NewMesh made = begin(nullptr);
   Density same = density_;
   const MeshOptions& options = revision_.options;
   if (!options.size) same.count = std::lround(same.nodes_per_volume * revision_.cells.volume);
-  made.candidate = attempt({{nullptr, *made.source, revision_.cells, options}, same, seed, true});
+  made.candidate =
+      attempt({strategy, {nullptr, *made.source, revision_.cells, options}, same, seed, true});
   return made;
+}
+
+Attempt Ways::last_given_up(std::string reason) const {
+  return trial_->given_up(std::move(reason));
+}
+
+std::string Ways::fault_of(const NewMesh& made) const {
+  return describe_failure(made.candidate, *made.source).message;
 }
 
 std::shared_ptr<const PointSource> Ways::points_of(const Revision* original) {
@@ -108,23 +127,35 @@ std::shared_ptr<const PointSource> Ways::points_of(const Revision* original) {
                                              revision_.model, density_.edge_length, run_);
 }
 
-/// Tells that a mesh has failed, where, and what is done about it.
-void Ways::next(Way way, const NewMesh& failed, const char* what) {
-  revision_.report.way = way;
+/// What is wrong with a mesh, and where.
+Warning Ways::describe_failure(const Candidate& failed, const PointSource& source) const {
   Warning warning{.code = WarningCode::Fallback};
-  const auto& failures = failed.candidate.verification.failures;
+  const auto& failures = failed.verification.failures;
   if (failures.empty()) {
     warning.message = "the mesh did not pass verification";
-  } else {
-    const MeshDefect& defect = failures.front();
-    FailurePlace place = find_failure(defect, revision_.model, failed.source->modified(),
-                                      revision_.cells.boundary, density_.edge_length);
-    warning.message = describe(defect, place);
-    if (!place.faces.empty()) warning.point = defect.place;
-    warning.features = std::move(place.features);
+    return warning;
   }
+  const MeshDefect& defect = failures.front();
+  FailurePlace place = find_failure(defect, revision_.model, source.modified(),
+                                    revision_.cells.boundary, density_.edge_length);
+  warning.message = describe(defect, place);
+  if (!place.faces.empty()) warning.point = defect.place;
+  warning.features = std::move(place.features);
+  return warning;
+}
+
+/// Tells that a mesh has failed, where, and what is done about it.
+void Ways::next(Way way, const NewMesh& failed, const char* what) {
+  Report& report = revision_.report;
+  report.way = way;
+  Warning warning = describe_failure(failed.candidate, *failed.source);
+  report.attempts.push_back(last_given_up(
+      warning.message + (failed.candidate.too_fine
+                             ? "; its boundary takes far more nodes than were asked for"
+                             : "")));
   warning.message += std::string("; ") + what;
-  revision_.report.warnings.push_back(std::move(warning));
+  report.warnings.push_back(std::move(warning));
+  run_.warn({&report.warnings.back(), 1});
 }
 
 /// Within the part of the original that what changes reaches; where that does not do, gives no
@@ -138,19 +169,37 @@ Candidate Ways::attempt(const Setting& s) {
   if (local) {
     const BoundaryModel& boundary = target.cells.boundary;
     map.emplace(target.original->cells.boundary, boundary, kOnEntity * boundary.bounds.diagonal());
-    std::vector<Warning>& warnings = revision_.report.warnings;
-    const std::size_t before = warnings.size();
-    for (const double reach : kReaches) {
-      try {
-        auto made = attempt_within(s, {reach * s.density.edge_length, &*map});
-        const bool good = made && (made->bad_at_rim == 0 || reach == kReaches.back());
-        if (good && (made->verification.valid || made->too_fine)) return std::move(*made);
-      } catch (const LeftPart&) {
-      }
-      warnings.resize(before);
+    Report& report = revision_.report;
+    const std::size_t before = report.warnings.size();
+    for (const auto& [lengths, strategy] : kReaches) {
+      trial_.emplace(strategy);
+      auto made = attempt_in_part(s, {lengths * s.density.edge_length, &*map},
+                                  lengths == kReaches.back().lengths);
+      if (auto* candidate = std::get_if<Candidate>(&made)) return std::move(*candidate);
+      report.attempts.push_back(last_given_up(std::get<std::string>(made)));
+      report.warnings.resize(before);
     }
   }
+  trial_.emplace(s.strategy);
   return *attempt_within(s, {HUGE_VAL, nullptr});
+}
+
+/// Within a part of the original: a valid mesh or one that no larger part would make valid, else
+/// why not. `largest`: no larger one is tried, bad tets at the rim or not.
+std::variant<Candidate, std::string> Ways::attempt_in_part(const Setting& s, const Reach& reach,
+                                                           bool largest) {
+  try {
+    std::optional<Candidate> made = attempt_within(s, reach);
+    if (!made) return "a node of the base stands on nothing that the boundary still has";
+    if (!made->verification.valid && !made->too_fine)
+      return describe_failure(*made, s.target.source).message;
+    if (made->bad_at_rim > 0 && !largest)
+      return std::to_string(made->bad_at_rim) +
+             " tets beside what stays of the base could not be cleaned up";
+    return *std::move(made);
+  } catch (const LeftPart& left) {
+    return std::string("the part cut out of the base did not suffice for ") + left.where;
+  }
 }
 
 /// Nodes, optimisation, extraction, verification (Sects. 6-8), and repair where the boundary is not

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proto/json_writer.h"
+#include "server/service/located.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -18,7 +19,12 @@ int threads(std::uint32_t wanted) {
 }
 
 ModelSource model_of_document(const std::string& text, const DocumentLimits& limits) {
-  return decode(checked([&] { return parse_model(text, limits); }));
+  return located(text, [&] { return decode(checked([&] { return parse_model(text, limits); })); });
+}
+
+Locate locate_in(const std::string& document) {
+  if (document.empty()) return {};
+  return [document](ErrorInfo& error) { add_place(error, document); };
 }
 
 /// The model of any request that has it as a message or as text.
@@ -118,19 +124,21 @@ CreateCommand decode(const v1::CreateRevisionRequest& message, const DocumentLim
           .design = message.design(),
           .head = decode(message.head()),
           .fail_on = fail_on_of(message.options()),
-          .threads = threads(message.threads())};
+          .threads = threads(message.threads()),
+          .locate = locate_in(message.document())};
 }
 
 EditCommand decode(const v1::EditRevisionRequest& message, const DocumentLimits& limits) {
   const v1::ModelEdit edit = edit_of(message, limits);
   return {.base = message.base(),
-          .edit = decode(edit),
+          .edit = located(message.document(), [&] { return decode(edit); }),
           .document = write_document(edit),
           .options = decode(message.options()),
           .design = message.design(),
           .head = decode(message.head()),
           .fail_on = fail_on_of(message.options()),
-          .threads = threads(message.threads())};
+          .threads = threads(message.threads()),
+          .locate = locate_in(message.document())};
 }
 
 ComparisonSide decode(const v1::ModelChoice& message, const char* side,
@@ -155,7 +163,9 @@ ModelSource decode(const v1::ValidateModelRequest& message, const DocumentLimits
 }
 
 EditToValidate decode(const v1::ValidateEditRequest& message, const DocumentLimits& limits) {
-  EditToValidate out{.base = message.base(), .edit = decode(edit_of(message, limits))};
+  EditToValidate out{.base = message.base(), .edit = located(message.document(), [&] {
+                                               return decode(edit_of(message, limits));
+                                             })};
   if (message.has_base_model()) out.base = decode(message.base_model());
   if (message.has_base_document()) out.base = model_of_document(message.base_document(), limits);
   return out;

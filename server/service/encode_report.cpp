@@ -51,6 +51,12 @@ void put_seconds(const PhaseSeconds& seconds, v1::Report::Seconds& out) {
   out.set_total(seconds.total);
 }
 
+void put_attempt(const Attempt& attempt, v1::Report::Attempt& out) {
+  out.set_strategy(attempt.strategy);
+  out.set_reason(attempt.reason);
+  out.set_seconds(attempt.seconds);
+}
+
 void put_counts(const Counts& counts, v1::Report& out) {
   out.set_nodes(counts.nodes);
   out.set_tets(counts.tets);
@@ -105,6 +111,7 @@ void put_diagnostics(const Report& report, bool first_mesh, v1::Diagnostics& out
   out.mutable_free_per_iteration()->Assign(counts.free_per_iteration.begin(),
                                            counts.free_per_iteration.end());
   put_quality(report.quality_before, *out.mutable_quality_before());
+  out.set_geometry(report.geometry);
 }
 
 }  // namespace
@@ -136,6 +143,7 @@ v1::Report encode_report(const HeldRevision& held) {
   put_quality(report.quality_away, *out.mutable_quality_away());
   out.set_sharp_tets(report.sharp_tets);
   put_verification(report.verification, *out.mutable_verification());
+  for (const Attempt& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
   for (const GroupFigures& figures : groups_of(held)) put_group(figures, *out.add_groups());
   for (const Warning& warning : report.warnings) *out.add_warnings() = encode(warning);
   put_diagnostics(report, held.record.parent.empty(), *out.mutable_diagnostics());

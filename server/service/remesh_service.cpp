@@ -10,6 +10,7 @@
 #include "server/service/encode.h"
 #include "server/service/encode_cache.h"
 #include "server/service/lists.h"
+#include "server/service/located.h"
 #include "server/service/mesh_call.h"
 #include "server/service/query.h"
 #include "server/service/raw_service.h"
@@ -144,8 +145,9 @@ class RawRemeshService final : public RawService {
         "ValidateModel", Lane::Computation, context, in, out,
         [this](Session& session, const auto& request, const Run& run) {
           v1::ValidateModelResponse reply;
-          *reply.mutable_check() = encode(
-              session.validate(decode(request, documents()), decode(request.options()), run));
+          *reply.mutable_check() = encode(located(request.document(), [&] {
+            return session.validate(decode(request, documents()), decode(request.options()), run);
+          }));
           return reply;
         });
   }
@@ -155,8 +157,9 @@ class RawRemeshService final : public RawService {
         [this](Session& session, const auto& request, const Run& run) {
           const EditToValidate what = decode(request, documents());
           v1::ValidateEditResponse reply;
-          *reply.mutable_check() =
-              encode(session.validate_edit(what.base, what.edit, decode(request.options()), run));
+          *reply.mutable_check() = encode(located(request.document(), [&] {
+            return session.validate_edit(what.base, what.edit, decode(request.options()), run);
+          }));
           return reply;
         });
   }

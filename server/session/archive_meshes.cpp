@@ -196,7 +196,7 @@ void Archive::check_reproduced(const HeldRevision& revision) {
 Archive::Written Archive::write(const HeldRevision& revision, const PlaceRecord& place,
                                 bool by_itself) {
   Written written{.record = revision.record};
-  written.record.seconds = seconds_of(revision.revision.report.seconds);
+  written.record.seconds = seconds_of(revision.revision.report);
   const std::string recipe =
       revision.asked ? write_recipe(recipe_of(revision)) : store_.recipe(written.record.id);
   written.recipe = Store::packed_recipe(recipe);
@@ -219,7 +219,7 @@ Archive::Written Archive::write_if_there_is_room(const HeldRevision& revision,
   } catch (const Error& failure) {
     if (failure.info().reason != "STORE_FULL") throw;
     Written unwritten{.record = revision.record};
-    unwritten.record.seconds = seconds_of(revision.revision.report.seconds);
+    unwritten.record.seconds = seconds_of(revision.revision.report);
     if (revision.asked) unwritten.recipe = Store::packed_recipe(write_recipe(recipe_of(revision)));
     return unwritten;
   }

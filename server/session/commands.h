@@ -37,6 +37,10 @@ struct HeadRule {
   bool require = false;  ///< where it has another one, the command fails and files nothing
 };
 
+/// Adds line and column to an error about a value that the document of a command has. Empty where
+/// the command did not come as one.
+using Locate = std::function<void(ErrorInfo&)>;
+
 struct CreateCommand {
   ModelSource source;
   OptionsPatch options;
@@ -44,6 +48,7 @@ struct CreateCommand {
   HeadRule head;
   std::vector<WarningCode> fail_on;  ///< warnings that are errors; then nothing is filed
   int threads = 1;
+  Locate locate{};
 };
 
 struct EditCommand {
@@ -55,6 +60,7 @@ struct EditCommand {
   HeadRule head;       ///< expected: empty means the base
   std::vector<WarningCode> fail_on;
   int threads = 1;
+  Locate locate{};
 };
 
 using Command = std::variant<CreateCommand, EditCommand>;

@@ -127,7 +127,8 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
                     },
                 .threads = prepared.threads,
                 .dumps = limits_.dumps.empty() ? limits_.dumps : limits_.dumps / prepared.id,
-                .max_nodes = limits_.max_nodes};
+                .max_nodes = limits_.max_nodes,
+                .on_warnings = [&](auto warnings) { check_waiting(computation, warnings); }};
   run.poll();  // it may have been stopped while it waited for memory
   const auto start = Clock::now();
   auto made = std::make_shared<HeldRevision>();
@@ -145,6 +146,14 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
   made->record.nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size());
   made->record.tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size());
   return made;
+}
+
+/// Ends the requests that take one of these warnings for an error. The computation goes on as long
+/// as others wait for it.
+void Maker::check_waiting(const ComputationPtr& computation, std::span<const Warning> warnings) {
+  for (const auto& request : computations_.waiting_for(computation))
+    guarded([&] { check_warnings(warnings, request->fail_on); },
+            [&](const Error& why) { fail(request, why); });
 }
 
 void Maker::compute(const ComputationPtr& computation) {

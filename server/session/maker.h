@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "server/admission/admission.h"
@@ -73,6 +74,7 @@ class Maker {
   HeldRevisionPtr find_intact(const std::string& id, const std::stop_token& stop) const;
   void compute(const ComputationPtr& computation);
   HeldRevisionPtr make_revision(const ComputationPtr& computation);
+  void check_waiting(const ComputationPtr& computation, std::span<const Warning> warnings);
   void hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& revision, bool cached);
   bool close(const WaitingRequestPtr& request);
   void fail(const WaitingRequestPtr& request, const Error& why);

@@ -28,9 +28,18 @@ std::optional<EditBase> Preparation::base_of(const Command& command) const {
 Prepared Preparation::prepare(const Command& command, const std::optional<EditBase>& base,
                               const HeldRevisionPtr& revision, std::stop_token stop) const {
   const Run run{.stop = std::move(stop), .on_progress = {}, .dumps = {}, .max_nodes = max_nodes_};
-  if (const auto* create = std::get_if<CreateCommand>(&command))
-    return prepare_create(*create, run);
-  return prepare_edit(std::get<EditCommand>(command), *base, revision, run);
+  try {
+    if (const auto* create = std::get_if<CreateCommand>(&command))
+      return prepare_create(*create, run);
+    return prepare_edit(std::get<EditCommand>(command), *base, revision, run);
+  } catch (Error& failure) {
+    std::visit(
+        [&](const auto& c) {
+          if (c.locate) c.locate(failure.info());
+        },
+        command);
+    throw;
+  }
 }
 
 Prepared Preparation::prepare_create(const CreateCommand& command, const Run& run) const {

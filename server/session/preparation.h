@@ -43,7 +43,8 @@ class Preparation {
   /// What `prepare` has to be given of an edit; nothing for a first mesh.
   /// Throws Error where there is no such revision, or no such design can be.
   [[nodiscard]] std::optional<EditBase> base_of(const Command& command) const;
-  /// `revision`: that of the base. Throws what is wrong with the command.
+  /// `revision`: that of the base. Throws what is wrong with the command, with its place in the
+  /// document that it came as.
   [[nodiscard]] Prepared prepare(const Command& command, const std::optional<EditBase>& base,
                                  const HeldRevisionPtr& revision, std::stop_token stop) const;
   /// What can be told of the revision before it is made.

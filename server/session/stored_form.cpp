@@ -1,15 +1,13 @@
 #include "server/session/stored_form.h"
 
-#include <algorithm>
 #include <cstring>
-#include <iterator>
 
 namespace remeshd {
 namespace {
 
 constexpr const char* kEdit = "session.edit";
 
-/// Members in the order in which a record keeps them: new ones come last.
+/// Members in the order in which a record keeps them. No other can join them: attempts follow.
 constexpr double PhaseSeconds::*kSeconds[] = {&PhaseSeconds::setup,   &PhaseSeconds::optimise,
                                               &PhaseSeconds::extract, &PhaseSeconds::difference,
                                               &PhaseSeconds::copy,    &PhaseSeconds::verify,
@@ -30,16 +28,21 @@ std::string older_edit(const std::string& bytes) {
 
 }  // namespace
 
-std::vector<double> seconds_of(const PhaseSeconds& seconds) {
+std::vector<double> seconds_of(const Report& report) {
   std::vector<double> values;
-  for (const auto member : kSeconds) values.push_back(seconds.*member);
+  for (const auto member : kSeconds) values.push_back(report.seconds.*member);
+  for (const Attempt& attempt : report.attempts) values.push_back(attempt.seconds);
   return values;
 }
 
 void tell_seconds(HeldRevision& held) {
-  const std::vector<double>& values = held.record.seconds;
-  for (std::size_t i = 0; i < std::min(values.size(), std::size(kSeconds)); ++i)
-    held.revision.report.seconds.*kSeconds[i] = values[i];
+  auto next = held.record.seconds.cbegin();
+  const auto tell = [&](double& seconds) {
+    if (next != held.record.seconds.cend()) seconds = *next++;
+  };
+  Report& report = held.revision.report;
+  for (const auto member : kSeconds) tell(report.seconds.*member);
+  for (Attempt& attempt : report.attempts) tell(attempt.seconds);
 }
 
 StoredArrays stored_form(const Engine& engine, const HeldRevision& held) {

@@ -1,10 +1,13 @@
 #include "tests/campaign/run_case.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "tests/campaign/verifier/verifier.h"
@@ -45,13 +48,27 @@ void describe(const Error& failure, Outcome& outcome) {
   outcome.placed = !features.empty() && std::regex_search(failure.info().message, kPlace);
 }
 
+/// What was told as certain before there was a mesh has to stand in its report.
+void check_foretold(std::span<const Warning> certain, const Report& report, Findings& findings) {
+  for (const Warning& warning : certain)
+    if (std::ranges::none_of(report.warnings, [&](const Warning& told) {
+          return told.code == warning.code && told.message == warning.message;
+        }))
+      findings.add("foretold", warning.message);
+}
+
 Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,
                  std::unique_ptr<Base>& base) {
   Outcome outcome{.step = step, .kind = "valid"};
   const auto start = std::chrono::steady_clock::now();
   try {
     auto next = std::make_unique<Base>();
-    next->revision = make_revision(base ? &base->revision : nullptr, model, options, Run{});
+    std::vector<Warning> certain;
+    Run run;
+    run.on_warnings = [&](std::span<const Warning> warnings) {
+      certain.insert(certain.end(), warnings.begin(), warnings.end());
+    };
+    next->revision = make_revision(base ? &base->revision : nullptr, model, options, run);
     outcome.seconds = since(start);
     const Report& report = next->revision.report;
     outcome.way = test::name_of(report.way);
@@ -66,9 +83,10 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
       next->tet_ids = base->tet_ids;
     }
     const auto made = std::chrono::steady_clock::now();
-    const Findings findings = verify_independently(next->revision, base ? &base->revision : nullptr,
-                                                   next->node_ids, next->tet_ids);
+    Findings findings = verify_independently(next->revision, base ? &base->revision : nullptr,
+                                             next->node_ids, next->tet_ids);
     outcome.verifier_seconds = since(made);
+    check_foretold(certain, report, findings);
     if (findings.empty()) {
       base = std::move(next);
     } else {

@@ -85,6 +85,7 @@ class ChainRun {
     ways_.insert(report.way());
     cached_ += report.cached() ? 1 : 0;
     report.clear_seconds();
+    for (auto& attempt : *report.mutable_attempts()) attempt.clear_seconds();
     report.mutable_diagnostics()->clear_table3();
     report.clear_cached();
     answers_.push_back(report.SerializeAsString() + mesh());

@@ -211,5 +211,60 @@ TEST_F(Documents, AParameterGivenTwiceInAMessageIsRefused) {
   EXPECT_EQ(error.features(0), "hole");
 }
 
+TEST_F(Documents, TellWhereAValueStandsThatCannotBe) {
+  // What the reader of documents finds nothing wrong with.
+  const v1::Error divided = refused(R"({"name": "p", "parameters": {"a": 0},
+    "features": [{"id": "plate", "nature": "ADDITIVE", "type": "block",
+      "parameters": {"dx": 80, "dy": "40 / a",
+                     "dz": 10}}]})");
+  EXPECT_EQ(divided.reason(), v1::Error::NON_FINITE_VALUE);
+  EXPECT_EQ(divided.line(), 3U);
+  EXPECT_EQ(divided.column(), 38U);
+  const v1::Error outside = refused(R"({"name": "p",
+    "parameters": {"a": {"value": 9, "upper": 8}},
+    "features": [{"id": "plate", "nature": "ADDITIVE", "type": "block",
+      "parameters": {"dx": 80, "dy": "a", "dz": 10}}]})");
+  EXPECT_EQ(outside.reason(), v1::Error::VALUE_OUT_OF_RANGE);
+  EXPECT_EQ(outside.line(), 2U);
+  EXPECT_EQ(outside.column(), 25U);
+}
+
+TEST_F(Documents, OfEditsTellWhereTheyAreWrong) {
+  create(plate());
+  const auto refused_edit = [&](const std::string& text) {
+    v1::RevisionResult result;
+    return detail(try_edit(edit_as_text("plate@1", text), &result));
+  };
+  const v1::Error negative = refused_edit(R"({"edits": [
+    {"setParameter": {"name": "at", "value": 3}},
+    {"setFeatureParameter": {"feature": "plate", "name": "dz",
+                             "value": -10}}]})");
+  EXPECT_EQ(negative.parameter(), "dz");
+  EXPECT_EQ(negative.line(), 4U);
+  EXPECT_EQ(negative.column(), 39U);
+  const v1::Error unknown = refused_edit(R"({"edits": [
+    {"removeFeature": {"feature": "rib"}}]})");
+  EXPECT_EQ(unknown.reason(), v1::Error::UNKNOWN_FEATURE);
+  EXPECT_EQ(unknown.line(), 2U);
+  // What a model has that came as a message has no line.
+  v1::EditRevisionRequest message;
+  message.set_base("plate@1");
+  *message.mutable_edit() = set("r", -1);
+  v1::RevisionResult result;
+  EXPECT_FALSE(detail(try_edit(message, &result)).has_line());
+}
+
+TEST_F(Documents, ThatAreValidatedTellWhereTheyAreWrong) {
+  grpc::ClientContext context;
+  v1::ValidateModelRequest request;
+  request.set_document(R"({"features": [{"id": "plate", "nature": "ADDITIVE", "type": "block",
+      "parameters": {"dx": 80, "dy": 0, "dz": 10}}]})");
+  v1::ValidateModelResponse reply;
+  const v1::Error error = detail(stub().ValidateModel(&context, request, &reply));
+  EXPECT_EQ(error.parameter(), "dy");
+  EXPECT_EQ(error.line(), 2U);
+  EXPECT_EQ(error.column(), 38U);
+}
+
 }  // namespace
 }  // namespace remeshd::test

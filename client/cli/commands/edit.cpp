@@ -4,6 +4,7 @@
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/in_document.h"
 #include "client/cli/mesh_base.h"
 #include "client/cli/mesh_options.h"
 #include "client/cli/reply.h"
@@ -26,10 +27,12 @@ int edit(Session& session, const EditArguments& arguments) {
   client::EditStream stream = session.stream();
   // A base that is meshed here takes the options, and the edit inherits them.
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
-  request.set_base(mesh_base(session, stream, base, arguments.meshing));
+  request.set_base(in_document(
+      arguments.base, [&] { return mesh_base(session, stream, base, arguments.meshing); }));
   arguments.meshing.fill(request, !base_is_model);
   if (arguments.require_head) request.mutable_head()->set_require(true);
-  const auto reply = stream.edit(std::move(request)).get();
+  const auto reply =
+      in_document(arguments.edit, [&] { return stream.edit(std::move(request)).get(); });
   stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.files);

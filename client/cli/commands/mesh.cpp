@@ -4,6 +4,7 @@
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/in_document.h"
 #include "client/cli/mesh_options.h"
 #include "client/cli/reply.h"
 
@@ -24,7 +25,8 @@ int mesh(Session& session, const MeshArguments& arguments) {
   arguments.meshing.fill(request, true);
   if (arguments.head) request.mutable_head()->set_advance(true);
   client::EditStream stream = session.stream();
-  const auto reply = stream.create(std::move(request)).get();
+  const auto reply =
+      in_document(arguments.model, [&] { return stream.create(std::move(request)).get(); });
   stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.files);

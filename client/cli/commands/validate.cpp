@@ -4,6 +4,7 @@
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/in_document.h"
 #include "client/cli/table.h"
 #include "client/cli/warnings.h"
 #include "proto/json_writer.h"
@@ -42,7 +43,8 @@ int validate(Session& session, const ValidateArguments& arguments) {
                            " is a well-formed edit; --base BASE checks it with its model");
     return kFine;
   }
-  const auto check = ask(session, arguments, std::move(document));
+  const auto check =
+      in_document(arguments.file, [&] { return ask(session, arguments, std::move(document)); });
   show_warnings(session, check.warnings());
   if (!arguments.json.empty()) session.write_text(arguments.json, write_json(check));
   if (arguments.json == "-") return kFine;

@@ -132,9 +132,11 @@ std::vector<Vec3> nodes_on(const Revision& r, const std::vector<bool>& faces) {
 }
 
 bool says_why(const Report& report) {
-  return std::any_of(report.warnings.begin(), report.warnings.end(), [](const Warning& w) {
-    return w.message.find("the connectivity could not be kept: ") == 0;
-  });
+  const auto& tried = report.attempts;
+  return !tried.empty() && tried[0].strategy == "morphed" && !tried[0].reason.empty() &&
+         std::any_of(report.warnings.begin(), report.warnings.end(), [](const Warning& w) {
+           return w.message.find("the connectivity could not be kept: ") == 0;
+         });
 }
 
 /// What holds for every mesh, whatever way led to it.

@@ -139,6 +139,17 @@ TEST_P(TetGenMeshOfHardInput, IsValid) {
 INSTANTIATE_TEST_SUITE_P(LastResort, TetGenMeshOfHardInput, testing::ValuesIn(hard_inputs()),
                          [](const auto& param) { return param.param.name; });
 
+TEST(LastResort, TellsTheTriesThatItGaveUp) {
+  const FeatureSource hole = placed(cylinder("hole", 10, 12), 39.95, 0, 0, Nature::Subtractive);
+  const Ready ready(model_of({cylinder("plate", 50, 12), hole}), 1000);
+  const Candidate c = mesh_by_tetgen(ready.input(), kRun);
+  ASSERT_FALSE(c.given_up.empty());
+  EXPECT_EQ(c.given_up[0].strategy, "TetGen, facets of 1 edge length");
+  EXPECT_NE(c.given_up[0].reason.find("between hole.wall and plate.wall"), std::string::npos)
+      << c.given_up[0].reason;
+  EXPECT_GT(c.given_up[0].seconds, 0);
+}
+
 TEST(LastResort, HasTheDelaunayMeshOfItsNodesForTheNextEdit) {
   const Ready ready(test::case_model("tool1-a"), 2000);
   const Candidate c = mesh_by_tetgen(ready.input(), kRun);

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <span>
+#include <stop_token>
+#include <tuple>
+
+#include "engine/base/error.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -126,6 +131,74 @@ TEST(LostNames, AnEditThatMovesAHoleOffAPlateSaysSoInItsReport) {
               testing::Contains("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
   const Revision fresh = make_revision(nullptr, moved, {.nodes = 300}, kRun);
   EXPECT_THAT(told(fresh.report.warnings), testing::Contains("FEATURE_WITHOUT_EFFECT hole |"));
+}
+
+/// A remesh of `original`, what was told before there was a mesh, and the stages until then.
+struct Watched {
+  std::vector<std::string> early;
+  std::vector<std::string> stages;
+  std::vector<std::string> in_the_report;
+};
+Watched watched(const Revision* original, const ModelSource& source, bool stop_at_warning) {
+  Watched seen;
+  remeshd::Run run;
+  std::stop_source stop;
+  run.stop = stop.get_token();
+  run.on_progress = [&](const Progress& p) { seen.stages.emplace_back(p.stage); };
+  run.on_warnings = [&](std::span<const Warning> certain) {
+    const auto lines = told({certain.begin(), certain.end()});
+    seen.early.insert(seen.early.end(), lines.begin(), lines.end());
+    if (stop_at_warning) stop.request_stop();
+  };
+  MeshOptions options;
+  if (original == nullptr) options.nodes = 300;
+  try {
+    seen.in_the_report = told(make_revision(original, source, options, run).report.warnings);
+  } catch (const Error& e) {
+    EXPECT_EQ(e.info().kind, ErrorKind::Cancelled) << e.what();
+  }
+  return seen;
+}
+
+TEST(NamesToBeLost, AreToldBeforeAnythingIsMeshed) {
+  const Revision original = make_revision(nullptr, plate(10), {.nodes = 300}, kRun);
+  const Watched edit = watched(&original, plate(40), true);
+  EXPECT_THAT(edit.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  EXPECT_THAT(edit.stages, ElementsAre("cells", "difference"));
+  const Watched first = watched(nullptr, plate(40), true);
+  EXPECT_THAT(first.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
+  EXPECT_THAT(first.stages, ElementsAre("cells", "difference"));
+}
+
+/// A plate with a hole and an inlay, flush with the top where `raised` is 0.
+ModelSource inlaid(double hole_x, double raised) {
+  ModelSource model = plate(hole_x);
+  model.features.push_back(placed(block("inlay", 4, 4, 2 + raised), -5, -5, 2));
+  return model;
+}
+
+TEST(NamesToBeLost, AreThoseThatTheMeshLosesForCertain) {
+  const ModelSource flush = inlaid(5, 0);
+  const Revision original = make_revision(nullptr, flush, {.nodes = 400}, kRun);
+  ModelSource without = flush;
+  without.features.erase(without.features.begin() + 1);
+  ModelSource buried = flush;
+  buried.features.back().parameters["dz"] = 1.0;
+  for (const auto& [what, source, early] :
+       std::vector<std::tuple<const char*, ModelSource, std::vector<std::string>>>{
+           {"the hole is off the plate",
+            inlaid(40, 0),
+            {"FEATURE_WITHOUT_EFFECT hole | hole.wall"}},
+           {"the hole is gone", without, {"FACE_LOST hole | hole.wall"}},
+           {"the inlay stands out", inlaid(5, 2), {"GROUP_EMPTIED | inlay.top+plate.top"}},
+           {"the inlay is inside: its material is the mesh's to tell", buried, {}},
+           {"the hole is elsewhere", inlaid(6, 0), {}}}) {
+    SCOPED_TRACE(what);
+    const Watched seen = watched(&original, source, false);
+    EXPECT_EQ(seen.early, early);
+    for (const std::string& line : seen.early)
+      EXPECT_THAT(seen.in_the_report, testing::Contains(line));
+  }
 }
 
 }  // namespace

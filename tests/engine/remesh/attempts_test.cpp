@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include "engine/remesh/image_documents.h"
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/stored.h"
+
+namespace remeshd {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const Run kRun;
+
+std::vector<std::string> strategies(const Report& report) {
+  std::vector<std::string> names;
+  for (const Attempt& attempt : report.attempts) names.push_back(attempt.strategy);
+  return names;
+}
+
+/// Each tells why, and none took longer than all of it.
+void expect_told(const Report& report) {
+  double together = 0;
+  for (const Attempt& attempt : report.attempts) {
+    EXPECT_THAT(attempt.reason, testing::Not(IsEmpty())) << attempt.strategy;
+    EXPECT_GT(attempt.seconds, 0) << attempt.strategy;
+    together += attempt.seconds;
+  }
+  EXPECT_LE(together, report.seconds.total);
+}
+
+/// tool2-c with the end of its base a tenth of an edge length before the wall's: a ledge, which
+/// only TetGen's mesh can follow.
+Revision mesh_of_a_ledge() {
+  const ModelEdit longer{{SetFeatureParameter{"base", "dx", 120.5}}};
+  return make_revision(nullptr, apply(test::case_model("tool2-c"), longer), {.nodes = 3000}, kRun);
+}
+
+/// An edit of a mesh that was made in one iteration from random nodes, in a chain that is said to
+/// have begun with a mean volume-length of .87.
+Revision edit_of_a_worn_mesh(const MeshOptions& options) {
+  Revision base =
+      make_revision(nullptr, test::case_model("simple-a"),
+                    {.nodes = 2500, .iterations = 1, .start = MeshOptions::Start::Random}, kRun);
+  base.reference.volume_length_mean = 0.87;
+  return make_revision(&base, apply(base.source, test::case_edit("simple-ab")), options, kRun);
+}
+
+TEST(Attempts, AreNoneWhereTheFirstStrategyServes) {
+  const Revision first = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 500}, kRun);
+  EXPECT_THAT(first.report.attempts, IsEmpty());
+  const Revision same = make_revision(&first, first.source, {}, kRun);
+  EXPECT_EQ(same.report.way, Way::Unchanged);
+  EXPECT_THAT(same.report.attempts, IsEmpty());
+}
+
+TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
+  const Revision made = mesh_of_a_ledge();
+  ASSERT_EQ(made.report.way, Way::TetGen);
+  EXPECT_THAT(strategies(made.report), ElementsAre("local"));
+  expect_told(made.report);
+  EXPECT_THAT(made.report.attempts[0].reason,
+              testing::EndsWith("; its boundary takes far more nodes than were asked for"));
+}
+
+TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
+  const Revision made = edit_of_a_worn_mesh({});
+  ASSERT_EQ(made.report.way, Way::Renewed);
+  EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "local, 6 edge lengths",
+                                                   "local, 8 edge lengths"));
+  expect_told(made.report);
+  EXPECT_EQ(made.report.attempts[0].reason,
+            "the part cut out of the base did not suffice for carrying tets over");
+  EXPECT_THAT(made.report.attempts.back().reason, StartsWith("the mesh had worn: "));
+}
+
+TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
+  const Revision made = edit_of_a_worn_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
+  ASSERT_EQ(made.report.way, Way::Local);
+  EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "renewed"));
+  expect_told(made.report);
+  EXPECT_THAT(made.report.attempts.back().reason, StartsWith("no better"));
+}
+
+TEST(Attempts, AreStoredButForTheirSeconds) {
+  const Revision made = edit_of_a_worn_mesh({});
+  const Report loaded = test::stored_and_loaded(made).report;
+  EXPECT_THAT(strategies(loaded), testing::SizeIs(3));
+  EXPECT_EQ(strategies(loaded), strategies(made.report));
+  for (std::size_t k = 0; k < loaded.attempts.size(); ++k) {
+    EXPECT_EQ(loaded.attempts[k].reason, made.report.attempts[k].reason);
+    EXPECT_EQ(loaded.attempts[k].seconds, 0);
+  }
+}
+
+TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
+  const Revision made = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 60}, kRun);
+  std::string bytes = write_documents(made);
+  // Format 10 was the same without the list at the end, empty here, and the word after it.
+  ASSERT_EQ(bytes[1], 11);
+  bytes[1] = 10;
+  ASSERT_TRUE(bytes.ends_with("fused"));
+  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t) - 5);
+  Revision read;
+  read_documents(bytes, read);
+  EXPECT_EQ(read.source, made.source);
+  EXPECT_THAT(read.report.attempts, IsEmpty());
+}
+
+}  // namespace
+}  // namespace remeshd
