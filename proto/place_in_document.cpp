@@ -13,8 +13,6 @@
 namespace remeshd {
 namespace {
 
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-
 /// Whether a member's name is the field's, in camelCase or in snake_case.
 bool spells(std::string_view written, std::string_view field) {
   std::string snake;

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "engine/base/error.h"
+#include "server/admission/process_memory.h"
 #include "server/config/configuration.h"
 #include "server/config/environment.h"
 #include "server/process/health_probe.h"
@@ -46,6 +47,7 @@ int run(const Configuration& configuration) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  remeshd::keep_few_heaps();
   remeshd::block_signals();
   try {
     return run(

@@ -3,15 +3,31 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
+#include <thread>
 
 namespace remeshd {
+namespace {
+
+// Two threads that compute do not wait for each other's heap in any way that can be measured: small
+// blocks come from a thread's own cache.
+constexpr int kLeastHeaps = 2, kProcessorsPerHeap = 2;
+
+}  // namespace
 
 std::uint64_t resident_bytes() {
   std::ifstream in("/proc/self/statm");
   std::uint64_t size = 0, resident = 0;
   if (!(in >> size >> resident)) return 0;
   return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void keep_few_heaps() {
+  if (std::getenv("MALLOC_ARENA_MAX") != nullptr) return;
+  const int processors = static_cast<int>(std::thread::hardware_concurrency());
+  ::mallopt(M_ARENA_MAX, std::max(kLeastHeaps, processors / kProcessorsPerHeap));
 }
 
 void return_freed_memory() { ::malloc_trim(0); }
