@@ -97,7 +97,10 @@ void get_mesh(std::string_view bytes) {
 
 void get_revision(std::string_view bytes) {
   const auto request = parsed<v1::GetRevisionRequest>(bytes);
-  expect_sendable(encode(quiet_session().describe(request.revision(), {}), request.documents()));
+  Session& session = quiet_session();
+  const Reference reference = session.resolve(request.revision());
+  const Description description = session.describe(reference, session.get(reference.id, {}));
+  expect_sendable(encode(description, request.documents()));
 }
 
 void name_a_revision(std::string_view bytes) {
