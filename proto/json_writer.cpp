@@ -191,6 +191,13 @@ Piece keyed_piece(const Message& message, const FieldDescriptor* list, const Jso
   return piece;
 }
 
+/// Whether a field is an enumeration's that was set to nothing in particular, which documents have
+/// no word for.
+bool is_unspecified(const Message& message, const FieldDescriptor* field) {
+  return !field->is_repeated() && field->cpp_type() == FieldDescriptor::CPPTYPE_ENUM &&
+         message.GetReflection()->GetEnumValue(message, field) == 0;
+}
+
 Piece message_piece(const Message& message, const JsonStyle& style) {
   if (const auto* value = dynamic_cast<const Value*>(&message)) return value_piece(*value);
   if (const auto* list = dynamic_cast<const ListValue*>(&message)) return list_piece(*list);
@@ -205,6 +212,7 @@ Piece message_piece(const Message& message, const JsonStyle& style) {
     const bool empty =
         field->is_repeated() ? r->FieldSize(message, field) == 0 : !r->HasField(message, field);
     if (empty && (!style.write_zeros || field->has_presence())) continue;
+    if (style.short_forms && is_unspecified(message, field)) continue;
     const std::string label = quote(style.camel_case ? field->json_name() : field->name()) + ": ";
     if (field->is_map()) {
       piece.items.push_back({label, map_piece(message, field, style)});

@@ -122,6 +122,13 @@ TEST(Document, ZeroHasNoSign) {
   EXPECT_EQ(write_document(message), zero);
 }
 
+TEST(Document, AReferenceThatIsNotSpecifiedIsLeftOut) {
+  v1::FeatureModel message = parse_model(with_feature(""));
+  const std::string without = write_document(message);
+  message.mutable_features(0)->set_reference(v1::Feature::REFERENCE_UNSPECIFIED);
+  EXPECT_EQ(write_document(message), without);
+}
+
 TEST(Document, AReferencePointIsAListOfThreeValues) {
   const v1::FeatureModel model = parse_model(with_feature(R"("referencePoint": [0, "h/2", 5])"));
   ASSERT_EQ(model.features(0).reference_choice_case(), v1::Feature::kReferencePoint);
