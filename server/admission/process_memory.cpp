@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -25,7 +24,6 @@ std::uint64_t resident_bytes() {
 }
 
 void keep_few_heaps() {
-  if (std::getenv("MALLOC_ARENA_MAX") != nullptr) return;
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   ::mallopt(M_ARENA_MAX, std::max(kLeastHeaps, processors / kProcessorsPerHeap));
 }

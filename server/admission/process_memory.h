@@ -8,7 +8,7 @@ namespace remeshd {
 std::uint64_t resident_bytes();
 /// Has malloc keep few heaps for the threads to share, before there are any: it gives nothing back
 /// of the end of a heap but of the first, and by and by each has been as large as a computation
-/// needs. What the environment says (`MALLOC_ARENA_MAX`) holds.
+/// needs.
 void keep_few_heaps();
 /// Gives memory that was freed back to the system, as far as whole pages of it are free.
 void return_freed_memory();
