@@ -6,6 +6,7 @@
 #include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/encode.h"
+#include "server/service/mesh_bytes.h"
 #include "server/service/mesh_messages.h"
 #include "server/service/refused_call.h"
 #include "server/service/request_id.h"
@@ -40,7 +41,7 @@ class StreamedMesh final : public ReplySource {
     v1::EditStreamResponse reply;
     reply.set_request_id(request_id_);
     messages_.next(*reply.mutable_mesh());
-    return to_bytes(reply);
+    return mesh_bytes(reply);
   }
   [[nodiscard]] bool ended() const override { return messages_.ended(); }
 

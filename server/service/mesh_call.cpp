@@ -1,5 +1,6 @@
 #include "server/service/mesh_call.h"
 
+#include "server/service/mesh_bytes.h"
 #include "server/service/mesh_messages.h"
 
 namespace remeshd {
@@ -12,7 +13,7 @@ void write(const std::shared_ptr<MessageStream>& stream,
            const std::shared_ptr<MeshMessages>& messages) {
   const auto go_on = [stream, messages] { write(stream, messages); };
   for (v1::GetMeshResponse response; messages->next(*response.mutable_mesh());) {
-    stream->send(response);
+    stream->send(mesh_bytes(response));
     if (stream->wait_for_client(go_on)) return;
   }
   stream->end();

@@ -13,13 +13,12 @@ std::shared_ptr<MessageStream> MessageStream::start(grpc::CallbackServerContext*
   return stream;
 }
 
-void MessageStream::send(const google::protobuf::Message& message) {
-  grpc::ByteBuffer bytes = to_bytes(message);
+void MessageStream::send(grpc::ByteBuffer message) {
   const std::scoped_lock lock(mutex_);
   if (ended_) return;
   record_->check_still_admitted(*context_);  // gRPC keeps the context until the end
-  const std::size_t size = bytes.Length();
-  waiting_.push_back({std::move(bytes), size});
+  const std::size_t size = message.Length();
+  waiting_.push_back({std::move(message), size});
   waiting_bytes_ += size;
   if (waiting_.size() == 1) StartWrite(&waiting_.front().bytes);
 }
@@ -50,11 +49,10 @@ void MessageStream::OnWriteDone(bool ok) {
     waiting_bytes_ -= waiting_.front().size;
     waiting_.pop_front();
     if (!ok) waiting_.clear();
-    if (!waiting_.empty()) {
-      StartWrite(&waiting_.front().bytes);
-    } else if (ended_) {
+    if (!waiting_.empty()) StartWrite(&waiting_.front().bytes);
+    if (ended_) {
       finish_if_sent();
-    } else {
+    } else if (waiting_bytes_ < limits::kUntakenBytes) {
       go_on.swap(go_on_);
     }
   }

@@ -35,12 +35,13 @@ class MessageStream final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
 
   /// Adds a message to what waits; nothing once the call has ended.
   /// Throws Error(Unauthenticated) where the client's token does not count any more.
-  void send(const google::protobuf::Message& message);
+  void send(grpc::ByteBuffer message);
+  void send(const google::protobuf::Message& message) { send(to_bytes(message)); }
   /// Whether nothing waits for the client.
   [[nodiscard]] bool all_taken() const;
   /// Whether no more may be sent: so much waits, or the call has ended. If so, `go_on` is called
-  /// once the client has taken all that waits, by a thread of gRPC that must not be kept; never
-  /// where the call ends before.
+  /// once the client has taken enough, by a thread of gRPC that must not be kept; never where the
+  /// call ends before.
   bool wait_for_client(std::function<void()> go_on);
   /// What the messages take of the memory budget, until the call has ended.
   void keep(MemoryBudget::Lease memory);
