@@ -6,12 +6,12 @@
 #include "server/service/count_made.h"
 #include "server/service/decode.h"
 #include "server/service/encode.h"
-#include "server/service/mesh_bytes.h"
 #include "server/service/mesh_messages.h"
 #include "server/service/refused_call.h"
 #include "server/service/request_id.h"
 #include "server/service/status.h"
 #include "server/service/stream_request.h"
+#include "server/service/streamed_mesh.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -31,42 +31,6 @@ std::string copy_of(const grpc::ByteBuffer& bytes) {
 }
 
 void release(std::string& bytes) { std::string().swap(bytes); }
-
-/// The messages of a mesh as replies of a stream.
-class StreamedMesh final : public ReplySource {
- public:
-  StreamedMesh(std::string request_id, MeshMessages messages)
-      : request_id_(std::move(request_id)), messages_(std::move(messages)) {}
-  grpc::ByteBuffer next() override {
-    v1::EditStreamResponse reply;
-    reply.set_request_id(request_id_);
-    messages_.next(*reply.mutable_mesh());
-    return mesh_bytes(reply);
-  }
-  [[nodiscard]] bool ended() const override { return messages_.ended(); }
-
- private:
-  const std::string request_id_;
-  MeshMessages messages_;
-};
-
-/// The error that stands in the place of a mesh.
-class NoMesh final : public ReplySource {
- public:
-  NoMesh(const std::string& request_id, const Error& why) {
-    reply_.set_request_id(request_id);
-    *reply_.mutable_error() = to_message(why);
-  }
-  grpc::ByteBuffer next() override {
-    ended_ = true;
-    return to_bytes(reply_);
-  }
-  [[nodiscard]] bool ended() const override { return ended_; }
-
- private:
-  v1::EditStreamResponse reply_;
-  bool ended_ = false;
-};
 
 }  // namespace
 
@@ -257,8 +221,9 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id, Selecti
                           const std::string& design = made.filed.place.design;
                           self->next_base_ = design.empty() ? made.filed.record.id : design;
                         }
-                        self->answer(turn, id, std::move(reply),
-                                     *mesh ? self->mesh_of(made, id, **mesh) : nullptr);
+                        self->answer(
+                            turn, id, std::move(reply),
+                            *mesh ? streamed_mesh(self->session_, made, id, **mesh) : nullptr);
                       },
                       [&](const Error& why) { self->fail(turn, id, why); });
                 });
@@ -273,20 +238,6 @@ void EditStream::fail(std::uint64_t turn, const std::string& id, const Error& wh
   v1::EditStreamResponse reply;
   *reply.mutable_error() = to_message(why);
   answer(turn, id, std::move(reply));
-}
-
-ReplySourcePtr EditStream::mesh_of(const Made& made, const std::string& id,
-                                   const v1::MeshSelection& selection) {
-  ReplySourcePtr replies;
-  guarded(
-      [&] {
-        const HeldRevisionPtr parent =
-            selection.delta() ? session_.parent_of(*made.revision, Run{}) : nullptr;
-        replies =
-            std::make_shared<StreamedMesh>(id, MeshMessages(made.revision, parent, selection));
-      },
-      [&](const Error& why) { replies = std::make_shared<NoMesh>(id, why); });
-  return replies;
 }
 
 void EditStream::answer(std::uint64_t turn, const std::string& id, v1::EditStreamResponse reply,

@@ -60,8 +60,6 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   /// `mesh`: gets what of the mesh is wanted, if any is.
   Command command(std::string& bytes, std::optional<remesh::v1::MeshSelection>& mesh);
   Listener listener(std::uint64_t turn, const std::string& id, SelectionPtr mesh);
-  ReplySourcePtr mesh_of(const Made& made, const std::string& id,
-                         const remesh::v1::MeshSelection& selection);
   void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply,
               ReplySourcePtr rest = nullptr);
   void fail(std::uint64_t turn, const std::string& id, const Error& why);

@@ -1,21 +1,12 @@
 #include "server/store/store.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <exception>
-#include <thread>
-#include <tuple>
+#include <utility>
 
 #include "engine/base/error.h"
-#include "server/store/first_layout.h"
 #include "server/store/packed_text.h"
-#include "server/store/quarantine.h"
 #include "server/store/store_error.h"
-#include "server/store/store_format.h"
 
 namespace remeshd {
 namespace fs = std::filesystem;
@@ -25,20 +16,6 @@ namespace {
 constexpr std::uint64_t kFewLines = 1000;
 constexpr std::uint64_t kMostLinesPerKept = 4;  // per revision or recipe
 
-void make_folders(const fs::path& folder) {
-  if (fs::is_directory(folder)) return;
-  if (folder.has_parent_path() && folder.parent_path() != folder)
-    make_folders(folder.parent_path());
-  make_folder(folder);
-}
-
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  return files;
-}
-
 }  // namespace
 
 Store::Store() : catalogue_(std::make_unique<Catalogue>()) {}
@@ -46,145 +23,18 @@ Store::Store() : catalogue_(std::make_unique<Catalogue>()) {}
 Store::~Store() = default;
 
 Store::Store(const fs::path& folder, double wait)
-    : folder_(fs::absolute(folder)), catalogue_(std::make_unique<Catalogue>()) {
-  try {
-    open(wait);
-  } catch (const Error& failure) {
-    ErrorInfo info = failure.info();
-    if (info.message.find(folder_.string()) == std::string::npos)
-      info.message += " (store " + folder_.string() + ")";
-    throw Error(std::move(info));
-  } catch (const fs::filesystem_error& failure) {
-    throw error::store_failed("reading", folder_.string(), failure.code().value());
-  }
-}
+    : Store(fs::absolute(folder), open_store(fs::absolute(folder), wait)) {}
 
-void Store::open(double wait) {
-  make_folders(folder_);
-  look_at_folder(folder_);  // before `lock` is made in what may be anything
-  lock_folder(wait);
-  const FolderKind kind = look_at_folder(folder_);
-  for (const char* name : {"tmp", "packs"}) make_folder(folder_ / name);
-  const fs::path scratch = folder_ / "tmp";
-  old_scratch_ = files_in(scratch);
-  Quarantine quarantine(folder_ / "quarantine", scratch);
-  if (kind != FolderKind::Store) {
-    if (kind == FolderKind::Unmarked && fs::exists(folder_ / "FORMAT"))
-      quarantine.take(folder_ / "FORMAT", "it was damaged");
-    write_format(folder_, scratch);
-  }
-
-  packs_ = std::make_unique<Packs>(folder_ / "packs", scratch);
-  journal_ = std::make_unique<Journal>(folder_, scratch);
-  journal_behind_ = !journal_->whole();
-  std::vector<Transaction> transactions = journal_->take_transactions();
-  const FirstLayout first_layout(folder_);
-  const bool older = first_layout.present();
-  if (older) {
-    if (transactions.empty()) transactions = first_layout.transactions();
-    first_layout.bring_in(*packs_, quarantine);
-  }
-  load(std::move(transactions));
-  for (const fs::path& stranger : packs_->strangers())
-    quarantine.take(stranger, "it is no revision");
-  adopt_unknown_packs(quarantine);
-
-  if (!journal_->unreadable().empty())
-    quarantine.keep("journal", journal_->unreadable(), "lines of the journal that are damaged");
-  if (journal_->lost() > 0)
-    notes_.push_back(std::to_string(journal_->lost()) + " lines of the journal are lost");
-  for (const fs::path& file : journal_->failed_files()) quarantine.take(file, "it cannot be read");
-  if (journal_behind_) {
-    try {
-      rewrite_journal({});
-    } catch (const Error& failure) {
-      // Nothing is lost by it: the next opening finds what this one found.
-      notes_.push_back(std::string("the journal could not be rewritten: ") + failure.what());
-    }
-  }
-  if (older && !journal_behind_) first_layout.put_away(quarantine);
-  notes_.insert(notes_.end(), quarantine.notes().begin(), quarantine.notes().end());
-}
-
-void Store::lock_folder(double wait) {
-  using std::chrono::steady_clock;
-  const auto until = steady_clock::now() + std::chrono::duration<double>(wait);
-  lock_ = File(folder_ / "lock", O_RDWR | O_CREAT);
-  while (::flock(lock_.descriptor(), LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK && errno != EINTR)
-      throw error::store_failed("locking", folder_.string(), errno);
-    if (steady_clock::now() >= until) throw error::store_locked(folder_.string());
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-}
-
-void Store::load(std::vector<Transaction> transactions) {
-  for (const Transaction& transaction : transactions)
-    for (const Operation& operation : transaction) {
-      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) leftovers_[gone->id];
-      if (const auto* dropped = std::get_if<DropMesh>(&operation)) leftovers_[dropped->id];
-      if (const auto* added = std::get_if<AddRevision>(&operation))
-        leftovers_.erase(added->record.id);
-    }
-  if (const std::size_t failed = catalogue_->apply_all(transactions); failed > 0)
-    notes_.push_back(std::to_string(failed) + " lines of the journal contradict those before them");
-}
-
-void Store::adopt_unknown_packs(Quarantine& quarantine) {
-  std::vector<PackHead> found;
-  std::map<std::string, std::string> gone;
-  for (const std::string& id : packs_->list()) {
-    if (catalogue_->is_stored(id)) continue;
-    auto head = packs_->head(id);
-    if (leftovers_.contains(id)) {
-      gone[id] = head ? head->record.base : "";
-      continue;
-    }
-    if (!head || head->record.id != id) {
-      quarantine.take(packs_->path_of(id), "its head cannot be read");
-    } else if (journal_->intact() && !packs_->is_whole(id)) {
-      gone[id] = head->record.base;  // of a write that a crash cut off
-    } else {
-      found.push_back(std::move(*head));
-    }
-  }
-  leftovers_ = std::move(gone);
-  const auto by_number = [](const PackHead& a, const PackHead& b) {
-    return std::tie(a.first.design, a.first.number, a.record.id) <
-           std::tie(b.first.design, b.first.number, b.record.id);
-  };
-  std::sort(found.begin(), found.end(), by_number);
-  std::map<std::string, std::string> heads;  // of designs; to count their revisions takes long
-  for (const PackHead& head : found) {
-    const std::string& design = head.first.design;
-    Transaction adopt{AddRevision{head.record, head.recipe}};
-    if (design.empty() || catalogue_->revision(head.record.id)) {
-      catalogue_->apply(adopt);
-      continue;
-    }
-    const auto [now, fresh] = heads.try_emplace(design);
-    if (const auto known = fresh ? catalogue_->design(design) : std::nullopt)
-      now->second = known->head;
-    // A later line of the journal may have told of its place.
-    const auto places = catalogue_->places(head.record.id);
-    if (std::none_of(places.begin(), places.end(),
-                     [&](const PlaceRecord& place) { return place.design == design; })) {
-      const bool taken = catalogue_->at(design, head.first.number).has_value();
-      adopt.emplace_back(AddPlace{
-          design, taken ? catalogue_->next_number(design) : head.first.number, head.record.id});
-    }
-    // As the edit that made it did, unless it asked for something else.
-    if (now->second.empty() || now->second == head.record.parent) {
-      adopt.emplace_back(SetHead{design, head.record.id});
-      now->second = head.record.id;
-    }
-    catalogue_->apply(adopt);
-  }
-  if (found.empty()) return;
-  journal_behind_ = true;
-  notes_.push_back(std::to_string(found.size()) +
-                   " revisions that the journal does not name were entered again");
-}
+Store::Store(fs::path folder, OpenedStore opened)
+    : folder_(std::move(folder)),
+      lock_(std::move(opened.lock)),
+      packs_(std::move(opened.packs)),
+      journal_(std::move(opened.journal)),
+      catalogue_(std::move(opened.catalogue)),
+      journal_behind_(opened.journal_behind),
+      leftovers_(std::move(opened.leftovers)),
+      old_scratch_(std::move(opened.old_scratch)),
+      notes_(std::move(opened.notes)) {}
 
 void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
                 const StoredArrays& arrays, const Packs::Base* base) {
@@ -341,16 +191,8 @@ void Store::enter(Transaction& transaction) {
 }
 
 void Store::rewrite_journal(const Transaction& last) {
-  std::vector<Transaction> all = read([&](Catalogue& catalogue) {
-    std::vector<Transaction> snapshot = catalogue.snapshot();
-    for (const auto& [id, base] : leftovers_)
-      if (!catalogue.revision(id)) {
-        snapshot.push_back({RemoveRevision{id}});
-      } else if (!catalogue.is_stored(id)) {
-        snapshot.push_back({DropMesh{id}});
-      }
-    return snapshot;
-  });
+  std::vector<Transaction> all =
+      read([&](Catalogue& catalogue) { return lines_of(catalogue, leftovers_); });
   if (!last.empty()) all.push_back(last);
   journal_->rewrite(all, [&](const std::vector<RecipePlace>& places) {
     read([&](Catalogue& catalogue) { catalogue.set_recipe_places(places); });

@@ -13,6 +13,7 @@
 #include "server/store/catalogue.h"
 #include "server/store/files.h"
 #include "server/store/journal.h"
+#include "server/store/opening.h"
 #include "server/store/packs.h"
 #include "server/store/records.h"
 
@@ -99,10 +100,7 @@ class Store {
   }
 
  private:
-  void open(double wait);
-  void lock_folder(double wait);
-  void load(std::vector<Transaction> transactions);
-  void adopt_unknown_packs(class Quarantine& quarantine);
+  Store(std::filesystem::path folder, OpenedStore opened);
   void apply(const Transaction& transaction);
   void enter(Transaction& transaction);
   void rewrite_journal(const Transaction& last);
@@ -110,6 +108,7 @@ class Store {
   bool is_needed(const std::string& id);
   std::string packed_recipe_of(const std::string& id);
   void tidy();
+  void set_healthy(bool healthy);
 
   // Whoever changes something holds the first all along, and waits for the disk with it; the second
   // only for what is in memory. Always in this order.
@@ -120,16 +119,13 @@ class Store {
   std::unique_ptr<Packs> packs_;
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<Catalogue> catalogue_;
-  void set_healthy(bool healthy);
 
   std::mutex health_;  ///< guards the listener
   std::function<void(bool)> health_listener_;
   std::atomic<bool> healthy_ = true;
   std::uint64_t many_lines_ = 0;  ///< from where on the journal may have too many
   bool journal_behind_ = false;   ///< the journal does not say what the catalogue says
-  /// Revisions that the journal says were removed, or that could not be added, and that may have a
-  /// pack: with its base.
-  std::map<std::string, std::string> leftovers_;
+  Leftovers leftovers_;
   std::map<std::string, std::string>
       unfiled_;  ///< put and not committed: with the base it may have
   std::vector<std::filesystem::path> old_scratch_;  ///< of earlier processes

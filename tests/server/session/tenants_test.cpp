@@ -191,7 +191,9 @@ TEST_F(TenantsTest, MayWorkAtTheSameTimeWhereMemoryAndDiskAreShort) {
     while (!done) ben().cache().collect_garbage({});
   });
   others.emplace_back([&] {
-    while (!done) tenants_->load(), anna().cache().cache_stats(), ben().cache().cache_entries();
+    while (!done)
+      static_cast<void>(tenants_->load()), anna().cache().cache_stats(),
+          ben().cache().cache_entries();
   });
   others.emplace_back([&] {
     for (int n = 0; !done; n = (n + 1) % 8) tenants_->open("new-" + std::to_string(n));

@@ -1,0 +1,220 @@
+#include "server/store/opening.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "server/store/first_layout.h"
+#include "server/store/quarantine.h"
+#include "server/store/store_error.h"
+#include "server/store/store_format.h"
+
+namespace remeshd {
+namespace fs = std::filesystem;
+namespace {
+
+void make_folders(const fs::path& folder) {
+  if (fs::is_directory(folder)) return;
+  if (folder.has_parent_path() && folder.parent_path() != folder)
+    make_folders(folder.parent_path());
+  make_folder(folder);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  return files;
+}
+
+/// Collects what it opens as it goes.
+class Opening {
+ public:
+  Opening(fs::path folder, double wait) : folder_(std::move(folder)) { open(wait); }
+  OpenedStore take() { return std::move(opened_); }
+
+ private:
+  void open(double wait);
+  void lock_folder(double wait);
+  void load(std::vector<Transaction> transactions);
+  void adopt_unknown_packs(Quarantine& quarantine);
+  void enter_again(const PackHead& head, std::map<std::string, std::string>& heads);
+
+  const fs::path folder_;
+  OpenedStore opened_;
+};
+
+void Opening::open(double wait) {
+  make_folders(folder_);
+  look_at_folder(folder_);  // before `lock` is made in what may be anything
+  lock_folder(wait);
+  const FolderKind kind = look_at_folder(folder_);
+  for (const char* name : {"tmp", "packs"}) make_folder(folder_ / name);
+  const fs::path scratch = folder_ / "tmp";
+  opened_.old_scratch = files_in(scratch);
+  Quarantine quarantine(folder_ / "quarantine", scratch);
+  if (kind != FolderKind::Store) {
+    if (kind == FolderKind::Unmarked && fs::exists(folder_ / "FORMAT"))
+      quarantine.take(folder_ / "FORMAT", "it was damaged");
+    write_format(folder_, scratch);
+  }
+
+  opened_.packs = std::make_unique<Packs>(folder_ / "packs", scratch);
+  opened_.journal = std::make_unique<Journal>(folder_, scratch);
+  opened_.journal_behind = !opened_.journal->whole();
+  std::vector<Transaction> transactions = opened_.journal->take_transactions();
+  const FirstLayout first_layout(folder_);
+  const bool older = first_layout.present();
+  if (older) {
+    if (transactions.empty()) transactions = first_layout.transactions();
+    first_layout.bring_in(*opened_.packs, quarantine);
+  }
+  load(std::move(transactions));
+  for (const fs::path& stranger : opened_.packs->strangers())
+    quarantine.take(stranger, "it is no revision");
+  adopt_unknown_packs(quarantine);
+
+  if (!opened_.journal->unreadable().empty())
+    quarantine.keep("journal", opened_.journal->unreadable(),
+                    "lines of the journal that are damaged");
+  if (opened_.journal->lost() > 0)
+    opened_.notes.push_back(std::to_string(opened_.journal->lost()) +
+                            " lines of the journal are lost");
+  for (const fs::path& file : opened_.journal->failed_files())
+    quarantine.take(file, "it cannot be read");
+  if (opened_.journal_behind) {
+    try {
+      opened_.journal->rewrite(lines_of(*opened_.catalogue, opened_.leftovers),
+                               [&](const std::vector<RecipePlace>& places) {
+                                 opened_.catalogue->set_recipe_places(places);
+                               });
+      opened_.journal_behind = false;
+    } catch (const Error& failure) {
+      // Nothing is lost by it: the next opening finds what this one found.
+      opened_.notes.push_back(std::string("the journal could not be rewritten: ") + failure.what());
+    }
+  }
+  if (older && !opened_.journal_behind) first_layout.put_away(quarantine);
+  opened_.notes.insert(opened_.notes.end(), quarantine.notes().begin(), quarantine.notes().end());
+}
+
+void Opening::lock_folder(double wait) {
+  using std::chrono::steady_clock;
+  const auto until = steady_clock::now() + std::chrono::duration<double>(wait);
+  opened_.lock = File(folder_ / "lock", O_RDWR | O_CREAT);
+  while (::flock(opened_.lock.descriptor(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR)
+      throw error::store_failed("locking", folder_.string(), errno);
+    if (steady_clock::now() >= until) throw error::store_locked(folder_.string());
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void Opening::load(std::vector<Transaction> transactions) {
+  for (const Transaction& transaction : transactions)
+    for (const Operation& operation : transaction) {
+      if (const auto* gone = std::get_if<RemoveRevision>(&operation)) opened_.leftovers[gone->id];
+      if (const auto* dropped = std::get_if<DropMesh>(&operation)) opened_.leftovers[dropped->id];
+      if (const auto* added = std::get_if<AddRevision>(&operation))
+        opened_.leftovers.erase(added->record.id);
+    }
+  if (const std::size_t failed = opened_.catalogue->apply_all(transactions); failed > 0)
+    opened_.notes.push_back(std::to_string(failed) +
+                            " lines of the journal contradict those before them");
+}
+
+void Opening::adopt_unknown_packs(Quarantine& quarantine) {
+  std::vector<PackHead> found;
+  std::map<std::string, std::string> gone;
+  for (const std::string& id : opened_.packs->list()) {
+    if (opened_.catalogue->is_stored(id)) continue;
+    auto head = opened_.packs->head(id);
+    if (opened_.leftovers.contains(id)) {
+      gone[id] = head ? head->record.base : "";
+      continue;
+    }
+    if (!head || head->record.id != id) {
+      quarantine.take(opened_.packs->path_of(id), "its head cannot be read");
+    } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
+      gone[id] = head->record.base;  // of a write that a crash cut off
+    } else {
+      found.push_back(std::move(*head));
+    }
+  }
+  opened_.leftovers = std::move(gone);
+  const auto by_number = [](const PackHead& a, const PackHead& b) {
+    return std::tie(a.first.design, a.first.number, a.record.id) <
+           std::tie(b.first.design, b.first.number, b.record.id);
+  };
+  std::sort(found.begin(), found.end(), by_number);
+  std::map<std::string, std::string> heads;  // of designs; to count their revisions takes long
+  for (const PackHead& head : found) enter_again(head, heads);
+  if (found.empty()) return;
+  opened_.journal_behind = true;
+  opened_.notes.push_back(std::to_string(found.size()) +
+                          " revisions that the journal does not name were entered again");
+}
+
+/// Puts a revision into the catalogue that the journal does not know. `heads`: of the designs met
+/// so far.
+void Opening::enter_again(const PackHead& head, std::map<std::string, std::string>& heads) {
+  const std::string& design = head.first.design;
+  Transaction adopt{AddRevision{head.record, head.recipe}};
+  if (design.empty() || opened_.catalogue->revision(head.record.id)) {
+    opened_.catalogue->apply(adopt);
+    return;
+  }
+  const auto [now, fresh] = heads.try_emplace(design);
+  if (const auto known = fresh ? opened_.catalogue->design(design) : std::nullopt)
+    now->second = known->head;
+  // A later line of the journal may have told of its place.
+  const auto places = opened_.catalogue->places(head.record.id);
+  if (std::none_of(places.begin(), places.end(),
+                   [&](const PlaceRecord& place) { return place.design == design; })) {
+    const bool taken = opened_.catalogue->at(design, head.first.number).has_value();
+    adopt.emplace_back(AddPlace{design,
+                                taken ? opened_.catalogue->next_number(design) : head.first.number,
+                                head.record.id});
+  }
+  // As the edit that made it did, unless it asked for something else.
+  if (now->second.empty() || now->second == head.record.parent) {
+    adopt.emplace_back(SetHead{design, head.record.id});
+    now->second = head.record.id;
+  }
+  opened_.catalogue->apply(adopt);
+}
+
+}  // namespace
+
+std::vector<Transaction> lines_of(Catalogue& catalogue, const Leftovers& leftovers) {
+  std::vector<Transaction> lines = catalogue.snapshot();
+  for (const auto& [id, base] : leftovers)
+    if (!catalogue.revision(id)) {
+      lines.push_back({RemoveRevision{id}});
+    } else if (!catalogue.is_stored(id)) {
+      lines.push_back({DropMesh{id}});
+    }
+  return lines;
+}
+
+OpenedStore open_store(const fs::path& folder, double wait) {
+  try {
+    return Opening(folder, wait).take();
+  } catch (const Error& failure) {
+    ErrorInfo info = failure.info();
+    if (info.message.find(folder.string()) == std::string::npos)
+      info.message += " (store " + folder.string() + ")";
+    throw Error(std::move(info));
+  } catch (const fs::filesystem_error& failure) {
+    throw error::store_failed("reading", folder.string(), failure.code().value());
+  }
+}
+
+}  // namespace remeshd

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "server/store/catalogue.h"
+#include "server/store/files.h"
+#include "server/store/journal.h"
+#include "server/store/packs.h"
+#include "server/store/records.h"
+
+namespace remeshd {
+
+/// Revisions that the journal says were removed, or that could not be added, and that may have a
+/// pack: with its base.
+using Leftovers = std::map<std::string, std::string>;
+
+/// What a store's folder holds, read and mended.
+struct OpenedStore {
+  File lock;  ///< for as long as it is open
+  std::unique_ptr<Packs> packs;
+  std::unique_ptr<Journal> journal;
+  std::unique_ptr<Catalogue> catalogue = std::make_unique<Catalogue>();
+  bool journal_behind = false;  ///< the journal does not say what the catalogue says
+  Leftovers leftovers;
+  std::vector<std::filesystem::path> old_scratch;  ///< files that earlier processes were writing
+  std::vector<std::string> notes;  ///< what was mended or could not be used; one line each
+};
+
+/// Opens the store in an absolute folder, which is made where it is missing. Deletes nothing: what
+/// is not known goes to `quarantine/`. Waits up to `wait` seconds for another process to let go.
+/// Throws Error: `STORE_FOREIGN`, `STORE_NEWER` (both change nothing in the folder),
+/// `STORE_LOCKED`, `STORE_FAILED`, `STORE_FULL`.
+OpenedStore open_store(const std::filesystem::path& folder, double wait);
+
+/// A journal that says what the catalogue says, and what became of the leftovers.
+std::vector<Transaction> lines_of(Catalogue& catalogue, const Leftovers& leftovers);
+
+}  // namespace remeshd
