@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <thread>
 
@@ -11,21 +12,21 @@
 
 namespace remeshd::test {
 
-/// What a listener has heard. The listener may outlive it.
-class Answer {
+/// A value or an error, which another thread is to tell. Whoever tells it may outlive it.
+template <typename Value>
+class Awaited {
  public:
-  [[nodiscard]] Listener listener() const {
-    return {.progress = {},
-            .made =
-                [heard = heard_](const Made& made) {
-                  heard->made = made;
-                  ++heard->answers;
-                },
-            .failed =
-                [heard = heard_](const Error& why) {
-                  heard->error = why.info();
-                  ++heard->answers;
-                }};
+  [[nodiscard]] std::function<void(const Value&)> on_value() const {
+    return [heard = heard_](const Value& value) {
+      heard->value = value;
+      ++heard->answers;
+    };
+  }
+  [[nodiscard]] std::function<void(const Error&)> on_error() const {
+    return [heard = heard_](const Error& why) {
+      heard->error = why.info();
+      ++heard->answers;
+    };
   }
   /// Whether an answer came within 10 s.
   [[nodiscard]] bool came() const {
@@ -33,12 +34,12 @@ class Answer {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return answers() > 0;
   }
-  /// Waits for it; fails the test where it is no revision.
-  [[nodiscard]] Made made() const {
+  /// Waits for it; fails the test where it is an error.
+  [[nodiscard]] Value value() const {
     EXPECT_EQ(error().reason, "");
-    return heard_->made;
+    return heard_->value;
   }
-  /// Waits for it; without a reason where it is a revision.
+  /// Waits for it; without a reason where it is a value.
   [[nodiscard]] ErrorInfo error() const {
     EXPECT_TRUE(came());
     return heard_->error;
@@ -47,11 +48,20 @@ class Answer {
 
  private:
   struct Heard {
-    Made made;
+    Value value{};
     ErrorInfo error;
     std::atomic<int> answers = 0;
   };
   std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
+};
+
+/// What a listener has heard.
+class Answer : public Awaited<Made> {
+ public:
+  [[nodiscard]] Listener listener() const {
+    return {.progress = {}, .made = on_value(), .failed = on_error()};
+  }
+  [[nodiscard]] Made made() const { return value(); }
 };
 
 }  // namespace remeshd::test

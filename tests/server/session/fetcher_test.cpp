@@ -22,42 +22,12 @@ namespace remeshd::test {
 namespace {
 
 /// What a receiver has heard.
-class Fetched {
+class Fetched : public Awaited<HeldRevisionPtr> {
  public:
   [[nodiscard]] Fetcher::Receiver receiver() const {
-    return {.got =
-                [heard = heard_](const HeldRevisionPtr& revision) {
-                  heard->revision = revision;
-                  ++heard->answers;
-                },
-            .failed =
-                [heard = heard_](const Error& why) {
-                  heard->error = why.info();
-                  ++heard->answers;
-                }};
+    return {.got = on_value(), .failed = on_error()};
   }
-  [[nodiscard]] bool came() const {
-    for (int k = 0; k < 10000 && answers() == 0; ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return answers() > 0;
-  }
-  [[nodiscard]] int answers() const { return heard_->answers; }
-  [[nodiscard]] HeldRevisionPtr revision() const {
-    EXPECT_TRUE(came());
-    return heard_->revision;
-  }
-  [[nodiscard]] ErrorInfo error() const {
-    EXPECT_TRUE(came());
-    return heard_->error;
-  }
-
- private:
-  struct Heard {
-    HeldRevisionPtr revision;
-    ErrorInfo error;
-    std::atomic<int> answers = 0;
-  };
-  std::shared_ptr<Heard> heard_ = std::make_shared<Heard>();
+  [[nodiscard]] HeldRevisionPtr revision() const { return value(); }
 };
 
 /// More plates than the lane of preparations has threads; none of them is in memory.
