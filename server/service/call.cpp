@@ -223,7 +223,7 @@ std::shared_ptr<UnaryCall> UnaryCall::start(grpc::CallbackServerContext* context
 void UnaryCall::reply(const google::protobuf::Message& message) {
   grpc::ByteBuffer bytes = to_bytes(message);  // may throw: not after the call counts as ended
   if (ended_.exchange(true)) return;
-  *reply_ = std::move(bytes);
+  reply_->Swap(&bytes);
   record_->set_status(grpc::Status::OK);
   Finish(grpc::Status::OK);
 }

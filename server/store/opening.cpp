@@ -43,7 +43,7 @@ class Opening {
  private:
   void open(double wait);
   void lock_folder(double wait);
-  void load(std::vector<Transaction> transactions);
+  void load(const std::vector<Transaction>& transactions);
   void adopt_unknown_packs(Quarantine& quarantine);
   void enter_again(const PackHead& head, std::map<std::string, std::string>& heads);
 
@@ -76,7 +76,7 @@ void Opening::open(double wait) {
     if (transactions.empty()) transactions = first_layout.transactions();
     first_layout.bring_in(*opened_.packs, quarantine);
   }
-  load(std::move(transactions));
+  load(transactions);
   for (const fs::path& stranger : opened_.packs->strangers())
     quarantine.take(stranger, "it is no revision");
   adopt_unknown_packs(quarantine);
@@ -117,7 +117,7 @@ void Opening::lock_folder(double wait) {
   }
 }
 
-void Opening::load(std::vector<Transaction> transactions) {
+void Opening::load(const std::vector<Transaction>& transactions) {
   for (const Transaction& transaction : transactions)
     for (const Operation& operation : transaction) {
       if (const auto* gone = std::get_if<RemoveRevision>(&operation)) opened_.leftovers[gone->id];

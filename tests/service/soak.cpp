@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <deque>
 #include <filesystem>
 #include <stdexcept>
 
 #include "tests/service/goals.h"
+#include "tests/service/load_program.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
@@ -86,13 +86,12 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   remeshd::test::Settings settings;
-  CLI::App app("What grows in a daemon that edits for hours");
-  app.add_option("--minutes", settings.minutes);
-  app.add_option("--full-after", settings.full_after, "minutes until the cache is full");
-  app.add_option("--nodes", settings.nodes);
-  app.add_option("--cache", settings.cache, "MiB");
-  app.add_option("--revisions", settings.revisions, "that stay in the store");
-  app.add_flag("--goals", settings.goals, "goals for times and rates count too");
-  CLI11_PARSE(app, argc, argv);
-  return remeshd::test::run(settings);
+  remeshd::test::LoadProgram program("What grows in a daemon that edits for hours", settings.goals);
+  CLI::App& options = program.options();
+  options.add_option("--minutes", settings.minutes);
+  options.add_option("--full-after", settings.full_after, "minutes until the cache is full");
+  options.add_option("--nodes", settings.nodes);
+  options.add_option("--cache", settings.cache, "MiB");
+  options.add_option("--revisions", settings.revisions, "that stay in the store");
+  return program.run(argc, argv, [&] { return remeshd::test::run(settings); });
 }

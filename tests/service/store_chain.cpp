@@ -183,12 +183,10 @@ int main(int argc, char** argv) {
   app.add_option("--folder", settings.folder,
                  "on the disk to be measured; default: of temporary files");
   CLI11_PARSE(app, argc, argv);
-  const bool own = settings.folder.empty();
-  if (own)
-    settings.folder = std::filesystem::temp_directory_path() /
-                      ("remeshd-store-chain-" + std::to_string(::getpid()));
-  std::filesystem::remove_all(settings.folder);
+  const std::filesystem::path disk =
+      settings.folder.empty() ? std::filesystem::temp_directory_path() : settings.folder;
+  settings.folder = disk / ("remeshd-store-chain-" + std::to_string(::getpid()));
   const int result = remeshd::test::run(settings);
-  if (own) std::filesystem::remove_all(settings.folder);
+  std::filesystem::remove_all(settings.folder);
   return result;
 }
