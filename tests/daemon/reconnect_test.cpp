@@ -75,6 +75,7 @@ TEST_F(Reconnect, AStreamGoesOnAndNothingIsDoneTwice) {
     kill();
     start();
   }
+  answers.back().result.wait();  // once it came, the client's other calls find the daemon too
   std::string parent;
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const auto result = answers[k].result.get();
