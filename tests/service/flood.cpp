@@ -10,10 +10,10 @@
 #include "tests/service/goals.h"
 #include "tests/service/load_program.h"
 #include "tests/service/log_lines.h"
-#include "tests/service/processors.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
+#include "tests/support/processors.h"
 
 // Clients ask for many times what one worker can do: who is refused, how soon and in what words,
 // and what becomes of those who are not. The daemon has one processor, the clients another.

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/service/processors.h"
 #include "tests/service/timing.h"
+#include "tests/support/processors.h"
 
 namespace remeshd::test {
 

@@ -12,10 +12,10 @@
 #include "tests/service/goals.h"
 #include "tests/service/load_program.h"
 #include "tests/service/mutual_tls.h"
-#include "tests/service/processors.h"
 #include "tests/service/requests.h"
 #include "tests/service/served_daemon.h"
 #include "tests/service/timing.h"
+#include "tests/support/processors.h"
 
 // How fast a mesh comes, beside a stream of as many bytes that mean nothing. The two servers have
 // one processor, the client another; streams of the two take turns.

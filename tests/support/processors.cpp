@@ -1,4 +1,4 @@
-#include "tests/service/processors.h"
+#include "tests/support/processors.h"
 
 #include <cstddef>
 
