@@ -32,14 +32,37 @@ constexpr int kKeepaliveTimeout = 20'000;
 template <class Service, class Request, class Reply>
 using Method = grpc::Status (Service::*)(grpc::ClientContext*, const Request&, Reply*);
 
-/// `impl`: of the client. The method is that of one of its stubs.
+template <class Service, class Request, class Reply>
+grpc::Status ask(const auto& impl, Method<Service, Request, Reply> method, const Request& request,
+                 const CallOptions& options, Reply& reply) {
+  CallContext context(options, impl.token);
+  return (impl.of(static_cast<const Service*>(nullptr)).*method)(context.get(), request, &reply);
+}
+
+/// `impl`: of the client. The method is that of one of its stubs, and changes something: it is not
+/// made again where the connection breaks, since it may have been done.
 template <class Service, class Request, class Reply>
 Reply unary(const auto& impl, Method<Service, Request, Reply> method, const Request& request,
             const CallOptions& options) {
-  CallContext context(options, impl.token);
   Reply reply;
-  check((impl.of(static_cast<const Service*>(nullptr)).*method)(context.get(), request, &reply));
+  check(ask(impl, method, request, options, reply));
+  *impl.answered = true;
   return reply;
+}
+
+/// The same of a method that changes nothing: made again where the connection breaks.
+template <class Service, class Request, class Reply>
+Reply read(const auto& impl, Method<Service, Request, Reply> method, const Request& request,
+           const CallOptions& options) {
+  Reconnecting patience(options, impl.answered);
+  while (true) {
+    Reply reply;
+    const grpc::Status status = ask(impl, method, request, patience.rest(), reply);
+    if (!status.ok() && patience.tries_again(status)) continue;
+    check(status);
+    patience.heard();
+    return reply;
+  }
 }
 
 bool encrypts(const ConnectOptions& options) {
@@ -88,6 +111,7 @@ struct Client::Impl {
   const std::shared_ptr<Stub> stub;
   const std::unique_ptr<CacheStub> cache;
   const std::string token;
+  const Answered answered = std::make_shared<std::atomic<bool>>(false);
 };
 
 Client Client::connect(const std::string& address, const ConnectOptions& options) {
@@ -119,8 +143,8 @@ remesh::v1::RevisionResult Client::edit_revision(const remesh::v1::EditRevisionR
 }
 
 EditStream Client::stream(EditStream::OnProgress on_progress, const CallOptions& call) const {
-  return EditStream(
-      std::make_unique<EditStream::Impl>(impl_->stub, std::move(on_progress), call, impl_->token));
+  return EditStream(std::make_unique<EditStream::Impl>(impl_->stub, std::move(on_progress), call,
+                                                       impl_->token, impl_->answered));
 }
 
 Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
@@ -129,7 +153,7 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
   request.set_revision(revision);
   *request.mutable_selection() = to_message(wanted);
   MeshAssembler assembler(wanted.arrays, {wanted.base});
-  Reconnecting patience(call);
+  Reconnecting patience(call, impl_->answered);
   while (true) {
     CallContext context(patience.rest(), impl_->token);
     const auto reader = impl_->stub->GetMesh(context.get(), request);
@@ -147,9 +171,8 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
     }
     const grpc::Status status = reader->Finish();
     if (status.ok()) return assembler.finish();
-    const auto position = assembler.resume();
-    if (!position || !patience.tries_again(status)) check(status);
-    *request.mutable_resume_from() = *position;
+    if (!patience.tries_again(status)) check(status);
+    if (const auto position = assembler.resume()) *request.mutable_resume_from() = *position;
   }
 }
 
@@ -157,7 +180,7 @@ remesh::v1::GetRevisionResponse Client::get_revision(const std::string& revision
                                                      const CallOptions& call) const {
   remesh::v1::GetRevisionRequest request;
   request.set_revision(revision);
-  return unary(*impl_, &Stub::GetRevision, request, call);
+  return read(*impl_, &Stub::GetRevision, request, call);
 }
 
 std::vector<remesh::v1::RevisionInfo> Client::list_revisions(
@@ -165,7 +188,7 @@ std::vector<remesh::v1::RevisionInfo> Client::list_revisions(
   std::vector<remesh::v1::RevisionInfo> revisions;
   request.clear_page_token();
   do {
-    const auto page = unary(*impl_, &Stub::ListRevisions, request, call);
+    const auto page = read(*impl_, &Stub::ListRevisions, request, call);
     revisions.insert(revisions.end(), page.revisions().begin(), page.revisions().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
@@ -184,7 +207,7 @@ std::vector<remesh::v1::DesignInfo> Client::list_designs(remesh::v1::ListDesigns
   std::vector<remesh::v1::DesignInfo> designs;
   request.clear_page_token();
   do {
-    const auto page = unary(*impl_, &Stub::ListDesigns, request, call);
+    const auto page = read(*impl_, &Stub::ListDesigns, request, call);
     designs.insert(designs.end(), page.designs().begin(), page.designs().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
@@ -213,35 +236,35 @@ remesh::v1::DeleteDesignResponse Client::delete_design(
 remesh::v1::Comparison Client::compare(const remesh::v1::CompareRequest& request,
                                        const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_, &Stub::Compare, request, call).comparison();
+  return read(*impl_, &Stub::Compare, request, call).comparison();
 }
 
 remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateModelRequest& request,
                                         const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_, &Stub::ValidateModel, request, call).check();
+  return read(*impl_, &Stub::ValidateModel, request, call).check();
 }
 
 remesh::v1::ModelCheck Client::validate(const remesh::v1::ValidateEditRequest& request,
                                         const CallOptions& call) const {
   check_documents(request);
-  return unary(*impl_, &Stub::ValidateEdit, request, call).check();
+  return read(*impl_, &Stub::ValidateEdit, request, call).check();
 }
 
 std::vector<remesh::v1::FeatureType> Client::types(const CallOptions& call) const {
-  const auto reply = unary(*impl_, &Stub::ListFeatureTypes, {}, call);
+  const auto reply = read(*impl_, &Stub::ListFeatureTypes, {}, call);
   return {reply.types().begin(), reply.types().end()};
 }
 
 remesh::v1::ServerInfo Client::info(const CallOptions& call) const {
-  return unary(*impl_, &Stub::GetServerInfo, {}, call).server();
+  return read(*impl_, &Stub::GetServerInfo, {}, call).server();
 }
 
 remesh::v1::GetRecipeResponse Client::get_recipe(const std::string& revision,
                                                  const CallOptions& call) const {
   remesh::v1::GetRecipeRequest request;
   request.set_revision(revision);
-  return unary(*impl_, &Stub::GetRecipe, request, call);
+  return read(*impl_, &Stub::GetRecipe, request, call);
 }
 
 remesh::v1::RemakeRevisionResponse Client::remake_revision(
@@ -254,7 +277,7 @@ std::vector<remesh::v1::CacheEntry> Client::list_cache(remesh::v1::ListCacheEntr
   std::vector<remesh::v1::CacheEntry> entries;
   request.clear_page_token();
   do {
-    const auto page = unary(*impl_, &CacheStub::ListCacheEntries, request, call);
+    const auto page = read(*impl_, &CacheStub::ListCacheEntries, request, call);
     entries.insert(entries.end(), page.entries().begin(), page.entries().end());
     request.set_page_token(page.next_page_token());
   } while (!request.page_token().empty());
@@ -262,7 +285,7 @@ std::vector<remesh::v1::CacheEntry> Client::list_cache(remesh::v1::ListCacheEntr
 }
 
 remesh::v1::GetCacheStatsResponse Client::cache_stats(const CallOptions& call) const {
-  return unary(*impl_, &CacheStub::GetCacheStats, {}, call);
+  return read(*impl_, &CacheStub::GetCacheStats, {}, call);
 }
 
 remesh::v1::CollectGarbageResponse Client::collect_garbage(

@@ -50,11 +50,11 @@ EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
 }  // namespace
 
 EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
-                       const CallOptions& call_options, std::string bearer_token)
+                       const CallOptions& call_options, std::string bearer_token, Answered answered)
     : stub(std::move(service)),
       on_progress(std::move(listener)),
       token(std::move(bearer_token)),
-      patience(call_options),
+      patience(call_options, std::move(answered)),
       call(new_call()) {
   reader = std::thread([this] { read(); });
 }

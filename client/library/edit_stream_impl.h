@@ -25,7 +25,7 @@ struct EditStream::Impl {
   using Stub = remesh::v1::RemeshService::Stub;
 
   Impl(std::shared_ptr<Stub> service, OnProgress listener, const CallOptions& call,
-       std::string bearer_token);
+       std::string bearer_token, Answered answered);
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;

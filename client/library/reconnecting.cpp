@@ -34,12 +34,12 @@ CallOptions Reconnecting::rest() const {
 }
 
 void Reconnecting::heard() {
-  heard_ = true;
+  *answered_ = true;
   broken_since_.reset();
 }
 
 bool Reconnecting::tries_again(const grpc::Status& status) {
-  if (!is_broken(status) || !heard_ || options_.reconnect <= 0) return false;
+  if (!is_broken(status) || !*answered_ || options_.reconnect <= 0) return false;
   const auto now = Clock::now();
   if (!broken_since_) broken_since_ = now;
   if (now - *broken_since_ > std::chrono::duration<double>(options_.reconnect)) return false;

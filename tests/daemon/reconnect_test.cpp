@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "remeshd/client.h"
@@ -99,6 +102,26 @@ TEST_F(Reconnect, AStreamThatWasIdleGoesOnFromItsLastResult) {
   start();
   EXPECT_EQ(stream.edit(moved(1)).get().revision().parent(), first);
   stream.finish();
+}
+
+TEST_F(Reconnect, WhatIsReadWhileTheDaemonIsAwayComesOnceItIsBack) {
+  const Client client = Client::connect(address());
+  const std::string first = client.create_revision(simple()).revision().id();
+  kill();
+  auto revision = std::async(std::launch::async, [&] { return client.get_revision(first); });
+  auto mesh = std::async(std::launch::async, [&] { return client.get_mesh(first); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  start();
+  EXPECT_EQ(revision.get().revision().id(), first);
+  EXPECT_EQ(mesh.get().revision, first);
+}
+
+TEST_F(Reconnect, ADaemonThatNeverAnsweredIsNotWaitedFor) {
+  kill();
+  const Client client = Client::connect(address());
+  client::CallOptions options;
+  options.reconnect = 3600;
+  EXPECT_THROW((void)client.info(options), client::CallError);
 }
 
 TEST_F(Reconnect, AStreamWhoseDaemonStaysAwayEndsWithItsError) {
