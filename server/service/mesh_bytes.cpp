@@ -4,10 +4,10 @@
 #include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <google/protobuf/wire_format_lite.h>
 
-#include <array>
 #include <memory>
 #include <string>
-#include <utility>
+#include <string_view>
+#include <vector>
 
 #include "server/service/call.h"
 
@@ -29,42 +29,44 @@ std::string field_head(int number, std::size_t size) {
   return head;
 }
 
-/// A slice that owns the string.
-grpc::Slice slice_of(std::string text) {
-  auto owned = std::make_unique<std::string>(std::move(text));
+/// A slice that keeps the owner of its bytes.
+grpc::Slice slice_of(std::string_view bytes, const std::shared_ptr<const void>& owner) {
+  using Owner = std::shared_ptr<const void>;
+  auto kept = std::make_unique<Owner>(owner);
+  // gRPC does not write into slices that it sends, though its parameter does not say so.
   grpc::Slice slice(
-      owned->data(), owned->size(), [](void* string) { delete static_cast<std::string*>(string); },
-      owned.get());
-  static_cast<void>(owned.release());
+      const_cast<char*>(bytes.data()), bytes.size(),
+      [](void* pointer) { delete static_cast<Owner*>(pointer); }, kept.get());
+  static_cast<void>(kept.release());
   return slice;
 }
 
-/// The fields of the part but its data, then these: readers take fields in any order. `field`: the
-/// message's number in the reply.
+/// The fields of the part, then its data: readers take fields in any order. `field`: the message's
+/// number in the reply.
 template <typename Reply>
-grpc::ByteBuffer bytes_of(Reply& reply, int field) {
+grpc::ByteBuffer bytes_of(Reply& reply, int field, const PartData& data) {
   if (!reply.mesh().has_part()) return to_bytes(reply);
-  v1::MeshPart& part = *reply.mutable_mesh()->mutable_part();
-  std::string data = std::move(*part.mutable_data());
-  part.clear_data();
-  std::string head =
-      part.SerializeAsString() + field_head(v1::MeshPart::kDataFieldNumber, data.size());
-  head = field_head(v1::MeshMessage::kPartFieldNumber, head.size() + data.size()) + head;
-  head = field_head(field, head.size() + data.size()) + head;
+  std::string head = reply.mesh().part().SerializeAsString() +
+                     field_head(v1::MeshPart::kDataFieldNumber, data.bytes);
+  head = field_head(v1::MeshMessage::kPartFieldNumber, head.size() + data.bytes) + head;
+  head = field_head(field, head.size() + data.bytes) + head;
   reply.clear_mesh();
   head = reply.SerializeAsString() + head;
-  const std::array slices{grpc::Slice(head), slice_of(std::move(data))};
+  std::vector<grpc::Slice> slices;
+  slices.reserve(1 + data.pieces.size());
+  slices.emplace_back(head);
+  for (const std::string_view piece : data.pieces) slices.push_back(slice_of(piece, data.owner));
   return {slices.data(), slices.size()};
 }
 
 }  // namespace
 
-grpc::ByteBuffer mesh_bytes(v1::GetMeshResponse& reply) {
-  return bytes_of(reply, v1::GetMeshResponse::kMeshFieldNumber);
+grpc::ByteBuffer mesh_bytes(v1::GetMeshResponse& reply, const PartData& data) {
+  return bytes_of(reply, v1::GetMeshResponse::kMeshFieldNumber, data);
 }
 
-grpc::ByteBuffer mesh_bytes(v1::EditStreamResponse& reply) {
-  return bytes_of(reply, v1::EditStreamResponse::kMeshFieldNumber);
+grpc::ByteBuffer mesh_bytes(v1::EditStreamResponse& reply, const PartData& data) {
+  return bytes_of(reply, v1::EditStreamResponse::kMeshFieldNumber, data);
 }
 
 }  // namespace remeshd

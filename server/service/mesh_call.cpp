@@ -12,8 +12,9 @@ namespace v1 = remesh::v1;
 void write(const std::shared_ptr<MessageStream>& stream,
            const std::shared_ptr<MeshMessages>& messages) {
   const auto go_on = [stream, messages] { write(stream, messages); };
-  for (v1::GetMeshResponse response; messages->next(*response.mutable_mesh());) {
-    stream->send(mesh_bytes(response));
+  PartData data;
+  for (v1::GetMeshResponse response; messages->next(*response.mutable_mesh(), data);) {
+    stream->send(mesh_bytes(response, data));
     if (stream->wait_for_client(go_on)) return;
   }
   stream->end();

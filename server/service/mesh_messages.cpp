@@ -57,15 +57,17 @@ std::vector<v1::MeshArray> supported_arrays() {
 
 MeshMessages::MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& parent,
                            const v1::MeshSelection& selection)
-    : revision_(std::move(revision)) {
+    : content_(std::make_shared<Content>()) {
   check_selection(selection);
+  content_->revision = std::move(revision);
+  const HeldRevision& held = *content_->revision;
   const std::set<int> wanted(selection.arrays().begin(), selection.arrays().end());
   const bool delta = selection.delta() && parent;
   const auto of_parent = delta ? mesh_arrays(parent->revision.delivery) : std::vector<MeshArray>();
-  for (MeshArray& array : mesh_arrays(revision_->revision.delivery)) {
+  for (MeshArray& array : mesh_arrays(held.revision.delivery)) {
     if (!wanted.empty() && !wanted.contains(name_of(array))) continue;
-    revision_->digests.of(array);
-    Sent& sent = arrays_.emplace_back();
+    held.digests.of(array);
+    Sent& sent = content_->arrays.emplace_back();
     sent.bytes = array.bytes;
     sent.array = std::move(array);
     if (delta) take_difference(sent, *parent, of_parent);
@@ -78,7 +80,7 @@ void MeshMessages::take_difference(Sent& sent, const HeldRevision& parent,
   if (base == of_parent.end() || base->type != sent.array.type ||
       base->components != sent.array.components)
     return;
-  if (revision_->digests.of(sent.array) == parent.digests.of(*base)) {
+  if (content_->revision->digests.of(sent.array) == parent.digests.of(*base)) {
     sent.encoding = v1::MeshHeader::ENCODING_SAME;
     sent.bytes = 0;
   } else if (sent.array.type != NumberType::Text) {
@@ -94,21 +96,23 @@ void MeshMessages::take_difference(Sent& sent, const HeldRevision& parent,
 }
 
 void MeshMessages::resume_from(const v1::MeshPosition& position) {
+  const auto& arrays = content_->arrays;
   const auto found = std::ranges::find_if(
-      arrays_, [&](const Sent& sent) { return name_of(sent.array) == position.array(); });
-  if (found == arrays_.end())
+      arrays, [&](const Sent& sent) { return name_of(sent.array) == position.array(); });
+  if (found == arrays.end())
     throw error::option_invalid("resume_from", "names an array that is not sent");
   if (position.offset() > found->bytes)
     throw error::option_invalid("resume_from", "lies behind the end of its array");
-  array_ = static_cast<std::size_t>(found - arrays_.begin());
+  array_ = static_cast<std::size_t>(found - arrays.begin());
   offset_ = position.offset();
 }
 
 void MeshMessages::put_header(v1::MeshHeader& header) const {
-  const Revision& revision = revision_->revision;
+  const HeldRevision& held = *content_->revision;
+  const Revision& revision = held.revision;
   const Delivery& delivery = revision.delivery;
-  header.set_revision(revision_->record.id);
-  header.set_parent(revision_->record.parent);
+  header.set_revision(held.record.id);
+  header.set_parent(held.record.parent);
   header.set_base(base_);
   header.set_model_name(revision.source.name);
   header.set_unit(revision.source.unit);
@@ -116,7 +120,7 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
   header.set_nodes(size_of(delivery.mesh.nodes.size()));
   header.set_tets(size_of(delivery.mesh.tets.size()));
   header.set_facets(size_of(delivery.groups.facets.size()));
-  for (const Sent& sent : arrays_) {
+  for (const Sent& sent : content_->arrays) {
     const MeshArray& array = sent.array;
     v1::MeshHeader::Array& entry = *header.add_arrays();
     entry.set_array(name_of(array));
@@ -124,43 +128,47 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
     entry.set_components(array.components);
     entry.set_count(array.count);
     entry.set_bytes(array.bytes);
-    entry.set_digest(revision_->digests.of(array));
+    entry.set_digest(held.digests.of(array));
     entry.set_encoding(sent.encoding);
     entry.set_data_bytes(sent.bytes);
   }
 }
 
-void MeshMessages::put_part(v1::MeshPart& part) {
-  const Sent& sent = arrays_[array_];
-  std::string& data = *part.mutable_data();
-  const std::size_t size = std::min<std::uint64_t>(limits::kMeshPartBytes, sent.bytes - offset_);
-  data.reserve(size);
+void MeshMessages::put_part(v1::MeshPart& part, PartData& data) {
+  const Sent& sent = content_->arrays[array_];
+  const std::uint64_t size = std::min<std::uint64_t>(limits::kMeshPartBytes, sent.bytes - offset_);
+  data.owner = content_;
+  data.bytes = size;
   if (sent.encoding == v1::MeshHeader::ENCODING_DELTA) {
-    data.append(sent.delta, offset_, size);
+    data.pieces.push_back(std::string_view(sent.delta).substr(offset_, size));
   } else {
-    sent.array.read(offset_, size, data);
+    sent.array.pieces(offset_, size, [&](std::string_view piece) { data.pieces.push_back(piece); });
   }
+  std::uint32_t crc = 0;
+  for (const std::string_view piece : data.pieces) crc = crc32c(piece, crc);
   part.set_array(name_of(sent.array));
   part.set_offset(offset_);
-  part.set_crc32c(crc32c(data));
+  part.set_crc32c(crc);
   offset_ += size;
   bytes_ += size;
   ++parts_;
 }
 
-bool MeshMessages::next(v1::MeshMessage& message) {
+bool MeshMessages::next(v1::MeshMessage& message, PartData& data) {
   message.Clear();
+  data = {};
+  const std::vector<Sent>& arrays = content_->arrays;
   if (!begun_) {
     begun_ = true;
     put_header(*message.mutable_header());
     return true;
   }
-  while (array_ < arrays_.size() && offset_ == arrays_[array_].bytes) {
+  while (array_ < arrays.size() && offset_ == arrays[array_].bytes) {
     ++array_;
     offset_ = 0;
   }
-  if (array_ < arrays_.size()) {
-    put_part(*message.mutable_part());
+  if (array_ < arrays.size()) {
+    put_part(*message.mutable_part(), data);
     return true;
   }
   if (ended_) return false;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "remesh/v1/mesh.pb.h"
@@ -9,8 +11,15 @@
 
 namespace remeshd {
 
-/// The messages of a mesh, one after the other: header, parts, end. Arrays are taken straight from
-/// the revision's memory, their differences to the parent's are worked out at once; the same
+/// The data of a part, in pieces that lie in memory as long as there is an owner.
+struct PartData {
+  std::vector<std::string_view> pieces;
+  std::size_t bytes = 0;
+  std::shared_ptr<const void> owner;
+};
+
+/// The messages of a mesh, one after the other: header, parts, end. Arrays stay where they
+/// lie in the revision's memory, their differences to the parent's are worked out at once; the same
 /// revision and selection give the same messages.
 class MeshMessages {
  public:
@@ -24,8 +33,8 @@ class MeshMessages {
   /// Throws Error: OPTIONS_INVALID where the selection has no such place.
   void resume_from(const remesh::v1::MeshPosition& position);
 
-  /// Fills in the next message; false after the last.
-  bool next(remesh::v1::MeshMessage& message);
+  /// Fills in the next message, of a part all but its data; false after the last.
+  bool next(remesh::v1::MeshMessage& message, PartData& data);
   /// Whether the last message was taken.
   [[nodiscard]] bool ended() const { return ended_; }
 
@@ -36,15 +45,18 @@ class MeshMessages {
     std::uint64_t bytes = 0;  ///< of the data
     std::string delta;        ///< the data, for ENCODING_DELTA
   };
+  struct Content {
+    HeldRevisionPtr revision;
+    std::vector<Sent> arrays;
+  };
 
   void take_difference(Sent& sent, const HeldRevision& parent,
                        const std::vector<MeshArray>& of_parent);
   void put_header(remesh::v1::MeshHeader& header) const;
-  void put_part(remesh::v1::MeshPart& part);
+  void put_part(remesh::v1::MeshPart& part, PartData& data);
 
-  const HeldRevisionPtr revision_;
-  std::string base_;  ///< id of the parent, where an array needs it
-  std::vector<Sent> arrays_;
+  std::shared_ptr<Content> content_;  ///< of it, once complete, parts take their data
+  std::string base_;                  ///< id of the parent, where an array needs it
   bool begun_ = false, ended_ = false;
   std::size_t array_ = 0;     ///< next part: in which array
   std::uint64_t offset_ = 0;  ///< and where in it

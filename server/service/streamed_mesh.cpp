@@ -22,8 +22,9 @@ class StreamedMesh final : public ReplySource {
   grpc::ByteBuffer next() override {
     v1::EditStreamResponse reply;
     reply.set_request_id(request_id_);
-    messages_.next(*reply.mutable_mesh());
-    return mesh_bytes(reply);
+    PartData data;
+    messages_.next(*reply.mutable_mesh(), data);
+    return mesh_bytes(reply, data);
   }
   [[nodiscard]] bool ended() const override { return messages_.ended(); }
 

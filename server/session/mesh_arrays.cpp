@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -27,48 +28,44 @@ MeshArray empty_array(ArrayName name, NumberType type, std::size_t rows) {
               static_cast<std::uint32_t>(sizeof(Row) / kSizes[static_cast<std::size_t>(type) - 1]),
           .count = static_cast<std::uint32_t>(rows),
           .bytes = rows * sizeof(Row),
-          .read = {}};
+          .from = {}};
+}
+
+template <typename Row>
+std::string_view bytes_of(std::span<const Row> rows) {
+  return {reinterpret_cast<const char*>(rows.data()), rows.size_bytes()};
 }
 
 template <typename Row>
 MeshArray array_of(ArrayName name, NumberType type, const Pages<Row>& rows) {
   MeshArray array = empty_array<Row>(name, type, rows.size());
-  array.read = [&rows](std::uint64_t offset, std::size_t size, std::string& out) {
+  array.from = [&rows](std::uint64_t offset) {
     constexpr std::size_t kPage = Pages<Row>::page_bytes();
-    while (size > 0) {
-      const auto page = rows.page(offset / kPage);
-      const std::string_view bytes(reinterpret_cast<const char*>(page.data()), page.size_bytes());
-      const std::string_view some = bytes.substr(offset % kPage, size);
-      out += some;
-      offset += some.size();
-      size -= some.size();
-    }
+    return bytes_of(rows.page(offset / kPage)).substr(offset % kPage);
   };
   return array;
 }
 
-/// An array of what `member` takes out of each of some structs.
+/// An array of what `member` takes out of each of some structs, put together when it is first read.
 template <typename Struct, typename Member>
 MeshArray array_of(ArrayName name, const std::vector<Struct>& structs, Member member) {
   using Row = std::decay_t<decltype(member(structs.front()))>;
   MeshArray array = empty_array<Row>(name, NumberType::I32, structs.size());
-  array.read = [&structs, member](std::uint64_t offset, std::size_t size, std::string& out) {
-    while (size > 0) {
-      const Row row = member(structs[offset / sizeof(Row)]);
-      const std::string_view bytes(reinterpret_cast<const char*>(&row), sizeof row);
-      const std::string_view some = bytes.substr(offset % sizeof row, size);
-      out += some;
-      offset += some.size();
-      size -= some.size();
-    }
+  const auto together = [&structs, member] {
+    std::vector<Row> rows(structs.size());
+    std::ranges::transform(structs, rows.begin(), member);
+    return rows;
+  };
+  array.from = [rows = std::make_shared<Lazy<std::vector<Row>>>(), together](std::uint64_t offset) {
+    return bytes_of(std::span<const Row>(rows->get(together))).substr(offset);
   };
   return array;
 }
 
 MeshArray array_of(ArrayName name, const std::vector<Transform>& transforms) {
   MeshArray array = empty_array<Transform>(name, NumberType::F64, transforms.size());
-  array.read = [&transforms](std::uint64_t offset, std::size_t size, std::string& out) {
-    out.append(reinterpret_cast<const char*>(transforms.data()) + offset, size);
+  array.from = [&transforms](std::uint64_t offset) {
+    return bytes_of(std::span<const Transform>(transforms)).substr(offset);
   };
   return array;
 }
@@ -76,10 +73,8 @@ MeshArray array_of(ArrayName name, const std::vector<Transform>& transforms) {
 MeshArray text_array(ArrayName name, std::size_t rows, std::string lines) {
   MeshArray array = empty_array<char>(name, NumberType::Text, rows);
   array.bytes = lines.size();
-  array.read = [text = std::make_shared<const std::string>(std::move(lines))](
-                   std::uint64_t offset, std::size_t size, std::string& out) {
-    out.append(*text, offset, size);
-  };
+  array.from = [text = std::make_shared<const std::string>(std::move(lines))](
+                   std::uint64_t offset) { return std::string_view(*text).substr(offset); };
   return array;
 }
 
@@ -125,12 +120,10 @@ std::vector<MeshArray> mesh_arrays(const Delivery& d) {
 
 std::string digest_of(const MeshArray& array) {
   Sha256 whole;
-  std::string block;
   for (std::uint64_t at = 0; at < array.bytes; at += kBlock) {
-    block.clear();
-    array.read(at, std::min<std::uint64_t>(kBlock, array.bytes - at), block);
     Sha256 sum;
-    sum.update(block);
+    array.pieces(at, std::min<std::uint64_t>(kBlock, array.bytes - at),
+                 [&](std::string_view piece) { sum.update(piece); });
     whole.update(sum.finish());
   }
   return to_hex(whole.finish());

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/remesh/remesh.h"
@@ -44,8 +45,24 @@ struct MeshArray {
   std::uint32_t components;  ///< numbers a row; 1 for text
   std::uint32_t count;       ///< rows
   std::uint64_t bytes;
-  /// Appends `size` bytes from `offset` on. Pre: the array has them.
-  std::function<void(std::uint64_t offset, std::size_t size, std::string& out)> read;
+  /// The bytes from `offset` on that lie together in memory, one at least. They stay as long as the
+  /// delivery and this array or a copy of it. Pre: the array has a byte there.
+  std::function<std::string_view(std::uint64_t offset)> from;
+
+  /// Hands `size` bytes from `offset` on to `take`, piece by piece. Pre: the array has them.
+  template <typename Take>
+  void pieces(std::uint64_t offset, std::uint64_t size, Take take) const {
+    while (size > 0) {
+      const std::string_view piece = from(offset).substr(0, size);
+      take(piece);
+      offset += piece.size();
+      size -= piece.size();
+    }
+  }
+  /// Appends them.
+  void read(std::uint64_t offset, std::uint64_t size, std::string& out) const {
+    pieces(offset, size, [&](std::string_view piece) { out += piece; });
+  }
 };
 
 /// The arrays that a mesh has, in the order of their names. The delivery must outlive them.

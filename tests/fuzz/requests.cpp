@@ -89,7 +89,10 @@ void get_mesh(std::string_view bytes) {
   MeshMessages messages(revision, parent, request.selection());
   if (request.has_resume_from()) messages.resume_from(request.resume_from());
   v1::MeshMessage message;
-  for (int count = 0; messages.next(message); ++count) {
+  PartData data;
+  for (int count = 0; messages.next(message, data); ++count) {
+    for (const std::string_view piece : data.pieces)
+      message.mutable_part()->mutable_data()->append(piece);
     expect_sendable(message);
     expect(count < 1000, "a mesh without an end");
   }

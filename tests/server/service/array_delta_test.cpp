@@ -41,7 +41,7 @@ ArrayDelta delta(const std::vector<Number>& base, const std::vector<Number>& num
                         .components = components,
                         .count = rows,
                         .bytes = bytes.size(),
-                        .read = {}};
+                        .from = {}};
   const ArrayDelta made = delta_of(array, bytes, of_base);
   const client::ArrayShape shape{static_cast<remesh::v1::ArrayType>(kTypeOf<Number>), components};
   EXPECT_EQ(client::apply_delta(made, shape, rows, of_base), bytes);
