@@ -3,13 +3,14 @@
 #include <grpcpp/generic/async_generic_service.h>
 #include <grpcpp/grpcpp.h>
 
+#include <vector>
+
 namespace remeshd::test {
 namespace {
 
 class Bytes final : public grpc::ServerGenericBidiReactor {
  public:
-  Bytes(std::size_t messages, const grpc::ByteBuffer& message)
-      : left_(messages), message_(message) {
+  Bytes(const std::vector<grpc::ByteBuffer>& messages) : messages_(messages) {
     write();
   }
   void OnWriteDone(bool ok) override {
@@ -22,28 +23,29 @@ class Bytes final : public grpc::ServerGenericBidiReactor {
 
  private:
   void write() {
-    if (left_-- > 0)
-      StartWrite(&message_);
+    if (next_ < messages_.size())
+      StartWrite(&messages_[next_++]);
     else
       Finish(grpc::Status::OK);
   }
 
-  std::size_t left_;
-  const grpc::ByteBuffer message_;
+  std::size_t next_ = 0;
+  std::vector<grpc::ByteBuffer> messages_;
 };
 
 }  // namespace
 
 struct ByteServer::Service final : grpc::CallbackGenericService {
-  Service(std::size_t count, std::size_t bytes) : messages(count) {
-    const grpc::Slice slice(std::string(bytes, 'x'));
-    message = grpc::ByteBuffer(&slice, 1);
+  Service(std::size_t count, std::size_t bytes) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const grpc::Slice slice(std::string(bytes, 'x'));
+      messages.emplace_back(&slice, 1);
+    }
   }
   grpc::ServerGenericBidiReactor* CreateReactor(grpc::GenericCallbackServerContext*) override {
-    return new Bytes(messages, message);
+    return new Bytes(messages);
   }
-  const std::size_t messages;
-  grpc::ByteBuffer message;
+  std::vector<grpc::ByteBuffer> messages;
 };
 
 ByteServer::ByteServer(std::size_t messages, std::size_t bytes,
