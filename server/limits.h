@@ -47,8 +47,9 @@ inline constexpr int kChildren = 1000;
 /// Bytes of a mesh in one message: below the 4 MiB that gRPC's clients take without being told, and
 /// four of them are what a reader that pauses holds beside its mesh.
 inline constexpr std::size_t kMeshPartBytes = kMebi - kKibi;
-/// Bytes of the replies of a call that wait for its client, beyond which no more are made. One
-/// message more may have been made by then: twice that is taken from the memory budget.
+/// Bytes of the replies of a call that wait for its client, beyond which no more are made. So many
+/// are taken from the memory budget: data of a mesh wait where they lie in the revision, but for
+/// what TLS has encrypted of them already.
 inline constexpr std::size_t kUntakenBytes = kMeshPartBytes;
 
 // Of one EditStream: what waits in it.
@@ -59,6 +60,9 @@ inline constexpr std::size_t kStreamReplies = 256;
 inline constexpr std::size_t kStreamReplyBytes = 4 * kMebi;
 /// Replies with a mesh: each keeps that of a revision in memory.
 inline constexpr std::size_t kStreamMeshes = 2;
+/// Bytes that a stream takes from the memory budget for itself and for what waits in it up to
+/// `kStreamSpare`; for more it takes more, so many at a time.
+inline constexpr std::size_t kStreamMemory = 32 * kKibi, kStreamSpare = 8 * kKibi;
 
 // Work.
 
@@ -90,8 +94,8 @@ inline constexpr std::uint64_t kMemory = 2048 * kMebi, kHeld = 1024 * kMebi;
 /// Bytes a node that a computation takes at its peak, beside its base (tests/bench/README.md:
 /// 1,411), and likewise the reading of a revision.
 inline constexpr std::uint64_t kBytesPerNode = 1500;
-/// s that the reading of a revision waits for memory.
-inline constexpr double kLoadWait = 60;
+/// s that the reading of a revision waits for memory, and that one is told to wait who finds none.
+inline constexpr double kLoadWait = 60, kMemoryDelay = 1;
 /// Of the budget: what the process stays below it, for what no estimate tells of; twice that is
 /// freed once it does not, so that not every lease has to.
 inline constexpr std::uint64_t kMarginShare = 16;

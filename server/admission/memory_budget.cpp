@@ -11,7 +11,6 @@ namespace {
 
 // s; readers that keep revisions in memory end without a word to the budget.
 constexpr double kLookAgain = 0.1;
-constexpr double kRetryAfter = 1;  // s
 
 }  // namespace
 
@@ -67,7 +66,7 @@ std::uint64_t MemoryBudget::reclaim(std::uint64_t most) {
 
 void MemoryBudget::trim() {
   const std::scoped_lock lock(mutex_);
-  reclaim(std::min(most_held_, total_ - leased_));
+  reclaim(std::min(most_held_, unleased()));
 }
 
 bool MemoryBudget::take_now(std::uint64_t bytes) {
@@ -104,11 +103,34 @@ MemoryBudget::Lease MemoryBudget::take(std::uint64_t bytes, const std::stop_toke
   std::unique_lock lock(mutex_);
   while (!take_now(bytes)) {
     if (stop.stop_requested()) return {};
-    if (Clock::now() >= until) throw error::memory_full(leased_, total_, kRetryAfter);
+    if (Clock::now() >= until) throw full_now();
     returned_.wait_for(lock, stop, std::chrono::duration<double>(kLookAgain),
                        [&, before = leased_] { return leased_ < before; });
   }
   return {*this, bytes};
+}
+
+void MemoryBudget::count(std::uint64_t bytes) {
+  const std::scoped_lock lock(mutex_);
+  leased_ += bytes;
+  reclaim(std::min(most_held_, unleased()));
+}
+
+bool MemoryBudget::Lease::try_resize(std::uint64_t bytes) {
+  if (bytes > bytes_) {
+    const std::scoped_lock lock(budget_->mutex_);
+    if (!budget_->take_now(bytes - bytes_)) return false;
+  } else if (bytes < bytes_) {
+    budget_->give_back(bytes_ - bytes);
+  }
+  bytes_ = bytes;
+  return true;
+}
+
+void MemoryBudget::Lease::resize(std::uint64_t bytes) {
+  if (bytes > bytes_) budget_->count(bytes - bytes_);
+  if (bytes < bytes_) budget_->give_back(bytes_ - bytes);
+  bytes_ = bytes;
 }
 
 void MemoryBudget::give_back(std::uint64_t bytes) {
@@ -117,6 +139,15 @@ void MemoryBudget::give_back(std::uint64_t bytes) {
     leased_ -= bytes;
   }
   returned_.notify_all();
+}
+
+Error MemoryBudget::full_now() {
+  return error::memory_full(leased_ + sum_held(), total_, jitter_.of(limits::kMemoryDelay));
+}
+
+Error MemoryBudget::full() {
+  const std::scoped_lock lock(mutex_);
+  return full_now();
 }
 
 std::uint64_t MemoryBudget::leased() const {
@@ -131,7 +162,7 @@ std::uint64_t MemoryBudget::held() const {
 
 std::uint64_t MemoryBudget::left() const {
   const std::scoped_lock lock(mutex_);
-  return total_ - leased_;
+  return unleased();
 }
 
 }  // namespace remeshd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -9,14 +10,16 @@
 #include <stop_token>
 #include <utility>
 
+#include "engine/base/error.h"
 #include "server/admission/fair_cap.h"
+#include "server/admission/jitter.h"
 
 namespace remeshd {
 
 /// The memory of the daemon as one sum, from which everything that needs much takes its estimate:
-/// computations and loads by a lease for as long as they last, requests that wait in streams, and
-/// the revisions held, which give way to the others where they can be read again. They are held by
-/// tenants; of these, those that hold most give way first.
+/// computations and loads by a lease for as long as they last, streams by one for what waits in
+/// them, and the revisions held, which give way to the others where they can be read again. They
+/// are held by tenants; of these, those that hold most give way first.
 class MemoryBudget {
  public:
   /// A share of the budget, given back by its end.
@@ -34,6 +37,13 @@ class MemoryBudget {
       if (budget_ != nullptr) budget_->give_back(bytes_);
     }
     explicit operator bool() const { return budget_ != nullptr; }
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+
+    /// Makes it one of so many bytes; false, and nothing done, where there is no room for more.
+    /// Pre: not empty.
+    bool try_resize(std::uint64_t bytes);
+    /// The same for what is there already: it counts though there is no room.
+    void resize(std::uint64_t bytes);
 
    private:
     friend class MemoryBudget;
@@ -73,6 +83,9 @@ class MemoryBudget {
   /// more than there is in all, MEMORY_FULL where there was none within `seconds`.
   Lease take(std::uint64_t bytes, const std::stop_token& stop, double seconds);
 
+  /// What refuses a request that finds no room: MEMORY_FULL.
+  [[nodiscard]] Error full();
+
   [[nodiscard]] std::uint64_t total() const { return total_; }
   [[nodiscard]] std::uint64_t most_held() const { return most_held_; }
   /// What all revisions held take.
@@ -83,10 +96,13 @@ class MemoryBudget {
 
  private:
   [[nodiscard]] std::uint64_t sum_held() const;
+  [[nodiscard]] std::uint64_t unleased() const { return total_ - std::min(total_, leased_); }
   std::uint64_t reclaim(std::uint64_t most);
   bool take_now(std::uint64_t bytes);
   void keep_process_within(std::uint64_t bytes);
   void give_back(std::uint64_t bytes);
+  void count(std::uint64_t bytes);
+  [[nodiscard]] Error full_now();
 
   const std::uint64_t total_, most_held_;
   Process process_;
@@ -95,6 +111,7 @@ class MemoryBudget {
   HolderId next_holder_ = 1;
   std::condition_variable_any returned_;
   std::uint64_t leased_ = 0;
+  Jitter jitter_;
 };
 
 }  // namespace remeshd

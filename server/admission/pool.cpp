@@ -34,9 +34,7 @@ FairQueue::Clock::duration seconds(double value) {
 }  // namespace
 
 Pool::Pool(Limits limits)
-    : limits_(limits),
-      queue_(static_cast<std::size_t>(limits.workers), limits.queue),
-      jitter_(std::random_device()()) {
+    : limits_(limits), queue_(static_cast<std::size_t>(limits.workers), limits.queue) {
   for (int i = 0; i < limits_.workers; ++i)
     threads_.emplace_back([this] {
       give_way(limits_.niceness);
@@ -49,9 +47,7 @@ Pool::~Pool() { shutdown(); }
 
 double Pool::retry_delay() {
   const double ahead = static_cast<double>(queue_.waiting() + queue_.running()) / limits_.workers;
-  const double off = std::uniform_real_distribution<double>(1 - limits::kDelayJitter,
-                                                            1 + limits::kDelayJitter)(jitter_);
-  return std::clamp(mean_seconds_ * ahead, limits::kLeastDelay, limits::kMostDelay) * off;
+  return jitter_.of(std::clamp(mean_seconds_ * ahead, limits::kLeastDelay, limits::kMostDelay));
 }
 
 WorkId Pool::submit(Work work) {

@@ -6,12 +6,12 @@
 #include <functional>
 #include <map>
 #include <mutex>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "server/admission/fair_queue.h"
+#include "server/admission/jitter.h"
 
 namespace remeshd {
 
@@ -80,7 +80,7 @@ class Pool {
   std::map<WorkId, Running> running_;
   WorkId next_id_ = 1;
   double mean_seconds_ = 1;  ///< of work, newer weighs more
-  std::minstd_rand jitter_;
+  Jitter jitter_;
   bool ending_ = false;
   std::vector<std::thread> threads_;
 };

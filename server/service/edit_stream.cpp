@@ -35,23 +35,31 @@ void release(std::string& bytes) { std::string().swap(bytes); }
 }  // namespace
 
 EditStream::EditStream(Session& session, const RequestLimits& limits,
-                       grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record)
-    : session_(session), limits_(limits), context_(context), record_(std::move(record)) {}
+                       grpc::CallbackServerContext* context, std::shared_ptr<CallRecord> record,
+                       MemoryBudget::Lease memory)
+    : session_(session),
+      limits_(limits),
+      context_(context),
+      record_(std::move(record)),
+      queue_(std::move(memory)) {}
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditStream::start(
     Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
     std::shared_ptr<CallRecord> record) {
   using Refused = RefusedCall<grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>>;
   Session* session = nullptr;
+  MemoryBudget::Lease memory;
   try {
     record->admit_stream(*context);
     session = &tenants.of(record->tenant());
     static_cast<void>(record->enter());
+    memory = session->take_stream_memory();
     record->count_as_stream();
   } catch (const Error& why) {
     return new Refused(context, why, std::move(record));
   }
-  const auto stream = std::make_shared<EditStream>(*session, limits, context, std::move(record));
+  const auto stream =
+      std::make_shared<EditStream>(*session, limits, context, std::move(record), std::move(memory));
   stream->self_ = stream;
   stream->advance();
   return stream.get();
@@ -116,7 +124,11 @@ bool EditStream::read(Request& request) {
   request.id = echoed_request_id(head.request_id);
   check_size(request.bytes.size(), limits_.message_bytes);
   check_request_id(head.request_id);
-  if (!head.is_cancel) return true;
+  if (!head.is_cancel) {
+    const std::scoped_lock lock(mutex_);
+    if (!queue_.make_room(request.bytes.size())) throw session_.no_memory();
+    return true;
+  }
   v1::EditStreamRequest message;
   from_bytes(request.bytes, limits_.message_bytes, message);
   cancel_by_id(message.cancel().request_id());
@@ -188,6 +200,10 @@ Command EditStream::command(std::string& bytes, std::optional<v1::MeshSelection>
   v1::EditStreamRequest message;
   from_bytes(bytes, limits_.message_bytes, message);
   release(bytes);
+  {
+    const std::scoped_lock lock(mutex_);
+    queue_.decoded();
+  }
   if (message.has_mesh()) {
     check_selection(message.mesh());
     mesh = std::move(*message.mutable_mesh());

@@ -35,7 +35,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
       std::shared_ptr<CallRecord> record);
   /// Use `start`.
   EditStream(Session& session, const RequestLimits& limits, grpc::CallbackServerContext* context,
-             std::shared_ptr<CallRecord> record);
+             std::shared_ptr<CallRecord> record, MemoryBudget::Lease memory);
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;

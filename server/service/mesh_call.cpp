@@ -26,9 +26,9 @@ void begin(const std::shared_ptr<MessageStream>& stream, Session& session,
   const Run run{.stop = stream->stop_token(), .on_progress = {}, .dumps = {}};
   const HeldRevisionPtr parent =
       request.selection().delta() ? session.parent_of(*revision, run) : nullptr;
-  // After what was read, whose memory may be all that there is.
-  stream->keep(session.take_stream_memory(run.stop));
   const auto messages = std::make_shared<MeshMessages>(revision, parent, request.selection());
+  // After what was read, whose memory may be all that there is.
+  stream->keep(session.take_reply_memory(messages->own_bytes(), run.stop));
   if (request.has_resume_from()) messages->resume_from(request.resume_from());
   write(stream, messages);
 }

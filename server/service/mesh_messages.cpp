@@ -107,6 +107,12 @@ void MeshMessages::resume_from(const v1::MeshPosition& position) {
   offset_ = position.offset();
 }
 
+std::uint64_t MeshMessages::own_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const Sent& sent : content_->arrays) bytes += sent.delta.size();
+  return bytes;
+}
+
 void MeshMessages::put_header(v1::MeshHeader& header) const {
   const HeldRevision& held = *content_->revision;
   const Revision& revision = held.revision;

@@ -35,6 +35,8 @@ class MeshMessages {
 
   /// Fills in the next message, of a part all but its data; false after the last.
   bool next(remesh::v1::MeshMessage& message, PartData& data);
+  /// What they take in memory beside the revision.
+  [[nodiscard]] std::uint64_t own_bytes() const;
   /// Whether the last message was taken.
   [[nodiscard]] bool ended() const { return ended_; }
 

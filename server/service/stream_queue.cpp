@@ -3,6 +3,26 @@
 #include <utility>
 
 namespace remeshd {
+namespace {
+
+/// What a stream in which so many bytes wait takes from the budget.
+std::uint64_t share_of(std::uint64_t bytes) {
+  if (bytes <= limits::kStreamSpare) return limits::kStreamMemory;
+  const std::uint64_t parts = (bytes + limits::kStreamMemory - 1) / limits::kStreamMemory;
+  return (1 + parts) * limits::kStreamMemory;
+}
+
+}  // namespace
+
+std::uint64_t StreamQueue::bytes() const {
+  return waiting_bytes_ + work_bytes_ + reply_bytes_ + source_bytes_;
+}
+
+void StreamQueue::take_memory() { memory_.resize(share_of(bytes())); }
+
+bool StreamQueue::make_room(std::size_t more) {
+  return closed_ || memory_.try_resize(share_of(bytes() + more));
+}
 
 bool StreamQueue::room_for_replies() const {
   return replies_.size() < limits_.replies && reply_bytes_ < limits_.reply_bytes;
@@ -18,6 +38,7 @@ void StreamQueue::add(Request request) {
   const std::size_t bytes = request.bytes.size();
   waiting_.push_back(std::move(request));
   waiting_bytes_ += bytes;
+  take_memory();
 }
 
 bool StreamQueue::may_begin() const {
@@ -29,9 +50,15 @@ StreamQueue::Request StreamQueue::begin() {
   Request request = std::move(waiting_.front());
   waiting_.pop_front();
   waiting_bytes_ -= request.bytes.size();
+  work_bytes_ = request.bytes.size();
   request.turn = ++turn_;
   at_work_ = true;
   return request;
+}
+
+void StreamQueue::decoded() {
+  work_bytes_ = 0;
+  take_memory();
 }
 
 bool StreamQueue::cancel(const std::string& id) {
@@ -56,6 +83,7 @@ void StreamQueue::progress(std::uint64_t turn, grpc::ByteBuffer reply) {
   if (closed_ || !at_work(turn)) return;
   drop_progress();
   push({.bytes = std::move(reply), .is_progress = true});
+  take_memory();
 }
 
 bool StreamQueue::answer(std::uint64_t turn, grpc::ByteBuffer reply, ReplySourcePtr rest) {
@@ -64,11 +92,14 @@ bool StreamQueue::answer(std::uint64_t turn, grpc::ByteBuffer reply, ReplySource
     drop_progress();
     push({.bytes = std::move(reply)});
     if (rest) {
+      source_bytes_ += rest->own_bytes();
       push({.source = std::move(rest)});
       ++sources_;
     }
   }
   at_work_ = false;
+  work_bytes_ = 0;
+  take_memory();
   return true;
 }
 
@@ -82,9 +113,12 @@ StreamQueue::Next StreamQueue::next_reply() {
 }
 
 void StreamQueue::written() {
-  if (replies_.empty() || !replies_.front().source || !replies_.front().source->ended()) return;
-  replies_.pop_front();
-  --sources_;
+  if (!replies_.empty() && replies_.front().source && replies_.front().source->ended()) {
+    source_bytes_ -= replies_.front().source->own_bytes();
+    replies_.pop_front();
+    --sources_;
+  }
+  take_memory();
 }
 
 void StreamQueue::close() {
@@ -94,6 +128,8 @@ void StreamQueue::close() {
   replies_.clear();
   reply_bytes_ = 0;
   sources_ = 0;
+  source_bytes_ = 0;
+  take_memory();
 }
 
 }  // namespace remeshd

@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/base/error.h"
+#include "server/admission/memory_budget.h"
 #include "server/limits.h"
 
 namespace remeshd {
@@ -21,13 +23,15 @@ class ReplySource {
   virtual grpc::ByteBuffer next() = 0;
   /// Whether `next` has given the last.
   [[nodiscard]] virtual bool ended() const = 0;
+  /// What it takes in memory, beside a revision's.
+  [[nodiscard]] virtual std::uint64_t own_bytes() const { return 0; }
 };
 using ReplySourcePtr = std::shared_ptr<ReplySource>;
 
 /// What one EditStream holds for its client: requests sent ahead, the one at work, replies that the
 /// client has not taken yet. All of it is bounded: at a bound nothing more is read or begun, until
 /// replies have been taken. Requests wait as the bytes they came in, so that they cost what the
-/// client spent on them.
+/// client spent on them. All that waits is taken from the memory budget.
 ///
 /// Replies leave in the order of the requests. Not locked: the stream's mutex guards it.
 class StreamQueue {
@@ -47,18 +51,25 @@ class StreamQueue {
     std::uint64_t turn = 0;  ///< its number, once begun
   };
 
-  StreamQueue() = default;
-  explicit StreamQueue(const Limits& limits) : limits_(limits) {}
+  /// `memory`: the stream's share of the budget, which grows and shrinks with what waits.
+  explicit StreamQueue(MemoryBudget::Lease memory) : memory_(std::move(memory)) {}
+  StreamQueue(MemoryBudget::Lease memory, const Limits& limits)
+      : limits_(limits), memory_(std::move(memory)) {}
 
   /// Whether another message may be read. It may have any size: the bounds are passed by one
   /// message at most.
   [[nodiscard]] bool may_read() const;
+  /// Whether the memory budget has room for a request of so many bytes; it is kept for the request
+  /// that is added next.
+  [[nodiscard]] bool make_room(std::size_t bytes);
   void add(Request request);
 
   /// Whether a request waits that may be begun: none is at work, and there is room for replies.
   [[nodiscard]] bool may_begin() const;
   /// Takes the first waiting request; it is at work until `answer`. Pre: `may_begin`.
   Request begin();
+  /// The bytes of the one at work are gone.
+  void decoded();
 
   /// Marks all waiting requests of this id. True if the one at work has it.
   bool cancel(const std::string& id);
@@ -95,19 +106,24 @@ class StreamQueue {
     ReplySourcePtr source{};
   };
   [[nodiscard]] bool room_for_replies() const;
+  [[nodiscard]] std::uint64_t bytes() const;
+  /// After each change of `bytes`.
+  void take_memory();
   void push(Reply reply);
   void drop_progress();
 
   Limits limits_;
   std::deque<Request> waiting_;
-  std::size_t waiting_bytes_ = 0;
+  std::size_t waiting_bytes_ = 0, work_bytes_ = 0;
   std::deque<Reply> replies_;
   std::size_t reply_bytes_ = 0;
   std::size_t sources_ = 0;  ///< among the replies
+  std::uint64_t source_bytes_ = 0;
   bool at_work_ = false;
   std::uint64_t turn_ = 0;
   std::string at_work_id_;
   bool closed_ = false;
+  MemoryBudget::Lease memory_;
 };
 
 }  // namespace remeshd

@@ -27,6 +27,7 @@ class StreamedMesh final : public ReplySource {
     return mesh_bytes(reply, data);
   }
   [[nodiscard]] bool ended() const override { return messages_.ended(); }
+  [[nodiscard]] std::uint64_t own_bytes() const override { return messages_.own_bytes(); }
 
  private:
   const std::string request_id_;

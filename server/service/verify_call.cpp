@@ -87,7 +87,7 @@ class VerifyCall final : public std::enable_shared_from_this<VerifyCall> {
 
 void verify_cache(const std::shared_ptr<MessageStream>& stream, Session& session,
                   const v1::VerifyCacheRequest& request) {
-  stream->keep(session.take_stream_memory(stream->stop_token()));
+  stream->keep(session.take_reply_memory(0, stream->stop_token()));
   std::make_shared<VerifyCall>(stream, session, request.repair())->go_on();
 }
 

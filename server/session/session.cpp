@@ -39,10 +39,17 @@ HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
   return archive_.get(resolve(reference).id, run);
 }
 
-MemoryBudget::Lease Session::take_stream_memory(const std::stop_token& stop) {
+MemoryBudget::Lease Session::take_stream_memory() {
   MemoryBudget& memory = resources_.memory();
-  auto lease = memory.take(std::min<std::uint64_t>(2 * limits::kUntakenBytes, memory.total()), stop,
-                           limits::kLoadWait);
+  auto lease = memory.try_take(limits::kStreamMemory);
+  if (!lease) throw memory.full();
+  return lease;
+}
+
+MemoryBudget::Lease Session::take_reply_memory(std::uint64_t more, const std::stop_token& stop) {
+  MemoryBudget& memory = resources_.memory();
+  auto lease = memory.take(std::min<std::uint64_t>(limits::kUntakenBytes + more, memory.total()),
+                           stop, limits::kLoadWait);
   Run{.stop = stop, .on_progress = {}, .dumps = {}}.poll();
   return lease;
 }

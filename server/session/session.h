@@ -72,9 +72,12 @@ class Session {
     work.tenant = tenant_;
     return resources_.lane(lane).submit(std::move(work));
   }
-  /// For the replies of a stream that wait for its client. Waits as the reading of a revision does.
-  /// Throws what MemoryBudget::take throws, Error(Cancelled).
-  MemoryBudget::Lease take_stream_memory(const std::stop_token& stop);
+  /// For replies of a call that wait for its client, and `more` bytes. Waits as the reading of a
+  /// revision does. Throws what MemoryBudget::take throws, Error(Cancelled).
+  MemoryBudget::Lease take_reply_memory(std::uint64_t more, const std::stop_token& stop);
+  /// For a stream that begins. Throws Error: MEMORY_FULL.
+  MemoryBudget::Lease take_stream_memory();
+  [[nodiscard]] Error no_memory() { return resources_.memory().full(); }
   /// As Pool::withdraw.
   bool withdraw(Lane lane, WorkId id) { return resources_.lane(lane).withdraw(id); }
 

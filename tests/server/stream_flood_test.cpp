@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "engine/base/random.h"
+#include "server/limits.h"
 #include "tests/server/daemon_fixture.h"
 
 namespace remeshd::test {
@@ -98,6 +99,52 @@ TEST_F(StreamFloods, OfLargeRequestsStopAtTheBoundAndGoOnInOrder) {
     EXPECT_EQ(reply.request_id(), std::to_string(i));
     EXPECT_EQ(reply.error().code(), v1::Error::CODE_NOT_FOUND);
   }
+}
+
+TEST_F(StreamFloods, OfLargeRequestsAreRefusedOnceTheyHaveFilledTheMemory) {
+  constexpr int kRequests = 3;
+  options_.memory = 6U << 20U;
+  start();
+  create(plate());
+  engine_.close_gate();
+  open();
+  v1::EditStreamRequest first;
+  *first.mutable_edit() = edit_request("plate", set("at", 11));
+  ASSERT_TRUE(stream_->Write(first));
+  ASSERT_TRUE(engine_.wait_at_gate(1));
+  flood(kRequests, [](int i) { return large(i, std::size_t{2} << 20); });
+  wait_until_writing_rests();
+  engine_.open_gate();
+  EXPECT_TRUE(answer().has_result());
+  EXPECT_EQ(answer().error().code(), v1::Error::CODE_NOT_FOUND) << "it had room to wait";
+  answer();
+  const v1::Error refused = answer().error();
+  EXPECT_EQ(refused.reason(), v1::Error::MEMORY_FULL);
+  EXPECT_GT(refused.retry_after(), 0);
+}
+
+TEST_F(StreamFloods, AreRefusedOnceStreamsHaveTakenTheMemory) {
+  options_.memory = limits::kStreamMemory;
+  const auto refused = [this] {
+    grpc::ClientContext context;
+    const auto stream = stub().EditStream(&context);
+    stream->WritesDone();
+    v1::EditStreamResponse reply;
+    while (stream->Read(&reply)) {
+    }
+    const grpc::Status status = stream->Finish();
+    return !status.ok() && detail(status).reason() == v1::Error::MEMORY_FULL;
+  };
+  EXPECT_FALSE(refused());
+  v1::EditStreamResponse reply;
+  do {  // its memory comes back a moment after its end
+    open();
+    stream_->Write({});
+  } while (!stream_->Read(&reply));
+  EXPECT_TRUE(refused());
+  stream_->WritesDone();
+  EXPECT_TRUE(stream_->Finish().ok());
+  while (refused()) std::this_thread::yield();
 }
 
 TEST_F(StreamFloods, AreCancelledById) {

@@ -29,6 +29,32 @@ TEST(MemoryBudget, IsTakenByLeasesAndGivenBackByTheirEnd) {
   EXPECT_EQ(budget.leased(), 0U);
 }
 
+TEST(MemoryBudget, ALeaseGrowsWhereThereIsRoomAndShrinksAlways) {
+  MemoryBudget budget(100);
+  auto lease = budget.try_take(30);
+  const auto other = budget.try_take(30);
+  EXPECT_FALSE(lease.try_resize(71));
+  EXPECT_EQ(budget.leased(), 60U);
+  EXPECT_TRUE(lease.try_resize(70));
+  EXPECT_EQ(budget.left(), 0U);
+  EXPECT_TRUE(lease.try_resize(10));
+  EXPECT_EQ(budget.left(), 60U);
+}
+
+TEST(MemoryBudget, WhatIsThereAlreadyCountsThoughThereIsNoRoom) {
+  MemoryBudget budget(100);
+  std::uint64_t held = 60;
+  budget.add_holder(holder_of(held));
+  auto lease = budget.try_take(30);
+  lease.resize(130);
+  EXPECT_EQ(budget.leased(), 130U);
+  EXPECT_EQ(budget.left(), 0U);
+  EXPECT_EQ(held, 0U) << "the revisions held give way";
+  EXPECT_FALSE(budget.try_take(1));
+  lease.resize(20);
+  EXPECT_TRUE(budget.try_take(80));
+}
+
 TEST(MemoryBudget, RevisionsHeldGiveWay) {
   MemoryBudget budget(100);
   std::uint64_t held = 90;

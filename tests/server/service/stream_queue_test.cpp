@@ -17,15 +17,23 @@ grpc::ByteBuffer reply(const std::string& text) {
   return {&slice, 1};
 }
 
+/// As much as is asked for.
+MemoryBudget::Lease memory() {
+  static MemoryBudget budget(1ULL << 40U);
+  return budget.try_take(0);
+}
+
 /// Replies `mesh 0`, `mesh 1`, ...
 class Meshes final : public ReplySource {
  public:
-  explicit Meshes(int count) : count_(count) {}
+  explicit Meshes(int count, std::uint64_t own_bytes = 0) : count_(count), bytes_(own_bytes) {}
   grpc::ByteBuffer next() override { return reply("mesh " + std::to_string(next_++)); }
   [[nodiscard]] bool ended() const override { return next_ == count_; }
+  [[nodiscard]] std::uint64_t own_bytes() const override { return bytes_; }
 
  private:
   const int count_;
+  const std::uint64_t bytes_;
   int next_ = 0;
 };
 
@@ -36,7 +44,7 @@ std::string text_of(const grpc::ByteBuffer& bytes) {
 }
 
 TEST(StreamQueue, ReadsUntilAsManyRequestsWaitAsMay) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   for (const char* id : {"a", "b", "c"}) {
     EXPECT_TRUE(queue.may_read());
     queue.add(request(id));
@@ -47,7 +55,7 @@ TEST(StreamQueue, ReadsUntilAsManyRequestsWaitAsMay) {
 }
 
 TEST(StreamQueue, ReadsUntilTheWaitingBytesAreAsManyAsMayBe) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("small", 99));
   EXPECT_TRUE(queue.may_read());
   queue.add(request("any size", 1000));
@@ -60,7 +68,7 @@ TEST(StreamQueue, ReadsUntilTheWaitingBytesAreAsManyAsMayBe) {
 }
 
 TEST(StreamQueue, NeitherReadsNorBeginsWhileRepliesAreAtTheirNumber) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   for (const char* id : {"a", "b", "c"}) queue.add(request(id));
   for (std::uint64_t turn : {1, 2}) {
     EXPECT_TRUE(queue.may_begin());
@@ -75,7 +83,7 @@ TEST(StreamQueue, NeitherReadsNorBeginsWhileRepliesAreAtTheirNumber) {
 }
 
 TEST(StreamQueue, NeitherReadsNorBeginsWhileRepliesAreAtTheirBytes) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("a"));
   queue.add(request("b"));
   queue.begin();
@@ -88,7 +96,7 @@ TEST(StreamQueue, NeitherReadsNorBeginsWhileRepliesAreAtTheirBytes) {
 }
 
 TEST(StreamQueue, HasOneRequestAtWorkAtATime) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("a"));
   queue.add(request("b"));
   EXPECT_EQ(queue.begin().id, "a");
@@ -98,7 +106,7 @@ TEST(StreamQueue, HasOneRequestAtWorkAtATime) {
 }
 
 TEST(StreamQueue, KeepsTheLatestProgressOnly) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("a"));
   queue.begin();
   for (const char* event : {"one", "two", "three"}) queue.progress(1, reply(event));
@@ -107,7 +115,7 @@ TEST(StreamQueue, KeepsTheLatestProgressOnly) {
 }
 
 TEST(StreamQueue, SendsNoProgressOfARequestThatHasEnded) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("a"));
   queue.add(request("b"));
   queue.begin();
@@ -122,7 +130,7 @@ TEST(StreamQueue, SendsNoProgressOfARequestThatHasEnded) {
 }
 
 TEST(StreamQueue, TakesOneAnswerForARequest) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   queue.add(request("a"));
   queue.add(request("b"));
   queue.begin();
@@ -134,7 +142,7 @@ TEST(StreamQueue, TakesOneAnswerForARequest) {
 }
 
 TEST(StreamQueue, CancelsWhatWaitsAndTellsOfWhatIsAtWork) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   for (const char* id : {"a", "b", "b"}) queue.add(request(id));
   queue.begin();
   EXPECT_TRUE(queue.cancel("a"));
@@ -148,7 +156,7 @@ TEST(StreamQueue, CancelsWhatWaitsAndTellsOfWhatIsAtWork) {
 }
 
 TEST(StreamQueue, ClosedKeepsNothingButWhatIsAtWork) {
-  StreamQueue queue(kLimits);
+  StreamQueue queue(memory(), kLimits);
   for (const char* id : {"a", "b", "c"}) queue.add(request(id));
   queue.begin();
   queue.progress(1, reply("event"));
@@ -170,7 +178,7 @@ std::string write_next(StreamQueue& queue) {
 }
 
 TEST(StreamQueue, TheRepliesOfASourceFollowTheirAnswerWithNothingInBetween) {
-  StreamQueue queue;
+  StreamQueue queue(memory());
   for (const char* id : {"a", "b"}) queue.add(request(id));
   queue.begin();
   queue.answer(1, reply("a"), std::make_shared<Meshes>(2));
@@ -184,7 +192,7 @@ TEST(StreamQueue, TheRepliesOfASourceFollowTheirAnswerWithNothingInBetween) {
 }
 
 TEST(StreamQueue, BeginsNothingWhileAsManySourcesWaitAsMay) {
-  StreamQueue queue(StreamQueue::Limits{.sources = 1});
+  StreamQueue queue(memory(), StreamQueue::Limits{.sources = 1});
   for (const char* id : {"a", "b"}) queue.add(request(id));
   queue.begin();
   queue.answer(1, reply("a"), std::make_shared<Meshes>(1));
@@ -197,7 +205,7 @@ TEST(StreamQueue, BeginsNothingWhileAsManySourcesWaitAsMay) {
 }
 
 TEST(StreamQueue, ThatIsClosedKeepsNoSource) {
-  StreamQueue queue(StreamQueue::Limits{.sources = 1});
+  StreamQueue queue(memory(), StreamQueue::Limits{.sources = 1});
   queue.add(request("a"));
   queue.begin();
   const auto meshes = std::make_shared<Meshes>(2);
@@ -206,6 +214,72 @@ TEST(StreamQueue, ThatIsClosedKeepsNoSource) {
   EXPECT_EQ(meshes.use_count(), 1);
   queue.written();
   EXPECT_TRUE(queue.idle());
+}
+
+/// A queue that may hold as much as it likes of a budget.
+class StreamQueueMemory : public testing::Test {
+ protected:
+  static constexpr std::uint64_t kOwn = limits::kStreamMemory, kLarge = 4 * kOwn;
+
+  /// What it takes for itself and so many bytes.
+  [[nodiscard]] static std::uint64_t share(std::uint64_t bytes) { return kOwn + bytes; }
+
+  MemoryBudget budget_{share(3 * kLarge)};
+  StreamQueue queue_{budget_.try_take(kOwn)};
+};
+
+TEST_F(StreamQueueMemory, SmallMessagesCostNoMoreThanTheStream) {
+  for (int i = 0; i < 8; ++i) queue_.add(request("a", limits::kStreamSpare / 16));
+  queue_.begin();
+  queue_.answer(1, reply(std::string(limits::kStreamSpare / 2, 'x')));
+  EXPECT_EQ(budget_.leased(), kOwn);
+}
+
+TEST_F(StreamQueueMemory, RequestsCountUntilTheyAreDecoded) {
+  ASSERT_TRUE(queue_.make_room(kLarge));
+  EXPECT_EQ(budget_.leased(), share(kLarge)) << "from before it is kept";
+  queue_.add(request("a", kLarge));
+  EXPECT_EQ(budget_.leased(), share(kLarge));
+  queue_.begin();
+  EXPECT_EQ(budget_.leased(), share(kLarge));
+  queue_.decoded();
+  EXPECT_EQ(budget_.leased(), kOwn);
+}
+
+TEST_F(StreamQueueMemory, ARequestThatIsAnsweredUnreadCountsNoMore) {
+  queue_.add(request("a", kLarge));
+  queue_.begin();
+  queue_.answer(1, reply("refused"));
+  EXPECT_EQ(budget_.leased(), kOwn);
+}
+
+TEST_F(StreamQueueMemory, HasNoRoomForARequestWhereTheBudgetHasNone) {
+  const auto others = budget_.try_take(2 * kLarge);
+  EXPECT_FALSE(queue_.make_room(kLarge + 1));
+  EXPECT_EQ(budget_.leased(), share(2 * kLarge));
+  EXPECT_TRUE(queue_.make_room(kLarge));
+}
+
+TEST_F(StreamQueueMemory, RepliesCountUntilTheyAreWritten) {
+  queue_.add(request("a"));
+  queue_.begin();
+  queue_.answer(1, reply(std::string(kLarge, 'x')), std::make_shared<Meshes>(1, kLarge));
+  EXPECT_EQ(budget_.leased(), share(2 * kLarge));
+  write_next(queue_);
+  EXPECT_EQ(budget_.leased(), share(kLarge));
+  write_next(queue_);
+  EXPECT_EQ(budget_.leased(), kOwn);
+}
+
+TEST_F(StreamQueueMemory, RepliesThatAreMadeCountThoughThereIsNoRoom) {
+  const auto others = budget_.try_take(3 * kLarge);
+  queue_.add(request("a"));
+  queue_.begin();
+  queue_.answer(1, reply(std::string(kLarge, 'x')));
+  EXPECT_EQ(budget_.leased(), share(4 * kLarge));
+  EXPECT_EQ(budget_.left(), 0U);
+  queue_.close();
+  EXPECT_EQ(budget_.leased(), share(3 * kLarge));
 }
 
 }  // namespace
