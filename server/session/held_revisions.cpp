@@ -45,14 +45,44 @@ bool HeldRevisions::contains(const std::string& id) const {
   return by_id_.contains(id);
 }
 
+HeldRevisions::Memory HeldRevisions::memory_of(const HeldRevision& revision) const {
+  return {own_memory(revision), blocks_of_(revision.revision)};
+}
+
+void HeldRevisions::count(const Memory& memory) {
+  bytes_ += memory.own;
+  for (const MemoryBlock& block : memory.blocks) {
+    Block& counted = blocks_[block.address];
+    if (counted.revisions++ > 0) continue;
+    counted.bytes = block.bytes;
+    bytes_ += block.bytes;
+  }
+}
+
+void HeldRevisions::discount(const Memory& memory) const {
+  bytes_ -= memory.own;
+  for (const MemoryBlock& block : memory.blocks) {
+    const auto counted = blocks_.find(block.address);
+    if (--counted->second.revisions > 0) continue;
+    bytes_ -= counted->second.bytes;
+    blocks_.erase(counted);
+  }
+}
+
+void HeldRevisions::discount_what_left() const {
+  std::erase_if(leaving_, [this](const Leaving& leaving) {
+    if (!leaving.revision.expired()) return false;
+    discount(leaving.memory);
+    return true;
+  });
+}
+
 HeldRevisions::Order::iterator HeldRevisions::drop(Order::iterator entry) {
-  const Revision& revision = (*entry)->revision;
-  bytes_ -= own_memory(**entry);
-  for (const MemoryBlock& block : blocks_of_(revision)) {
-    const auto held = blocks_.find(block.address);
-    if (--held->second > 0) continue;
-    blocks_.erase(held);
-    bytes_ -= block.bytes;
+  Memory memory = memory_of(**entry);
+  if (entry->use_count() > 1) {
+    leaving_.push_back({*entry, std::move(memory)});
+  } else {
+    discount(memory);
   }
   by_id_.erase((*entry)->record.id);
   return order_.erase(entry);
@@ -63,6 +93,7 @@ HeldRevisions::Order::iterator HeldRevisions::drop(Order::iterator entry) {
 void HeldRevisions::shrink(std::uint64_t most) {
   if (!evict_) return;
   const std::scoped_lock lock(mutex_);
+  discount_what_left();
   for (auto entry = order_.end(); bytes_ > most && entry != order_.begin();) {
     --entry;
     if (entry == order_.begin()) break;
@@ -73,17 +104,23 @@ void HeldRevisions::shrink(std::uint64_t most) {
 }
 
 void HeldRevisions::insert(HeldRevisionPtr revision) {
-  const std::uint64_t own = own_memory(*revision);
-  const std::vector<MemoryBlock> blocks = blocks_of_(revision->revision);
+  const Memory memory = memory_of(*revision);
   {
     const std::scoped_lock lock(mutex_);
+    discount_what_left();
+    std::erase_if(leaving_, [&](const Leaving& leaving) {
+      if (leaving.revision.lock() != revision) return false;
+      discount(leaving.memory);
+      return true;
+    });
     const std::string& id = revision->record.id;
-    if (const auto entry = by_id_.find(id); entry != by_id_.end()) drop(entry->second);
+    if (const auto entry = by_id_.find(id); entry != by_id_.end()) {
+      if (*entry->second == revision) return order_.splice(order_.begin(), order_, entry->second);
+      drop(entry->second);
+    }
     order_.push_front(std::move(revision));
     by_id_[order_.front()->record.id] = order_.begin();
-    bytes_ += own;
-    for (const MemoryBlock& block : blocks)
-      if (blocks_[block.address]++ == 0) bytes_ += block.bytes;
+    count(memory);
   }
   budget_.trim();
 }
@@ -99,6 +136,7 @@ std::size_t HeldRevisions::count() const {
 }
 std::uint64_t HeldRevisions::bytes() const {
   const std::scoped_lock lock(mutex_);
+  discount_what_left();
   return bytes_;
 }
 
@@ -106,9 +144,10 @@ std::uint64_t HeldRevisions::own_bytes(const std::string& id) const {
   const std::scoped_lock lock(mutex_);
   const auto entry = by_id_.find(id);
   if (entry == by_id_.end()) return 0;
-  std::uint64_t bytes = own_memory(**entry->second);
-  for (const MemoryBlock& block : blocks_of_((*entry->second)->revision))
-    if (blocks_.at(block.address) == 1) bytes += block.bytes;
+  const Memory memory = memory_of(**entry->second);
+  std::uint64_t bytes = memory.own;
+  for (const MemoryBlock& block : memory.blocks)
+    if (blocks_.at(block.address).revisions == 1) bytes += block.bytes;
   return bytes;
 }
 

@@ -18,7 +18,8 @@ namespace remeshd {
 
 /// A tenant's revisions in memory; what several have in common counts once. Where they can be read
 /// from the store again, those used longest ago go as soon as the budget asks for it: it bounds
-/// what all tenants hold. One that is in use stays, since its memory would too.
+/// what all tenants hold. One that is in use stays, since its memory would too; one that is erased
+/// counts for as long as somebody uses it.
 class HeldRevisions {
  public:
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
@@ -44,8 +45,24 @@ class HeldRevisions {
 
  private:
   using Order = std::list<HeldRevisionPtr>;  ///< used last in front
+  struct Memory {
+    std::uint64_t own = 0;
+    std::vector<MemoryBlock> blocks;
+  };
+  struct Block {
+    std::uint64_t bytes = 0;
+    std::size_t revisions = 0;  ///< that have it
+  };
+  struct Leaving {
+    std::weak_ptr<const HeldRevision> revision;
+    Memory memory;
+  };
 
+  [[nodiscard]] Memory memory_of(const HeldRevision& revision) const;
   Order::iterator drop(Order::iterator entry);
+  void count(const Memory& memory);
+  void discount(const Memory& memory) const;
+  void discount_what_left() const;
   void shrink(std::uint64_t most);
 
   MemoryBudget& budget_;
@@ -55,8 +72,10 @@ class HeldRevisions {
   mutable std::mutex mutex_;
   Order order_;
   std::unordered_map<std::string, Order::iterator> by_id_;
-  std::unordered_map<const void*, std::size_t> blocks_;  ///< how many revisions have one
-  std::uint64_t bytes_ = 0;
+  // Looking finds what has left meanwhile.
+  mutable std::vector<Leaving> leaving_;  ///< erased while in use
+  mutable std::unordered_map<const void*, Block> blocks_;
+  mutable std::uint64_t bytes_ = 0;
   const MemoryBudget::HolderId holder_;
 };
 

@@ -101,15 +101,55 @@ TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
   EXPECT_TRUE(held.contains("c"));
 }
 
-TEST(HeldRevisions, WhatIsInUseLivesOnAfterItWent) {
-  MemoryBudget budget(1);
+TEST(HeldRevisions, WhatIsErasedWhileInUseLivesOnAndCountsUntilNobodyUsesIt) {
+  MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
   held.insert(revision("a", 10));
-  const auto used = held.find("a");
+  const std::uint64_t bytes = held.bytes();
+  auto used = held.find("a");
   held.erase("a");
   EXPECT_EQ(held.count(), 0U);
-  EXPECT_EQ(held.bytes(), 0U);
   EXPECT_EQ(used->revision.delivery.mesh.nodes.size(), 10U);
+  EXPECT_EQ(held.bytes(), bytes);
+  used = nullptr;
+  EXPECT_EQ(held.bytes(), 0U);
+}
+
+TEST(HeldRevisions, OthersGiveWayForWhatIsErasedAndInUse) {
+  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  HeldRevisions held(budget, true, blocks_of);
+  held.insert(revision("a", 1000));
+  const auto used = held.find("a");
+  held.erase("a");
+  for (const char* id : {"b", "c", "d"}) held.insert(revision(id, 1000));
+  EXPECT_EQ(held.count(), 2U);
+  EXPECT_FALSE(held.contains("b"));
+}
+
+TEST(HeldRevisions, OneThatIsReplacedWhileInUseCountsBesideTheNew) {
+  MemoryBudget budget(1 << 20);
+  HeldRevisions held(budget, true, blocks_of);
+  held.insert(revision("a", 10));
+  const std::uint64_t bytes = held.bytes();
+  auto used = held.find("a");
+  held.insert(revision("a", 10));
+  EXPECT_EQ(held.bytes(), 2 * bytes);
+  used = nullptr;
+  EXPECT_EQ(held.bytes(), bytes);
+}
+
+TEST(HeldRevisions, TheSameOneInsertedAgainCountsOnce) {
+  MemoryBudget budget(1 << 20);
+  HeldRevisions held(budget, true, blocks_of);
+  const HeldRevisionPtr used = revision("a", 10);
+  held.insert(used);
+  const std::uint64_t bytes = held.bytes();
+  held.insert(used);
+  EXPECT_EQ(held.bytes(), bytes);
+  held.erase("a");
+  held.insert(used);
+  EXPECT_EQ(held.bytes(), bytes);
+  EXPECT_EQ(held.count(), 1U);
 }
 
 TEST(HeldRevisions, InsertedAgainCountOnce) {
@@ -130,7 +170,7 @@ TEST(HeldRevisions, TheDocumentOfAnEditCounts) {
 }
 
 TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
-  const HeldRevisionPtr parent = revision("a", 10000);
+  HeldRevisionPtr parent = revision("a", 10000);
   auto heir = std::make_shared<HeldRevision>(*parent);
   heir->record.id = "b";
   heir->revision.delivery.mesh.nodes.edit(17) = {1, 2, 3};
@@ -142,6 +182,8 @@ TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
   held.insert(heir);
   const std::uint64_t own = bytes_of(parent) - parent->revision.delivery.mesh.nodes.pages() * page;
   EXPECT_EQ(held.bytes(), alone + own + page);
+  parent = nullptr;
+  heir = nullptr;
   held.erase("a");
   EXPECT_EQ(held.bytes(), alone) << "what the heir has stays";
   held.erase("b");
