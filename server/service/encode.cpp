@@ -15,13 +15,17 @@ void put_time(std::int64_t ns, google::protobuf::Timestamp& out) {
 }
 
 v1::MeshOptions encode_options(const Revision& revision) {
+  MeshOptions options = revision.options;
+  if (!options.nodes && !options.size) options.size = revision.edge_length;
+  return encode(options);
+}
+
+}  // namespace
+
+v1::MeshOptions encode(const MeshOptions& options) {
   v1::MeshOptions out;
-  const MeshOptions& options = revision.options;
-  if (options.nodes) {
-    out.set_nodes(*options.nodes);
-  } else {
-    out.set_size(options.size.value_or(revision.edge_length));
-  }
+  if (options.nodes) out.set_nodes(*options.nodes);
+  if (options.size) out.set_size(*options.size);
   out.set_iterations(options.iterations);
   out.set_seed(options.seed);
   out.set_clean_up(options.clean_up);
@@ -32,8 +36,6 @@ v1::MeshOptions encode_options(const Revision& revision) {
   out.set_order(1);
   return out;
 }
-
-}  // namespace
 
 v1::RevisionInfo encode(const RevisionRecord& record, const PlaceRecord& place) {
   v1::RevisionInfo out;
@@ -76,19 +78,24 @@ v1::DesignPlace encode(const PlaceRecord& place) {
 
 v1::GetRevisionResponse encode(const Description& description, bool documents) {
   v1::GetRevisionResponse out;
-  const HeldRevision& held = *description.revision;
+  const HeldRevisionPtr& held = description.revision;
+  const std::string& edit = held ? held->edit : description.recipe->edit;
   *out.mutable_revision() = encode(description.record, description.place);
-  *out.mutable_model() = encode(held.revision.source);
-  if (!held.edit.empty()) *out.mutable_edit() = parse_edit(held.edit, {.bytes = held.edit.size()});
-  *out.mutable_options() = encode_options(held.revision);
-  *out.mutable_report() = encode_report(held);
-  out.mutable_report()->set_cached(true);
+  *out.mutable_model() = encode(held ? held->revision.source : description.recipe->model);
+  if (!edit.empty()) *out.mutable_edit() = parse_edit(edit, {.bytes = edit.size()});
+  if (held) {
+    *out.mutable_options() = encode_options(held->revision);
+    *out.mutable_report() = encode_report(*held);
+    out.mutable_report()->set_cached(true);
+  } else {
+    *out.mutable_options() = encode(description.recipe->options);
+  }
   for (const PlaceRecord& place : description.places) *out.add_places() = encode(place);
   for (const std::string& child : description.children) out.add_children(child);
   out.set_durable(description.durable);
   if (documents) {
     out.set_model_document(write_document(out.model()));
-    out.set_edit_document(held.edit);
+    out.set_edit_document(edit);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include "proto/document.h"
 #include "proto/json_writer.h"
+#include "server/service/encode.h"
 #include "server/service/encode_model.h"
 
 namespace remeshd {
@@ -29,21 +30,6 @@ v1::CacheEntry::State encode(MeshState state) {
       return v1::CacheEntry::STATE_OUTDATED;
   }
   return v1::CacheEntry::STATE_UNSPECIFIED;
-}
-
-v1::MeshOptions encode(const MeshOptions& options) {
-  v1::MeshOptions out;
-  if (options.nodes) out.set_nodes(*options.nodes);
-  if (options.size) out.set_size(*options.size);
-  out.set_iterations(options.iterations);
-  out.set_seed(options.seed);
-  out.set_clean_up(options.clean_up);
-  out.set_inside(options.inside == MeshOptions::Inside::ControlMesh ? v1::INSIDE_TEST_CONTROL_MESH
-                                                                    : v1::INSIDE_TEST_MEMBERSHIP);
-  out.set_start(options.start == MeshOptions::Start::Random ? v1::START_RANDOM : v1::START_LATTICE);
-  out.set_threshold(options.threshold);
-  out.set_order(1);
-  return out;
 }
 
 std::string document_of(const v1::Recipe& recipe, const std::string& edit) {

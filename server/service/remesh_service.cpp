@@ -193,13 +193,8 @@ class RawRemeshService final : public RawService {
   static void describe_for(const std::shared_ptr<UnaryCall>& call, Session& session,
                            const v1::GetRevisionRequest& request) {
     const Reference reference = session.resolve(request.revision());
-    session.fetch(reference.id, call->stop_token(),
-                  {.got =
-                       [call, &session, reference,
-                        documents = request.documents()](const HeldRevisionPtr& revision) {
-                         call->reply(encode(session.describe(reference, revision), documents));
-                       },
-                   .failed = [call](const Error& why) { call->fail(why); }});
+    const Run run{.stop = call->stop_token(), .on_progress = {}, .dumps = {}};
+    call->reply(encode(session.describe(reference, run), request.documents()));
   }
 
   static void remake_for(const std::shared_ptr<UnaryCall>& call, Session& session,

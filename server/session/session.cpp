@@ -80,10 +80,16 @@ HeldRevisionPtr Session::parent_of(const HeldRevision& revision, const Run& run)
   }
 }
 
-Description Session::describe(const Reference& reference, const HeldRevisionPtr& revision) {
+Description Session::describe(const Reference& reference, const Run& run) {
   Description description;
-  description.revision = revision;
-  description.record = description.revision->record;
+  try {
+    description.revision = archive_.at_hand(reference.id, run);
+    if (description.revision) description.record = description.revision->record;
+  } catch (const Error& why) {
+    // Its mesh is damaged, of an older algorithm, or larger than the memory that is left.
+    if (why.info().kind == ErrorKind::Cancelled || store_->recipe(reference.id).empty()) throw;
+  }
+  if (!description.revision) description.recipe = archive_.recipe(reference.id);
   store_->read([&](Catalogue& catalogue) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);

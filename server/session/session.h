@@ -19,7 +19,8 @@ namespace remeshd {
 
 /// A revision with all that is known of it.
 struct Description {
-  HeldRevisionPtr revision;
+  HeldRevisionPtr revision;      ///< null where its mesh has gone
+  std::optional<Recipe> recipe;  ///< in its place
   RevisionRecord record;
   PlaceRecord place;  ///< by which it was named, else its first
   std::vector<PlaceRecord> places;
@@ -91,8 +92,10 @@ class Session {
   /// The revision that another one was made of; null where there is none any more, or none that
   /// can be read.
   HeldRevisionPtr parent_of(const HeldRevision& revision, const Run& run);
-  /// Of a revision that `reference` resolves to.
-  Description describe(const Reference& reference, const HeldRevisionPtr& revision);
+  /// Of a revision that `reference` resolves to. A mesh that has gone is not made again for it. For
+  /// the lane of preparations. Throws Error: REVISION_NOT_FOUND, Cancelled, what is wrong with a
+  /// mesh that has no recipe.
+  Description describe(const Reference& reference, const Run& run);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
   /// Everything that is checked before a mesh is made, the limit on nodes too.

@@ -190,6 +190,22 @@ TEST_F(Cache, OfMemoryAloneARecipeIsToldToo) {
 }
 
 /// After an upgrade whose algorithm gives other meshes.
+TEST_F(Cache, ARevisionIsDescribedThoughItsMeshHasGone) {
+  const auto before = describe("plate@2");
+  collect(0);
+  start();
+  engine_.close_gate();  // to make it again would take for ever
+  auto now = describe("plate@2");
+  engine_.open_gate();
+  EXPECT_FALSE(now.has_report());
+  EXPECT_EQ(now.revision().SerializeAsString(), before.revision().SerializeAsString());
+  EXPECT_EQ(now.model().SerializeAsString(), before.model().SerializeAsString());
+  EXPECT_EQ(now.edit().SerializeAsString(), before.edit().SerializeAsString());
+  EXPECT_EQ(now.options().iterations(), before.options().iterations());
+  EXPECT_EQ(now.places_size(), 1);
+  EXPECT_THAT(now.children(), ElementsAre(ids_[2]));
+}
+
 class CacheOfYesterday : public Cache {
  protected:
   [[nodiscard]] Engine make_engine() const override {
@@ -211,11 +227,16 @@ TEST_F(CacheOfYesterday, ALostMeshIsOutdatedAndRemadeAsANewRevision) {
   stop();
   for (int n = 1; n <= 3; ++n) fs::remove(pack(n));
   version_ = 14;
+  const auto kept = describe("plate@3");
+  EXPECT_EQ(kept.revision().id(), ids_[2]);
+  EXPECT_FALSE(kept.has_report());
   grpc::ClientContext context;
-  v1::GetRevisionRequest request;
+  v1::GetMeshRequest request;
   request.set_revision("plate@3");
-  v1::GetRevisionResponse described;
-  const auto status = stub().GetRevision(&context, request, &described);
+  const auto reader = stub().GetMesh(&context, request);
+  v1::GetMeshResponse message;
+  EXPECT_FALSE(reader->Read(&message));
+  const auto status = reader->Finish();
   EXPECT_EQ(status.error_code(), StatusCode::FAILED_PRECONDITION);
   EXPECT_EQ(detail(status).reason(), v1::Error::REVISION_OUTDATED);
   EXPECT_THAT(detail(status).hint(), HasSubstr("remesh remake"));

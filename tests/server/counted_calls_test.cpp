@@ -75,7 +75,7 @@ TEST_F(CountedCalls, TellWhereRevisionsCameFromAndWhichWentForWantOfRoom) {
   v1::CollectGarbageResponse collected;
   EXPECT_TRUE(v1::CacheService::NewStub(channel_)->CollectGarbage(&context, all, &collected).ok());
   text_with(gone + "\"disk\"} " + std::to_string(collected.meshes()));
-  for (int n = 1; n <= plates; ++n) describe("plate@" + std::to_string(n));
+  for (int n = 1; n <= plates; ++n) mesh_bytes("plate@" + std::to_string(n));
   EXPECT_TRUE(tells(requests + "\"remade\"}"));
 }
 

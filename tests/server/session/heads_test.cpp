@@ -245,8 +245,7 @@ TEST_F(HeadsTest, TheRecordTellsRootAndVersionAndOutlivesTheDaemon) {
   edit.document = R"({"edits": []})";
   const Made second = ask(edit).made();
   start_with_store();
-  const RevisionRecord record =
-      session_->describe(session_->resolve("plate"), session_->get("plate", {})).record;
+  const RevisionRecord record = session_->describe(session_->resolve("plate"), {}).record;
   EXPECT_EQ(record, second.filed.record);
   EXPECT_EQ(record.root, first.filed.record.id);
   EXPECT_EQ(record.algorithm_version, 7U);
