@@ -35,8 +35,6 @@ int run(const Configuration& configuration) {
   if (configuration.task == Task::PrintConfig) {
     std::fputs(remeshd::print_config(configuration.settings).c_str(), stdout);
   } else if (configuration.task == Task::CheckConfig) {
-    for (const std::string& warning : configuration.warnings)
-      std::fprintf(stderr, "remeshd: %s\n", warning.c_str());
     std::puts("OK");
   } else {
     remeshd::serve(configuration, remeshd::production_engine());

@@ -52,7 +52,6 @@ Configuration read_configuration(std::vector<std::string> arguments,
   out.health_service = command_line.health_service;
   if (out.answer) return out;
   const Environment variables = read_environment(environment);
-  out.warnings = variables.warnings;
   const std::string& file =
       command_line.config_file.empty() ? variables.config_file : command_line.config_file;
   if (!file.empty()) set_all(read_config_file(file), out.settings);

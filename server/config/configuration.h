@@ -12,7 +12,6 @@ namespace remeshd {
 struct Configuration {
   Task task = Task::Serve;
   Settings settings;
-  std::vector<std::string> warnings;
   std::string health_address;  ///< as CommandLine has them
   std::string health_service;
   std::optional<std::string> answer;  ///< as CommandLine::answer

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <regex>
 #include <string_view>
 
 #include "server/config/config_error.h"
@@ -15,13 +16,18 @@ constexpr std::string_view kPrefix = "REMESHD_";
 constexpr std::string_view kConfig = "REMESHD_CONFIG";
 constexpr std::string_view kHelper = "REMESHD_TETGEN";  // read where the helper is started
 
-bool is_of_kubernetes(std::string_view name) {
-  return name == "REMESHD_PORT" || name.starts_with("REMESHD_PORT_") ||
-         name.starts_with("REMESHD_SERVICE_");
+/// Whether Kubernetes makes it, or a link between containers, for a service whose name begins with
+/// `remeshd`.
+bool is_of_a_service(const std::string& name) {
+  static const std::regex shape(
+      "REMESHD(_[A-Z0-9_]+)?_(SERVICE_HOST|SERVICE_PORT(_[A-Z0-9_]+)?|"
+      "PORT(_[0-9]+_(TCP|UDP|SCTP)(_(PROTO|PORT|ADDR))?)?)");
+  return std::regex_match(name, shape);
 }
 
-/// Of an unknown variable. The prefix, which all have in common, would make all of them similar.
-std::string warning(const std::string& name) {
+/// What is wrong with an unknown variable. The prefix, which all have in common, would make all of
+/// them similar.
+ConfigError unknown(const std::string& name) {
   std::vector<std::string> endings;
   for (std::string& known : option_names(&Option::variable))
     endings.push_back(known.substr(kPrefix.size()));
@@ -29,7 +35,7 @@ std::string warning(const std::string& name) {
     endings.emplace_back(known.substr(kPrefix.size()));
   std::string nearest = nearest_name(name.substr(kPrefix.size()), endings);
   if (!nearest.empty()) nearest = "; did you mean `" + std::string(kPrefix) + nearest + "`?";
-  return "environment: " + name + " is unknown" + nearest;
+  return ConfigError("environment: " + name + " is unknown" + nearest);
 }
 
 }  // namespace
@@ -50,7 +56,7 @@ Environment read_environment(const std::vector<std::string>& settings) {
     const auto option = std::find_if(table.begin(), table.end(),
                                      [&](const Option& each) { return each.variable() == name; });
     if (option == table.end()) {
-      if (!is_of_kubernetes(name)) out.warnings.push_back(warning(name));
+      if (!is_of_a_service(name)) throw unknown(name);
       continue;
     }
     try {

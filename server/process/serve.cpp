@@ -44,7 +44,6 @@ void end_within(double seconds, Log& log) {
 }
 
 void warn_of_risks(const Configuration& configuration, spdlog::logger& log) {
-  for (const std::string& warning : configuration.warnings) log.warn(warning);
   const Settings& settings = configuration.settings;
   for (const std::string& address : settings.daemon.listen)
     if (!settings.daemon.tls.mutual() && !parse_listen_address(address).is_loopback())

@@ -42,10 +42,11 @@ TEST_F(ConfigFolder, IsCheckedWithoutServing) {
   EXPECT_EQ(answer_to({"--listen", "0", "--check-config"}).exit_code, 1);
 }
 
-TEST_F(ConfigFolder, TellsOfAnUnknownVariableAndIsStillRight) {
+TEST_F(ConfigFolder, IsNotRightWithAnUnknownVariable) {
   const Answer answer = answer_to({"--check-config"}, {"REMESHD_MAX_NODE=5"});
-  EXPECT_THAT(answer.text, HasSubstr("REMESHD_MAX_NODE is unknown"));
-  EXPECT_EQ(answer.exit_code, 0);
+  EXPECT_THAT(answer.text,
+              HasSubstr("REMESHD_MAX_NODE is unknown; did you mean `REMESHD_MAX_NODES`?"));
+  EXPECT_EQ(answer.exit_code, 1);
 }
 
 TEST_F(ConfigFolder, IsPrintedAsAFileThatIsPrintedTheSame) {

@@ -5,7 +5,6 @@
 namespace remeshd::test {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 TEST(EnvironmentVariables, GiveOptionsByTheirNames) {
@@ -23,24 +22,27 @@ TEST(EnvironmentVariables, WithAWrongValueAreRefusedByName) {
             "REMESHD_WORKERS: -1 is less than 0");
 }
 
-TEST(EnvironmentVariables, ThatAreUnknownWarnAndSuggestTheNearestOne) {
-  EXPECT_THAT(read_environment({"REMESHD_MAX_NODE=5", "REMESHD_ZEBRA=1"}).warnings,
-              ElementsAre("environment: REMESHD_MAX_NODE is unknown; did you mean "
-                          "`REMESHD_MAX_NODES`?",
-                          "environment: REMESHD_ZEBRA is unknown"));
+TEST(EnvironmentVariables, ThatAreUnknownAreRefusedWithTheNearestOne) {
+  EXPECT_EQ(complaint([] { read_environment({"REMESHD_MAX_NODE=5"}); }),
+            "environment: REMESHD_MAX_NODE is unknown; did you mean `REMESHD_MAX_NODES`?");
+  EXPECT_EQ(complaint([] { read_environment({"REMESHD_ZEBRA=1"}); }),
+            "environment: REMESHD_ZEBRA is unknown");
+  EXPECT_NE(complaint([] { read_environment({"REMESHD_PORT_FIL=/x"}); }), "");
 }
 
 TEST(EnvironmentVariables, WithoutAValueCountAsNotSet) {
   const auto environment = read_environment({"REMESHD_STORE=", "REMESHD_WORKERS="});
   EXPECT_THAT(environment.given, IsEmpty());
-  EXPECT_THAT(environment.warnings, IsEmpty());
 }
 
-TEST(EnvironmentVariables, OfTheHelperAndOfKubernetesArePassedOver) {
+TEST(EnvironmentVariables, OfTheHelperAndOfServicesArePassedOver) {
   EXPECT_THAT(
       read_environment({"REMESHD_TETGEN=/x", "REMESHD_PORT=tcp://10.0.0.1:50051",
-                        "REMESHD_PORT_50051_TCP_ADDR=10.0.0.1", "REMESHD_SERVICE_HOST=10.0.0.1"})
-          .warnings,
+                        "REMESHD_PORT_50051_TCP=tcp://10.0.0.1:50051",
+                        "REMESHD_PORT_50051_TCP_ADDR=10.0.0.1", "REMESHD_SERVICE_HOST=10.0.0.1",
+                        "REMESHD_SERVICE_PORT_GRPC=50051", "REMESHD_BLUE_SERVICE_HOST=10.0.0.2",
+                        "REMESHD_BLUE_PORT=tcp://10.0.0.2:50051"})
+          .given,
       IsEmpty());
 }
 
