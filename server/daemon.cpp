@@ -194,6 +194,9 @@ struct Daemon::Parts {
     tenants.on_store_health([this](const std::set<std::string>& unhealthy) {
       readiness.set("store", why_not_stored(unhealthy));
     });
+    tenants.on_memory_full([this](bool full) {
+      readiness.set("memory", full ? "revisions fill it, and there is no store" : "");
+    });
     readiness.on_change(
         [this, health, was_ready = true](bool ready, const std::string& why_not) mutable {
           health->SetServingStatus("remesh.v1.RemeshService", ready);
@@ -274,6 +277,7 @@ void Daemon::shutdown(double grace) {
     if (parts_->desk->metrics) parts_->desk->metrics->set_source("daemon", {});
     if (parts_->connections) parts_->connections->stop();
     parts_->tenants.on_store_health({});
+    parts_->tenants.on_memory_full({});
     parts_->readiness.on_change({});
     if (auto* health = parts_->server->GetHealthCheckService()) health->Shutdown();
     // First the sessions: their answers still reach their clients. What then is left are idle

@@ -16,6 +16,7 @@ struct BudgetHolder {
   std::function<std::uint64_t()> bytes;  ///< that it has
   /// Has it give way until it has no more than `most`, as far as it can.
   std::function<void(std::uint64_t most)> shrink;
+  bool gives_way = true;  ///< false: what it has stays until somebody deletes it
 };
 
 }  // namespace remeshd

@@ -6,8 +6,10 @@
 
 namespace remeshd {
 
-FreedMemory::FreedMemory(MemoryBudget::Process process)
-    : process_(std::move(process)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
+FreedMemory::FreedMemory(MemoryBudget::Process process, std::function<void()> also)
+    : process_(std::move(process)),
+      also_(std::move(also)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 void FreedMemory::look() {
   if (process_.resident() < resident_ + limits::kReturnGrowth) return;
@@ -18,8 +20,10 @@ void FreedMemory::look() {
 void FreedMemory::run(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!stopping_.wait_for(lock, stop, limits::kReturnInterval, [] { return false; }) &&
-         !stop.stop_requested())
+         !stop.stop_requested()) {
     look();
+    also_();
+  }
 }
 
 }  // namespace remeshd

@@ -67,6 +67,21 @@ std::uint64_t MemoryBudget::reclaim(std::uint64_t most) {
 void MemoryBudget::trim() {
   const std::scoped_lock lock(mutex_);
   reclaim(std::min(most_held_, unleased()));
+  tell_full();
+}
+
+void MemoryBudget::on_full(std::function<void(bool)> listener) {
+  const std::scoped_lock lock(mutex_);
+  full_listener_ = std::move(listener);
+  if (full_listener_) full_listener_(full_);
+}
+
+void MemoryBudget::tell_full() {
+  std::uint64_t staying = 0;
+  for (const auto& [id, holder] : holders_)
+    if (!holder.gives_way) staying += holder.bytes();
+  const bool full = staying > 0 && staying >= most_held_;
+  if (std::exchange(full_, full) != full && full_listener_) full_listener_(full);
 }
 
 bool MemoryBudget::take_now(std::uint64_t bytes) {

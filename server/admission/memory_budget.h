@@ -69,9 +69,13 @@ class MemoryBudget {
   using HolderId = std::uint64_t;
   HolderId add_holder(BudgetHolder holder);
   void remove_holder(HolderId id);
-  /// Has the holders give way where together they have more than they may; for one that took more,
-  /// which must not lock now what its functions lock.
+  /// Has the holders give way where together they have more than they may; for one that has more or
+  /// less than before, which must not lock now what its functions lock.
   void trim();
+  /// Hears now and at every change whether holders that do not give way have all that revisions
+  /// may have: nothing more can be made until some of it is deleted. It must not use the budget;
+  /// empty: nobody.
+  void on_full(std::function<void(bool full)> listener);
 
   /// Before anything is leased: the revisions held give way too where the process would pass the
   /// budget, though the estimates do not. Nothing is refused for that.
@@ -102,6 +106,7 @@ class MemoryBudget {
   void keep_process_within(std::uint64_t bytes);
   void give_back(std::uint64_t bytes);
   void count(std::uint64_t bytes);
+  void tell_full();
   [[nodiscard]] Error full_now();
 
   const std::uint64_t total_, most_held_;
@@ -112,6 +117,8 @@ class MemoryBudget {
   std::condition_variable_any returned_;
   std::uint64_t leased_ = 0;
   Jitter jitter_;
+  bool full_ = false;
+  std::function<void(bool)> full_listener_;
 };
 
 }  // namespace remeshd

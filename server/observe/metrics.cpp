@@ -86,10 +86,14 @@ std::vector<MetricFamily> Metrics::Parts::Collect() const {
     out.push_back(std::move(depth));
   }
   add(out, "remeshd_computations_running", "Computations at work", now.computations_running);
-  add(out, "remeshd_memory_bytes", "Memory of the revisions held", now.memory_bytes);
-  add(out, "remeshd_memory_budget_bytes", "Memory that they may have", now.memory_budget_bytes);
-  add(out, "remeshd_disk_bytes", "Bytes of the revisions stored", now.disk_bytes);
-  add(out, "remeshd_disk_budget_bytes", "Bytes that they may have", now.disk_budget_bytes);
+  add(out, "remeshd_memory_bytes",
+      "Bytes of memory that revisions held, computations, loads and streams take",
+      now.memory_bytes);
+  add(out, "remeshd_memory_budget_bytes", "Bytes of memory that they may take",
+      now.memory_budget_bytes);
+  add(out, "remeshd_disk_bytes", "Bytes that the revisions stored take on the disk",
+      now.disk_bytes);
+  add(out, "remeshd_disk_budget_bytes", "Bytes that they may take", now.disk_budget_bytes);
   add(out, "remeshd_revisions", "Revisions in the catalogue", now.revisions);
   add(out, "remeshd_connections", "Connections that are open", now.connections);
   add(out, "remeshd_streams", "Streams that are open", now.streams);

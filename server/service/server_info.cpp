@@ -23,10 +23,12 @@ void put_limits(const Session& session, const ServerFacts& facts, const RequestL
   out.set_workers(count_of(limits.workers));
   out.set_queue(count_of(limits.queue));
   out.set_queue_seconds(limits.wait);
+  out.set_compute_seconds(limits.compute);
   out.set_connections(facts.connections);
   out.set_streams(facts.streams);
   out.set_stream_requests(count_of(StreamQueue::Limits{}.requests));
   out.set_memory_bytes(limits.memory);
+  out.set_disk_bytes(limits.disk);
 }
 
 void put_load(Session& session, const ServerFacts& facts, v1::ServerLoad& out) {
@@ -38,7 +40,7 @@ void put_load(Session& session, const ServerFacts& facts, v1::ServerLoad& out) {
   out.set_revisions(load.revisions);
   out.set_designs(load.designs);
   out.set_cached_revisions(count_of(load.held));
-  out.set_memory_bytes(load.held_bytes);
+  out.set_memory_bytes(load.memory_bytes);
   out.set_disk_bytes(load.disk_bytes);
   out.set_persistent(session.persistent());
 }
@@ -53,7 +55,8 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   out.set_algorithm_version(session.algorithm_version());
   out.mutable_started()->set_seconds(
       std::chrono::duration_cast<std::chrono::seconds>(facts.started.time_since_epoch()).count());
-  out.set_ready(facts.readiness == nullptr || facts.readiness->ready());
+  if (facts.readiness != nullptr) out.set_not_ready(facts.readiness->why_not());
+  out.set_ready(out.not_ready().empty());
   for (const auto capability :
        {v1::ServerCapabilities::CAPABILITY_MESH_DELTA, v1::ServerCapabilities::CAPABILITY_REMAKE,
         v1::ServerCapabilities::CAPABILITY_CACHE})

@@ -28,7 +28,8 @@ HeldRevisions::HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks bloc
       blocks_of_(std::move(blocks_of)),
       evicted_(std::move(evicted)),
       holder_(budget_.add_holder({.bytes = [this] { return bytes(); },
-                                  .shrink = [this](std::uint64_t most) { shrink(most); }})) {}
+                                  .shrink = [this](std::uint64_t most) { shrink(most); },
+                                  .gives_way = evict})) {}
 
 HeldRevisions::~HeldRevisions() { budget_.remove_holder(holder_); }
 
@@ -126,8 +127,13 @@ void HeldRevisions::insert(HeldRevisionPtr revision) {
 }
 
 void HeldRevisions::erase(const std::string& id) {
-  const std::scoped_lock lock(mutex_);
-  if (const auto entry = by_id_.find(id); entry != by_id_.end()) drop(entry->second);
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto entry = by_id_.find(id);
+    if (entry == by_id_.end()) return;
+    drop(entry->second);
+  }
+  budget_.trim();
 }
 
 std::size_t HeldRevisions::count() const {

@@ -46,7 +46,8 @@ Resources::Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metric
                     .niceness = limits::kComputationNiceness,
                     .waited = counts_waits(Lane::Computation, metrics_.get())}),
       admission_(computation_),
-      freed_memory_({resident_bytes, return_freed_memory}) {
+      // What a reader kept may have gone without a word to the budget.
+      freed_memory_({resident_bytes, return_freed_memory}, [this] { memory_.trim(); }) {
   memory_.set_process({resident_bytes, return_freed_memory});
 }
 

@@ -48,6 +48,10 @@ class Tenants {
   using HealthListener = std::function<void(const std::set<std::string>& unhealthy)>;
   /// Has `listener` hear of them now and at every change. It must not call back; empty: nobody.
   void on_store_health(HealthListener listener);
+  /// As MemoryBudget::on_full.
+  void on_memory_full(std::function<void(bool full)> listener) {
+    resources_.memory().on_full(std::move(listener));
+  }
 
   /// Answers whatever is under way with Unavailable, and returns when every thread has come to
   /// rest. No session is opened any more.

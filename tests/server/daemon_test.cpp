@@ -4,7 +4,9 @@
 #include <spdlog/logger.h>
 #include <spdlog/sinks/ostream_sink.h>
 
+#include <future>
 #include <sstream>
+#include <thread>
 
 #include "engine/base/error.h"
 #include "tests/server/daemon_fixture.h"
@@ -149,6 +151,8 @@ TEST_F(Daemons, TellTheirLimitsAndLoad) {
   EXPECT_EQ(about.load().cached_revisions(), 1U);
   EXPECT_GT(about.load().memory_bytes(), 100U * 24);
   EXPECT_EQ(about.limits().memory_bytes(), 123U << 20);
+  EXPECT_EQ(about.limits().compute_seconds(), 600);
+  EXPECT_EQ(about.limits().disk_bytes(), 0U);
   EXPECT_EQ(about.limits().connections(), 1024U);
   EXPECT_EQ(about.limits().streams(), 256U);
   EXPECT_EQ(about.limits().nodes(), 5000000U);
@@ -156,6 +160,42 @@ TEST_F(Daemons, TellTheirLimitsAndLoad) {
   EXPECT_EQ(about.load().disk_bytes(), 0U);
   EXPECT_FALSE(about.load().persistent());
   EXPECT_FALSE(about.version().empty());
+}
+
+TEST_F(Daemons, AreNotReadyWhileRevisionsThatCannotGoFillTheMemory) {
+  options_.cache = 1;
+  const auto first = create(plate());
+  auto about = info();
+  EXPECT_FALSE(about.ready());
+  EXPECT_EQ(about.not_ready(), "memory: revisions fill it, and there is no store");
+  EXPECT_TRUE(remove(first.revision().id(), true).ok());
+  EXPECT_TRUE(info().ready());
+}
+
+TEST_F(Daemons, AreReadyThoughMemoryIsFullOfWhatAStoreHasToo) {
+  use_store();
+  options_.cache = 1;
+  create(plate());
+  EXPECT_TRUE(info().ready());
+}
+
+TEST_F(Daemons, AreReadyThoughTheQueueIsFull) {
+  options_.workers = 1;
+  options_.queue = 1;
+  start();
+  engine_.close_gate();
+  std::vector<std::future<grpc::Status>> calls;
+  for (int n = 0; n < 2; ++n)
+    calls.push_back(std::async(std::launch::async, [this, n] {
+      v1::RevisionResult reply;
+      return try_create(create_request(plate(5 + n)), &reply);
+    }));
+  while (info().load().queued() < 1) std::this_thread::yield();
+  v1::RevisionResult reply;
+  EXPECT_EQ(detail(try_create(create_request(plate(9)), &reply)).reason(), v1::Error::BUSY);
+  EXPECT_TRUE(info().ready());
+  engine_.open_gate();
+  for (auto& call : calls) EXPECT_TRUE(call.get().ok());
 }
 
 TEST_F(Daemons, TellFeatureTypes) {

@@ -55,6 +55,23 @@ TEST(MemoryBudget, WhatIsThereAlreadyCountsThoughThereIsNoRoom) {
   EXPECT_TRUE(budget.try_take(80));
 }
 
+TEST(MemoryBudget, TellsWhetherWhatDoesNotGiveWayHasAllThatMayBeHeld) {
+  MemoryBudget budget(100, 50);
+  std::uint64_t giving = 60, staying = 49;
+  budget.add_holder(holder_of(giving));
+  budget.add_holder({.bytes = [&] { return staying; }, .shrink = [](auto) {}, .gives_way = false});
+  std::vector<bool> heard;
+  budget.on_full([&](bool full) { heard.push_back(full); });
+  budget.trim();
+  EXPECT_EQ(heard, std::vector{false}) << "at first, and no change since";
+  staying = 50;
+  budget.trim();
+  budget.trim();
+  staying = 10;
+  budget.trim();
+  EXPECT_EQ(heard, (std::vector{false, true, false}));
+}
+
 TEST(MemoryBudget, RevisionsHeldGiveWay) {
   MemoryBudget budget(100);
   std::uint64_t held = 90;
