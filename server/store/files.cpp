@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -122,6 +123,22 @@ void write_durably(const std::filesystem::path& file, const std::function<void(F
     throw;
   }
   sync_folder(file.parent_path());
+}
+
+bool is_scratch_name(std::string_view name) {
+  // Two numbers or three: earlier versions went without the random one.
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && (text == "0" || text.front() != '0') &&
+           std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  std::size_t numbers = 0;
+  for (;;) {
+    const std::size_t end = std::min(name.find('-'), name.size());
+    if (!is_number(name.substr(0, end))) return false;
+    ++numbers;
+    if (end == name.size()) return numbers == 2 || numbers == 3;
+    name.remove_prefix(end + 1);
+  }
 }
 
 void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,

@@ -52,6 +52,9 @@ void write_durably(const std::filesystem::path& file, const std::function<void(F
                    const std::filesystem::path& scratch,
                    std::optional<std::int64_t> time_ns = std::nullopt);
 
+/// Whether a file in `scratch` may be called so by `write_durably`, of this version or before.
+bool is_scratch_name(std::string_view name);
+
 /// Writes a file that is not there at its place, with `time_ns` (since 1970) for the time of its
 /// last change. File and `folders`, in which names are new, are synced at the same time. Until that
 /// is done a crash may leave anything there. Where it throws, the file is removed, and what the

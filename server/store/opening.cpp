@@ -27,13 +27,6 @@ void make_folders(const fs::path& folder) {
   make_folder(folder);
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  return files;
-}
-
 /// Collects what it opens as it goes.
 class Opening {
  public:
@@ -43,6 +36,7 @@ class Opening {
  private:
   void open(double wait);
   void lock_folder(double wait);
+  void sort_scratch(const fs::path& scratch, Quarantine& quarantine);
   void load(const std::vector<Transaction>& transactions);
   void adopt_unknown_packs(Quarantine& quarantine);
   void enter_again(const PackHead& head, std::map<std::string, std::string>& heads);
@@ -58,8 +52,8 @@ void Opening::open(double wait) {
   const FolderKind kind = look_at_folder(folder_);
   for (const char* name : {"tmp", "packs"}) make_folder(folder_ / name);
   const fs::path scratch = folder_ / "tmp";
-  opened_.old_scratch = files_in(scratch);
   Quarantine quarantine(folder_ / "quarantine", scratch);
+  sort_scratch(scratch, quarantine);
   if (kind != FolderKind::Store) {
     if (kind == FolderKind::Unmarked && fs::exists(folder_ / "FORMAT"))
       quarantine.take(folder_ / "FORMAT", "it was damaged");
@@ -115,6 +109,18 @@ void Opening::lock_folder(double wait) {
     if (steady_clock::now() >= until) throw error::store_locked(folder_.string());
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+}
+
+/// What earlier processes were writing is deleted later on, and nothing else.
+void Opening::sort_scratch(const fs::path& scratch, Quarantine& quarantine) {
+  std::vector<fs::path> strangers;
+  for (const auto& entry : fs::directory_iterator(scratch)) {
+    const bool file = entry.is_regular_file() && !entry.is_symlink();
+    const bool ours = file && is_scratch_name(entry.path().filename().string());
+    (ours ? opened_.old_scratch : strangers).push_back(entry.path());
+  }
+  std::ranges::sort(strangers);
+  for (const fs::path& stranger : strangers) quarantine.take(stranger, "no store was writing it");
 }
 
 void Opening::load(const std::vector<Transaction>& transactions) {

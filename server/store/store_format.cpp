@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/base/error.h"
+#include "server/store/bare_store.h"
 #include "server/store/checked_line.h"
 #include "server/store/files.h"
 #include "server/store/journal_line.h"
@@ -21,12 +22,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kMark = "remeshd";
-
-// What stores of any version up to this one have in their folder. `lost+found` is a file system's.
-const std::set<std::string> kOurs{
-    "FORMAT",       "journal.a",        "journal.b",       "lock",    "packs",
-    "tmp",          "quarantine",       "tenants",         "journal", "objects",
-    "index.sqlite", "index.sqlite-wal", "index.sqlite-shm"};
 
 std::optional<int> read_format(const fs::path& file) {
   if (!fs::is_regular_file(file)) return std::nullopt;
@@ -77,36 +72,6 @@ bool has_journal(const fs::path& folder) {
   return false;
 }
 
-bool has_files(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return false;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory()) return true;
-  return false;
-}
-
-/// Whether a folder `tenants` has nothing but stores.
-bool has_stores_only(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_directory()) return false;
-    try {
-      look_at_folder(entry.path());
-    } catch (const Error& failure) {
-      if (failure.info().reason != "STORE_FOREIGN") throw;
-      return false;
-    }
-  }
-  return true;
-}
-
-/// A store in which nothing was stored: names of ours, and nothing in them but tenants' stores.
-bool is_bare(const fs::path& folder, const std::set<std::string>& names) {
-  if (!std::includes(kOurs.begin(), kOurs.end(), names.begin(), names.end())) return false;
-  for (const char* journal : {"journal", "journal.a", "journal.b"})
-    if (names.contains(journal) && fs::file_size(folder / journal) > 0) return false;
-  if (names.contains("tenants") && !has_stores_only(folder / "tenants")) return false;
-  return !has_files(folder / "packs") && !has_files(folder / "objects");
-}
-
 }  // namespace
 
 FolderKind look_at_folder(const fs::path& folder) {
@@ -115,7 +80,7 @@ FolderKind look_at_folder(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder))
       names.insert(entry.path().filename().string());
     names.erase("lost+found");
-    names.erase("lock");
+    if (is_empty_file(folder / "lock")) names.erase("lock");
     if (names.empty()) return FolderKind::Empty;
     if (const auto version = read_format(folder / "FORMAT")) {
       if (*version > kStoreVersion)
@@ -127,16 +92,19 @@ FolderKind look_at_folder(const fs::path& folder) {
         throw error::store_newer(folder.string(), *version, kStoreVersion);
       return FolderKind::Unmarked;
     }
-    if (has_journal(folder) || is_bare(folder, names)) return FolderKind::Unmarked;
+    if (has_journal(folder) || is_bare_store(folder)) return FolderKind::Unmarked;
     throw error::store_foreign(folder.string(), *names.begin());
   } catch (const fs::filesystem_error& failure) {
     throw error::store_failed("reading", folder.string(), failure.code().value());
   }
 }
 
+std::string format_text(int version) {
+  return checked_line(json{{"store", kMark}, {"version", version}}.dump());
+}
+
 void write_format(const fs::path& folder, const fs::path& scratch) {
-  write_durably(folder / "FORMAT",
-                checked_line(json{{"store", kMark}, {"version", kStoreVersion}}.dump()), scratch);
+  write_durably(folder / "FORMAT", format_text(kStoreVersion), scratch);
 }
 
 }  // namespace remeshd

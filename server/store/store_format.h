@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace remeshd {
 
@@ -23,6 +24,9 @@ enum class FolderKind {
 /// Throws Error: `STORE_FOREIGN` for a folder that holds something else, `STORE_NEWER` for a store
 /// of a newer version, `STORE_FAILED`.
 FolderKind look_at_folder(const std::filesystem::path& folder);
+
+/// What FORMAT holds in a store of that version.
+std::string format_text(int version);
 
 /// Writes FORMAT. Throws Error(STORE_FAILED, STORE_FULL).
 void write_format(const std::filesystem::path& folder, const std::filesystem::path& scratch);

@@ -156,6 +156,23 @@ TEST_F(FirstLayoutTest, ADamagedObjectGoesToTheQuarantine) {
   EXPECT_THAT(store.notes(), testing::Contains(testing::HasSubstr("it is damaged")));
 }
 
+TEST_F(FirstLayoutTest, AStoreInWhichNothingWasStoredIsKnownByItsIndex) {
+  const std::string table =
+      "CREATE TABLE meta(key TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID";
+  for (const char* with_table : {"index.sqlite", "index.sqlite-wal"}) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "objects" / "tmp");
+    write(folder_ / "journal", "");
+    write(folder_ / "lock", "");
+    for (const char* name : {"index.sqlite", "index.sqlite-wal", "index.sqlite-shm"})
+      write(folder_ / name, "bytes of SQLite" + (name == std::string(with_table) ? table : ""));
+    { const Store store(folder_); }
+    EXPECT_FALSE(fs::exists(folder_ / "objects"));
+    EXPECT_FALSE(fs::exists(folder_ / "index.sqlite"));
+    EXPECT_TRUE(fs::exists(folder_ / "FORMAT"));
+  }
+}
+
 TEST_F(FirstLayoutTest, WhatAnOlderProgramLeftInAStoreOfTodayIsTakenIn) {
   {
     Store store(folder_);

@@ -74,6 +74,49 @@ TEST_F(StoreFormat, AFolderWithAJournalOfAnotherProgramIsRefused) {
   expect_refused("STORE_FOREIGN");
 }
 
+TEST_F(StoreFormat, AFolderWithSomebodysFilesUnderNamesOfOursIsRefused) {
+  for (const char* file : {"tmp/letter.txt", "tmp/12-34", "tmp/more/letter.txt",
+                           "quarantine/letter.txt", "packs/x", "objects/x", "journal.a", "lock",
+                           "FORMAT", "reserve", "index.sqlite", "index.sqlite-wal"}) {
+    SCOPED_TRACE(file);
+    write(folder_ / file, "somebody's");
+    expect_refused("STORE_FOREIGN");
+    fs::create_directories(folder_ / "objects");
+    expect_refused("STORE_FOREIGN");
+    fs::remove_all(folder_);
+    fs::create_directory(folder_);
+  }
+  fs::create_symlink("/dev/null", folder_ / "lock");
+  expect_refused("STORE_FOREIGN");
+}
+
+TEST_F(StoreFormat, AFirstOpeningThatACrashCutOffGoesOn) {
+  const std::string line = format_line(2);
+  const std::vector<std::string> on_the_disk{"", line.substr(0, 9), line,
+                                             std::string(line.size(), '\0')};
+  for (const std::string& bytes : on_the_disk) {
+    fs::remove_all(folder_);
+    write(folder_ / "lock", "");
+    fs::create_directories(folder_ / "packs");
+    write(folder_ / "tmp" / "123-4567890-0", bytes);
+    Store store(folder_);
+    EXPECT_TRUE(store.notes().empty());
+    file(store, 1);
+    EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+  }
+}
+
+TEST_F(StoreFormat, ADamagedFormatMayHaveBeenPutAwayBeforeACrash) {
+  make_store(0);
+  fs::remove(folder_ / "journal.a");
+  fs::remove(folder_ / "journal.b");
+  write(folder_ / "FORMAT", "damaged");
+  fs::create_directory(folder_ / "quarantine");
+  fs::rename(folder_ / "FORMAT", folder_ / "quarantine" / "store-FORMAT");
+  const Store store(folder_);
+  EXPECT_EQ(look_at_folder(folder_), FolderKind::Store);
+}
+
 TEST_F(StoreFormat, ANewerStoreIsRefused) {
   make_store(1);
   write(folder_ / "FORMAT", format_line(3));

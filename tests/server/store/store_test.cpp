@@ -99,6 +99,21 @@ TEST_F(StoreTest, TheFirstCommitDeletesWhatACrashLeft) {
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2\nd@4 = 4 head\n");
 }
 
+TEST_F(StoreTest, WhatNoStoreWasWritingGoesToTheQuarantine) {
+  make(1);
+  for (const char* name : {"letter.txt", "123", "1-2-3-4", "01-2", "1-", "a-1", "more/1-2"})
+    write(folder_ / "tmp" / name, name);
+  fs::create_symlink("/dev/null", folder_ / "tmp" / "5-6");
+  write(folder_ / "tmp" / "123-4567-0", "half a pack");
+  Store store(folder_);
+  file(store, 2);
+  EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+  for (const char* name : {"letter.txt", "123", "1-2-3-4", "01-2", "1-", "a-1", "more/1-2"})
+    EXPECT_TRUE(quarantined(name)) << name;
+  EXPECT_TRUE(fs::is_symlink(folder_ / "quarantine" / "tmp-5-6"));
+  EXPECT_FALSE(quarantined("half a pack"));
+}
+
 TEST_F(StoreTest, ADeletedRevisionStaysDeletedThoughItsPackAndARewrittenJournalAreThere) {
   make(2);
   const std::string bytes = content(pack(2));
