@@ -63,6 +63,7 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
                                 : std::function<bool()>()) {
+  store_.on_failure([this] { saver_.ask(); });
   if (disk_ == nullptr) return;
   const auto bytes = [this] {
     return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
@@ -72,6 +73,7 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
 }
 
 Archive::~Archive() {
+  store_.on_failure({});
   if (disk_ != nullptr) disk_->remove_holder(disk_holder_);
 }
 

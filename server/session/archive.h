@@ -161,7 +161,8 @@ class Archive {
   void note_use(const std::string& id);
   /// The catalogue has it, and the disk has not.
   void set_unsaved(const std::string& id, bool unsaved);
-  /// Stores what a full disk kept from it; true where it has to be tried again.
+  /// Stores what a full disk kept from it, and finds out when a store that failed works again; true
+  /// where it has to be tried again.
   bool recover();
 
   CacheEntry entry_of(const RevisionRecord& record, int depth);

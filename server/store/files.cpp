@@ -99,6 +99,19 @@ void remove_file(const std::filesystem::path& file) {
     throw error::store_failed("removing", file.string(), errno);
 }
 
+namespace {
+
+/// A name that no file in `scratch` has.
+std::filesystem::path scratch_file(const std::filesystem::path& scratch) {
+  // What an earlier process left there may have had this one's number.
+  static const std::string process =
+      std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
+  static std::atomic<unsigned> counter{0};
+  return scratch / (process + "-" + std::to_string(counter++));
+}
+
+}  // namespace
+
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
                    const std::filesystem::path& scratch, std::optional<std::int64_t> time_ns) {
   write_durably(
@@ -107,11 +120,7 @@ void write_durably(const std::filesystem::path& file, std::string_view bytes,
 
 void write_durably(const std::filesystem::path& file, const std::function<void(File&)>& write,
                    const std::filesystem::path& scratch, std::optional<std::int64_t> time_ns) {
-  // What an earlier process left in `scratch` may have had this one's number.
-  static const std::string process =
-      std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
-  static std::atomic<unsigned> counter{0};
-  const std::filesystem::path temporary = scratch / (process + "-" + std::to_string(counter++));
+  const std::filesystem::path temporary = scratch_file(scratch);
   try {
     File out(temporary, O_WRONLY | O_CREAT | O_EXCL);
     write(out);
@@ -123,6 +132,19 @@ void write_durably(const std::filesystem::path& file, const std::function<void(F
     throw;
   }
   sync_folder(file.parent_path());
+}
+
+void try_writing(std::size_t bytes, const std::filesystem::path& scratch) {
+  const std::filesystem::path temporary = scratch_file(scratch);
+  try {
+    File out(temporary, O_WRONLY | O_CREAT | O_EXCL);
+    out.write(std::string(bytes, 'x'));
+    out.sync();
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  remove_file(temporary);
 }
 
 bool is_scratch_name(std::string_view name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -52,7 +53,11 @@ void write_durably(const std::filesystem::path& file, const std::function<void(F
                    const std::filesystem::path& scratch,
                    std::optional<std::int64_t> time_ns = std::nullopt);
 
-/// Whether a file in `scratch` may be called so by `write_durably`, of this version or before.
+/// Writes so many bytes to a file in `scratch`, waits for the disk and removes it again. Throws
+/// Error(STORE_FAILED, STORE_FULL) where that does not work.
+void try_writing(std::size_t bytes, const std::filesystem::path& scratch);
+
+/// Whether a file in `scratch` may be called so by those above, of this version or before.
 bool is_scratch_name(std::string_view name);
 
 /// Writes a file that is not there at its place, with `time_ns` (since 1970) for the time of its

@@ -15,6 +15,8 @@ namespace {
 // A journal is rewritten when most of its lines tell of what is no more.
 constexpr std::uint64_t kFewLines = 1000;
 constexpr std::uint64_t kMostLinesPerKept = 4;  // per revision or recipe
+// Bytes that are written to see whether the disk takes some: what a large edit needs.
+constexpr std::size_t kTrial = std::size_t{1} << 20;
 
 }  // namespace
 
@@ -111,7 +113,11 @@ void Store::flush() {
   const std::scoped_lock lock(committing_);
   if (!persistent()) return;
   try {
-    if (journal_behind_ || journal_->uncertain()) rewrite_journal({});
+    if (journal_behind_ || journal_->uncertain()) {
+      rewrite_journal({});
+    } else if (!healthy_) {
+      try_writing(kTrial, folder_ / "tmp");
+    }
   } catch (...) {
     set_healthy(false);
     throw;
@@ -249,10 +255,18 @@ void Store::on_health(std::function<void(bool)> listener) {
   if (health_listener_) health_listener_(healthy_);
 }
 
+void Store::on_failure(std::function<void()> listener) {
+  const std::scoped_lock lock(health_);
+  failure_listener_ = std::move(listener);
+  if (failure_listener_ && !healthy_) failure_listener_();
+}
+
 void Store::set_healthy(bool healthy) {
   if (healthy_ == healthy) return;
   const std::scoped_lock lock(health_);
-  if (healthy_.exchange(healthy) != healthy && health_listener_) health_listener_(healthy);
+  if (healthy_.exchange(healthy) == healthy) return;
+  if (health_listener_) health_listener_(healthy);
+  if (!healthy && failure_listener_) failure_listener_();
 }
 
 }  // namespace remeshd

@@ -86,12 +86,16 @@ class Store {
   enum class OnFullDisk { Throw, GoOn };
   bool commit(const std::function<Transaction(Catalogue&)>& make,
               OnFullDisk on_full_disk = OnFullDisk::Throw);
-  /// Writes what the journal lacks. Throws Error(STORE_FAILED, STORE_FULL).
+  /// Writes what the journal lacks. Where it lacks nothing and the last write failed, tries whether
+  /// writing works again. Throws Error(STORE_FAILED, STORE_FULL).
   void flush();
   /// False from when something could not be written until something can.
   [[nodiscard]] bool healthy() const { return healthy_; }
   /// Has `listener` hear of it now, and of every change. It must not call back; empty: nobody.
   void on_health(std::function<void(bool healthy)> listener);
+  /// Has `listener` hear when the store ceases to be healthy: it is to see to `flush` until that
+  /// succeeds. It must not call back; empty: nobody.
+  void on_failure(std::function<void()> listener);
   /// Reads the catalogue with nothing in between. Never waits for the disk.
   template <typename Read>
   auto read(Read&& reader) {
@@ -120,8 +124,9 @@ class Store {
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<Catalogue> catalogue_;
 
-  std::mutex health_;  ///< guards the listener
+  std::mutex health_;  ///< guards the listeners
   std::function<void(bool)> health_listener_;
+  std::function<void()> failure_listener_;
   std::atomic<bool> healthy_ = true;
   std::uint64_t many_lines_ = 0;  ///< from where on the journal may have too many
   bool journal_behind_ = false;   ///< the journal does not say what the catalogue says

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <optional>
 #include <thread>
@@ -48,8 +49,13 @@ class FullDisk : public StoreFolderTest {
   /// The disk has room again; waits until all is saved.
   void make_room() {
     calls_.decide({});
-    for (int k = 0; k < 10000 && !(store_->healthy() && archive_->is_durable(id(2))); ++k)
+    eventually([&] { return store_->healthy() && archive_->is_durable(id(2)); });
+  }
+  template <typename Holds>
+  static bool eventually(Holds&& holds) {
+    for (int k = 0; k < 10000 && !holds(); ++k)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return holds();
   }
 
   FileCalls calls_{folder_};
@@ -121,6 +127,27 @@ TEST_F(FullDisk, IsRecoveredFromByItself) {
   open();
   EXPECT_EQ(listing(*store_), "plate@1 = 1 head\nplate@2 = 2\n");
   EXPECT_NE(archive_->find(id(2), kRun), nullptr) << "its mesh is stored";
+}
+
+TEST_F(FullDisk, IsRecoveredFromByItselfWhereNothingIsToBeSaved) {
+  file(1);
+  file(2);
+  for (const int error : {ENOSPC, EIO}) {
+    std::atomic<int> tries = 0;
+    calls_.decide([&, error](const FileCall& call, std::size_t) {
+      const bool grows = call.kind == FileCall::Kind::Write || call.kind == FileCall::Kind::Create;
+      tries += grows;
+      return grows ? error : 0;
+    });
+    const std::string head = error == EIO ? id(1) : id(2);
+    EXPECT_ANY_THROW(archive_->set_head(head, "plate", ""));
+    EXPECT_TRUE(eventually([&] { return tries > 3; })) << "nobody sees whether it works again";
+    EXPECT_FALSE(store_->healthy());
+    calls_.decide({});
+    EXPECT_TRUE(eventually([&] { return store_->healthy(); }));
+    EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
+    archive_->set_head(head, "plate", "");
+  }
 }
 
 TEST_F(FullDisk, WhatWasNotDurableIsNotThereAfterACrash) {
