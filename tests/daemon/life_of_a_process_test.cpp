@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include "server/process/health_probe.h"
+#include "server/store/store.h"
 #include "tests/daemon/process.h"
 #include "tests/server/transport/sockets.h"
 
@@ -117,12 +118,19 @@ TEST_F(LifeOfAProcess, DoesNotEndWithExitZeroWhereAComputationHangs) {
 }
 
 TEST_F(LifeOfAProcess, EndsOnASignalWhileTheStoreIsBeingOpened) {
-  fs::create_directories(folder_ / "store");
-  ASSERT_EQ(::mkfifo(file("store/FORMAT").c_str(), 0600), 0);  // whose reading waits for a writer
+  { const Store store(file("store")); }
+  fs::remove(file("store/journal.a"));
+  // Whose opening waits for a writer.
+  ASSERT_EQ(::mkfifo(file("store/journal.a").c_str(), 0600), 0);
   Process process(
       {"--listen", "127.0.0.1:0", "--store", file("store"), "--port-file", file("port")});
   ASSERT_TRUE(eventually([&] { return process.log().find("opening") != std::string::npos; }));
   process.signal(SIGTERM);
+  // Else it would wait for ever, as it would if a later version read no FIFO and served.
+  EXPECT_TRUE(eventually([&] {
+    return process.log().find("ended at once by SIGTERM") != std::string::npos;
+  })) << process.log();
+  if (HasFailure()) return;
   EXPECT_EQ(exit_code(process), 0);
   EXPECT_FALSE(fs::exists(file("port")));
 }
