@@ -248,7 +248,7 @@ Archive::DesignRemoved Archive::remove_design(const std::string& design,
   const std::scoped_lock lock(filing_);
   DesignRemoved removed;
   std::vector<std::string> gone;
-  store_.commit([&](Catalogue& catalogue) {
+  const auto take_out = [&](Catalogue& catalogue) {
     check_expected(listed_design(catalogue, design), expected);
     Transaction changes{SetHead{design, ""}};
     for (const PlaceRecord& place : catalogue.places_of(design)) {
@@ -262,7 +262,8 @@ Archive::DesignRemoved Archive::remove_design(const std::string& design,
     off_the_list.listed = false;
     changes.emplace_back(off_the_list);
     return changes;
-  });
+  };
+  store_.commit(take_out, Store::OnFullDisk::GoOn);
   for (const std::string& id : gone) forget(id);
   removed.meshes_deleted = static_cast<std::uint32_t>(gone.size());
   return removed;
@@ -271,7 +272,7 @@ Archive::DesignRemoved Archive::remove_design(const std::string& design,
 Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
   const std::scoped_lock lock(filing_);
   Removed removed;
-  store_.commit([&](Catalogue& catalogue) {
+  const auto take_out = [&](Catalogue& catalogue) {
     const Reference reference = remeshd::resolve(catalogue, text);
     removed.id = reference.id;
     Transaction changes;
@@ -292,7 +293,8 @@ Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
     removed.mesh_deleted = !elsewhere;
     if (!elsewhere) changes.emplace_back(RemoveRevision{reference.id});
     return changes;
-  });
+  };
+  store_.commit(take_out, Store::OnFullDisk::GoOn);
   if (removed.mesh_deleted) forget(removed.id);
   return removed;
 }

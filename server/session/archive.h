@@ -167,6 +167,9 @@ class Archive {
 
   CacheEntry entry_of(const RevisionRecord& record, int depth);
   std::vector<StoredMesh> stored_meshes();
+  struct Dropped;
+  Dropped drop_meshes(const std::vector<std::string>& ids, bool full, std::uint64_t budget);
+  /// Throws what `stand_elsewhere` throws.
   bool drop_mesh(const std::string& id);
   void stand_elsewhere(const std::string& id, const std::string& from);
   /// Takes a revision that was deleted out of memory too.

@@ -94,6 +94,12 @@ CacheStats Archive::cache_stats() {
   return stats;
 }
 
+/// What came of dropping meshes one by one.
+struct Archive::Dropped {
+  std::uint32_t meshes = 0;
+  bool full = false;  ///< one stayed for want of room
+};
+
 Collected Archive::collect_garbage(const GarbageOptions& options) {
   constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
   // Before the lock: the budget has this archive collect under a lock of its own.
@@ -109,52 +115,65 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
   std::optional<std::int64_t> unused_before;
   if (options.unused_seconds)
     unused_before = nanoseconds_now() - static_cast<std::int64_t>(1e9 * *options.unused_seconds);
+  bool full = false;  // nothing of which another is told as differences can go now
   for (;;) {
     const std::uint64_t excess = collected.disk_bytes > budget ? collected.disk_bytes - budget : 0;
     const std::vector<StoredMesh> meshes = stored_meshes();
-    const auto chosen = meshes_to_drop(meshes, excess, unused_before);
+    const auto chosen = meshes_to_drop(meshes, full ? kAny : excess, unused_before);
     unused_before.reset();
-    std::uint32_t dropped = 0;
-    for (const std::string& id : chosen) {
-      if (options.dry_run) {
-        const auto mesh = std::ranges::find(meshes, id, &StoredMesh::id);
-        collected.bytes_freed += mesh->bytes;
-        ++dropped;
-      } else if (drop_mesh(id)) {
-        ++dropped;
-      }
-    }
-    collected.meshes += dropped;
     if (options.dry_run) {
+      for (const std::string& id : chosen)
+        collected.bytes_freed += std::ranges::find(meshes, id, &StoredMesh::id)->bytes;
+      collected.meshes = static_cast<std::uint32_t>(chosen.size());
       collected.disk_bytes -= std::min(collected.disk_bytes, collected.bytes_freed);
       return collected;
     }
+    const Dropped dropped = drop_meshes(chosen, full, budget);
+    collected.meshes += dropped.meshes;
     collected.disk_bytes = on_disk();
     // What stood on those that went takes more by itself.
-    if (dropped == 0 || collected.disk_bytes <= budget) break;
+    if (collected.disk_bytes <= budget || (dropped.meshes == 0 && (full || !dropped.full))) break;
+    full = dropped.meshes == 0;
   }
   collected.bytes_freed = before > collected.disk_bytes ? before - collected.disk_bytes : 0;
   return collected;
 }
 
-bool Archive::drop_mesh(const std::string& id) {
-  try {
-    for (const std::string& other :
-         store_.read([&](Catalogue& catalogue) { return catalogue.standing_on(id); }))
-      stand_elsewhere(other, id);
-    bool dropped = false;
-    store_.commit([&](Catalogue& catalogue) {
-      const auto record = catalogue.revision(id);
-      dropped = record && record->bytes > 0 && !record->pinned && !catalogue.is_base(id);
-      return dropped ? Transaction{DropMesh{id}} : Transaction{};
-    });
-    if (dropped && metrics_ != nullptr) metrics_->evicted(Metrics::Tier::Disk);
-    const std::scoped_lock lock(notes_);
-    evictions_ += dropped;
-    return dropped;
-  } catch (const Error&) {
-    return false;  // it, or what stands on it, cannot be read or written: it stays
+/// `full`: only those that nothing stands on, until no more than `budget` is taken.
+Archive::Dropped Archive::drop_meshes(const std::vector<std::string>& ids, bool full,
+                                      std::uint64_t budget) {
+  Dropped dropped;
+  for (const std::string& id : ids) {
+    if ((full || dropped.full) &&
+        !store_.read([&](Catalogue& catalogue) { return catalogue.standing_on(id).empty(); }))
+      continue;
+    if (full && store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); }) <= budget)
+      break;
+    try {
+      dropped.meshes += drop_mesh(id);
+    } catch (const Error& failure) {
+      // It, or what stands on it, cannot be read or written: it stays.
+      dropped.full |= failure.info().reason == "STORE_FULL";
+    }
   }
+  return dropped;
+}
+
+bool Archive::drop_mesh(const std::string& id) {
+  for (const std::string& other :
+       store_.read([&](Catalogue& catalogue) { return catalogue.standing_on(id); }))
+    stand_elsewhere(other, id);
+  bool dropped = false;
+  const auto drop = [&](Catalogue& catalogue) {
+    const auto record = catalogue.revision(id);
+    dropped = record && record->bytes > 0 && !record->pinned && !catalogue.is_base(id);
+    return dropped ? Transaction{DropMesh{id}} : Transaction{};
+  };
+  store_.commit(drop, Store::OnFullDisk::GoOn);
+  if (dropped && metrics_ != nullptr) metrics_->evicted(Metrics::Tier::Disk);
+  const std::scoped_lock lock(notes_);
+  evictions_ += dropped;
+  return dropped;
 }
 
 void Archive::stand_elsewhere(const std::string& id, const std::string& from) {

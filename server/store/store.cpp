@@ -128,7 +128,7 @@ void Store::flush() {
 bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDisk on_full_disk) {
   const std::scoped_lock lock(committing_);
   Transaction transaction;
-  std::map<std::string, std::string> removed;
+  Leftovers removed;
   try {
     const std::scoped_lock reading(reading_);
     transaction = make(*catalogue_);
@@ -157,7 +157,6 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
         drop_added(transaction);
         throw;
       }
-      journal_behind_ = true;
     } catch (...) {
       drop_added(transaction);
       throw;
@@ -167,8 +166,31 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   if (!persistent()) return true;
   for (const Operation& operation : transaction)
     if (const auto* added = std::get_if<AddRevision>(&operation)) unfiled_.erase(added->record.id);
-  leftovers_.merge(removed);
+  leftovers_.insert(removed.begin(), removed.end());
+  if (!entered) entered = enter_in_room_of(removed, transaction);
   if (entered) tidy();
+  return entered;
+}
+
+/// Deletes the packs of what a transaction removes that the journal has no room for, and enters it
+/// then. A crash in between leaves revisions whose mesh is made again of its recipe.
+bool Store::enter_in_room_of(const Leftovers& removed, const Transaction& transaction) {
+  bool entered = false;
+  if (!removed.empty()) {
+    delete_packs([&](const std::string& id) { return removed.contains(id); });
+    try {
+      if (journal_behind_ || journal_->uncertain()) {
+        rewrite_journal({});
+      } else {
+        journal_->append(transaction);
+      }
+      entered = true;
+      set_healthy(true);
+    } catch (const Error&) {
+      // It is in memory, as those for which there was no room before.
+    }
+  }
+  journal_behind_ = journal_behind_ || !entered;
   return entered;
 }
 
@@ -227,26 +249,38 @@ bool Store::is_needed(const std::string& id) {
          });
 }
 
+namespace {
+
+/// False where that failed: the next commit tries again.
+template <typename Remove>
+bool removed(Remove&& remove) {
+  try {
+    remove();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 void Store::tidy() {
-  const auto removed = [](const auto& remove) {
-    try {
-      remove();
-      return true;
-    } catch (const Error&) {
-      return false;  // the next commit tries again
-    }
-  };
   std::erase_if(leftovers_, [&](const auto& leftover) {
     return read([&](Catalogue& catalogue) { return catalogue.is_stored(leftover.first); });
   });
+  delete_packs([](const std::string&) { return true; });
+  std::erase_if(old_scratch_,
+                [](const fs::path& file) { return removed([&] { remove_file(file); }); });
+}
+
+void Store::delete_packs(const std::function<bool(const std::string& id)>& which) {
   // Deleting one may set free the one that it is told by.
   for (bool again = true; again;) {
     again = std::erase_if(leftovers_, [&](const auto& leftover) {
-              return !is_needed(leftover.first) && removed([&] { packs_->remove(leftover.first); });
+              const std::string& id = leftover.first;
+              return which(id) && !is_needed(id) && removed([&] { packs_->remove(id); });
             }) > 0;
   }
-  std::erase_if(old_scratch_,
-                [&](const fs::path& file) { return removed([&] { remove_file(file); }); });
 }
 
 void Store::on_health(std::function<void(bool)> listener) {

@@ -81,8 +81,9 @@ class Store {
   /// them, and where it throws, those of revisions that it would have added; so are those whose
   /// mesh is dropped.
   ///
-  /// `GoOn`: on a full disk the catalogue in memory takes the transaction all the same, and the
-  /// journal with the next commit or `flush` that finds room. Returns false then.
+  /// `GoOn`: on a full disk the catalogue in memory takes the transaction all the same, the packs
+  /// of what it removes are deleted to make room for its line, and where that is not enough, the
+  /// journal takes it with the next commit or `flush` that finds room. Returns false then.
   enum class OnFullDisk { Throw, GoOn };
   bool commit(const std::function<Transaction(Catalogue&)>& make,
               OnFullDisk on_full_disk = OnFullDisk::Throw);
@@ -111,7 +112,10 @@ class Store {
   void drop_added(const Transaction& transaction);
   bool is_needed(const std::string& id);
   std::string packed_recipe_of(const std::string& id);
+  bool enter_in_room_of(const Leftovers& removed, const Transaction& transaction);
   void tidy();
+  /// Of the leftovers, those that nothing needs.
+  void delete_packs(const std::function<bool(const std::string& id)>& which);
   void set_healthy(bool healthy);
 
   // Whoever changes something holds the first all along, and waits for the disk with it; the second
