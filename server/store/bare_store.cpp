@@ -91,7 +91,8 @@ bool is_ours(const fs::path& path) {
   if (name == "lock" || name == "journal" || name == "journal.a" || name == "journal.b")
     return is_empty_file(path);
   if (name == "packs" || name == "objects") return has_no_files(path);
-  if (name == "FORMAT") return has_what_format_needs(folder);
+  if (name == "FORMAT")
+    return has_what_format_needs(folder) && (!fs::is_directory(path) || has_no_files(path));
   if (name == "tmp")
     return has_no_files(path) ||
            (has_what_format_needs(folder) && all_below(path, is_format_being_written));

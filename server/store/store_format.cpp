@@ -23,9 +23,18 @@ using nlohmann::json;
 
 constexpr const char* kMark = "remeshd";
 
+/// Empty where the disk does not give it: no evidence.
+std::string start_of(const fs::path& file) {
+  try {
+    return read_start(file, kMostHeadBytes);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 std::optional<int> read_format(const fs::path& file) {
   if (!fs::is_regular_file(file)) return std::nullopt;
-  const std::string start = read_start(file, kMostHeadBytes);
+  const std::string start = start_of(file);
   const auto text = checked_text(start);
   if (!text) return std::nullopt;
   try {
@@ -34,14 +43,6 @@ std::optional<int> read_format(const fs::path& file) {
     return whole_number<int>(content.at("version"));
   } catch (const json::exception&) {
     return std::nullopt;
-  }
-}
-
-std::string start_of(const fs::path& file) {
-  try {
-    return read_start(file, kMostHeadBytes);
-  } catch (const Error&) {
-    return {};  // no evidence
   }
 }
 

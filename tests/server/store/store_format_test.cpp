@@ -5,6 +5,7 @@
 #include "engine/base/error.h"
 #include "server/store/checked_line.h"
 #include "tests/server/store/store_folder.h"
+#include "tests/support/expect_error.h"
 
 namespace remeshd::test {
 namespace {
@@ -158,6 +159,35 @@ TEST_F(StoreFormat, ADamagedOrMissingFormatIsWrittenAnew) {
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
   EXPECT_EQ(content(folder_ / "FORMAT"), format);
+}
+
+TEST_F(StoreFormat, AFormatThatTheDiskDoesNotGiveIsWrittenAnew) {
+  for (const int revisions : {0, 2}) {
+    fs::remove_all(folder_);
+    make_store(revisions);
+    const std::string format = content(folder_ / "FORMAT");
+    for (const char* what : {"an error", "a folder"}) {
+      SCOPED_TRACE(what + std::string(" over revisions: ") + std::to_string(revisions));
+      fs::remove(folder_ / "FORMAT");
+      if (what == std::string("a folder")) {
+        fs::create_directory(folder_ / "FORMAT");
+      } else {
+        fs::create_symlink("/proc/self/mem", folder_ / "FORMAT");  // whose start cannot be read
+      }
+      const Store store(folder_);
+      EXPECT_THAT(store.notes(), testing::Contains(testing::HasSubstr("FORMAT was moved")));
+      EXPECT_EQ(content(folder_ / "FORMAT"), format);
+    }
+  }
+}
+
+TEST_F(StoreFormat, ANewerStoreIsToldByItsPacksWhereTheDiskDoesNotGiveItsFormat) {
+  make_store(1);
+  write(folder_ / "packs" / "ab" / std::string(62, 'c'),
+        checked_line(R"({"format":"remeshd-pack","store":3,"what":"is not known"})") + "bytes");
+  fs::remove(folder_ / "FORMAT");
+  fs::create_symlink("/proc/self/mem", folder_ / "FORMAT");
+  EXPECT_EQ(error_of([&] { look_at_folder(folder_); }).reason, "STORE_NEWER");
 }
 
 TEST_F(StoreFormat, AFormatOfOtherValuesCountsAsDamaged) {
