@@ -16,9 +16,15 @@
 #include "server/store/store_error.h"
 
 namespace remeshd {
+namespace {
 
-File::File(const std::filesystem::path& path, int flags)
-    : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0600)), path_(path) {
+constexpr unsigned kMode = 0600;
+constexpr unsigned kModeWhileWritten = 0400;  // whoever makes a file may write to it all the same
+
+}  // namespace
+
+File::File(const std::filesystem::path& path, int flags, unsigned mode)
+    : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, mode)), path_(path) {
   if (descriptor_ < 0) throw error::store_failed("opening", path.string(), errno);
 }
 File::~File() {
@@ -66,6 +72,11 @@ void File::set_time(std::int64_t time_ns) {
   const timespec times[] = {time, time};
   if (::futimens(descriptor_, times) != 0)
     throw error::store_failed("dating", path_.string(), errno);
+}
+
+void File::set_mode(unsigned mode) {
+  if (::fchmod(descriptor_, mode) != 0)
+    throw error::store_failed("setting the mode of", path_.string(), errno);
 }
 
 void File::truncate(std::uint64_t size) {
@@ -165,10 +176,11 @@ bool is_scratch_name(std::string_view name) {
 
 void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,
                     const std::vector<std::filesystem::path>& folders) {
-  File out(file, O_WRONLY | O_CREAT | O_EXCL);
+  File out(file, O_WRONLY | O_CREAT | O_EXCL, kModeWhileWritten);
   try {
     out.write(bytes);
     out.set_time(time_ns);
+    out.set_mode(kMode);
     // One after the other they would take as long as all together.
     std::vector<std::future<void>> others;
     for (const std::filesystem::path& folder : folders)
@@ -182,6 +194,18 @@ void write_in_place(const std::filesystem::path& file, std::string_view bytes, s
     ::unlink(file.c_str());
     throw;
   }
+}
+
+bool is_being_written(const std::filesystem::path& file) {
+  struct stat status {};
+  return ::lstat(file.c_str(), &status) == 0 && (status.st_mode & 0777U) == kModeWhileWritten;
+}
+
+void settle_file(const std::filesystem::path& file) {
+  File whole(file, O_RDONLY);
+  whole.set_mode(kMode);
+  whole.sync();
+  sync_folder(file.parent_path());
 }
 
 std::string read_start(const std::filesystem::path& file, std::size_t limit) {

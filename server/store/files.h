@@ -17,7 +17,7 @@ class File {
   File() = default;
   /// Throws Error(STORE_FAILED). `flags` as of open(2); O_CLOEXEC is added. A file that is made can
   /// be read by its owner only.
-  File(const std::filesystem::path& path, int flags);
+  File(const std::filesystem::path& path, int flags, unsigned mode = 0600);
   ~File();
   File(File&& other) noexcept;
   File& operator=(File&& other) noexcept;
@@ -33,6 +33,8 @@ class File {
   [[nodiscard]] std::string read(std::uint64_t start, std::size_t length) const;
   /// Sets the time of the last change, in ns since 1970.
   void set_time(std::int64_t time_ns);
+  /// Sets who may read and write it.
+  void set_mode(unsigned mode);
   /// Cuts the file off.
   void truncate(std::uint64_t size);
 
@@ -62,11 +64,19 @@ bool is_scratch_name(std::string_view name);
 
 /// Writes a file that is not there at its place, with `time_ns` (since 1970) for the time of its
 /// last change. File and `folders`, in which names are new, are synced at the same time. Until that
-/// is done a crash may leave anything there. Where it throws, the file is removed, and what the
-/// disk has of it is not to be trusted.
-/// Throws Error(STORE_FAILED, STORE_FULL).
+/// is done a crash may leave anything there; until all is written, with the sign of
+/// `is_being_written`, which is never on the disk after it has returned. Where it throws, the file
+/// is removed, and what the disk has of it is not to be trusted. Throws Error(STORE_FAILED,
+/// STORE_FULL).
 void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,
                     const std::vector<std::filesystem::path>& folders);
+
+/// Whether a file has the sign of one that `write_in_place` has not written whole: not even its
+/// owner may write to it. False where that cannot be told.
+bool is_being_written(const std::filesystem::path& file);
+/// Takes the sign off a file that is whole all the same, and waits for the disk. Throws
+/// Error(STORE_FAILED).
+void settle_file(const std::filesystem::path& file);
 
 /// All of a file. Throws Error(STORE_FAILED).
 std::string read_whole(const std::filesystem::path& file);

@@ -38,6 +38,7 @@ class Opening {
   void lock_folder(double wait);
   void sort_scratch(const fs::path& scratch, Quarantine& quarantine);
   void load(const std::vector<Transaction>& transactions);
+  bool was_cut_off(const std::string& id);
   void adopt_unknown_packs(Quarantine& quarantine);
   void enter_again(const PackHead& head, std::map<std::string, std::string>& heads);
 
@@ -136,6 +137,20 @@ void Opening::load(const std::vector<Transaction>& transactions) {
                             " lines of the journal contradict those before them");
 }
 
+/// Whether a pack is what a crash left of a write. Nobody was told of its revision. One that was
+/// written whole is as good as any.
+bool Opening::was_cut_off(const std::string& id) {
+  const fs::path path = opened_.packs->path_of(id);
+  if (!is_being_written(path)) return false;
+  if (!opened_.packs->is_whole(id)) return true;
+  try {
+    settle_file(path);
+  } catch (const Error& failure) {
+    opened_.notes.emplace_back(failure.what());
+  }
+  return false;
+}
+
 void Opening::adopt_unknown_packs(Quarantine& quarantine) {
   std::vector<PackHead> found;
   std::map<std::string, std::string> gone;
@@ -146,10 +161,15 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
       gone[id] = head ? head->record.base : "";
       continue;
     }
-    if (!head || head->record.id != id) {
-      quarantine.take(opened_.packs->path_of(id), "its head cannot be read");
+    const fs::path path = opened_.packs->path_of(id);
+    const bool ours = head && head->record.id == id;
+    if (was_cut_off(id)) {
+      gone[id] = ours ? head->record.base : "";
+    } else if (!ours) {
+      quarantine.take(path, "its head cannot be read");
     } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
-      gone[id] = head->record.base;  // of a write that a crash cut off
+      // The journal may be one of before.
+      quarantine.take(path, "it is damaged, and the journal does not name it");
     } else {
       found.push_back(std::move(*head));
     }

@@ -149,6 +149,20 @@ TEST_F(StoreCalls, APackInAFolderOfBeforeWaitsForTwoSyncsAndForTheJournal) {
                         "packs/" + same_folder + "/" + id(7 + 256).substr(2), "journal.a"}));
 }
 
+TEST_F(StoreCalls, APackIsMarkedUntilItIsWrittenAndNotAnyMoreOnceItIsSynced) {
+  const fs::path pack = folder_ / "packs" / id(8).substr(0, 2) / id(8).substr(2);
+  std::vector<std::string> marked;
+  calls_.decide([&](const FileCall& call, std::size_t) {
+    if (folder_ / call.path != pack || call.kind == FileCall::Kind::Create) return 0;
+    marked.emplace_back(call.kind == FileCall::Kind::Write ? "write " : "sync ");
+    marked.back() += is_being_written(pack) ? "marked" : "unmarked";
+    return 0;
+  });
+  file(store_, 8);
+  calls_.decide({});
+  EXPECT_THAT(marked, testing::ElementsAre("write marked", "sync unmarked"));
+}
+
 TEST_F(StoreCalls, APackThatCannotBeWrittenLeavesNoFile) {
   for (const auto kind : {FileCall::Kind::Create, FileCall::Kind::Write, FileCall::Kind::Sync}) {
     calls_.decide([&](const FileCall& call, std::size_t) { return call.kind == kind ? EIO : 0; });

@@ -99,21 +99,6 @@ TEST_F(StoreTest, TheFirstCommitDeletesWhatACrashLeft) {
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2\nd@4 = 4 head\n");
 }
 
-TEST_F(StoreTest, WhatNoStoreWasWritingGoesToTheQuarantine) {
-  make(1);
-  for (const char* name : {"letter.txt", "123", "1-2-3-4", "01-2", "1-", "a-1", "more/1-2"})
-    write(folder_ / "tmp" / name, name);
-  fs::create_symlink("/dev/null", folder_ / "tmp" / "5-6");
-  write(folder_ / "tmp" / "123-4567-0", "half a pack");
-  Store store(folder_);
-  file(store, 2);
-  EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
-  for (const char* name : {"letter.txt", "123", "1-2-3-4", "01-2", "1-", "a-1", "more/1-2"})
-    EXPECT_TRUE(quarantined(name)) << name;
-  EXPECT_TRUE(fs::is_symlink(folder_ / "quarantine" / "tmp-5-6"));
-  EXPECT_FALSE(quarantined("half a pack"));
-}
-
 TEST_F(StoreTest, ADeletedRevisionStaysDeletedThoughItsPackAndARewrittenJournalAreThere) {
   make(2);
   const std::string bytes = content(pack(2));
@@ -167,6 +152,7 @@ TEST_F(StoreTest, APackThatACrashCutOffWasNeverAcknowledgedAndGoesWithTheFirstCo
     store.put(third, {.design = "d", .number = 3, .id = id(3)}, "", arrays_of(bytes_of(3)));
   }
   write(pack(3), content(pack(3)).substr(0, fs::file_size(pack(3)) - 3));
+  fs::permissions(pack(3), fs::perms::owner_read);  // as long as not all of it is written
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@1 = 1\nd@2 = 2 head\n");
   EXPECT_TRUE(store.notes().empty());
