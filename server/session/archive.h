@@ -157,6 +157,7 @@ class Archive {
   [[nodiscard]] bool is_damaged(const std::string& id) const;
   void set_damaged(const std::string& id, bool damaged);
   bool is_known(const std::string& id);
+  bool is_stored(const std::string& id);
   PlaceRecord first_place(const std::string& id);
   void note_use(const std::string& id);
   /// The catalogue has it, and the disk has not.

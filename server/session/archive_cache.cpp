@@ -206,12 +206,9 @@ void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
 }
 
 std::optional<CacheFault> Archive::check_stored(const std::string& id) {
-  const auto stored = [&] {
-    return store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(id); });
-  };
-  if (!stored()) return std::nullopt;
+  if (!is_stored(id)) return std::nullopt;
   CacheFault fault{.revision = id, .what = store_.fault_of(id)};
-  if (fault.what.empty() || !stored()) return std::nullopt;  // it may have gone meanwhile
+  if (fault.what.empty() || !is_stored(id)) return std::nullopt;  // it may have gone meanwhile
   set_damaged(id, true);
   return fault;
 }

@@ -77,7 +77,13 @@ HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
   if (held) return held;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (!record || record->bytes == 0) return nullptr;
-  held = load(*record, run);
+  try {
+    held = load(*record, run);
+  } catch (const Error& failure) {
+    // Where garbage was collected meanwhile, nothing is damaged: there is no mesh.
+    if (failure.info().kind != ErrorKind::Internal || is_stored(id)) throw;
+    return nullptr;
+  }
   count(Disk);
   return held;
 }
@@ -92,7 +98,8 @@ HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
     held_.insert(held);
     return held;
   } catch (const Error& failure) {
-    if (failure.info().kind == ErrorKind::Internal) set_damaged(record.id, true);
+    if (failure.info().kind == ErrorKind::Internal && is_stored(record.id))
+      set_damaged(record.id, true);
     throw;
   }
 }
@@ -256,10 +263,7 @@ bool Archive::recover() {
 
 void Archive::keep(const HeldRevisionPtr& revision) {
   const std::string& id = revision->record.id;
-  const auto lacking = [&] {
-    return is_damaged(id) ||
-           !store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(id); });
-  };
+  const auto lacking = [&] { return is_damaged(id) || !is_stored(id); };
   if (!store_.persistent() || !lacking()) return;
   const auto turn = writing_.take(id);
   if (!is_known(id) || !lacking()) return;
@@ -298,6 +302,10 @@ void Archive::set_damaged(const std::string& id, bool damaged) {
 
 bool Archive::is_known(const std::string& id) {
   return store_.read([&](Catalogue& catalogue) { return catalogue.revision(id).has_value(); });
+}
+
+bool Archive::is_stored(const std::string& id) {
+  return store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(id); });
 }
 
 PlaceRecord Archive::first_place(const std::string& id) {

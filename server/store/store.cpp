@@ -68,9 +68,27 @@ void Store::discard(const std::string& id) {
   // Deleted by the next commit: the disk may be in trouble now.
 }
 
-StoredArrays Store::get(const std::string& id) { return packs_->get(id); }
+// While a pack is read, it may be written anew, to stand on another one, and the one that it stood
+// on be deleted. What was not found while packs were deleted is looked for again.
 
-std::string Store::fault_of(const std::string& id) const { return packs_->fault_of(id); }
+StoredArrays Store::get(const std::string& id) {
+  for (;;) {
+    const std::uint64_t before = deletions_;
+    try {
+      return packs_->get(id);
+    } catch (const Error&) {
+      if (deletions_ == before) throw;
+    }
+  }
+}
+
+std::string Store::fault_of(const std::string& id) const {
+  for (;;) {
+    const std::uint64_t before = deletions_;
+    std::string fault = packs_->fault_of(id);
+    if (fault.empty() || deletions_ == before) return fault;
+  }
+}
 
 std::string Store::recipe(const std::string& id) {
   const std::string bytes = packed_recipe_of(id);
@@ -278,7 +296,9 @@ void Store::delete_packs(const std::function<bool(const std::string& id)>& which
   for (bool again = true; again;) {
     again = std::erase_if(leftovers_, [&](const auto& leftover) {
               const std::string& id = leftover.first;
-              return which(id) && !is_needed(id) && removed([&] { packs_->remove(id); });
+              if (!which(id) || is_needed(id)) return false;
+              ++deletions_;
+              return removed([&] { packs_->remove(id); });
             }) > 0;
   }
 }

@@ -132,8 +132,9 @@ class Store {
   std::function<void(bool)> health_listener_;
   std::function<void()> failure_listener_;
   std::atomic<bool> healthy_ = true;
-  std::uint64_t many_lines_ = 0;  ///< from where on the journal may have too many
-  bool journal_behind_ = false;   ///< the journal does not say what the catalogue says
+  std::atomic<std::uint64_t> deletions_ = 0;  ///< of packs, counted before they are deleted
+  std::uint64_t many_lines_ = 0;              ///< from where on the journal may have too many
+  bool journal_behind_ = false;               ///< the journal does not say what the catalogue says
   Leftovers leftovers_;
   std::map<std::string, std::string>
       unfiled_;  ///< put and not committed: with the base it may have

@@ -24,7 +24,8 @@ struct Recorder {
   std::string root;
   FileRecord record;
   FileCalls::Decide decide;
-  std::map<int, std::string> open_files;  ///< by descriptor
+  std::map<int, std::string> open_files;                        ///< by descriptor
+  std::map<std::string, std::function<void()>> before_opening;  ///< by path
 
   std::optional<std::string> below_root(const char* path) const {
     const std::string text(path);
@@ -36,6 +37,21 @@ struct Recorder {
 
 std::mutex mutex;
 Recorder* recorder = nullptr;
+
+/// Tells whoever waits for that file to be opened, who may open files.
+void tell_before_opening(const char* path) {
+  std::function<void()> before;
+  {
+    const std::scoped_lock lock(mutex);
+    const auto name = recorder != nullptr ? recorder->below_root(path) : std::nullopt;
+    if (!name) return;
+    const auto found = recorder->before_opening.find(*name);
+    if (found == recorder->before_opening.end()) return;
+    before = std::move(found->second);
+    recorder->before_opening.erase(found);
+  }
+  before();
+}
 
 /// Enters a call and does it. `real` returns what the system call does.
 template <typename Real>
@@ -79,6 +95,10 @@ void FileCalls::decide(Decide decide) {
   const std::scoped_lock lock(mutex);
   recorder->decide = std::move(decide);
 }
+void FileCalls::before_opening(const std::string& path, std::function<void()> before) {
+  const std::scoped_lock lock(mutex);
+  recorder->before_opening[path] = std::move(before);
+}
 void FileCalls::mark(std::uint64_t number) {
   const std::scoped_lock lock(mutex);
   recorder->record.calls.push_back({.kind = Kind::Mark, .at = number});
@@ -100,6 +120,7 @@ extern "C" int open(const char* path, int flags, ...) {
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
   va_end(rest);
   const auto real = [&] { return syscall(SYS_openat, AT_FDCWD, path, flags, mode); };
+  if ((flags & O_CREAT) == 0) rt::tell_before_opening(path);
   const std::scoped_lock lock(rt::mutex);
   const auto name = rt::recorder ? rt::recorder->below_root(path) : std::nullopt;
   if (!name) return static_cast<int>(real());

@@ -41,6 +41,8 @@ class FileCalls {
   /// A write that fails with a negative number has written half of its bytes before.
   using Decide = std::function<int(const FileCall&, std::size_t index)>;
   void decide(Decide decide);
+  /// Has `before` hear, once, that a file is about to be opened that is there.
+  void before_opening(const std::string& path, std::function<void()> before);
   void mark(std::uint64_t number);
 
   [[nodiscard]] FileRecord record() const;
