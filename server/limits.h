@@ -70,7 +70,7 @@ inline constexpr std::size_t kStreamMemory = 32 * kKibi, kStreamSpare = 8 * kKib
 /// (`--compute-limit`).
 inline constexpr std::size_t kQueue = 64;
 inline constexpr double kQueueWait = 60, kComputeTime = 600;
-/// Threads that answer from the catalogue alone, and that read and prepare.
+/// Threads that answer from the catalogue alone, and that read, prepare and write the catalogue.
 inline constexpr int kMetadataThreads = 2, kPreparationThreads = 4;
 /// Work that may wait in either of these lanes.
 inline constexpr std::size_t kLaneQueue = 1024;

@@ -46,7 +46,7 @@ class RawCacheService final : public RawService {
   }
   Reply* GetCacheStats(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::GetCacheStatsRequest>(
-        "GetCacheStats", Lane::Metadata, context, in, out,
+        "GetCacheStats", Lane::Preparation, context, in, out,
         [](Session& session, const auto&) { return encode(session.cache().cache_stats()); });
   }
   Reply* CollectGarbage(Context* context, const Bytes* in, Bytes* out) override {
@@ -62,7 +62,7 @@ class RawCacheService final : public RawService {
   }
   Reply* SetPin(Context* context, const Bytes* in, Bytes* out) override {
     return query<v1::SetPinRequest>(
-        "SetPin", Lane::Metadata, context, in, out, [](Session& session, const auto& request) {
+        "SetPin", Lane::Preparation, context, in, out, [](Session& session, const auto& request) {
           if (request.revision().empty()) throw error::reference_missing("revision");
           v1::SetPinResponse reply;
           *reply.mutable_entry() =

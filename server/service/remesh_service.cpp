@@ -89,7 +89,7 @@ class RawRemeshService final : public RawService {
   }
 
   Reply* SetHead(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::SetHeadRequest>("SetHead", Lane::Metadata, context, in, out,
+    return query<v1::SetHeadRequest>("SetHead", Lane::Preparation, context, in, out,
                                      [](Session& session, const auto& request, const Run&) {
                                        if (request.revision().empty())
                                          throw error::reference_missing("revision");
@@ -103,7 +103,7 @@ class RawRemeshService final : public RawService {
                                      });
   }
   Reply* DeleteRevision(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::DeleteRevisionRequest>("DeleteRevision", Lane::Metadata, context, in, out,
+    return query<v1::DeleteRevisionRequest>("DeleteRevision", Lane::Preparation, context, in, out,
                                             [](Session& session, const auto& request, const Run&) {
                                               if (request.revision().empty())
                                                 throw error::reference_missing("revision");
@@ -118,7 +118,7 @@ class RawRemeshService final : public RawService {
                                             });
   }
   Reply* DeleteDesign(Context* context, const Bytes* in, Bytes* out) override {
-    return query<v1::DeleteDesignRequest>("DeleteDesign", Lane::Metadata, context, in, out,
+    return query<v1::DeleteDesignRequest>("DeleteDesign", Lane::Preparation, context, in, out,
                                           [](Session& session, const auto& request, const Run&) {
                                             const auto removed = session.remove_design(
                                                 request.design(), request.expected());

@@ -33,8 +33,8 @@ struct SessionLimits {
 
 /// Where work is done.
 enum class Lane {
-  Metadata,     ///< answered from the catalogue alone
-  Preparation,  ///< a revision may have to be read
+  Metadata,     ///< answered from the catalogue alone; never waits for the disk
+  Preparation,  ///< a revision may have to be read, or the catalogue's change be written
   Computation,  ///< geometry is worked on
 };
 
