@@ -1,6 +1,7 @@
 #include "engine/difference/compare.h"
 #include "engine/kernel/tetgen.h"
 #include "engine/remesh/image.h"
+#include "engine/remesh/lost_names.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/remesh/stages.h"
 #include "server/daemon.h"
@@ -17,7 +18,8 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
           .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
           .faces = static_cast<std::uint32_t>(cells.boundary.faces.size()),
           .edges = static_cast<std::uint32_t>(cells.boundary.edges.size()),
-          .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size())};
+          .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size()),
+          .warnings = names_to_be_lost(base, model, cells.boundary)};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace remeshd {
 /// All throw Error: InvalidArgument for what cannot be right, UNSUPPORTED naming the field for what
 /// this daemon does not do.
 OptionsPatch decode(const remesh::v1::MeshOptions& message);
+std::vector<WarningCode> fail_on_of(const remesh::v1::MeshOptions& message);
 HeadRule decode(const remesh::v1::HeadUpdate& message);
 CreateCommand decode(const remesh::v1::CreateRevisionRequest& message,
                      const DocumentLimits& limits);

@@ -138,6 +138,7 @@ v1::ModelCheck encode(const Validated& validated) {
   out.set_faces(validated.summary.faces);
   out.set_edges(validated.summary.edges);
   out.set_vertices(validated.summary.vertices);
+  for (const Warning& warning : validated.summary.warnings) *out.add_warnings() = encode(warning);
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include "server/service/raw_service.h"
 #include "server/service/remake.h"
 #include "server/service/request_id.h"
+#include "server/session/fail_on.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -146,7 +147,9 @@ class RawRemeshService final : public RawService {
         [this](Session& session, const auto& request, const Run& run) {
           v1::ValidateModelResponse reply;
           *reply.mutable_check() = encode(located(request.document(), [&] {
-            return session.validate(decode(request, documents()), decode(request.options()), run);
+            return unless_failing(
+                session.validate(decode(request, documents()), decode(request.options()), run),
+                request.options());
           }));
           return reply;
         });
@@ -158,7 +161,9 @@ class RawRemeshService final : public RawService {
           const EditToValidate what = decode(request, documents());
           v1::ValidateEditResponse reply;
           *reply.mutable_check() = encode(located(request.document(), [&] {
-            return session.validate_edit(what.base, what.edit, decode(request.options()), run);
+            return unless_failing(
+                session.validate_edit(what.base, what.edit, decode(request.options()), run),
+                request.options());
           }));
           return reply;
         });
@@ -188,6 +193,11 @@ class RawRemeshService final : public RawService {
 
   std::shared_ptr<CallRecord> record(const char* method, Context* context) const {
     return std::make_shared<CallRecord>(options_.desk, method, *context);
+  }
+
+  static Validated unless_failing(Validated validated, const v1::MeshOptions& options) {
+    check_warnings(validated.summary.warnings, fail_on_of(options));
+    return validated;
   }
 
   static void describe_for(const std::shared_ptr<UnaryCall>& call, Session& session,

@@ -18,6 +18,7 @@ struct ModelSummary {
   double area = 0;    ///< of the boundary
   std::uint32_t cells = 0;
   std::uint32_t faces = 0, edges = 0, vertices = 0;  ///< of the merged boundary
+  std::vector<Warning> warnings;                     ///< that are certain before there is a mesh
 };
 
 /// What the session asks of the engine. A test hands in a quick one; `production_engine()` is the

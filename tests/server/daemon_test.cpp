@@ -241,6 +241,46 @@ TEST_F(Daemons, ValidateModelsAndEditsWithoutMeshing) {
   EXPECT_EQ(engine_.started(), 1);
 }
 
+class WarnedDaemons : public DaemonTest {
+  [[nodiscard]] Engine make_engine() const override {
+    Engine engine = DaemonTest::make_engine();
+    engine.summarise = [](const Revision*, const FeatureModel&, const MeshOptions&,
+                          const remeshd::Run&) {
+      ModelSummary summary;
+      summary.warnings = {{.code = WarningCode::FaceLost, .message = "hole.wall is gone"}};
+      return summary;
+    };
+    return engine;
+  }
+};
+
+TEST_F(WarnedDaemons, TellWhatIsCertainBeforeMeshing) {
+  v1::ValidateModelRequest request;
+  *request.mutable_model() = plate();
+  v1::ValidateModelResponse reply;
+  {
+    grpc::ClientContext context;
+    ASSERT_TRUE(stub().ValidateModel(&context, request, &reply).ok());
+    ASSERT_EQ(reply.check().warnings_size(), 1);
+    EXPECT_EQ(reply.check().warnings(0).message(), "hole.wall is gone");
+  }
+  request.mutable_options()->add_fail_on(v1::Warning::FACE_LOST);
+  {
+    grpc::ClientContext context;
+    const auto status = stub().ValidateModel(&context, request, &reply);
+    EXPECT_EQ(detail(status).reason(), v1::Error::WARNING_IS_ERROR);
+  }
+  create(plate());
+  v1::ValidateEditRequest edit;
+  edit.set_base("plate");
+  *edit.mutable_edit() = set("at", 11);
+  edit.mutable_options()->add_fail_on(v1::Warning::FACE_LOST);
+  v1::ValidateEditResponse edited;
+  grpc::ClientContext context;
+  const auto status = stub().ValidateEdit(&context, edit, &edited);
+  EXPECT_EQ(detail(status).reason(), v1::Error::WARNING_IS_ERROR);
+}
+
 TEST_F(Daemons, CompareRevisionsModelsAndEdits) {
   create(plate());
   v1::CompareResponse reply;
