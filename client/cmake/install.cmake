@@ -27,6 +27,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/remeshdConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/remeshdConfigVersion.cmake
   DESTINATION ${package_dir} COMPONENT client_development)
 
+# Whoever hands the library on hands its licence on.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSES/Apache-2.0.txt
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/remeshd COMPONENT client_development)
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/include/remeshd
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT client_development)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/proto/generated/remesh

@@ -51,6 +51,7 @@ def check_vtu(file, mesh, want):
         from vtkmodules.util.numpy_support import vtk_to_numpy
         from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
     except ImportError:
+        print("VTK is not installed: it has not read the mesh")
         return
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(file))

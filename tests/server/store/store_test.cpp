@@ -401,7 +401,7 @@ TEST_F(StoreTest, InMemoryTheCatalogueIsTheSame) {
 }
 
 TEST_F(StoreTest, AFullDiskIsAnErrorThatSaysSo) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   File full("/dev/full", 1 /* O_WRONLY */);
   try {
     full.write("x");
