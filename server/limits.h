@@ -33,6 +33,9 @@ inline constexpr int kPingIntervalMs = 500, kPingStrikes = 8;
 inline constexpr int kStreamsPerConnection = 256;
 /// Bytes of a request; what is larger is refused in words.
 inline constexpr std::size_t kRequestBytes = 8 * kMebi;
+/// Bytes that gRPC takes of a stream ahead of its reader. It keeps 32 bytes for each message among
+/// them, and a message may have five.
+inline constexpr int kReceiveWindow = 256 << 10U;
 /// Bytes of a message beyond which gRPC refuses it itself.
 inline constexpr int kReceivedMessage = 16 << 20U;
 /// Bytes of all messages being received together. gRPC 1.51 receives a message whole before it

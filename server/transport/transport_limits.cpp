@@ -33,6 +33,8 @@ void set_transport_limits(grpc::ServerBuilder& builder) {
   set_keepalive(builder);
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, limits::kStreamsPerConnection);
   builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, limits::kHandshakeMs);
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // or the window grows with the network
+  builder.AddChannelArgument(GRPC_ARG_HTTP2_STREAM_LOOKAHEAD_BYTES, limits::kReceiveWindow);
   builder.SetMaxReceiveMessageSize(limits::kReceivedMessage);
   grpc::ResourceQuota quota("remeshd");
   quota.Resize(limits::kReceiveMemory);
