@@ -37,7 +37,6 @@ class MemoryBudget {
       if (budget_ != nullptr) budget_->give_back(bytes_);
     }
     explicit operator bool() const { return budget_ != nullptr; }
-    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
     /// Makes it one of so many bytes; false, and nothing done, where there is no room for more.
     /// Pre: not empty.
