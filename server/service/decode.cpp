@@ -113,11 +113,11 @@ OptionsPatch decode(const v1::MeshOptions& message) {
 }
 
 HeadRule decode(const v1::HeadUpdate& message) {
-  if (message.has_file() && !message.file()) throw error::unsupported("head.file");
   HeadRule out;
   if (message.has_advance()) out.advance = message.advance();
   out.expected = message.expected();
   out.require = message.require();
+  if (message.has_file()) out.file = message.file();
   return out;
 }
 

@@ -103,7 +103,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
     const std::size_t at = at_;
     const Recipe& recipe = recipes_.at(at);
     const bool last = at + 1 == recipes_.size();
-    const HeadRule head = last ? head_ : HeadRule{.advance = false};
+    const HeadRule head = last ? head_ : HeadRule{.advance = false, .file = head_.file};
     Listener listener{.progress = {},
                       .made = [self = shared_from_this()](const Made& made) { self->take(made); },
                       .failed = [self = shared_from_this()](const Error& why) { self->fail(why); }};
@@ -183,10 +183,15 @@ MakeRequestPtr remake(Session& session, const v1::RemakeRevisionRequest& request
                       std::function<void(const Made&, const std::vector<std::string>&)> made,
                       std::function<void(const Error&)> failed) {
   const Reference reference = session.resolve(request.revision());
-  std::string design = request.design().empty() ? reference.design : request.design();
-  if (design.empty()) design = session.design_of(reference.id);
+  HeadRule head = decode(request.head());
+  std::string design = request.design();
+  if (head.file.value_or(true)) {
+    if (design.empty()) design = reference.design;
+    if (design.empty()) design = session.design_of(reference.id);
+    if (design.empty()) head.file = false;
+  }
   const auto remaking = std::make_shared<Remaking>(
-      session, session.recipe(reference.id), decode(request.head()), std::move(design),
+      session, session.recipe(reference.id), std::move(head), std::move(design),
       std::max<int>(1, static_cast<int>(request.threads())), std::move(made), std::move(failed));
   remaking->find_base();
   return remaking;

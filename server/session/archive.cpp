@@ -111,6 +111,13 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
   const auto known = catalogue.revision(record.id);
   filed.record = known.value_or(record);
   filing.add = !known;
+  if (filing.add) filing.changes.emplace_back(AddRevision{filed.record});
+  if (store_.persistent() && !filed.durable) filed.warnings.push_back(not_durable());
+  if (design.empty()) {
+    filed.place.id = record.id;
+    check_warnings(filed.warnings, fail_on);
+    return filing;
+  }
   filed.place = {.design = design, .number = catalogue.next_number(design), .id = record.id};
   for (const PlaceRecord& place : catalogue.places(record.id)) {
     if (place.design != design) continue;
@@ -129,7 +136,6 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
   const HeadDecision decision = decide_head(rule, now);
   if (decision.conflict && rule.require)
     throw error::head_conflict(design, rule.expected, now.head);
-  if (store_.persistent() && !filed.durable) filed.warnings.push_back(not_durable());
   if (decision.kept) filed.warnings.push_back(head_kept(filed.place, filed.head_number));
   check_warnings(filed.warnings, fail_on);
   filed.head_conflict = decision.conflict;
@@ -137,7 +143,6 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
   if (decision.move) filed.head_number = filed.place.number;
   filed.place.head = filed.head == record.id;
 
-  if (filing.add) filing.changes.emplace_back(AddRevision{filed.record});
   if (now.is_new) filing.changes.emplace_back(AddPlace{design, filed.place.number, record.id});
   if (decision.move) filing.changes.emplace_back(SetHead{design, record.id});
   if (now.is_new || decision.move) filing.changes.emplace_back(changed_now(design));

@@ -27,7 +27,7 @@ struct OptionsPatch {
   std::optional<bool> clean_up;
 };
 
-/// Whether the revision made is to become the head of its design.
+/// Whether the revision made is filed in a design, and becomes its head.
 struct HeadRule {
   /// Whether it becomes the head, if that still is `expected`. Left out: yes, but for two kinds of
   /// first mesh: one that the design has already, and one whose model is not that of the design's
@@ -35,6 +35,9 @@ struct HeadRule {
   std::optional<bool> advance;
   std::string expected;  ///< id that the head must have for it to move; empty: any
   bool require = false;  ///< where it has another one, the command fails and files nothing
+  /// Whether it is filed in a design. Left out: yes, but for an edit that names none and whose base
+  /// is in none. What is in no design moves no head, and a rule that wants both is an error.
+  std::optional<bool> file;
 };
 
 /// Adds line and column to an error about a value that the document of a command has. Empty where
@@ -56,7 +59,7 @@ struct EditCommand {
   ModelEdit edit;
   std::string document;  ///< of the edit, as it is kept with the revision
   OptionsPatch options;
-  std::string design;  ///< empty: the base's
+  std::string design;  ///< empty: the base's; where that has none, none
   HeadRule head;       ///< expected: empty means the base
   std::vector<WarningCode> fail_on;
   int threads = 1;

@@ -8,12 +8,33 @@
 #include "server/session/session_error.h"
 
 namespace remeshd {
+namespace {
+
+/// Whether the rule asks that a head may move.
+bool concerns_head(const HeadRule& rule) {
+  return rule.advance.value_or(false) || rule.require || !rule.expected.empty();
+}
+
+/// Refuses a rule that files in no design and asks for what only a design has. `design`: that the
+/// command names.
+void check_unfiled(const HeadRule& rule, const std::string& design) {
+  if (!design.empty())
+    throw error::option_invalid("head.file", "is false, so that a design cannot be named");
+  if (concerns_head(rule))
+    throw error::option_invalid("head.file", "is false, and a revision in no design moves no head");
+}
+
+}  // namespace
 
 std::optional<EditBase> Preparation::base_of(const Command& command) const {
   const auto* edit = std::get_if<EditCommand>(&command);
   if (edit == nullptr) return std::nullopt;
   if (edit->base.empty()) throw error::reference_missing("base");
   const Reference reference = archive_.resolve(edit->base);
+  if (edit->head.file == false) {
+    check_unfiled(edit->head, edit->design);
+    return EditBase{.id = reference.id, .design = ""};
+  }
   EditBase base{.id = reference.id,
                 .design = edit->design.empty() ? reference.design : edit->design};
   if (base.design.empty()) {
@@ -21,7 +42,11 @@ std::optional<EditBase> Preparation::base_of(const Command& command) const {
         archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
     if (!places.empty()) base.design = places.front().design;
   }
-  check_design_name(base.design);
+  if (!base.design.empty()) {
+    check_design_name(base.design);
+  } else if (edit->head.file.value_or(false) || concerns_head(edit->head)) {
+    throw error::field_missing("design", "the base is in none");
+  }
   return base;
 }
 
@@ -45,9 +70,13 @@ Prepared Preparation::prepare(const Command& command, const std::optional<EditBa
 Prepared Preparation::prepare_create(const CreateCommand& command, const Run& run) const {
   Prepared prepared;
   prepared.options = first_options(command.options);
-  prepared.design = command.design.empty() ? command.source.name : command.design;
-  if (prepared.design.empty()) prepared.design = "model";
-  check_design_name(prepared.design);
+  if (command.head.file.value_or(true)) {
+    prepared.design = command.design.empty() ? command.source.name : command.design;
+    if (prepared.design.empty()) prepared.design = "model";
+    check_design_name(prepared.design);
+  } else {
+    check_unfiled(command.head, command.design);
+  }
   prepared.nodes =
       engine_.check_node_limit(nullptr, engine_.evaluate(command.source), prepared.options, run);
   prepared.source = command.source;

@@ -14,7 +14,7 @@ namespace remeshd {
 /// A command made definite.
 struct Prepared {
   std::string id;  ///< of the revision it asks for
-  std::string design;
+  std::string design;  ///< empty: it is filed in none
   HeadRule head;
   std::vector<WarningCode> fail_on;
   HeldRevisionPtr base;  ///< null for a first mesh
@@ -28,7 +28,7 @@ struct Prepared {
 /// What an edit is of, and where it is filed.
 struct EditBase {
   std::string id;
-  std::string design;
+  std::string design;  ///< empty: in none
 };
 
 /// Makes commands definite: finds the base, applies the edit, checks options and node limit, finds

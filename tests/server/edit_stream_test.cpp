@@ -73,6 +73,26 @@ TEST_F(EditStreams, AnswersPipelinedEditsInOrderEachOnTheHeadThatTheLastLeft) {
   EXPECT_TRUE(close().ok());
 }
 
+TEST_F(EditStreams, EditsThatNameNoBaseFollowTheLastWhereThatIsInNoDesign) {
+  open();
+  send_create("base", plate());
+  std::string last = answer().result().revision().id();
+  for (int i = 0; i < 3; ++i) {
+    v1::EditStreamRequest request;
+    *request.mutable_edit() = edit_request("", set("at", 11 + i));
+    request.mutable_edit()->mutable_head()->set_file(false);
+    ASSERT_TRUE(stream_->Write(request));
+    const auto revision = answer().result().revision();
+    EXPECT_EQ(revision.design(), "");
+    EXPECT_EQ(revision.number(), 0U);
+    EXPECT_EQ(revision.parent(), last);
+    last = revision.id();
+  }
+  EXPECT_TRUE(close().ok());
+  EXPECT_EQ(describe("plate").revision().number(), 1U);
+  EXPECT_EQ(describe(last).places_size(), 0);
+}
+
 TEST_F(EditStreams, SendProgressWithItsRequestIdFractionsNeverFalling) {
   open();
   send_create("base", plate());

@@ -52,7 +52,6 @@ TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
   expect_no_first_mesh("order", [](auto& r) { r.mutable_options()->set_order(2); });
   for (const auto code : {v1::Warning::DETAIL_NOT_RESOLVED, v1::Warning::EDGES_STRAIGHT})
     expect_no_first_mesh("fail_on", [&](auto& r) { r.mutable_options()->add_fail_on(code); });
-  expect_no_first_mesh("head.file", [](auto& r) { r.mutable_head()->set_file(false); });
   auto request = create_request(plate(6));
   request.mutable_options()->set_order(1);
   request.mutable_head()->set_file(true);

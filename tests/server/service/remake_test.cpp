@@ -38,5 +38,25 @@ TEST(RemakingARevision, HoldsNothingOnceItIsAnswered) {
   EXPECT_TRUE(remaking.expired());
 }
 
+TEST(RemakingARevision, LeavesWhatIsInNoDesignInNone) {
+  const FakeEngine fake;
+  const StoreFolder folder;
+  const auto session = only_session(fake.engine(), folder.open());
+  const Answer first;
+  session->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
+                              .options = {.nodes = 100},
+                              .head = {.file = false}},
+                first.listener());
+  remesh::v1::RemakeRevisionRequest request;
+  request.set_revision(first.made().filed.record.id);
+  Awaited<Made> again;
+  remake(
+      *session, request, [heard = again.on_value()](const Made& made, const auto&) { heard(made); },
+      again.on_error());
+  EXPECT_EQ(again.error().reason, "");
+  EXPECT_EQ(again.value().filed.place.design, "");
+  EXPECT_TRUE(session->designs({}, {}).empty());
+}
+
 }  // namespace
 }  // namespace remeshd::test

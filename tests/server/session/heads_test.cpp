@@ -128,6 +128,71 @@ TEST_F(HeadsTest, ARequiredHeadThatIsAnotherOneFailsBeforeAnythingIsComputed) {
   EXPECT_TRUE(ask(again).made().cached);
 }
 
+TEST_F(HeadsTest, ARevisionIsFiledInNoDesignWhereThatIsAsked) {
+  start_with_store();
+  const std::string first = ask(plate(80)).made().filed.record.id;
+  EditCommand command = longer("plate", 90);
+  command.head.file = false;
+  const Filed filed = ask(command).made().filed;
+  EXPECT_EQ(filed.place.design, "");
+  EXPECT_EQ(filed.place.number, 0U);
+  EXPECT_FALSE(filed.place.head);
+  EXPECT_EQ(filed.head, "");
+  EXPECT_FALSE(filed.head_conflict);
+  EXPECT_TRUE(filed.durable);
+  EXPECT_EQ(design(), "plate@1 of 1");
+  start_with_store();
+  EXPECT_EQ(session_->resolve(filed.record.id).design, "");
+  EXPECT_EQ(session_->list({.unfiled = true}, {}).size(), 1U);
+  // An edit of what is in none is in none too, unless it names one.
+  EXPECT_EQ(ask(longer(filed.record.id, 95)).made().filed.place.design, "");
+  EditCommand named = longer(filed.record.id, 95);
+  named.design = "plate";
+  named.head.expected = first;
+  const Made found = ask(named).made();
+  EXPECT_TRUE(found.cached);
+  EXPECT_EQ(found.filed.place.number, 2U);
+  EXPECT_EQ(design(), "plate@2 of 2");
+}
+
+TEST_F(HeadsTest, AFirstMeshMayBeInNoDesignToo) {
+  CreateCommand command = plate(80);
+  command.design.clear();
+  command.head.file = false;
+  const Filed filed = ask(command).made().filed;
+  EXPECT_EQ(filed.place.design, "");
+  EXPECT_EQ(design(), "none");
+  EXPECT_EQ(session_->get(filed.record.id, remeshd::Run{})->record.id, filed.record.id);
+}
+
+TEST_F(HeadsTest, WhatIsInNoDesignMovesNoHead) {
+  const auto refused = [&](const std::string& what, auto change) {
+    CreateCommand first = plate(90);
+    first.design.clear();
+    first.head.file = false;
+    change(first);
+    EditCommand edit = longer("plate", 90);
+    edit.head.file = false;
+    change(edit);
+    for (const ErrorInfo& error : {ask(first).error(), ask(edit).error()}) {
+      EXPECT_EQ(error.reason, "OPTIONS_INVALID") << what;
+      EXPECT_EQ(error.parameter, "head.file") << what;
+    }
+  };
+  const std::string first = ask(plate(80)).made().filed.record.id;
+  refused("design", [](auto& command) { command.design = "plate"; });
+  refused("advance", [](auto& command) { command.head.advance = true; });
+  refused("expected", [&](auto& command) { command.head.expected = first; });
+  refused("require", [](auto& command) { command.head.require = true; });
+  EditCommand edit = longer("plate", 90);
+  edit.head = {.advance = false, .file = false};
+  EditCommand of_it = longer(ask(edit).made().filed.record.id, 95);
+  of_it.head.advance = true;
+  EXPECT_EQ(ask(of_it).error().reason, "MISSING_FIELD");
+  EXPECT_EQ(fake_.started(), 2);
+  EXPECT_EQ(design(), "plate@1 of 1");
+}
+
 TEST_F(HeadsTest, AHeadIsSetToAnyRevisionOfTheDesign) {
   const std::string first = ask(plate(80)).made().filed.record.id;
   const std::string second = ask(longer("plate", 90)).made().filed.record.id;
