@@ -26,6 +26,7 @@ struct Recorder {
   FileCalls::Decide decide;
   std::map<int, std::string> open_files;                        ///< by descriptor
   std::map<std::string, std::function<void()>> before_opening;  ///< by path
+  std::function<void()> before_syncing;
 
   std::optional<std::string> below_root(const char* path) const {
     const std::string text(path);
@@ -51,6 +52,17 @@ void tell_before_opening(const char* path) {
     recorder->before_opening.erase(found);
   }
   before();
+}
+
+/// Tells whoever waits for a file to be synced.
+void tell_before_syncing(int descriptor) {
+  std::function<void()> before;
+  {
+    const std::scoped_lock lock(mutex);
+    if (recorder == nullptr || !recorder->open_files.contains(descriptor)) return;
+    before = recorder->before_syncing;
+  }
+  if (before) before();
 }
 
 /// Enters a call and does it. `real` returns what the system call does.
@@ -98,6 +110,10 @@ void FileCalls::decide(Decide decide) {
 void FileCalls::before_opening(const std::string& path, std::function<void()> before) {
   const std::scoped_lock lock(mutex);
   recorder->before_opening[path] = std::move(before);
+}
+void FileCalls::before_syncing(std::function<void()> before) {
+  const std::scoped_lock lock(mutex);
+  recorder->before_syncing = std::move(before);
 }
 void FileCalls::mark(std::uint64_t number) {
   const std::scoped_lock lock(mutex);
@@ -168,6 +184,7 @@ extern "C" ssize_t write(int descriptor, const void* bytes, std::size_t count) {
 }
 
 extern "C" int fsync(int descriptor) {
+  rt::tell_before_syncing(descriptor);
   const auto real = [&] { return syscall(SYS_fsync, descriptor); };
   const std::scoped_lock lock(rt::mutex);
   const bool ours = rt::recorder && rt::recorder->open_files.contains(descriptor);

@@ -24,13 +24,11 @@ class HangingDisk : public DaemonTest {
     calls_ = std::make_unique<FileCalls>(options_.store);
     create(plate());
     edit("plate", set("at", 11));
-    calls_->decide([this](const FileCall& call, std::size_t) {
-      if (call.kind != FileCall::Kind::Sync) return 0;
+    calls_->before_syncing([this] {
       std::unique_lock lock(mutex_);
       ++hanging_;
       changed_.notify_all();
       changed_.wait(lock, [&] { return released_; });
-      return 0;
     });
   }
   void TearDown() override {
