@@ -26,7 +26,7 @@ struct Recorder {
   FileCalls::Decide decide;
   std::map<int, std::string> open_files;                        ///< by descriptor
   std::map<std::string, std::function<void()>> before_opening;  ///< by path
-  std::function<void()> before_syncing;
+  std::function<void(const std::string&)> before_syncing;
 
   std::optional<std::string> below_root(const char* path) const {
     const std::string text(path);
@@ -56,13 +56,15 @@ void tell_before_opening(const char* path) {
 
 /// Tells whoever waits for a file to be synced.
 void tell_before_syncing(int descriptor) {
-  std::function<void()> before;
+  std::function<void(const std::string&)> before;
+  std::string path;
   {
     const std::scoped_lock lock(mutex);
     if (recorder == nullptr || !recorder->open_files.contains(descriptor)) return;
     before = recorder->before_syncing;
+    path = recorder->open_files[descriptor];
   }
-  if (before) before();
+  if (before) before(path);
 }
 
 /// Enters a call and does it. `real` returns what the system call does.
@@ -111,7 +113,7 @@ void FileCalls::before_opening(const std::string& path, std::function<void()> be
   const std::scoped_lock lock(mutex);
   recorder->before_opening[path] = std::move(before);
 }
-void FileCalls::before_syncing(std::function<void()> before) {
+void FileCalls::before_syncing(std::function<void(const std::string&)> before) {
   const std::scoped_lock lock(mutex);
   recorder->before_syncing = std::move(before);
 }

@@ -43,9 +43,9 @@ class FileCalls {
   void decide(Decide decide);
   /// Has `before` hear, once, that a file is about to be opened that is there.
   void before_opening(const std::string& path, std::function<void()> before);
-  /// Has `before` hear that a file is about to be synced. It may take its time: unlike `decide` it
-  /// holds up no call but that one.
-  void before_syncing(std::function<void()> before);
+  /// Has `before` hear, by its path, that a file is about to be synced. It may take its time:
+  /// unlike `decide` it holds up no call but that one.
+  void before_syncing(std::function<void(const std::string&)> before);
   void mark(std::uint64_t number);
 
   [[nodiscard]] FileRecord record() const;

@@ -24,7 +24,7 @@ class HangingDisk : public DaemonTest {
     calls_ = std::make_unique<FileCalls>(options_.store);
     create(plate());
     edit("plate", set("at", 11));
-    calls_->before_syncing([this] {
+    calls_->before_syncing([this](const std::string& /*path*/) {
       std::unique_lock lock(mutex_);
       ++hanging_;
       changed_.notify_all();

@@ -30,13 +30,12 @@ class SlowDisk : public StoreFolderTest, public testing::WithParamInterface<cons
     return held;
   }
   void hang() {
-    calls_.decide([this](const FileCall& call, std::size_t) {
-      if (call.kind != FileCall::Kind::Sync || !call.path.starts_with(GetParam())) return 0;
+    calls_.before_syncing([this](const std::string& path) {
+      if (!path.starts_with(GetParam())) return;
       std::unique_lock lock(mutex_);
       hanging_ = !released_;
       changed_.notify_all();
       changed_.wait(lock, [&] { return released_; });
-      return 0;
     });
   }
   bool hangs() {
