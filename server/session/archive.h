@@ -75,9 +75,10 @@ class Archive {
   /// Lets go of it where it was filed nowhere.
   void drop_unfiled(const std::string& id);
 
-  /// Enters a revision in a design, or where `design` is empty in none: bytes on the disk first (again, if `find` met a damaged copy),
-  /// then number and head at once. It keeps the number that it has in the design. Where nothing
-  /// changes by it, it waits for no disk; nor does anybody wait while it writes the bytes.
+  /// Enters a revision in a design, or in none where `design` is empty: bytes on the disk first
+  /// (again, if `find` met a damaged copy), then number and head at once. It keeps the number that
+  /// it has in the design. Where nothing changes by it, it waits for no disk; nor does anybody wait
+  /// while it writes the bytes.
   /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
   /// store gets it as soon as there is room; unless `fail_on` lists NotDurable.
   /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.

@@ -13,7 +13,7 @@ namespace remeshd {
 
 /// A command made definite.
 struct Prepared {
-  std::string id;  ///< of the revision it asks for
+  std::string id;      ///< of the revision it asks for
   std::string design;  ///< empty: it is filed in none
   HeadRule head;
   std::vector<WarningCode> fail_on;

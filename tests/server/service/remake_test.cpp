@@ -14,22 +14,31 @@
 namespace remeshd::test {
 namespace {
 
-TEST(RemakingARevision, HoldsNothingOnceItIsAnswered) {
-  const FakeEngine fake;
-  const StoreFolder folder;
-  const auto session = only_session(fake.engine(), folder.open());
-  const Answer first;
-  session->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
-                              .options = {.nodes = 100},
-                              .design = "plate"},
-                first.listener());
-  ASSERT_TRUE(first.came());
+/// A session in whose store a plate has been meshed.
+class RemakingARevision : public testing::Test {
+ protected:
+  Made mesh(const std::string& design, const HeadRule& head) {
+    const Answer answer;
+    session_->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
+                                 .options = {.nodes = 100},
+                                 .design = design,
+                                 .head = head},
+                   answer.listener());
+    return answer.made();
+  }
 
+  const FakeEngine fake_;
+  const StoreFolder folder_;
+  const std::shared_ptr<Session> session_ = only_session(fake_.engine(), folder_.open());
+};
+
+TEST_F(RemakingARevision, HoldsNothingOnceItIsAnswered) {
+  mesh("plate", {});
   remesh::v1::RemakeRevisionRequest request;
   request.set_revision("plate");
   const auto answered = std::make_shared<std::atomic<bool>>(false);
   const std::weak_ptr<MakeRequest> remaking = remake(
-      *session, request, [answered](const Made&, const auto&) { *answered = true; },
+      *session_, request, [answered](const Made&, const auto&) { *answered = true; },
       [answered](const Error&) { *answered = true; });
   // Whoever answers lets go of it a moment later.
   for (int i = 0; i < 5000 && (!*answered || !remaking.expired()); ++i)
@@ -38,24 +47,16 @@ TEST(RemakingARevision, HoldsNothingOnceItIsAnswered) {
   EXPECT_TRUE(remaking.expired());
 }
 
-TEST(RemakingARevision, LeavesWhatIsInNoDesignInNone) {
-  const FakeEngine fake;
-  const StoreFolder folder;
-  const auto session = only_session(fake.engine(), folder.open());
-  const Answer first;
-  session->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
-                              .options = {.nodes = 100},
-                              .head = {.file = false}},
-                first.listener());
+TEST_F(RemakingARevision, LeavesWhatIsInNoDesignInNone) {
   remesh::v1::RemakeRevisionRequest request;
-  request.set_revision(first.made().filed.record.id);
+  request.set_revision(mesh("", {.file = false}).filed.record.id);
   Awaited<Made> again;
   remake(
-      *session, request, [heard = again.on_value()](const Made& made, const auto&) { heard(made); },
-      again.on_error());
+      *session_, request,
+      [heard = again.on_value()](const Made& made, const auto&) { heard(made); }, again.on_error());
   EXPECT_EQ(again.error().reason, "");
   EXPECT_EQ(again.value().filed.place.design, "");
-  EXPECT_TRUE(session->designs({}, {}).empty());
+  EXPECT_TRUE(session_->designs({}, {}).empty());
 }
 
 }  // namespace
