@@ -66,11 +66,11 @@ MeshMessages::MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& pare
   const auto of_parent = delta ? mesh_arrays(parent->revision.delivery) : std::vector<MeshArray>();
   for (MeshArray& array : mesh_arrays(held.revision.delivery)) {
     if (!wanted.empty() && !wanted.contains(name_of(array))) continue;
-    held.digests.of(array);
     Sent& sent = content_->arrays.emplace_back();
     sent.bytes = array.bytes;
     sent.array = std::move(array);
     if (delta) take_difference(sent, *parent, of_parent);
+    held.digests.of(sent.array);
   }
 }
 
@@ -80,7 +80,8 @@ void MeshMessages::take_difference(Sent& sent, const HeldRevision& parent,
   if (base == of_parent.end() || base->type != sent.array.type ||
       base->components != sent.array.components)
     return;
-  if (content_->revision->digests.of(sent.array) == parent.digests.of(*base)) {
+  const MeshDigests& digests = content_->revision->digests;
+  if (digests.of(sent.array, *base, parent.digests) == parent.digests.of(*base)) {
     sent.encoding = v1::MeshHeader::ENCODING_SAME;
     sent.bytes = 0;
   } else if (sent.array.type != NumberType::Text) {

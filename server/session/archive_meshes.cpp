@@ -204,12 +204,12 @@ Archive::Written Archive::write(const HeldRevision& revision, const PlaceRecord&
                                 bool by_itself) {
   Written written{.record = revision.record};
   written.record.seconds = seconds_of(revision.revision.report);
-  const std::string recipe =
-      revision.asked ? write_recipe(recipe_of(revision)) : store_.recipe(written.record.id);
+  const HeldRevisionPtr parent = held_.find(written.record.parent);
+  const std::string recipe = revision.asked ? write_recipe(recipe_of(revision, parent.get()))
+                                            : store_.recipe(written.record.id);
   written.recipe = Store::packed_recipe(recipe);
   const StoredArrays arrays = stored_form(engine_, revision);
-  const HeldRevisionPtr parent = by_itself ? nullptr : held_.find(written.record.parent);
-  if (!parent) {
+  if (!parent || by_itself) {
     store_.put(written.record, place, recipe, arrays);
   } else {
     const StoredArrays of_parent = stored_form(engine_, *parent);

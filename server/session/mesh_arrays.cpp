@@ -18,6 +18,7 @@ static_assert(sizeof(Vec3) == 24 && sizeof(Tet) == 16 && sizeof(Triangle) == 12 
               sizeof(Transform) == 96 && sizeof(NodeOrigin) == 1);
 
 constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kDigest = 32;  // bytes of one block's
 
 template <typename Row>
 MeshArray empty_array(ArrayName name, NumberType type, std::size_t rows) {
@@ -118,15 +119,42 @@ std::vector<MeshArray> mesh_arrays(const Delivery& d) {
           array_of(OriginalTets, I32, m.original_tet)};
 }
 
-std::string digest_of(const MeshArray& array) {
-  Sha256 whole;
-  for (std::uint64_t at = 0; at < array.bytes; at += kBlock) {
-    Sha256 sum;
-    array.pieces(at, std::min<std::uint64_t>(kBlock, array.bytes - at),
-                 [&](std::string_view piece) { sum.update(piece); });
-    whole.update(sum.finish());
+namespace {
+
+/// Whether two arrays have the same `size` bytes from `offset` on. Pre: both have as many.
+bool are_same(const MeshArray& a, const MeshArray& b, std::uint64_t offset, std::uint64_t size) {
+  while (size > 0) {
+    std::string_view of_a = a.from(offset), of_b = b.from(offset);
+    const std::uint64_t common = std::min<std::uint64_t>({size, of_a.size(), of_b.size()});
+    of_a = of_a.substr(0, common);
+    of_b = of_b.substr(0, common);
+    if (of_a.data() != of_b.data() && of_a != of_b) return false;  // most pages are shared
+    offset += common;
+    size -= common;
   }
-  return to_hex(whole.finish());
+  return true;
+}
+
+std::string block_digest(const MeshArray& array, std::uint64_t offset, std::uint64_t size) {
+  Sha256 sum;
+  array.pieces(offset, size, [&](std::string_view piece) { sum.update(piece); });
+  return sum.finish();
+}
+
+}  // namespace
+
+ArrayDigest digest_of(const MeshArray& array, const MeshArray* alike, const ArrayDigest* of_alike) {
+  ArrayDigest digest;
+  for (std::uint64_t at = 0; at < array.bytes; at += kBlock) {
+    const std::uint64_t size = std::min<std::uint64_t>(kBlock, array.bytes - at);
+    const bool same = alike != nullptr && at < alike->bytes &&
+                      size == std::min<std::uint64_t>(kBlock, alike->bytes - at) &&
+                      are_same(array, *alike, at, size);
+    digest.blocks += same ? of_alike->blocks.substr(at / kBlock * kDigest, kDigest)
+                          : block_digest(array, at, size);
+  }
+  digest.whole = sha256_hex(digest.blocks);
+  return digest;
 }
 
 }  // namespace remeshd

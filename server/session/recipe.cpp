@@ -156,7 +156,7 @@ MeshOptions options_in(const json& j) {
 
 }  // namespace
 
-Recipe recipe_of(const HeldRevision& held) {
+Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike) {
   if (!held.asked) return {};
   Recipe recipe{.revision = held.record.id,
                 .parent = held.record.parent,
@@ -164,8 +164,12 @@ Recipe recipe_of(const HeldRevision& held) {
                 .model = held.revision.source,
                 .edit = held.edit,
                 .options = *held.asked};
-  for (const MeshArray& array : mesh_arrays(held.revision.delivery))
-    recipe.digests.push_back({array.name, held.digests.of(array)});
+  const std::vector<MeshArray> arrays = mesh_arrays(held.revision.delivery);
+  const auto others = alike ? mesh_arrays(alike->revision.delivery) : std::vector<MeshArray>();
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+    recipe.digests.push_back(
+        {arrays[i].name, alike ? held.digests.of(arrays[i], others[i], alike->digests)
+                               : held.digests.of(arrays[i])});
   return recipe;
 }
 

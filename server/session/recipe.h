@@ -14,7 +14,7 @@ namespace remeshd {
 struct Recipe {
   struct Digest {
     ArrayName array;
-    std::string digest;  ///< as `digest_of`
+    std::string digest;  ///< as `ArrayDigest::whole`
     friend bool operator==(const Digest&, const Digest&) = default;
   };
   std::string revision;  ///< id
@@ -27,8 +27,9 @@ struct Recipe {
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
-/// The recipe of a revision that tells its options as asked for; an empty one of another.
-Recipe recipe_of(const HeldRevision& held);
+/// The recipe of a revision that tells its options as asked for; an empty one of another. `alike`:
+/// one that has blocks of arrays in common with it, whose digests are taken over; null for none.
+Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike = nullptr);
 
 /// As it is kept: JSON, the same for equal recipes.
 std::string write_recipe(const Recipe& recipe);

@@ -63,7 +63,7 @@ TEST(RecipeText, HasTheDigestsOfWhatIsDelivered) {
   const Recipe recipe = recipe_of(held);
   ASSERT_EQ(recipe.digests.size(), arrays.size());
   for (std::size_t i = 0; i < arrays.size(); ++i)
-    EXPECT_EQ(recipe.digests[i].digest, digest_of(arrays[i]));
+    EXPECT_EQ(recipe.digests[i].digest, digest_of(arrays[i]).whole);
 }
 
 }  // namespace
