@@ -62,7 +62,9 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
             }),
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
-                                : std::function<bool()>()) {
+                                : std::function<bool()>(),
+             // The disk has just failed, and what it did not take is noted in a moment.
+             Background::Begin::AfterASecond) {
   store_.on_failure([this] { saver_.ask(); });
   if (disk_ == nullptr) return;
   const auto bytes = [this] {
@@ -205,12 +207,12 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     }
     if (again) continue;
     if (written && written->record.bytes == 0) set_not_durable(filing.filed);
-    if (!filing.filed.durable && store_.persistent()) {
+    // It may have been dropped, unfiled or deleted, since the caller found it.
+    if (!held_.contains(id)) held_.insert(revision);
+    if (!filing.filed.durable && store_.persistent()) {  // it is saved from where it is held
       set_unsaved(id, true);
       saver_.ask();
     }
-    // It may have been dropped, unfiled or deleted, since the caller found it.
-    if (!held_.contains(id)) held_.insert(revision);
     if (written && disk_ != nullptr) disk_->look_soon();
     return filing.filed;
   }

@@ -258,6 +258,7 @@ bool Archive::recover() {
     if (const HeldRevisionPtr held = held_.find(id)) keep(held);
     set_unsaved(id, false);
   }
+  store_.try_disk();  // last: the store is not ready while it has no room for what waits
   return false;
 }
 

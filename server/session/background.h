@@ -12,13 +12,15 @@
 
 namespace remeshd {
 
-/// Does something on a thread of its own some time after it is asked to, once for all that asked
-/// meanwhile; again a second later for as long as it returns true or throws. Its end waits for what
-/// is under way.
+/// Does something on a thread of its own after it is asked to, once for all that asked meanwhile;
+/// again a second later for as long as it returns true or throws. Its end waits for what is under
+/// way.
 class Background {
  public:
+  enum class Begin { Soon, AfterASecond };
   /// An empty `work` starts no thread.
-  explicit Background(std::function<bool()> work) : work_(std::move(work)) {
+  explicit Background(std::function<bool()> work, Begin begin = Begin::Soon)
+      : work_(std::move(work)), begin_(begin) {
     if (work_) thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   }
 
@@ -36,11 +38,10 @@ class Background {
       {
         std::unique_lock lock(mutex_);
         const auto asked = [&] { return asked_; };
-        if (again) {
-          changed_.wait_for(lock, stop, std::chrono::seconds(1), asked);
-        } else {
-          changed_.wait(lock, stop, asked);
-        }
+        const auto hurried = [&] { return asked_ && begin_ == Begin::Soon; };
+        if (!again) changed_.wait(lock, stop, asked);
+        if (again || begin_ == Begin::AfterASecond)
+          changed_.wait_for(lock, stop, std::chrono::seconds(1), hurried);
         if (stop.stop_requested()) return;
         asked_ = false;
       }
@@ -50,6 +51,7 @@ class Background {
   }
 
   const std::function<bool()> work_;
+  const Begin begin_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   bool asked_ = false;

@@ -131,15 +131,17 @@ void Store::flush() {
   const std::scoped_lock lock(committing_);
   if (!persistent()) return;
   try {
-    if (journal_behind_ || journal_->uncertain()) {
-      rewrite_journal({});
-    } else if (!healthy_) {
-      try_writing(kTrial, folder_ / "tmp");
-    }
+    if (journal_behind_ || journal_->uncertain()) rewrite_journal({});
   } catch (...) {
     set_healthy(false);
     throw;
   }
+}
+
+void Store::try_disk() {
+  if (!persistent() || healthy_) return;
+  const std::scoped_lock lock(committing_);
+  try_writing(kTrial, folder_ / "tmp");
   set_healthy(true);
 }
 
@@ -166,8 +168,7 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   bool entered = true;
   if (persistent()) {
     try {
-      enter(transaction);
-      set_healthy(true);
+      enter(transaction);  // which shows for no pack that there is room
     } catch (const Error& failure) {
       set_healthy(false);
       entered = false;

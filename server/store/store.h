@@ -87,15 +87,17 @@ class Store {
   enum class OnFullDisk { Throw, GoOn };
   bool commit(const std::function<Transaction(Catalogue&)>& make,
               OnFullDisk on_full_disk = OnFullDisk::Throw);
-  /// Writes what the journal lacks. Where it lacks nothing and the last write failed, tries whether
-  /// writing works again. Throws Error(STORE_FAILED, STORE_FULL).
+  /// Writes what the journal lacks. Throws Error(STORE_FAILED, STORE_FULL).
   void flush();
-  /// False from when something could not be written until something can.
+  /// Where the store is not healthy, finds out whether it is again. Throws Error(STORE_FAILED,
+  /// STORE_FULL).
+  void try_disk();
+  /// False from when something could not be written until a pack was, or as many bytes.
   [[nodiscard]] bool healthy() const { return healthy_; }
   /// Has `listener` hear of it now, and of every change. It must not call back; empty: nobody.
   void on_health(std::function<void(bool healthy)> listener);
-  /// Has `listener` hear when the store ceases to be healthy: it is to see to `flush` until that
-  /// succeeds. It must not call back; empty: nobody.
+  /// Has `listener` hear when the store ceases to be healthy: it is to see to `flush` and
+  /// `try_disk` until both succeed. It must not call back; empty: nobody.
   void on_failure(std::function<void()> listener);
   /// Reads the catalogue with nothing in between. Never waits for the disk.
   template <typename Read>

@@ -1,6 +1,8 @@
 #include "tests/disk/full_disk.h"
 
 #include <atomic>
+#include <mutex>
+#include <vector>
 
 #include "tests/support/expect_error.h"
 
@@ -91,6 +93,30 @@ TEST_F(FullDisk, IsRecoveredFromByItselfWhereNothingIsToBeSaved) {
     EXPECT_TRUE(fs::is_empty(folder_ / "tmp"));
     archive_->set_head(head, "plate", "");
   }
+}
+
+TEST_F(FullDisk, KeepsTheStoreUnhealthyUntilThereIsRoomForWhatWaits) {
+  file(1);
+  std::mutex mutex;
+  std::vector<bool> heard;
+  store_->on_health([&](bool healthy) {
+    const std::scoped_lock lock(mutex);
+    heard.push_back(healthy);
+  });
+  std::atomic<int> tries = 0;
+  calls_.decide([&](const FileCall& call, std::size_t) {
+    const bool for_a_pack =
+        call.kind == FileCall::Kind::Create && call.path.find("packs/") != std::string::npos;
+    tries += for_a_pack;
+    return for_a_pack ? ENOSPC : 0;
+  });
+  EXPECT_FALSE(file(2).durable);
+  archive_->set_head(id(1), "plate", "");  // takes a line of the journal, for which there is room
+  EXPECT_TRUE(eventually([&] { return tries > 3; })) << "nobody sees whether it works again";
+  make_room();
+  EXPECT_TRUE(archive_->is_durable(id(2)));
+  store_->on_health({});
+  EXPECT_EQ(heard, (std::vector<bool>{true, false, true}));
 }
 
 TEST_F(FullDisk, WhatWasNotDurableIsNotThereAfterACrash) {
