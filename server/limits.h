@@ -109,6 +109,14 @@ inline constexpr std::uint64_t kKeptShare = 4;
 inline constexpr std::chrono::seconds kReturnInterval(10);
 inline constexpr std::uint64_t kReturnGrowth = 16 * kMebi;
 
+// The process.
+
+/// s beyond the grace time (`--grace`) until a daemon that does not come to rest is ended by force:
+/// computations hear of their end within a fraction of a second.
+inline constexpr double kUntilRest = 8;
+/// Scrapes of the metrics at a time, and ms that one may say nothing: there is one scraper, or two.
+inline constexpr int kScrapes = 2, kScrapeTimeoutMs = 5'000;
+
 // Files of the operator's. Larger ones are a mistake.
 
 inline constexpr std::size_t kSecretFileBytes = kMebi, kConfigFileBytes = kMebi;

@@ -51,16 +51,18 @@ Metrics::Parts::Parts(const std::string& version, std::uint32_t algorithm_versio
                                                  "Requested revisions by where they came from")),
       evictions(family<prometheus::Counter>(registry, "remeshd_evictions_total",
                                             "Revisions that went for want of room")),
-      call_seconds(family<prometheus::Histogram>(registry, "remeshd_call_seconds",
-                                                 "Duration of calls and of streams' requests")),
-      queue_wait(family<prometheus::Histogram>(registry, "remeshd_queue_wait_seconds",
-                                               "Time that work waited before it began")),
+      call_seconds(
+          family<prometheus::Histogram>(registry, "remeshd_call_seconds",
+                                        "Duration of calls and of streams' requests, in seconds")),
+      queue_wait(
+          family<prometheus::Histogram>(registry, "remeshd_queue_wait_seconds",
+                                        "Time that work waited before it began, in seconds")),
       phases(family<prometheus::Histogram>(registry, "remeshd_phase_seconds",
-                                           "Duration of the phases of a computation")),
+                                           "Duration of the phases of a computation, in seconds")),
       reuse(family<prometheus::Histogram>(registry, "remeshd_reuse_ratio",
-                                          "Share of an edit's tets that its base has too")),
+                                          "Share of an edit's tets that its base has too, 0 to 1")),
       least_dihedral(family<prometheus::Histogram>(registry, "remeshd_least_dihedral_degrees",
-                                                   "Least dihedral angle of a mesh")) {
+                                                   "Least dihedral angle of a mesh, in degrees")) {
   family<prometheus::Gauge>(registry, "remeshd_build_info", "Version of the program; always 1")
       .Add({{"version", version}, {"algorithm", std::to_string(algorithm_version)}})
       .Set(1);

@@ -3,16 +3,19 @@
 #include <prometheus/exposer.h>
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "server/limits.h"
 #include "server/observe/metrics_parts.h"
 
 namespace remeshd {
 namespace {
 
-/// Few threads, and little patience with whoever says nothing: there is one scraper, or two.
 std::vector<std::string> options_for(const std::string& address) {
-  return {"listening_ports", address, "num_threads", "2", "request_timeout_ms", "5000"};
+  return {"listening_ports",    address,
+          "num_threads",        std::to_string(limits::kScrapes),
+          "request_timeout_ms", std::to_string(limits::kScrapeTimeoutMs)};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "server/guard/doorman.h"
+#include "server/limits.h"
 #include "server/observe/log.h"
 #include "server/observe/metrics.h"
 #include "server/observe/metrics_server.h"
@@ -27,9 +28,6 @@
 
 namespace remeshd {
 namespace {
-
-/// Beyond the grace time: computations hear of their end within a fraction of a second.
-constexpr double kUntilRest = 8;
 
 std::string name_of(int signal) { return signal == SIGTERM ? "SIGTERM" : "SIGINT"; }
 
@@ -118,7 +116,7 @@ void serve(const Configuration& configuration, Engine engine) {
 
   logger->info("ending on {}", name_of(signals.wait_for_end()));
   notify_service_manager("STOPPING=1");
-  end_within(settings.grace + kUntilRest, log);
+  end_within(settings.grace + limits::kUntilRest, log);
   daemon.shutdown(settings.grace);
   logger->info("ended");
   redirect_grpc_log(nullptr);
