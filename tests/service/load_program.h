@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -20,10 +21,12 @@ class LoadProgram {
   /// For further options.
   CLI::App& options() { return app_; }
 
-  /// Reads the command line, then does `work`. Returns the exit status: what `work` returns, 1
-  /// after an exception, which is told.
+  /// Reads the command line, then does `work`. Where nobody reads the output any more, the program
+  /// goes on all the same: else its daemon would be left behind. Returns the exit status: what
+  /// `work` returns, 1 after an exception, which is told.
   int run(int argc, char** argv, const std::function<int()>& work) {
     CLI11_PARSE(app_, argc, argv);
+    std::signal(SIGPIPE, SIG_IGN);
     try {
       return work();
     } catch (const std::exception& failure) {
