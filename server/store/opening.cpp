@@ -156,22 +156,25 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
   std::map<std::string, std::string> gone;
   for (const std::string& id : opened_.packs->list()) {
     if (opened_.catalogue->is_stored(id)) continue;
-    auto head = opened_.packs->head(id);
-    if (opened_.leftovers.contains(id)) {
-      gone[id] = head ? head->record.base : "";
-      continue;
-    }
+    const bool deleted = opened_.leftovers.contains(id);
     const fs::path path = opened_.packs->path_of(id);
-    const bool ours = head && head->record.id == id;
-    if (was_cut_off(id)) {
-      gone[id] = ours ? head->record.base : "";
-    } else if (!ours) {
-      quarantine.take(path, "its head cannot be read");
-    } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
-      // The journal may be one of before.
-      quarantine.take(path, "it is damaged, and the journal does not name it");
-    } else {
-      found.push_back(std::move(*head));
+    try {
+      auto head = opened_.packs->head(id);
+      const bool ours = head && head->record.id == id;
+      if (deleted || was_cut_off(id)) {
+        gone[id] = ours ? head->record.base : "";
+      } else if (!ours) {
+        quarantine.take(path, "its head cannot be read");
+      } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
+        // The journal may be one of before.
+        quarantine.take(path, "it is damaged, and the journal does not name it");
+      } else {
+        found.push_back(std::move(*head));
+      }
+    } catch (const Error& failure) {
+      // What the disk does not give today, the next opening may find.
+      if (deleted) gone[id];
+      opened_.notes.push_back(id + " stays as it is: " + failure.what());
     }
   }
   opened_.leftovers = std::move(gone);

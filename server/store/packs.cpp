@@ -193,7 +193,8 @@ bool Packs::is_whole(const std::string& id) const {
   try {
     static_cast<void>(read_file(id));
     return true;
-  } catch (const Error&) {
+  } catch (const Error& failure) {
+    if (failure.info().reason != "STORE_CORRUPTED") throw;
     return false;
   }
 }
@@ -294,6 +295,7 @@ void Packs::remember(const std::string& id, StatePtr state) {
 std::optional<PackHead> Packs::head(const std::string& id) const {
   const fs::path path = path_of(id);
   try {
+    if (!fs::exists(path)) return std::nullopt;
     std::string start = read_start(path, kMostHeadBytes);
     const auto size = size_of_pack_head(start);
     if (size && *size > start.size()) start = read_start(path, std::min(*size, kMostBytesOfHead));
@@ -306,10 +308,8 @@ std::optional<PackHead> Packs::head(const std::string& id) const {
               std::chrono::file_clock::to_sys(fs::last_write_time(path)).time_since_epoch())
               .count();
     return head;
-  } catch (const Error&) {
-    return std::nullopt;
-  } catch (const fs::filesystem_error&) {
-    return std::nullopt;
+  } catch (const fs::filesystem_error& failure) {
+    throw error::store_failed("reading", path.string(), failure.code().value());
   }
 }
 

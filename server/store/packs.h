@@ -50,10 +50,11 @@ class Packs {
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
   /// gone, or a base of theirs is; Error(STORE_FAILED).
   [[nodiscard]] StoredArrays get(const std::string& id);
-  /// What the file of a revision says of itself; nothing where that cannot be read. Its time of
-  /// last change is the record's `created_ns`.
+  /// What the file of a revision says of itself; nothing where there is none, or it says nothing.
+  /// Its time of last change is the record's `created_ns`. Throws Error(STORE_FAILED).
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
-  /// Whether a file has all that its head tells, to the bit. Bases are not looked at.
+  /// Whether a file has all that its head tells, to the bit. Bases are not looked at. Throws
+  /// Error(STORE_FAILED).
   [[nodiscard]] bool is_whole(const std::string& id) const;
   /// What is wrong with a file, or, by its head, with its base; else empty.
   [[nodiscard]] std::string fault_of(const std::string& id) const;

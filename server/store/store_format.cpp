@@ -94,6 +94,8 @@ FolderKind look_at_folder(const fs::path& folder) {
       return FolderKind::Unmarked;
     }
     if (has_journal(folder) || is_bare_store(folder)) return FolderKind::Unmarked;
+    // What the disk does not give is no evidence that the folder is somebody else's.
+    if (fs::is_regular_file(folder / "FORMAT")) read_start(folder / "FORMAT", kMostHeadBytes);
     throw error::store_foreign(folder.string(), *names.begin());
   } catch (const fs::filesystem_error& failure) {
     throw error::store_failed("reading", folder.string(), failure.code().value());

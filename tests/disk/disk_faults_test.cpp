@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <cerrno>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "engine/base/error.h"
 #include "tests/disk/file_calls.h"
@@ -22,22 +25,27 @@ class DiskFaults : public StoreOnDisk, public testing::WithParamInterface<Fault>
  protected:
   DiskFaults() : work_(folder_ / "work"), after_(folder_ / "after") { fs::create_directory(work_); }
 
+  /// The fault, from call `at` on. Sets `reached` when it strikes.
+  static FileCalls::Decide fault_at(std::size_t at, bool& reached) {
+    return [at, &reached, fault = GetParam(), short_write = std::size_t{0}](
+               const FileCall& call, std::size_t index) mutable {
+      if (index < at) return 0;
+      // After half a write the rest fails.
+      if (index == short_write && short_write > 0) return std::abs(fault.error);
+      if (index > at && !fault.lasting) return 0;
+      reached = true;
+      if (fault.error < 0 && call.kind == FileCall::Kind::Write) short_write = index + 1;
+      return fault.error;
+    };
+  }
+
   /// Runs the steps with the fault at call `at`; false if there are fewer calls.
   bool run_with_fault(std::size_t at) {
     fs::remove_all(work_);
     fs::create_directory(work_);
     std::optional<FileCalls> calls(work_);
     bool reached = false;
-    std::size_t short_write = 0;
-    calls->decide([&](const FileCall& call, std::size_t index) {
-      if (index < at) return 0;
-      // After half a write the rest fails.
-      if (index == short_write && short_write > 0) return std::abs(GetParam().error);
-      if (index > at && !GetParam().lasting) return 0;
-      reached = true;
-      if (GetParam().error < 0 && call.kind == FileCall::Kind::Write) short_write = index + 1;
-      return GetParam().error;
-    });
+    calls->decide(fault_at(at, reached));
     std::set<int> expected, given_up;
     try {
       Store store(work_);
@@ -99,6 +107,55 @@ TEST_P(DiskFaults, NoAcknowledgedRevisionIsLostWhereverTheyStrike) {
     if (HasFailure()) break;
   }
   EXPECT_GT(at, 40U);
+}
+
+TEST_P(DiskFaults, NoAcknowledgedRevisionIsLostWhereverTheyStrikeAnOpening) {
+  const fs::path whole = folder_ / "whole";
+  StoreState expected;
+  {
+    Store store(whole);
+    for (int n = 1; n <= 4; ++n) file(store, n);
+    remove(store, 3);
+    expected = state_of(store);
+  }
+  const std::vector<std::function<void()>> damages{
+      [] {}, [&] { fs::remove(work_ / "journal.a"); }, [&] { flip_bit(work_ / "journal.b", 300); },
+      [&] {
+        for (const char* name : {"journal.a", "journal.b"}) fs::remove(work_ / name);
+      },
+      [&] { flip_bit(work_ / "FORMAT", 12); }};
+  for (std::size_t d = 0; d < damages.size(); ++d) {
+    std::size_t at = 0;
+    for (bool reached = true; reached; ++at) {
+      SCOPED_TRACE("damage " + std::to_string(d) + ", fault at call " + std::to_string(at));
+      fs::remove_all(work_);
+      fs::copy(whole, work_, fs::copy_options::recursive);
+      damages[d]();
+      reached = false;
+      {
+        FileCalls calls(work_);
+        calls.record_opening();
+        calls.decide(fault_at(at, reached));
+        try {
+          const Store store(work_);
+        } catch (const Error& failure) {
+          EXPECT_THAT(failure.info().reason, testing::AnyOf("STORE_FAILED", "STORE_FULL"));
+        }
+      }
+      Store store(work_);
+      const StoreState found = state_of(store);
+      if (d == 0) {
+        EXPECT_EQ(found, expected);
+      }
+      EXPECT_THAT(found.revisions, testing::IsSupersetOf(expected.revisions)) << found.listing;
+      // Without a journal the head is what the packs that could be read make of it.
+      if (d != 3) {
+        EXPECT_THAT(found.listing, testing::HasSubstr("d@4 = 4 head"));
+      }
+      if (HasFailure()) return;
+    }
+    EXPECT_GT(at, 5U);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, DiskFaults,

@@ -24,6 +24,7 @@ struct Recorder {
   std::string root;
   FileRecord record;
   FileCalls::Decide decide;
+  bool records_opening = false;
   std::map<int, std::string> open_files;                        ///< by descriptor
   std::map<std::string, std::function<void()>> before_opening;  ///< by path
   std::function<void(const std::string&)> before_syncing;
@@ -109,6 +110,10 @@ void FileCalls::decide(Decide decide) {
   const std::scoped_lock lock(mutex);
   recorder->decide = std::move(decide);
 }
+void FileCalls::record_opening() {
+  const std::scoped_lock lock(mutex);
+  recorder->records_opening = true;
+}
 void FileCalls::before_opening(const std::string& path, std::function<void()> before) {
   const std::scoped_lock lock(mutex);
   recorder->before_opening[path] = std::move(before);
@@ -144,7 +149,9 @@ extern "C" int open(const char* path, int flags, ...) {
   if (!name) return static_cast<int>(real());
   const bool makes = (flags & O_CREAT) != 0 && syscall(SYS_access, path, F_OK) != 0;
   const long result =
-      makes ? rt::recorded({.kind = rt::Kind::Create, .path = *name}, real) : real();
+      makes || rt::recorder->records_opening
+          ? rt::recorded({.kind = makes ? rt::Kind::Create : rt::Kind::Open, .path = *name}, real)
+          : real();
   if (result >= 0) rt::recorder->open_files[static_cast<int>(result)] = *name;
   return static_cast<int>(result);
 }

@@ -9,9 +9,9 @@
 
 namespace remeshd::test {
 
-/// A call of this process that changed a file, or a mark in between.
+/// A call of this process that changed or opened a file, or a mark in between.
 struct FileCall {
-  enum class Kind { Create, Write, Truncate, Sync, Rename, Unlink, MakeFolder, Mark };
+  enum class Kind { Create, Open, Write, Truncate, Sync, Rename, Unlink, MakeFolder, Mark };
   Kind kind = Kind::Mark;
   std::string path;      ///< relative to the recorded folder
   std::string to;        ///< Rename: the new name
@@ -41,6 +41,8 @@ class FileCalls {
   /// A write that fails with a negative number has written half of its bytes before.
   using Decide = std::function<int(const FileCall&, std::size_t index)>;
   void decide(Decide decide);
+  /// From now on, the opening of a file or folder that is there is a call too.
+  void record_opening();
   /// Has `before` hear, once, that a file is about to be opened that is there.
   void before_opening(const std::string& path, std::function<void()> before);
   /// Has `before` hear, by its path, that a file is about to be synced. It may take its time:
