@@ -168,7 +168,7 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   bool entered = true;
   if (persistent()) {
     try {
-      enter(transaction);  // which shows for no pack that there is room
+      enter(transaction);  // room for a line of the journal is not yet room for a pack
     } catch (const Error& failure) {
       set_healthy(false);
       entered = false;
