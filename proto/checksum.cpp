@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 namespace remeshd {
@@ -58,6 +59,18 @@ std::string to_hex(std::string_view bytes) {
     text += kDigits[byte & 15U];
   }
   return text;
+}
+
+std::string from_hex(std::string_view digits) {
+  constexpr int kBase = 16;
+  std::string bytes;
+  bytes.reserve(digits.size() / 2);
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    unsigned char byte = 0;
+    std::from_chars(digits.data() + i, digits.data() + i + 2, byte, kBase);
+    bytes += static_cast<char>(byte);
+  }
+  return bytes;
 }
 
 std::string sha256_hex(std::string_view data) {

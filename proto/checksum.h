@@ -35,5 +35,7 @@ class Sha256 {
 std::string sha256_hex(std::string_view data);
 /// Two lower-case hexadecimal digits a byte.
 std::string to_hex(std::string_view bytes);
+/// Its inverse. Pre: an even number of hexadecimal digits.
+std::string from_hex(std::string_view digits);
 
 }  // namespace remeshd

@@ -145,7 +145,8 @@ class Archive {
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
   /// Null where there is neither a mesh nor a recipe.
   HeldRevisionPtr obtain(const std::string& id, const Run& run);
-  HeldRevisionPtr remake(const std::string& id, const Run& run);
+  /// `parent`: null for a first mesh. Pre: the turn of remaking is the caller's.
+  HeldRevisionPtr remake(const std::string& id, const HeldRevisionPtr& parent, const Run& run);
   /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone.
   void keep(const HeldRevisionPtr& revision);
   struct Written;

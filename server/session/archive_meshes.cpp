@@ -25,6 +25,12 @@ std::uint64_t remaking_memory(const Recipe& recipe, const RevisionRecord& record
   return limits::kBytesPerNode * nodes;
 }
 
+/// A revision that has no mesh, and the turn to make it again.
+struct ToRemake {
+  std::string id;
+  OneAtATime::Turn turn;
+};
+
 }  // namespace
 
 HeldRevisionPtr Archive::find(const std::string& id, const Run& run) {
@@ -111,11 +117,27 @@ HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
 }
 
 HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
-  const Reading reading = read(id, run);
-  count_use(id, reading.held != nullptr);
-  if (reading.held || !store_.persistent()) return reading.held;
-  auto held = remake(id, run);
-  if (!held && reading.damage) std::rethrow_exception(reading.damage);
+  // Up the chain to what is at hand, or to a first mesh: maybe as far as edits were ever made.
+  std::vector<ToRemake> to_remake;
+  HeldRevisionPtr held;
+  std::exception_ptr damage;  // of the last that could not be read
+  for (std::string next = id; !next.empty();) {
+    const Reading reading = read(next, run);
+    count_use(next, reading.held != nullptr);
+    held = reading.held;
+    if (held) break;
+    if (!store_.persistent()) return nullptr;
+    if (reading.damage) damage = reading.damage;
+    const std::optional<Recipe> recipe = recipe_to_follow(next);
+    if (!recipe && damage) std::rethrow_exception(damage);
+    if (!recipe) return nullptr;
+    auto turn = remaking_.take(next, run);
+    held = held_.find(next);  // somebody else may have made it meanwhile
+    if (held) break;
+    to_remake.push_back({next, std::move(turn)});
+    next = recipe->parent;
+  }
+  for (; !to_remake.empty(); to_remake.pop_back()) held = remake(to_remake.back().id, held, run);
   return held;
 }
 
@@ -128,14 +150,11 @@ std::optional<Recipe> Archive::recipe_to_follow(const std::string& id) {
   return recipe;
 }
 
-HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
+HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& parent,
+                                const Run& run) {
   const std::optional<Recipe> followed = recipe_to_follow(id);
-  if (!followed) return nullptr;
+  if (!followed) throw error::revision_not_found(id, "it was deleted a moment ago");
   const Recipe& recipe = *followed;
-  const auto turn = remaking_.take(id, run);
-  if (auto held = held_.find(id)) return held;
-  HeldRevisionPtr parent;
-  if (!recipe.parent.empty() && !(parent = obtain(recipe.parent, run))) return nullptr;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (parent && record && record->bytes > 0) {
     // What was damaged may have been the parent that it stands on, which is whole again by now.
@@ -165,7 +184,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const Run& run) {
   tell_seconds(*made);
   if (recipe_of(*made).digests != recipe.digests) throw error::not_reproducible(id);
   held_.insert(made);
-  note_use(id);
+  if (record) note_use(id);  // uses are noted until a revision is deleted
   count(Metrics::CacheResult::Remade);
   {
     const std::scoped_lock lock(notes_);

@@ -24,35 +24,63 @@ class Family {
     }
   }
 
-  [[nodiscard]] int edits_to_make(int mesh) const {
-    int edits = 0;
-    for (; mesh >= 0; mesh = parent_[at(mesh)]) {
-      const StoredMesh& m = meshes_[at(mesh)];
-      if (m.stored) return edits;
-      if (!m.has_recipe || edits >= kNever) return kNever;
-      ++edits;
-      if (parent_[at(mesh)] < 0 && !m.parent.empty()) return kNever;
+  /// Edits that have to be made for each mesh, in their order.
+  [[nodiscard]] std::vector<int> edits_to_make() const {
+    constexpr int kUnknown = -1;
+    std::vector<int> edits(meshes_.size(), kUnknown);
+    for (int i = 0; i < static_cast<int>(meshes_.size()); ++i) {
+      std::vector<int> way;
+      for (int mesh = i; mesh >= 0 && edits[at(mesh)] == kUnknown; mesh = parent_[at(mesh)]) {
+        way.push_back(mesh);
+        edits[at(mesh)] = meshes_[at(mesh)].stored ? 0 : kNever;
+      }
+      for (; !way.empty(); way.pop_back()) {
+        const StoredMesh& mesh = meshes_[at(way.back())];
+        if (!mesh.stored && mesh.has_recipe)
+          edits[at(way.back())] = std::min(kNever, 1 + edits_above(way.back(), edits));
+      }
     }
     return edits;
   }
-  /// Edits from a mesh down to the furthest that would have to be made through it.
-  [[nodiscard]] int height(int mesh) const {
-    int most = 0;
-    for (const int child : children_[at(mesh)])
-      if (!meshes_[at(child)].stored) most = std::max(most, 1 + height(child));
-    return most;
-  }
   [[nodiscard]] bool may_go(int mesh) const {
     const StoredMesh& m = meshes_[at(mesh)];
-    if (!m.stored || m.pinned || !m.has_recipe) return false;
-    const int parent = parent_[at(mesh)];
-    if (parent < 0 && !m.parent.empty()) return false;
-    const int above = parent < 0 ? 0 : edits_to_make(parent);
-    return above + 1 + height(mesh) <= kMostRemade;
+    return m.stored && !m.pinned && m.has_recipe && depth(mesh) + height(mesh) <= kMostRemade;
   }
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  /// Edits for the parent of a mesh; 0 where it has none.
+  [[nodiscard]] int edits_above(int mesh, const std::vector<int>& edits) const {
+    const int parent = parent_[at(mesh)];
+    if (parent >= 0) return edits[at(parent)];
+    return meshes_[at(mesh)].parent.empty() ? 0 : kNever;
+  }
+  /// Edits that have to be made for a mesh that is not stored; those beyond `kMostRemade` are not
+  /// counted.
+  [[nodiscard]] int depth(int mesh) const {
+    for (int edits = 1; edits <= kMostRemade; ++edits) {
+      if (!meshes_[at(mesh)].has_recipe) return kNever;
+      const int parent = parent_[at(mesh)];
+      if (parent < 0) return meshes_[at(mesh)].parent.empty() ? edits : kNever;
+      if (meshes_[at(parent)].stored) return edits;
+      mesh = parent;
+    }
+    return kNever;
+  }
+  /// Edits from a mesh down to the furthest that would have to be made through it; likewise.
+  [[nodiscard]] int height(int mesh) const {
+    std::vector<int> generation{mesh};
+    for (int edits = 0; edits <= kMostRemade; ++edits) {
+      std::vector<int> next;
+      for (const int parent : generation)
+        for (const int child : children_[at(parent)])
+          if (!meshes_[at(child)].stored) next.push_back(child);
+      if (next.empty()) return edits;
+      generation = std::move(next);
+    }
+    return kNever;
+  }
 
   const std::vector<StoredMesh>& meshes_;
   std::vector<std::vector<int>> children_;
@@ -62,11 +90,7 @@ class Family {
 }  // namespace
 
 std::vector<int> edits_to_make(const std::vector<StoredMesh>& meshes) {
-  const Family family(meshes);
-  std::vector<int> edits;
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    edits.push_back(family.edits_to_make(static_cast<int>(i)));
-  return edits;
+  return Family(meshes).edits_to_make();
 }
 
 std::vector<std::string> meshes_to_drop(std::vector<StoredMesh> meshes, std::uint64_t bytes,

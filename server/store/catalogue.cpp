@@ -89,10 +89,10 @@ std::vector<Transaction> Catalogue::snapshot() {
                                     " FROM revisions r WHERE r.id NOT IN (SELECT id FROM places)");
   while (unplaced.step())
     all.push_back({AddRevision{read_revision(unplaced, 0), recipe(unplaced.text(0))}});
-  auto kept = database_.prepare(
-      "SELECT recipe, line_start, line_length, id, parent FROM recipes "
-      "WHERE id NOT IN (SELECT id FROM revisions)");
-  while (kept.step()) all.push_back({KeepRecipe{kept.text(3), kept.text(4), read_recipe(kept)}});
+  auto kept = database_.prepare("SELECT recipe, line_start, line_length, id, parent FROM recipes");
+  while (kept.step())
+    if (const std::string id = id_of(kept.text(3)); !revision(id))
+      all.push_back({KeepRecipe{id, id_of(kept.text(4)), read_recipe(kept)}});
   for (const SetHead& head : heads) all.push_back({head});
   return all;
 }
@@ -160,8 +160,8 @@ void Catalogue::apply_one(const Operation& operation) {
 void Catalogue::keep_recipe(const KeepRecipe& keep) {
   const JournalPlace line = keep.recipe.place.value_or(JournalPlace{});
   database_.prepare("INSERT OR REPLACE INTO recipes VALUES(?, ?, ?, ?, ?)")
-      .bind(keep.id)
-      .bind(keep.parent)
+      .bind(key_of(keep.id))
+      .bind(key_of(keep.parent))
       .bind(keep.recipe.bytes)
       .bind(static_cast<std::int64_t>(line.start))
       .bind(static_cast<std::int64_t>(line.length))
@@ -176,7 +176,7 @@ void Catalogue::set_recipe_places(const std::vector<RecipePlace>& places) {
           .prepare("UPDATE recipes SET recipe = '', line_start = ?, line_length = ? WHERE id = ?")
           .bind(static_cast<std::int64_t>(line.start))
           .bind(static_cast<std::int64_t>(line.length))
-          .bind(id)
+          .bind(key_of(id))
           .run();
   } catch (...) {
     database_.try_execute("ROLLBACK TO places; RELEASE places");
@@ -190,14 +190,14 @@ void Catalogue::drop_recipe(std::string id) {
   while (!id.empty() && !revision(id)) {
     auto child = database_.prepare(
         "SELECT 1 FROM revisions WHERE parent = ?1 "
-        "UNION ALL SELECT 1 FROM recipes WHERE parent = ?1 LIMIT 1");
-    child.bind(id);
+        "UNION ALL SELECT 1 FROM recipes WHERE parent = ?2 LIMIT 1");
+    const std::string key = key_of(id);
+    child.bind(id).bind(key);
     if (child.step()) return;
     auto row = database_.prepare("SELECT parent FROM recipes WHERE id = ?");
-    row.bind(id);
-    const std::string parent = row.step() ? row.text(0) : "";
-    database_.prepare("DELETE FROM recipes WHERE id = ?").bind(id).run();
-    id = parent;
+    row.bind(key);
+    id = row.step() ? id_of(row.text(0)) : "";
+    database_.prepare("DELETE FROM recipes WHERE id = ?").bind(key).run();
   }
 }
 
@@ -302,7 +302,7 @@ std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
 
 KeptRecipe Catalogue::recipe(const std::string& id) {
   auto row = database_.prepare("SELECT recipe, line_start, line_length FROM recipes WHERE id = ?");
-  row.bind(id);
+  row.bind(key_of(id));
   return row.step() ? read_recipe(row) : KeptRecipe{};
 }
 
@@ -316,7 +316,7 @@ std::uint64_t Catalogue::count_kept() {
 std::vector<std::pair<std::string, std::string>> Catalogue::recipes() {
   auto row = database_.prepare("SELECT id, parent FROM recipes ORDER BY id");
   std::vector<std::pair<std::string, std::string>> all;
-  while (row.step()) all.emplace_back(row.text(0), row.text(1));
+  while (row.step()) all.emplace_back(id_of(row.text(0)), id_of(row.text(1)));
   return all;
 }
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "proto/checksum.h"
+#include "server/store/packs.h"
 #include "server/store/records.h"
 #include "server/store/sqlite.h"
 
@@ -40,6 +43,16 @@ inline RevisionRecord read_revision(const Sqlite::Statement& row, int first) {
           .base = row.text(first + 10),
           .seconds = numbers_in(row.text(first + 11)),
           .pinned = row.number(first + 12) != 0};
+}
+
+/// An id as the columns of recipes have it: 32 bytes in place of 64 digits. A recipe is kept for
+/// every ancestor of a revision, so that these tables grow with every edit, and they are in memory.
+inline std::string key_of(const std::string& id) {
+  return is_full_id(id) ? from_hex(id) : id;  // empty where there is no parent
+}
+inline std::string id_of(const std::string& key) {
+  constexpr std::size_t kKeyBytes = 32;
+  return key.size() == kKeyBytes ? to_hex(key) : key;
 }
 
 /// Of columns that begin with those of a recipe: itself, start and length of its line.

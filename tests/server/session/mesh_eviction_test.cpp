@@ -73,5 +73,21 @@ TEST(MeshEviction, TellsHowManyEditsHaveToBeMade) {
   EXPECT_THAT(edits_to_make(meshes), ElementsAre(1, 2, 3, 0));
 }
 
+TEST(MeshEviction, CopesWithAncestorsOfAsManyEditsAsAreMadeInWeeks) {
+  auto meshes = chain(1'000'000);
+  for (auto& mesh : meshes) mesh.stored = mesh.id == "999999";
+  EXPECT_THAT(meshes_to_drop(meshes, 1000000), IsEmpty());
+  const std::vector<int> edits = edits_to_make(meshes);
+  EXPECT_EQ(edits[999'998], 999'999);
+  EXPECT_EQ(edits[999'999], 0);
+}
+
+TEST(MeshEviction, EndsWhereAnAncestorIsItsOwn) {
+  auto meshes = chain(3);
+  meshes[0].parent = "2";
+  for (auto& mesh : meshes) mesh.stored = false;
+  for (const int edits : edits_to_make(meshes)) EXPECT_GT(edits, kMostRemade);
+}
+
 }  // namespace
 }  // namespace remeshd

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
+#include <pthread.h>
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <future>
 #include <memory>
 
@@ -104,6 +106,34 @@ TEST_F(RemakeTest, AllOfAChainMayBeGone) {
   EXPECT_EQ(served(4), recipes_[3]);
   EXPECT_EQ(session_->cache().cache_stats().remade, 4U);
   expect_all_served();
+}
+
+/// Calls `what` on a thread that has a stack of so many bytes.
+void call_on_stack(std::size_t bytes, const std::function<void()>& what) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, bytes), 0);
+  pthread_t thread{};
+  const auto start = [](void* call) -> void* {
+    (*static_cast<const std::function<void()>*>(call))();
+    return nullptr;
+  };
+  std::function<void()> call = what;
+  ASSERT_EQ(pthread_create(&thread, &attributes, start, &call), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
+TEST_F(RemakeTest, AChainMayBeLongerThanTheStackIsDeep) {
+  constexpr int kEdits = 1000;
+  constexpr std::size_t kStack = std::size_t{512} << 10U;
+  for (int n = 1; n <= kEdits; ++n) edit("plate", 100 + 0.01 * n);
+  const std::string last = session_->resolve("plate").id;
+  session_.reset();
+  fs::remove_all(folder_.path() / "packs");
+  open();
+  call_on_stack(kStack, [&] { EXPECT_EQ(session_->get(last, kRun)->record.id, last); });
+  EXPECT_EQ(session_->cache().cache_stats().remade, 4U + kEdits);
 }
 
 TEST_F(RemakeTest, WhatIsMadeAgainTakesItsMemoryFromTheBudget) {

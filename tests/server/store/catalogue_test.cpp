@@ -102,6 +102,28 @@ TEST(Catalogue, ItsSnapshotMakesItAgain) {
   EXPECT_EQ(again.design("d")->next_number, 8U);
 }
 
+TEST(Catalogue, KeepsTheRecipesOfDeletedAncestorsUnderTheirIdsUntilNothingNeedsThem) {
+  const std::string first = std::string(62, '0') + "fa", second(64, 'e');
+  RevisionRecord root = record(first), edited = record(second);
+  root.parent = "";
+  edited.parent = first;
+  Catalogue catalogue;
+  catalogue.apply({AddRevision{root, {"one"}}});
+  catalogue.apply({AddRevision{edited, {"two"}}});
+  catalogue.apply({RemoveRevision{first}});
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  const Pairs both{{first, ""}, {second, first}};
+  EXPECT_EQ(catalogue.recipes(), both);
+  catalogue.set_recipe_places({{first, {.start = 5, .length = 6}}});
+  Catalogue again;
+  EXPECT_EQ(again.apply_all(catalogue.snapshot()), 0U);
+  EXPECT_EQ(again.recipes(), both);
+  EXPECT_EQ(again.recipe(first), KeptRecipe(JournalPlace{.start = 5, .length = 6}));
+  EXPECT_EQ(again.recipe(second), KeptRecipe("two"));
+  again.apply({RemoveRevision{second}});
+  EXPECT_TRUE(again.recipes().empty());
+}
+
 TEST(Catalogue, PrefixesFindEveryIdThatBeginsWithThem) {
   Catalogue catalogue;
   for (const char* id : {"abc0", "abcf", "abd0", "ab"}) catalogue.apply({AddRevision{record(id)}});
