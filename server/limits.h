@@ -101,7 +101,7 @@ inline constexpr std::uint64_t kBytesPerNode = 1500;
 inline constexpr double kLoadWait = 60, kMemoryDelay = 1;
 /// Of the budget: what the process stays below it, for what no estimate tells of; twice that is
 /// freed once it does not, so that not every lease has to.
-inline constexpr std::uint64_t kMarginShare = 16;
+inline constexpr std::uint64_t kMarginShare = 10;
 /// Of the budget: what the revisions held keep all the same, or the next request finds none.
 inline constexpr std::uint64_t kKeptShare = 4;
 /// The process is looked at so often, and what it freed given back to the system where it grew by
