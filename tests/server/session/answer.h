@@ -59,7 +59,10 @@ class Awaited {
 class Answer : public Awaited<Made> {
  public:
   [[nodiscard]] Listener listener() const {
-    return {.progress = {}, .made = on_value(), .failed = on_error()};
+    Listener listener;
+    listener.made = on_value();
+    listener.failed = on_error();
+    return listener;
   }
   [[nodiscard]] Made made() const { return value(); }
 };
