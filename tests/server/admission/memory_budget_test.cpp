@@ -136,17 +136,17 @@ TEST(MemoryBudget, GivesNothingWhereTheRevisionsHeldAreInUse) {
 }
 
 TEST(MemoryBudget, RevisionsHeldGiveWayWhereTheProcessHasMoreThanTheEstimatesSay) {
-  MemoryBudget budget(1600);
-  std::uint64_t held = 1000, others = 400;
+  MemoryBudget budget(1000);
+  std::uint64_t held = 600, others = 200;
   int returned = 0;
   budget.add_holder(holder_of(held));
   budget.set_process({[&] { return held + others; }, [&] { ++returned; }});
   const auto first = budget.try_take(100);
-  EXPECT_EQ(held, 1000U);  // 1,400 and 100 do fit, and leave a sixteenth
+  EXPECT_EQ(held, 600U);  // 800 and 100 do fit, and leave a tenth
   EXPECT_EQ(returned, 0);
-  others = 500;
+  others = 300;
   const auto second = budget.try_take(100);
-  EXPECT_EQ(held + others + 100 + 100, 1400U);  // and two sixteenths are free
+  EXPECT_EQ(held + others + 100 + 100, 800U);  // and two tenths are free
   EXPECT_GT(returned, 0);
 }
 
