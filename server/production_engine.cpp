@@ -1,25 +1,29 @@
+#include "engine/delivery/lost_names.h"
 #include "engine/difference/compare.h"
 #include "engine/kernel/tetgen.h"
-#include "engine/remesh/image.h"
-#include "engine/remesh/lost_names.h"
+#include "engine/remesh/density.h"
 #include "engine/remesh/node_limit.h"
-#include "engine/remesh/stages.h"
+#include "engine/remesh/remesh.h"
+#include "engine/revision/storage/stored_revision.h"
 #include "server/daemon.h"
 
 namespace remeshd {
 namespace {
 
+/// A session has no base for a first mesh.
+const Revision& parent(const Revision* base) { return base != nullptr ? *base : Revision::none(); }
+
 ModelSummary summary_of(const Revision* base, const FeatureModel& model, const MeshOptions& options,
                         const Run& run) {
   const CellularModel cells = build_cells(model, run);
-  static_cast<void>(resolve_density(base, options, cells, run));  // for what it refuses
+  static_cast<void>(resolve_density(parent(base), options, cells, run));  // for what it refuses
   return {.volume = cells.volume,
           .area = cells.area,
           .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
           .faces = static_cast<std::uint32_t>(cells.boundary.faces.size()),
           .edges = static_cast<std::uint32_t>(cells.boundary.edges.size()),
           .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size()),
-          .warnings = names_to_be_lost(base, model, cells.boundary)};
+          .warnings = names_to_be_lost(parent(base), model, cells.boundary)};
 }
 
 }  // namespace
@@ -30,9 +34,11 @@ Engine production_engine() {
           .apply = apply,
           .check_node_limit =
               [](const Revision* base, const FeatureModel& model, const MeshOptions& options,
-                 const Run& run) { return check_node_limit(base, model, options, run); },
+                 const Run& run) { return check_node_limit(parent(base), model, options, run); },
           .summarise = summary_of,
-          .make_revision = make_revision,
+          .make_revision =
+              [](const Revision* base, const ModelSource& source, const MeshOptions& options,
+                 const Run& run) { return make_revision(parent(base), source, options, run); },
           .compare = compare,
           .image_of = image_of,
           .revision_of = revision_of,

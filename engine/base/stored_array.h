@@ -19,7 +19,7 @@ constexpr std::size_t bytes_of(StoredType type) {
 
 /// An array as it is kept outside of memory: its bytes, and what they are.
 struct StoredArray {
-  std::string name;  ///< unique in its set: `delivery.nodes`
+  std::string name;  ///< unique in its set: `output.nodes`
   /// Name of the array that it may be close to in a set that has none of its own name; maybe empty.
   std::string like{};
   StoredType type = StoredType::U8;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/run.h"
-#include "engine/cellular/boundary_model.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
 #include "engine/kernel/tetgen.h"
 #include "engine/mesh/tet_mesh.h"
 

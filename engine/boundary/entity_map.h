@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 
 namespace remeshd {
 

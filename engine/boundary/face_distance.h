@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/cellular/boundary_model.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
 
 namespace remeshd {
 

@@ -6,7 +6,7 @@
 
 #include "engine/base/region.h"
 #include "engine/base/run.h"
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/model/solid.h"
 
 namespace remeshd {

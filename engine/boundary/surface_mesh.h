@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {

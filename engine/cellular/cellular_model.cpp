@@ -8,13 +8,12 @@
 #include <string>
 
 #include "engine/base/error.h"
-#include "engine/cellular/build_boundary.h"
+#include "engine/cellular/boundary_model/build_boundary.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/features_at.h"
 #include "engine/cellular/fuse_features.h"
 #include "engine/cellular/owners.h"
 #include "engine/cellular/point_contact.h"
-#include "engine/cellular/skeleton.h"
-#include "engine/cellular/stitch.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 
@@ -80,10 +79,11 @@ void require_one_piece(const CellComplex& model, const FeatureModel& features) {
 }
 
 /// Of the boundary's faces, or of all.
-Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces, bool boundary) {
-  std::vector<SkeletonFace> faces;
+UnifiedEdges unified_edges_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
+                              bool boundary) {
+  std::vector<SelectedFace> faces;
   for (std::size_t f = 0; f < pieces.size(); ++f) {
-    SkeletonFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
+    SelectedFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
     if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
       double along = 0;  // of all triangles, for some may be slivers
       for (const auto& [a, b, c] : brep.faces[f].triangles)
@@ -93,11 +93,11 @@ Skeleton skeleton_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
     }
     faces.push_back(face);
   }
-  return find_skeleton(brep, faces);
+  return find_unified_edges(brep, faces);
 }
 
-void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const Skeleton& all,
-                             const Skeleton& boundary) {
+void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const UnifiedEdges& all,
+                             const UnifiedEdges& boundary) {
   std::vector<std::vector<int>> vertex_owners(brep.vertices.size());
   for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
     CellEdge edge{{}, boundary.edge[e] != 0, brep.edges[e].length, e};
@@ -117,11 +117,11 @@ void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const Skeleton&
 CellularModel join_boundary(BoundaryParts parts, const Membership& membership) {
   CellularModel out;
   const Brep& brep = parts.brep;
-  const Skeleton skeleton = skeleton_of(brep, parts.pieces, true);
-  require_manifold(brep, skeleton);
+  const UnifiedEdges unified = unified_edges_of(brep, parts.pieces, true);
+  require_manifold(brep, unified);
   if (const auto contact = find_point_contact(membership, 0.1 * kernel_tolerance(brep)))
     throw error::non_manifold_model("at a point", *contact, {});
-  out.boundary = build_boundary(brep, parts.pieces, skeleton);
+  out.boundary = build_boundary(brep, parts.pieces, unified);
   for (const kernel::BrepFace& face : brep.faces) {
     out.area += face.area;
     out.volume += face.swept_volume;
@@ -145,34 +145,22 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
     BoundaryParts parts = boundary_parts(brep, fused.pieces);
     parts.geometry = "fused";
     out = join_boundary(std::move(parts), membership);
-    fill_edges_and_vertices(fused.cells, brep, skeleton_of(brep, fused.pieces, false),
-                            skeleton_of(brep, fused.pieces, true));
+    fill_edges_and_vertices(fused.cells, brep, unified_edges_of(brep, fused.pieces, false),
+                            unified_edges_of(brep, fused.pieces, true));
     out.on_demand = std::make_shared<const ComplexOnDemand>(std::move(fused.cells));
   });
   return out;
 }
 
-CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,
-                          const CellularModel& base, const Run& run) {
-  run.poll();
-  const Membership membership(model);
-  try {
-    if (auto parts = stitch({model, membership}, {base_model, *base.parts}, run)) {
-      CellularModel out = join_boundary(*std::move(parts), membership);
-      out.on_demand = std::make_shared<const ComplexOnDemand>(model);
-      return out;
-    }
-  } catch (const Error& failure) {
-    // What is wrong with a model is told from all of it.
-    if (failure.info().kind == ErrorKind::Cancelled) throw;
-  }
-  return build_cells(model, run);
+CellularModel restore_cells(const FeatureModel& model, const Membership& membership,
+                            BoundaryParts parts) {
+  CellularModel out = join_boundary(std::move(parts), membership);
+  out.on_demand = std::make_shared<const ComplexOnDemand>(model);
+  return out;
 }
 
 CellularModel restore_cells(const FeatureModel& model, BoundaryParts parts) {
-  CellularModel out = join_boundary(std::move(parts), Membership(model));
-  out.on_demand = std::make_shared<const ComplexOnDemand>(model);
-  return out;
+  return restore_cells(model, Membership(model), std::move(parts));
 }
 
 }  // namespace remeshd

@@ -3,13 +3,14 @@
 #include <memory>
 
 #include "engine/base/run.h"
-#include "engine/cellular/boundary_model.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
 #include "engine/cellular/cell_complex.h"
 #include "engine/model/feature_model.h"
 
 namespace remeshd {
 
 class ComplexOnDemand;
+class Membership;
 struct BoundaryParts;
 
 /// What a mesh is made for. The cells behind it, which only comparisons of models look at, are made
@@ -37,13 +38,11 @@ struct CellularModel {
 /// two name the features and the place.
 CellularModel build_cells(const FeatureModel& model, const Run& run);
 
-/// The same from the cells of another model, of which all is kept that no changed feature touches:
-/// as much work as there is change. Entities, their order, and supports are those of a build
-/// from the model alone; coordinates, areas and volumes up to rounding.
-CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,
-                          const CellularModel& base, const Run& run);
-
-/// The same from `CellularModel::parts` that were made for this model, to the bit.
+/// The same from the parts of a boundary that were made for this model, to the bit.
+///
+/// Pre: the membership is the model's.
+CellularModel restore_cells(const FeatureModel& model, const Membership& membership,
+                            BoundaryParts parts);
 CellularModel restore_cells(const FeatureModel& model, BoundaryParts parts);
 
 }  // namespace remeshd

@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "engine/base/error.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/check_cells.h"
 #include "engine/cellular/feature_brep.h"
 #include "engine/cellular/features_at.h"
 #include "engine/cellular/owners.h"
-#include "engine/cellular/skeleton.h"
 #include "engine/kernel/brep.h"
 
 namespace remeshd {
@@ -74,7 +74,7 @@ bool has_seam(const Shape& shape) {
 }
 
 /// What the model does not depend on, but whether the CAD kernel gets it right.
-struct Attempt {
+struct RejectedAttempt {
   double seam;           ///< rad about their axis: where round features are cut open
   bool last_first;       ///< order of the features as the kernel's arguments
   int doublings = 0;     ///< of the kernel's unit
@@ -87,11 +87,12 @@ constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
 /// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
 /// and moves nothing by more than that; samples and volumes are those of the exact model either
 /// way. Where all fail, that takes as long as ten fuses.
-constexpr std::array kAttempts{Attempt{0.0, false, 0}, Attempt{0.7, false, 0},
-                               Attempt{2.5, false, 0}, Attempt{0.7, false, -4},
-                               Attempt{2.5, true, 4},  Attempt{0.0, false, 0, true}};
+constexpr std::array kAttempts{
+    RejectedAttempt{0.0, false, 0}, RejectedAttempt{0.7, false, 0},
+    RejectedAttempt{2.5, false, 0}, RejectedAttempt{0.7, false, -4},
+    RejectedAttempt{2.5, true, 4},  RejectedAttempt{0.0, false, 0, true}};
 
-Fused fuse(const FeatureModel& model, const FuseFrame& frame, const Attempt& attempt,
+Fused fuse(const FeatureModel& model, const FuseFrame& frame, const RejectedAttempt& attempt,
            const Run& run) {
   const double scale = std::ldexp(frame.scale, -attempt.doublings);
   Fused fused;
@@ -198,7 +199,7 @@ void fuse_features(const FeatureModel& model, const Membership& membership, cons
                    const Run& run, const std::function<void(FusedFeatures)>& use) {
   // The first failure is the one to tell.
   std::optional<Error> first;
-  for (const Attempt& attempt : kAttempts) {
+  for (const RejectedAttempt& attempt : kAttempts) {
     if (attempt.in_turn && model.features.size() > kMaxInTurn) continue;
     try {
       Fused fused = fuse(model, frame, attempt, run);

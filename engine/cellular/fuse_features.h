@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/run.h"
-#include "engine/cellular/boundary_parts.h"
+#include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/cellular/cell_complex.h"
 #include "engine/model/solid.h"
 

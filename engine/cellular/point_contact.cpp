@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStep = 1e-2;  // of the sphere's radius: from the contact to where to look
 
-/// Whether two sheets of the boundary part to all sides of a tangency: the natures beyond both
+/// Whether two half-faces of the boundary part to all sides of a tangency: the natures beyond both
 /// surfaces differ from the one between them.
 bool parts_sheets(const Membership& membership, const Surface& sphere, const Surface& other,
                   const Vec3& contact, double tolerance) {

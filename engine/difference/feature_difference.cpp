@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/cellular/skeleton.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/difference/owned_marks.h"
 #include "engine/kernel/brep.h"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 
 namespace remeshd {
 

@@ -11,7 +11,7 @@ namespace remeshd {
 
 namespace {
 
-/// Stands for a neighbour in the model that is not in the part.
+/// Stands for a neighbour in the model that is not in the patch.
 constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kBlock = 1024;
 
@@ -36,12 +36,12 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
 
 }  // namespace
 
-PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                const BoundaryModel& boundary, const InsideTest& inside, const PeelRim& rim,
+PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
+                const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run) {
-  using Known = PeelRim::Known;
+  using Known = KnownClassification::Known;
   const auto known_of = [&](std::int32_t slot) {
-    return rim.tets.empty() ? Known::No : rim.tets[slot];
+    return known.tets.empty() ? Known::No : known.tets[slot];
   };
   const FacesOf faces(boundary);
   std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
@@ -72,9 +72,9 @@ PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
   for (std::size_t k = 0; k < neighbours.size(); ++k)
     for (int i = 0; i < 4; ++i) {
       std::int32_t& across = neighbours[k][i];
-      const std::int32_t beyond = delaunay.beyond(mesh.slots[k], i);
+      const std::int32_t beyond = delaunay.exterior(mesh.slots[k], i);
       if (beyond >= 0)
-        across = rim.beyond[beyond] != 0 ? kBeyond : -1;
+        across = known.exterior[beyond] != 0 ? kBeyond : -1;
       else
         across = across < 0 ? -1 : number[across];
     }
@@ -122,7 +122,7 @@ PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
       const Triangle facet{tets[k][f[0]], tets[k][f[1]], tets[k][f[2]]};
       if (face_of(nodes, faces, facet) >= 0) continue;
       const auto& p = nodes.positions;
-      mesh.stray.push_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3.0);
+      mesh.nonconforming.push_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3.0);
     }
     mesh.slots[kept] = mesh.slots[k];
     tets[kept++] = tets[k];

@@ -6,7 +6,7 @@
 
 #include "engine/base/inside_test.h"
 #include "engine/base/run.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
 
@@ -16,11 +16,11 @@ struct PeelOptions {
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 
-/// What is known at the rim of a part of a mesh; nothing for a whole mesh.
-struct PeelRim {
+/// What is known at a patch's interface of a mesh; nothing for a whole mesh.
+struct KnownClassification {
   enum class Known : std::uint8_t { No, Inside, Outside };
-  std::vector<Known> tets;           ///< by slot: whether it is in the model
-  std::vector<std::uint8_t> beyond;  ///< by number of PagedDelaunay::Cut::beyond: 1 if it is
+  std::vector<Known> tets;             ///< by slot: whether it is in the model
+  std::vector<std::uint8_t> exterior;  ///< by number of PagedDelaunay::Cut::exterior: 1 if it is
 };
 
 struct PeeledMesh {
@@ -28,7 +28,7 @@ struct PeeledMesh {
   std::vector<std::int32_t> slots;  ///< by tet: its slot in the Delaunay mesh, ascending
   /// Centroids of boundary facets whose nodes share no face: where the boundary is too thinly
   /// occupied for its facets to be Delaunay.
-  std::vector<Vec3> stray;
+  std::vector<Vec3> nonconforming;
 };
 
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
@@ -36,9 +36,9 @@ struct PeeledMesh {
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
 ///
-/// `rim`: what is known of a part of a mesh.
-PeeledMesh peel(const NodeSet& nodes, const kernel::Delaunay& delaunay,
-                const BoundaryModel& boundary, const InsideTest& inside, const PeelRim& rim,
+/// `rim`: what is known of a patch of a mesh.
+PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
+                const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/extract/common_face.h"
 #include "engine/improve/local_mesh.h"
 #include "engine/mesh/tet_mesh.h"

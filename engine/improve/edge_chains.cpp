@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/base/pages.h"
+#include "engine/base/cow_vector.h"
 
 namespace remeshd {
 
@@ -61,6 +61,6 @@ template std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel&
                                                             const std::vector<Vec3>&);
 template std::vector<std::vector<std::int32_t>> edge_chains(const BoundaryModel&,
                                                             std::span<const Support>,
-                                                            const Pages<Vec3>&);
+                                                            const CowVector<Vec3>&);
 
 }  // namespace remeshd

@@ -12,8 +12,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class RingTriangulation {
  public:
   RingTriangulation(const LocalMesh& mesh, std::int32_t a, std::int32_t b, const EdgeRing& ring,
-                    double floor, const Worth& worth)
-      : worth_(worth), a_(mesh.node(a)), b_(mesh.node(b)), count_(ring.nodes) {
+                    double floor, const TetQuality& quality)
+      : quality_(quality), a_(mesh.node(a)), b_(mesh.node(b)), count_(ring.nodes) {
     for (int i = 0; i < count_; ++i) points_[i] = mesh.node(ring.node[i]);
     for (int i = 0; i + 1 < count_; ++i) best_[i][i + 1] = kInfinity;
     for (int span = 2; span < count_; ++span)
@@ -37,9 +37,9 @@ class RingTriangulation {
       double q = std::min(best_[i][k], best_[k][j]);
       // What is not above the floor, or not above what is found already, needs no tets measured.
       if (q <= std::max(best, floor)) continue;
-      q = std::min(q, worth_(a_, points_[i], points_[k], points_[j]));
+      q = std::min(q, quality_(a_, points_[i], points_[k], points_[j]));
       if (q <= std::max(best, floor)) continue;
-      q = std::min(q, worth_(b_, points_[i], points_[j], points_[k]));
+      q = std::min(q, quality_(b_, points_[i], points_[j], points_[k]));
       if (q <= std::max(best, floor)) continue;
       best = q;
       apex_[i][j] = k;
@@ -47,7 +47,7 @@ class RingTriangulation {
     best_[i][j] = best;
   }
 
-  const Worth& worth_;
+  const TetQuality& quality_;
   Vec3 a_, b_;
   int count_;
   std::array<Vec3, kMaxNodes> points_;
@@ -58,15 +58,15 @@ class RingTriangulation {
 }  // namespace
 
 bool remove_edge(const LocalMesh& mesh, const BoundaryRules& rules, std::int32_t a, std::int32_t b,
-                 int max_ring, double floor, Reconnection& out, const Worth& worth) {
+                 int max_ring, double floor, Reconnection& out, const TetQuality& quality) {
   EdgeRing ring;
   if ((mesh.locked(a) && mesh.locked(b)) || !mesh.ring(a, b, max_ring, ring)) return false;
   double worst = kInfinity;
-  for (int i = 0; i < ring.tets; ++i) worst = std::min(worst, worth(mesh, ring.tet[i]));
+  for (int i = 0; i < ring.tets; ++i) worst = std::min(worst, quality(mesh, ring.tet[i]));
   floor = std::max(floor, worst);
   if (ring.closed ? ring.nodes < 3 : !rules.may_swap(a, b, ring)) return false;
 
-  const RingTriangulation triangulation(mesh, a, b, ring, floor, worth);
+  const RingTriangulation triangulation(mesh, a, b, ring, floor, quality);
   if (!(triangulation.quality() > floor)) return false;
   out.clear();
   out.quality = triangulation.quality();

@@ -8,16 +8,16 @@ namespace {
 /// Facets between the apexes a and b, found outwards from the first one as a tree.
 class Sandwich {
  public:
-  Sandwich(const LocalMesh& mesh, const Worth& worth, std::int32_t a, std::int32_t b, double floor,
-           Reconnection& out)
-      : mesh_(mesh), worth_(worth), a_(a), b_(b), floor_(floor), out_(out) {}
+  Sandwich(const LocalMesh& mesh, const TetQuality& quality, std::int32_t a, std::int32_t b,
+           double floor, Reconnection& out)
+      : mesh_(mesh), quality_(quality), a_(a), b_(b), floor_(floor), out_(out) {}
 
   /// What lies beyond the edge u-w of a facet that is taken out, where (a, facet) turns u to w:
   /// either the new tet on u-w, or, where that is not above the floor and it serves better, the
   /// next facet and what lies beyond it. Returns the worst fresh tet; sets `worst_old` to the worst
   /// tet that goes.
   double beyond(std::int32_t u, std::int32_t w, int depth, double& worst_old) {
-    const double alone = worth_(mesh_.node(a_), mesh_.node(b_), mesh_.node(u), mesh_.node(w));
+    const double alone = quality_(mesh_.node(a_), mesh_.node(b_), mesh_.node(u), mesh_.node(w));
     worst_old = std::numeric_limits<double>::infinity();
     std::int32_t upper = -1;
     std::int32_t lower = -1;
@@ -31,7 +31,7 @@ class Sandwich {
       out_.old_tets.push_back(lower);
       const double fresh =
           std::min(beyond(u, x, depth - 1, old_ux), beyond(x, w, depth - 1, old_xw));
-      const double old = std::min({worth_(mesh_, upper), worth_(mesh_, lower), old_ux, old_xw});
+      const double old = std::min({quality_(mesh_, upper), quality_(mesh_, lower), old_ux, old_xw});
       if (fresh > alone || fresh > old) {
         worst_old = old;
         return fresh;
@@ -76,7 +76,7 @@ class Sandwich {
   }
 
   const LocalMesh& mesh_;
-  const Worth& worth_;
+  const TetQuality& quality_;
   std::int32_t a_, b_;
   double floor_;
   Reconnection& out_;
@@ -85,7 +85,7 @@ class Sandwich {
 }  // namespace
 
 bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double floor,
-                  Reconnection& out, const Worth& worth) {
+                  Reconnection& out, const TetQuality& quality) {
   constexpr int kMaxDepth = 3;
   const Tet& above = mesh.tet(tet);
   const std::int32_t a = above[corner];
@@ -102,8 +102,8 @@ bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double fl
 
   out.clear();
   out.old_tets = {tet, below};
-  Sandwich sandwich(mesh, worth, a, b, floor, out);
-  double worst_old = std::min(worth(mesh, tet), worth(mesh, below));
+  Sandwich sandwich(mesh, quality, a, b, floor, out);
+  double worst_old = std::min(quality(mesh, tet), quality(mesh, below));
   out.quality = std::numeric_limits<double>::infinity();
   for (const auto& [p, q] : {std::pair{u, v}, std::pair{v, w}, std::pair{w, u}}) {
     double old = 0;

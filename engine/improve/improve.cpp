@@ -5,8 +5,8 @@
 #include <map>
 #include <queue>
 
+#include "engine/improve/aggressive_improvement.h"
 #include "engine/improve/boundary_rules.h"
-#include "engine/improve/last_means.h"
 #include "engine/improve/local_mesh.h"
 #include "engine/improve/reconnect.h"
 #include "engine/improve/score.h"
@@ -57,7 +57,7 @@ class CleanUp {
         run_(run),
         max_ring_(std::clamp(options.max_ring, 3, EdgeRing::kMaxTets)),
         score_(options.threshold, options.min_dihedral),
-        last_(mesh_, rules_, smoother_, score_, max_ring_),
+        aggressive_(mesh_, rules_, smoother_, score_, max_ring_),
         dirty_(dirty.begin(), dirty.end()) {}
 
   ImproveResult work() {
@@ -65,17 +65,17 @@ class CleanUp {
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(most_stubborn(), Spare::Neighbours, in_vain, [&](std::int32_t t) {
-        return last_.relax(t) || last_.reconnect(t) || last_.climb(t);
+      changed |= on_stubborn(most_residual(), Spare::Neighbours, in_vain, [&](std::int32_t t) {
+        return aggressive_.descend(t) || aggressive_.reconnect(t) || aggressive_.compass_search(t);
       });
       if (!changed) break;
     }
-    if (bad_tets().size() <= most_stubborn()) mend();
+    if (bad_tets().size() <= most_residual()) optimise_neighbourhood();
     ImproveResult result;
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
       if (std::ranges::min(mesh_.tet(t)) < options_.locked && score_(mesh_, t) < kBadAtRim)
-        ++result.bad_at_rim;
+        ++result.bad_at_interface;
     }
     result.mesh = mesh_.result();
     result.was.reserve(result.mesh.tets.size());
@@ -107,7 +107,7 @@ class CleanUp {
   }
 
   /// By tet, what surrounded it when a means was of no help.
-  using InVain = std::map<std::int32_t, LastMeans::Neighbourhood>;
+  using InVain = std::map<std::int32_t, AggressiveImprovement::Neighbourhood>;
 
   /// Which tets a means is not tried on, for it was tried on another whose neighbours they are: it
   /// has moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad
@@ -130,8 +130,8 @@ class CleanUp {
     for (const std::int32_t t : worst_first()) {
       run_.poll();
       if (!bad(t) || spared[t] != 0) continue;
-      LastMeans::Neighbourhood round = last_.neighbourhood(t);
-      if (LastMeans::is_crowded(round)) {  // and so are they, by thousands
+      AggressiveImprovement::Neighbourhood round = aggressive_.neighbourhood(t);
+      if (AggressiveImprovement::is_crowded(round)) {  // and so are they, by thousands
         spare_neighbours(t);
         continue;
       }
@@ -144,26 +144,26 @@ class CleanUp {
         in_vain[t] = std::move(round);
         continue;
       }
-      touch(last_.touched());
+      touch(aggressive_.touched());
       drain();
       changed = true;
     }
     return changed;
   }
 
-  [[nodiscard]] std::size_t most_stubborn() const {
+  [[nodiscard]] std::size_t most_residual() const {
     return kMostStubborn + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
   /// Has the few that are left mended; where there are many the goals are out of reach.
-  void mend() {
+  void optimise_neighbourhood() {
     InVain in_vain;
-    const auto mended = [&](std::int32_t t) { return last_.mend(t); };
+    const auto mended = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
     for (int pass = 0; pass < options_.passes; ++pass)
       if (!on_stubborn(kMostMended, Spare::NeighboursInVain, in_vain, mended)) break;
     in_vain.clear();
     on_stubborn(kMostTakenOut, Spare::NeighboursInVain, in_vain,
-                [&](std::int32_t t) { return last_.mend_otherwise(t); });
+                [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
   }
 
   [[nodiscard]] std::vector<std::int32_t> worst_first() const {
@@ -255,7 +255,7 @@ class CleanUp {
   const Run& run_;
   int max_ring_;
   Score score_;
-  LastMeans last_;
+  AggressiveImprovement aggressive_;
   std::vector<std::uint8_t> dirty_;
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;
   Reconnection trial_, best_;

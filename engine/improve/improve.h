@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/base/run.h"
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -22,7 +22,8 @@ struct ImproveOptions {
   /// A boundary node that slides may leave no boundary facet off its surface by more than this
   /// share of the local edge length beyond what it was.
   double chord_tolerance = 0.05;
-  /// Nodes below are at the rim of a part of a mesh: they stay, and so does the hull between them.
+  /// Nodes below are at a patch's interface of a mesh: they stay, and so does the hull between
+  /// them.
   std::int32_t locked = 0;
 };
 
@@ -31,7 +32,8 @@ struct ImproveResult {
   std::vector<std::int32_t> was;         ///< by tet: that of the input that it is still, or -1
   std::vector<std::uint8_t> node_moved;  ///< 1 where smoothing moved the node
   std::uint32_t below_threshold = 0;     ///< tets that stayed below
-  std::uint32_t bad_at_rim = 0;  ///< those with a locked node that lack more than a tenth of it
+  std::uint32_t bad_at_interface =
+      0;  ///< those with a locked node that lack more than a tenth of it
 };
 
 /// Removes slivers from a peeled Delaunay mesh: edge removal over rings (Freitag & Ollivier-Gooch

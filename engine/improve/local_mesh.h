@@ -28,7 +28,7 @@ struct EdgeRing {
 /// last, so that untouched tets keep their place and the same operations give the same bytes.
 class LocalMesh {
  public:
-  /// `locked`: nodes below are at the rim of a part: they stay, and so do the edges and facets
+  /// `locked`: nodes below are at a patch's interface: they stay, and so do the edges and facets
   /// between them.
   explicit LocalMesh(const TetMesh& mesh, std::int32_t locked = 0, const Run& run = {});
 

@@ -13,13 +13,13 @@
 namespace remeshd {
 
 /// What reconnections compare tets by: the measure, or a score.
-class Worth {
+class TetQuality {
  public:
-  Worth() = default;
+  TetQuality() = default;
   /// Keeps a reference.
-  explicit Worth(const Score& score) : score_(&score) {}
+  explicit TetQuality(const Score& score) : score_(&score) {}
   /// Tets of the mesh count as worth `most` at most, so that worse ones may take their place.
-  Worth(const Score& score, double most) : score_(&score), most_(most) {}
+  TetQuality(const Score& score, double most) : score_(&score), most_(most) {}
   double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
     return score_ ? (*score_)(a, b, c, d) : volume_length(a, b, c, d);
   }
@@ -53,13 +53,13 @@ struct Reconnection {
 /// Source: Freitag & Ollivier-Gooch 1997; Shewchuk 2002, "Two discrete optimization algorithms for
 /// the topological improvement of tetrahedral meshes".
 bool remove_edge(const LocalMesh& mesh, const BoundaryRules& rules, std::int32_t a, std::int32_t b,
-                 int max_ring, double floor, Reconnection& out, const Worth& worth = {});
+                 int max_ring, double floor, Reconnection& out, const TetQuality& quality = {});
 
 /// Takes out the facet opposite a tet's corner, and with it those neighbouring facets between the
 /// same two apexes whose removal helps, and joins the apexes by an edge: a 2-3 flip where it is one
 /// facet alone. Same postcondition.
 /// Source: Shewchuk 2002, multi-face removal.
 bool remove_faces(const LocalMesh& mesh, std::int32_t tet, int corner, double floor,
-                  Reconnection& out, const Worth& worth = {});
+                  Reconnection& out, const TetQuality& quality = {});
 
 }  // namespace remeshd

@@ -128,7 +128,7 @@ double Smoother::energy(const Vec3& p, double limit) const {
   return sum;
 }
 
-bool Smoother::ease(std::int32_t node, Vec3& position) {
+bool Smoother::energy_descent_step(std::int32_t node, Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
   if (!(slopes(mesh_.node(node)) > kLeastEased)) return false;
@@ -138,7 +138,8 @@ bool Smoother::ease(std::int32_t node, Vec3& position) {
   return step_down(node, direction, energy(mesh_.node(node), HUGE_VAL), by_measure, position);
 }
 
-bool Smoother::ease(std::int32_t node, const Score& score, int steepness, Vec3& position) {
+bool Smoother::energy_descent_step(std::int32_t node, const Score& score, int steepness,
+                                   Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
   const auto energy = [&](const Vec3& p, double limit) {

@@ -24,10 +24,10 @@ class Smoother {
   /// in place because each has a tet that is worst, rounds of such steps over all of them still get
   /// on; the worst tet of a single node may get worse on the way.
   /// Post: true with the new place in `position` where the sum gets less; no tet is inverted.
-  bool ease(std::int32_t node, Vec3& position);
+  bool energy_descent_step(std::int32_t node, Vec3& position);
 
   /// The same down the energy of the node's tets by a score (Score::energy), angles counted.
-  bool ease(std::int32_t node, const Score& score, int steepness, Vec3& position);
+  bool energy_descent_step(std::int32_t node, const Score& score, int steepness, Vec3& position);
 
  private:
   /// A tet at the node: (node, b, c, d) is positive.

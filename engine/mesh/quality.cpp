@@ -82,7 +82,7 @@ struct Place {
 
 template <class F>
 auto of_corners(const Place& at, F&& f) {
-  const Pages<Vec3>& p = at.part->nodes;
+  const CowVector<Vec3>& p = at.part->nodes;
   const Tet& t = at.part->tets[at.tet];
   return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
 }
@@ -190,7 +190,8 @@ TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return {static_cast<float>(volume_length(a, b, c, d)), rounded(highest), rounded(lowest)};
 }
 
-Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets, const Run& run) {
+CowVector<TetMeasure> measure_tets(const CowVector<Vec3>& nodes, const CowVector<Tet>& tets,
+                                   const Run& run) {
   std::vector<TetMeasure> measures(tets.size());
   in_blocks(tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
@@ -199,7 +200,7 @@ Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets,
       measures[k] = measure_tet(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
     }
   });
-  return Pages(measures);
+  return CowVector(measures);
 }
 
 TwoQualities summarise_both(const MeasuredTets& first, double first_volume,
@@ -238,9 +239,9 @@ Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, 
   double volume = 0;
   for (const Tet& t : tets)
     volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
-  const Pages<Vec3> paged_nodes(nodes);
-  const Pages<Tet> paged_tets(tets);
-  const Pages<TetMeasure> measures = measure_tets(paged_nodes, paged_tets, run);
+  const CowVector<Vec3> paged_nodes(nodes);
+  const CowVector<Tet> paged_tets(tets);
+  const CowVector<TetMeasure> measures = measure_tets(paged_nodes, paged_tets, run);
   return summarise({paged_nodes, paged_tets, measures}, volume);
 }
 

@@ -41,13 +41,14 @@ struct TetMeasure {
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-Pages<TetMeasure> measure_tets(const Pages<Vec3>& nodes, const Pages<Tet>& tets, const Run& run);
+CowVector<TetMeasure> measure_tets(const CowVector<Vec3>& nodes, const CowVector<Tet>& tets,
+                                   const Run& run);
 
 /// Tets and their measures.
 struct MeasuredTets {
-  const Pages<Vec3>& nodes;
-  const Pages<Tet>& tets;
-  const Pages<TetMeasure>& measures;         ///< by tet
+  const CowVector<Vec3>& nodes;
+  const CowVector<Tet>& tets;
+  const CowVector<TetMeasure>& measures;     ///< by tet
   std::span<const std::uint8_t> left_out{};  ///< by tet: 1 for those that do not count; or empty
 };
 

@@ -24,14 +24,14 @@ Region region_round(std::span<const Vec3> places) {
 
 }  // namespace
 
-Pages<Box> boxes_round(const PagedMesh& mesh) {
-  Pages<Box> boxes;
+CowVector<Box> boxes_round(const PagedMesh& mesh) {
+  CowVector<Box> boxes;
   for (std::size_t k = 0; k < mesh.tets.pages(); ++k) boxes.push_back(box_round(mesh, k));
   return boxes;
 }
 
-Pages<Box> boxes_round(const PagedMesh& mesh, Pages<Box> other,
-                       std::span<const std::int32_t> changed_tets) {
+CowVector<Box> boxes_round(const PagedMesh& mesh, CowVector<Box> other,
+                           std::span<const std::int32_t> changed_tets) {
   other.resize(mesh.tets.pages());
   std::size_t done = mesh.tets.pages();
   for (const std::int32_t t : changed_tets) {
@@ -42,10 +42,11 @@ Pages<Box> boxes_round(const PagedMesh& mesh, Pages<Box> other,
   return other;
 }
 
-PagesAt::PagesAt(const Pages<Tet>& other, const Pages<Box>& boxes, std::span<const Vec3> places)
+PagesNear::PagesNear(const CowVector<Tet>& other, const CowVector<Box>& boxes,
+                     std::span<const Vec3> places)
     : other_(other), boxes_(boxes), region_(region_round(places)) {}
 
-bool PagesAt::may_be(const Pages<Tet>& tets, std::size_t page) const {
+bool PagesNear::may_be(const CowVector<Tet>& tets, std::size_t page) const {
   return !tets.shares(page, other_) || region_.meets(boxes_[page]);
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/base/pages.h"
+#include "engine/base/cow_vector.h"
 #include "engine/base/vec.h"
 
 namespace remeshd {
@@ -21,10 +21,12 @@ struct TetMesh {
 
 /// The same at rest, as it stays with a revision: sharing with others what is the same.
 struct PagedMesh {
-  Pages<Vec3> nodes;
-  Pages<Tet> tets;
+  CowVector<Vec3> nodes;
+  CowVector<Tet> tets;
 };
-inline PagedMesh paged(const TetMesh& mesh) { return {Pages(mesh.nodes), Pages(mesh.tets)}; }
+inline PagedMesh paged(const TetMesh& mesh) {
+  return {CowVector(mesh.nodes), CowVector(mesh.tets)};
+}
 
 /// The facet of a positive tet opposite its corner i, ordered so that its normal
 /// cross(b - a, c - a) points out of the tet.

@@ -11,7 +11,8 @@ bool equal(const Tet& a, const Tet& b) {
   return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
 }
 
-std::vector<std::uint8_t> unchanged_nodes(const Pages<Vec3>& nodes, const Pages<Vec3>& other) {
+std::vector<std::uint8_t> unchanged_nodes(const CowVector<Vec3>& nodes,
+                                          const CowVector<Vec3>& other) {
   std::vector<std::uint8_t> same(nodes.size(), 0);
   for (std::size_t k = 0; k < std::min(nodes.pages(), other.pages()); ++k) {
     const std::span<const Vec3> now = nodes.page(k), then = other.page(k);
@@ -26,7 +27,7 @@ std::vector<std::uint8_t> unchanged_nodes(const Pages<Vec3>& nodes, const Pages<
 }
 
 /// Where the other mesh has the nodes that this one has elsewhere or not at all.
-std::vector<Vec3> left_places(const std::vector<std::uint8_t>& same, const Pages<Vec3>& other) {
+std::vector<Vec3> left_places(const std::vector<std::uint8_t>& same, const CowVector<Vec3>& other) {
   std::vector<Vec3> places;
   for (std::size_t n = 0; n < other.size(); ++n)
     if (n >= same.size() || same[n] == 0) places.push_back(other[n]);
@@ -35,10 +36,10 @@ std::vector<Vec3> left_places(const std::vector<std::uint8_t>& same, const Pages
 
 }  // namespace
 
-Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const Pages<Box>& boxes) {
+Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const CowVector<Box>& boxes) {
   Unchanged result{unchanged_nodes(mesh.nodes, other.nodes), {}, {}};
   const std::vector<std::uint8_t>& node = result.node;
-  const PagesAt at_left(other.tets, boxes, left_places(node, other.nodes));
+  const PagesNear at_left(other.tets, boxes, left_places(node, other.nodes));
   const auto stands = [&](const Tet& t) {
     return (node[t[0]] & node[t[1]] & node[t[2]] & node[t[3]]) != 0;
   };

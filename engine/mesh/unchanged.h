@@ -17,6 +17,6 @@ struct Unchanged {
 
 /// Memory that the two share tells what is the same: a page of tets is looked through only where
 /// nodes that moved may be its own. `boxes`: round the other's tets.
-Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const Pages<Box>& boxes);
+Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const CowVector<Box>& boxes);
 
 }  // namespace remeshd

@@ -23,7 +23,7 @@ Box transformed(const Box& box, const Transform& t) {
 /// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
 class FaceVisitor {
  public:
-  FaceVisitor(NodeSet& nodes, const PointSource& source, double edge_length, const Run& run)
+  FaceVisitor(NodeSet& nodes, const CopyPlan& source, double edge_length, const Run& run)
       : nodes_(nodes),
         source_(source),
         grid_(nodes.positions, kGridCell * edge_length),
@@ -34,15 +34,15 @@ class FaceVisitor {
              const std::vector<Box>& where) {
     const Box bounds = transformed(solid.bounds(), motion);
     for (std::size_t b = 0; b < where.size(); ++b) {
-      const Box part = intersection(bounds, where[b]);
-      if (part.empty()) continue;
+      const Box overlap = intersection(bounds, where[b]);
+      if (overlap.empty()) continue;
       run_.poll();
       for (const SolidFace& face : solid.faces()) {
         Surface surface = face.surface;
         surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
         Random random(1);  // unjittered, but for where rows begin
-        visit_lattice(surface, part, spacing_, 0, random, [&](const Vec3& p) {
-          if (!part.contains(p, source_.probe())) return;
+        visit_lattice(surface, overlap, spacing_, 0, random, [&](const Vec3& p) {
+          if (!overlap.contains(p, source_.probe())) return;
           for (std::size_t earlier = 0; earlier < b; ++earlier)
             if (where[earlier].contains(p)) return;
           look_at(solid, back, p, normal(surface, p));
@@ -61,7 +61,7 @@ class FaceVisitor {
   }
 
   NodeSet& nodes_;
-  const PointSource& source_;
+  const CopyPlan& source_;
   const NearestNode grid_;
   const double spacing_;
   const Run& run_;
@@ -69,7 +69,7 @@ class FaceVisitor {
 
 }  // namespace
 
-void free_at_active_faces(NodeSet& nodes, const PointSource& source, double edge_length,
+void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_length,
                           const Run& run) {
   FaceVisitor visitor(nodes, source, edge_length, run);
   for (const Solid& solid : source.modified().solids())

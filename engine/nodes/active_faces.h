@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/nodes/node_set.h"
-#include "engine/plan/point_source.h"
+#include "engine/plan/copy_plan.h"
 
 namespace remeshd {
 
@@ -11,7 +11,7 @@ namespace remeshd {
 /// Regularly spaced points on each free their nearest node.
 ///
 /// `edge_length`: target edge length; the points are half of it apart.
-void free_at_active_faces(NodeSet& nodes, const PointSource& source, double edge_length,
+void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_length,
                           const Run& run);
 
 }  // namespace remeshd

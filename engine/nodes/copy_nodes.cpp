@@ -37,7 +37,7 @@ Incidence tets_at_nodes(const OriginalNodes& original) {
 }
 
 /// Transformations in the order in which their features copy.
-std::vector<std::int32_t> copying_order(const PointSource& source) {
+std::vector<std::int32_t> copying_order(const CopyPlan& source) {
   std::vector<std::int32_t> order;
   for (const SourceFeature& s : source.sources())
     if (std::find(order.begin(), order.end(), s.transform) == order.end())
@@ -47,7 +47,7 @@ std::vector<std::int32_t> copying_order(const PointSource& source) {
 
 class Copier {
  public:
-  Copier(const PointSource& source, const OriginalNodes& original, double edge_length)
+  Copier(const CopyPlan& source, const OriginalNodes& original, double edge_length)
       : source_(source),
         original_(original),
         edge_length_(edge_length),
@@ -65,7 +65,7 @@ class Copier {
   }
 
   /// Whether the node itself is copied.
-  [[nodiscard]] bool carried(std::int32_t n, std::int32_t t) const {
+  [[nodiscard]] bool is_copied(std::int32_t n, std::int32_t t) const {
     const Transform& x = source_.transforms()[t];
     const Vec3& q = original_.positions[n];
     if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
@@ -78,7 +78,7 @@ class Copier {
   [[nodiscard]] std::optional<Vec3> set_back(std::int32_t n, std::int32_t t) const {
     const Transform& x = source_.transforms()[t];
     const Vec3 p = x.apply(original_.positions[n]);
-    if (source_(p) != PointSource::kOutside) return std::nullopt;
+    if (source_(p) != CopyPlan::kOutside) return std::nullopt;
     Vec3 middle{};
     int count = 0;
     for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k) {
@@ -109,7 +109,7 @@ class Copier {
     return 0.25 * (p[t[0]] + p[t[1]] + p[t[2]] + p[t[3]]);
   }
 
-  const PointSource& source_;
+  const CopyPlan& source_;
   const OriginalNodes& original_;
   const double edge_length_;
   const Incidence at_;
@@ -118,7 +118,7 @@ class Copier {
 
 }  // namespace
 
-NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, double edge_length,
+NodeSet copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
                    const Run& run) {
   NodeSet nodes;
   const Copier copier(source, original, edge_length);
@@ -135,7 +135,7 @@ NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, dou
     poll();
     bool copied = false;
     for (const std::int32_t t : order) {
-      copied = copier.reached(n, t) && copier.carried(n, t);
+      copied = copier.reached(n, t) && copier.is_copied(n, t);
       if (!copied) continue;
       add(n, t, source.transforms()[t].apply(original.positions[n]), false);
       break;

@@ -5,15 +5,15 @@
 
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
-#include "engine/plan/point_source.h"
+#include "engine/plan/copy_plan.h"
 
 namespace remeshd {
 
-/// The original mesh as the copying sees it: Delaunay master positions, where each node stood on
+/// The original mesh as the copying sees it: Delaunay mesh positions, where each node stood on
 /// the original boundary, and the tets of the model.
 struct OriginalNodes {
-  const Pages<Vec3>& positions;
-  const Pages<Support>& supports;  ///< entities of the original boundary; only the kind is used
+  const CowVector<Vec3>& positions;
+  const CowVector<Support>& supports;  ///< entities of the original boundary; only the kind is used
   /// Nodes that are looked at, ascending. All others are where nothing changed.
   std::span<const std::int32_t> near;
   std::span<const Tet> tets;  ///< peeled: all at these nodes
@@ -32,7 +32,7 @@ struct OriginalNodes {
 /// `edge_length`: target edge length of the original mesh.
 /// Post: every node is the copy of one near the change, fixed but for those set back; supports are
 /// interior or, for nodes that were on the boundary, still those of the original.
-NodeSet copy_nodes(const PointSource& source, const OriginalNodes& original, double edge_length,
+NodeSet copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
                    const Run& run);
 
 }  // namespace remeshd

@@ -108,7 +108,7 @@ std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& b
 }
 
 /// Leaves out the nodes that are too many, evenly along the order of the lattice.
-void thin_out(std::vector<Vec3>& nodes, std::size_t count) {
+void decimate_close_nodes(std::vector<Vec3>& nodes, std::size_t count) {
   if (nodes.size() <= count) return;
   const std::size_t all = nodes.size();
   for (std::size_t k = 0; k < count; ++k) nodes[k] = nodes[k * all / count];
@@ -133,7 +133,7 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes,
     if (found == 0 && k >= kEmptyTries) break;
     constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kSurplus) * count)) : 0.5;
   }
-  thin_out(nodes, *options.count);
+  decimate_close_nodes(nodes, *options.count);
   return nodes;
 }
 

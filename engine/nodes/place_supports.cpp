@@ -19,16 +19,17 @@ std::vector<Vec3> positions_of(const Samples& samples) {
 
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
                     double edge_length, double tolerance, std::int32_t first, const Run& run) {
+  std::vector<std::int32_t> to_place;
+  for (std::int32_t n = first; n < nodes.size(); ++n) {
+    if (nodes.free[n]) nodes.supports[n] = {};
+    if (nodes.supports[n].kind != Support::Kind::Interior) to_place.push_back(n);
+  }
+  if (to_place.empty()) return;
   const std::vector<Vec3> positions = positions_of(samples);
   const NearestNode grid(positions, 0.8 * edge_length);
   Polling poll(run);
-  for (std::int32_t n = first; n < nodes.size(); ++n) {
+  for (const std::int32_t n : to_place) {
     poll();
-    if (nodes.free[n]) {
-      nodes.supports[n] = {};
-      continue;
-    }
-    if (nodes.supports[n].kind == Support::Kind::Interior) continue;
     const Vec3& p = nodes.positions[n];
     // The strongest kind of entity the node stands on (a vertex before an edge before a face); of
     // several of a kind the one with the nearest sample.

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kTakingOut = 3;
 }
 
-LiveMesh::LiveMesh(kernel::Delaunay start, std::vector<std::uint8_t> holds, bool rebuild,
+LiveMesh::LiveMesh(DelaunayMesh start, std::vector<std::uint8_t> holds, bool rebuild,
                    const Run& run)
     : mesh_(start),
       base_(std::move(start)),
@@ -24,22 +24,22 @@ void LiveMesh::follow(const NodeSet& nodes) {
   std::vector<std::int32_t> held, missing;
   for (std::int32_t n = 0; n < nodes.size(); ++n) (holds_[n] ? held : missing).push_back(n);
   const bool followed = !rebuild_ && follow_held(nodes, held);
-  require_part();
+  require_patch();
   if (followed)
     mesh_.insert(nodes.positions, missing, run_);
   else
     restart(nodes);
-  require_part();
+  require_patch();
   holds_.assign(holds_.size(), 1);
 }
 
-void LiveMesh::require_part() const {
-  if (mesh_.left_part()) throw LeftPart{"following the nodes"};
+void LiveMesh::require_patch() const {
+  if (mesh_.patch_too_small()) throw PatchTooSmall{"following the nodes"};
 }
 
 bool LiveMesh::follow_held(const NodeSet& nodes, const std::vector<std::int32_t>& held) {
-  const kernel::Delaunay::Moved moved = mesh_.move(nodes.positions, held, run_);
-  if (moved != kernel::Delaunay::Moved::TooFar) return moved == kernel::Delaunay::Moved::Done;
+  const DelaunayMesh::Moved moved = mesh_.move(nodes.positions, held, run_);
+  if (moved != DelaunayMesh::Moved::TooFar) return moved == DelaunayMesh::Moved::Done;
   std::vector<std::int32_t> far;
   for (const std::int32_t n : held)
     if (mesh_.position(n) != nodes.positions[n]) far.push_back(n);
@@ -54,8 +54,8 @@ void LiveMesh::restart(const NodeSet& nodes) {
     if (in_base_[n] && base_.position(n) != nodes.positions[n]) gone.push_back(n);
   if (base_.remove(gone, run_)) {
     for (const std::int32_t n : gone) in_base_[n] = 0;
-  } else if (nodes.of_part()) {
-    throw LeftPart{"starting again from the fixed nodes"};
+  } else if (nodes.of_patch()) {
+    throw PatchTooSmall{"starting again from the fixed nodes"};
   } else {
     base_ = base_.emptied();
     in_base_.assign(in_base_.size(), 0);

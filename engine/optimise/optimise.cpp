@@ -5,11 +5,11 @@
 
 #include "engine/nodes/dump.h"
 #include "engine/optimise/active_samples.h"
+#include "engine/optimise/large_circumballs.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/optimise/pull.h"
 #include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
-#include "engine/optimise/voids.h"
 
 namespace remeshd {
 
@@ -60,7 +60,7 @@ class Frozen {
 
 /// Frees the fixed nodes next to free ones, through tets that belong to the model: such as have an
 /// interior node or, all corners being on the boundary, their centroid inside (Sect. 8). Nodes at
-/// the rim of a part stay.
+/// a patch's interface stay.
 bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
             const InsideTest& inside) {
   std::vector<std::uint8_t> was_free = nodes.free;
@@ -76,7 +76,7 @@ bool expand(NodeSet& nodes, const Frozen& frozen, const std::vector<Tet>& tets,
                                      nodes.positions[t[2]] + nodes.positions[t[3]])))
       continue;
     for (const std::int32_t n : t) {
-      if (was_free[n] || n < nodes.rim) continue;
+      if (was_free[n] || n < nodes.interface_nodes) continue;
       nodes.free[n] = 1;
       grown = true;
     }
@@ -125,8 +125,8 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, live.tets());
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
-    const bool filled = options.fill_voids && k == kFillAt &&
-                        fill_voids(nodes, tets, inside, options.edge_length) > 0;
+    const bool filled = options.insert_at_circumcentres && k == kFillAt &&
+                        insert_at_circumcentres(nodes, tets, inside, options.edge_length) > 0;
     relocate(nodes, tets, inside, run);
     frozen.freeze(nodes, before, options.freeze * options.edge_length);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, frozen, live.tets(), inside))

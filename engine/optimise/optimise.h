@@ -6,7 +6,7 @@
 #include "engine/base/inside_test.h"
 #include "engine/base/run.h"
 #include "engine/boundary/samples.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
 
@@ -20,19 +20,20 @@ struct OptimiseOptions {
   /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
   /// is, on the boundary until the last repositioning, and counts as free.
   double freeze = 0.01;
-  /// Whether voids between the nodes that a remesh starts with get nodes (`fill_voids`).
-  bool fill_voids = false;
+  /// Whether voids between the nodes that a remesh starts with get nodes
+  /// (`insert_at_circumcentres`).
+  bool insert_at_circumcentres = false;
   bool rebuild = false;  ///< see LiveMesh
 };
 
 /// The Delaunay mesh to start from: that of some of the fixed nodes.
 struct StartMesh {
-  kernel::Delaunay mesh;
+  DelaunayMesh mesh;
   std::vector<std::uint8_t> holds;  ///< by node: 1 if it is in the mesh
 };
 
 struct OptimiseResult {
-  kernel::Delaunay mesh;  ///< of all nodes
+  DelaunayMesh mesh;  ///< of all nodes
   std::vector<std::uint32_t> free_per_iteration;
   std::uint32_t samples_active = 0;  ///< at the end
 };
@@ -40,10 +41,10 @@ struct OptimiseResult {
 /// The optimisation loop (Sect. 3.3 and 8): the boundary procedure with the active samples,
 /// Delaunay mesh, optimal Delaunay relocation (Chen 2003) of the free interior nodes; after
 /// iterations 1 and 4 the layer of fixed nodes next to the free ones is freed too. Nodes may be
-/// added by splitting, and where `fill_voids` finds room for them after iteration 3.
+/// added by splitting, and where `insert_at_circumcentres` finds room for them after iteration 3.
 ///
-/// A first mesh is the case of all nodes free and an empty start. Throws LeftPart where what has to
-/// move gets to the rim of the part.
+/// A first mesh is the case of all nodes free and an empty start. Throws PatchTooSmall where what
+/// has to move gets to the interface of the patch.
 OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& boundary,
                         const InsideTest& inside, const Samples& samples,
                         const OptimiseOptions& options, const Run& run);

@@ -124,7 +124,7 @@ void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std:
     bool done = false;
     grid.for_each_within(s.position, reach, [&](std::int32_t n, double d) {
       if (nodes.supports[n] == s.support && !nodes.free[n]) done = true;
-      if (taken[n] || n < nodes.rim) return;
+      if (taken[n] || n < nodes.interface_nodes) return;
       if (d < best_d || (d == best_d && n < best)) {
         best_d = d;
         best = n;

@@ -88,12 +88,12 @@ double split_at(const NodeSet& nodes, const OnEdge& a, const OnEdge& b, double e
   return from_a ? a.at + shell : b.at - shell;
 }
 
-std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const kernel::Delaunay& mesh) {
+std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const DelaunayMesh& mesh) {
   std::vector<Link> links;
   const auto on_edge = [&](std::int32_t n) {
     return nodes.supports[n].kind >= Support::Kind::Edge;
   };
-  mesh.for_each_tet([&](const kernel::Delaunay::Corners& t) {
+  mesh.for_each_tet([&](const DelaunayMesh::Corners& t) {
     for (int i = 0; i < 4; ++i) {
       if (!on_edge(t[i])) continue;
       for (int j = i + 1; j < 4; ++j)
@@ -126,11 +126,11 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
       };
       // A closed edge needs three nodes to be a chain at all.
       const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
-      // Between two nodes at the rim there may be others that are not in the part.
-      const auto at_rim = [&](const OnEdge& on) { return on.node < nodes.rim; };
+      // Between two interface nodes there may be others that are not in the patch.
+      const auto at_rim = [&](const OnEdge& on) { return on.node < nodes.interface_nodes; };
       const bool elsewhere =
-          nodes.of_part() && (chain[e].empty() ? !std::ranges::binary_search(options.wanted, e)
-                                               : std::ranges::any_of(chain[e], at_rim));
+          nodes.of_patch() && (chain[e].empty() ? !std::ranges::binary_search(options.wanted, e)
+                                                : std::ranges::any_of(chain[e], at_rim));
       if (edge.closed() && nodes_on < 3 && !elsewhere) {
         const double from = chain[e].empty() ? 0 : chain[e].front().at;
         for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);

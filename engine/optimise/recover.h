@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/nodes/node_set.h"
 #include "engine/optimise/live_mesh.h"
 
@@ -15,7 +15,7 @@ struct RecoverOptions {
   /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
   /// nearer to each other than the edge length would split each other into pieces as short as that.
   double most = 0.2;
-  /// Edges that have to have nodes, ascending. In a part of a mesh others may have theirs
+  /// Edges that have to have nodes, ascending. In a patch of a mesh others may have theirs
   /// elsewhere.
   std::vector<std::int32_t> wanted;
 };

@@ -3,7 +3,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include "engine/base/error.h"
@@ -36,9 +35,9 @@ void check_count(const MeshOptions& options, const Run& run) {
 }
 
 /// `qualifier`: of the number.
-Error too_large(const Revision* original, const MeshOptions& options, double edge_length,
+Error too_large(const Revision& original, const MeshOptions& options, double edge_length,
                 const LeastNodes& needed, const char* qualifier, const Run& run) {
-  const bool base = original && edge_length == original->edge_length;
+  const bool base = edge_length == original.edge_length;
   std::string what = base ? "the base's edge length of " : "an edge length of ";
   what += digits(edge_length);
   if (!base && options.nodes)
@@ -63,20 +62,19 @@ Extent extent_of(const CellularModel& cells) {
   return {cells.volume, cells.area, std::fmax(along_edges, across_faces)};
 }
 
-double check_node_limit(const Revision* original, const FeatureModel& model,
+double check_node_limit(const Revision& original, const FeatureModel& model,
                         const MeshOptions& options, const Run& run) {
   check_count(options, run);
-  std::optional<double> edge_length = options.size;
-  if (original) edge_length = std::fmin(original->edge_length, edge_length.value_or(HUGE_VAL));
+  const double edge_length = std::fmin(original.edge_length, options.size.value_or(HUGE_VAL));
   // What a number of nodes comes to is known only with the volume.
-  if (!edge_length) return options.nodes.value_or(0);
-  const LeastNodes least = least_nodes(model, *edge_length, run.max_nodes);
+  if (std::isinf(edge_length)) return options.nodes.value_or(0);
+  const LeastNodes least = least_nodes(model, edge_length, run.max_nodes);
   if (exceeds(least.nodes, run))
-    throw too_large(original, options, *edge_length, least, "at least", run);
+    throw too_large(original, options, edge_length, least, "at least", run);
   return std::fmax(least.nodes, options.nodes.value_or(0));
 }
 
-void check_node_limit(const Revision* original, const Extent& extent, double edge_length,
+void check_node_limit(const Revision& original, const Extent& extent, double edge_length,
                       const MeshOptions& options, const Run& run) {
   check_count(options, run);
   const double nodes = nodes_needed(extent, edge_length);

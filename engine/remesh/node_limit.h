@@ -2,7 +2,7 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "engine/nodes/density.h"
-#include "engine/remesh/remesh.h"
+#include "engine/revision/revision.h"
 
 namespace remeshd {
 
@@ -13,17 +13,17 @@ namespace remeshd {
 Extent extent_of(const CellularModel& cells);
 
 /// Before anything is computed, as far as closed formulas tell: what passes may still be refused
-/// once the model's cells are known. `original`: null for a first mesh. Returns how many nodes the
-/// mesh will have at least, as far as that can be told.
+/// once the model's cells are known. Returns how many nodes the mesh will have at least, as
+/// far as that can be told.
 ///
 /// Throws Error(InvalidArgument) `MESH_TOO_LARGE`, naming the feature where one alone is too large.
-double check_node_limit(const Revision* original, const FeatureModel& model,
+double check_node_limit(const Revision& original, const FeatureModel& model,
                         const MeshOptions& options, const Run& run);
 
 /// Exactly. `edge_length`: as resolved.
 ///
 /// Throws Error(InvalidArgument) `MESH_TOO_LARGE`.
-void check_node_limit(const Revision* original, const Extent& extent, double edge_length,
+void check_node_limit(const Revision& original, const Extent& extent, double edge_length,
                       const MeshOptions& options, const Run& run);
 
 }  // namespace remeshd

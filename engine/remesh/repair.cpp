@@ -16,7 +16,7 @@ constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          double edge_length) {
-  if (nodes.positions.empty()) return 0;  // a part that nothing is in
+  if (nodes.positions.empty()) return 0;  // a patch that nothing is in
   const NearestNode grid(nodes.positions, 0.8 * edge_length);
   const double around2 = kAround * kAround * edge_length * edge_length;
   const double closest2 = kClosest * kClosest * edge_length * edge_length;
@@ -27,7 +27,7 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
     return d;
   };
   const auto place_for = [&](const MeshDefect& defect) -> std::optional<Sample> {
-    if (defect.kind == MeshFailure::BrokenEdge) {
+    if (defect.kind == MeshFailure::MissingSegment) {
       const Support edge{Support::Kind::Edge, defect.entity};
       const Vec3 middle = project(boundary, edge, defect.place);
       if (room2(middle) > closest2) return Sample{middle, 0, edge};
@@ -49,24 +49,25 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
   return static_cast<int>(added.size());
 }
 
-std::vector<MeshDefect> stray_facets(const PeeledMesh& mesh) {
+std::vector<MeshDefect> nonconforming_facets(const PeeledMesh& mesh) {
   std::vector<MeshDefect> defects;
-  for (const Vec3& place : mesh.stray)
-    defects.push_back({MeshFailure::StrayFacet, -1, place, "a boundary facet on no model face"});
+  for (const Vec3& place : mesh.nonconforming)
+    defects.push_back(
+        {MeshFailure::NonconformingFacet, -1, place, "a boundary facet on no model face"});
   return defects;
 }
 
 bool boundary_is_complete(const Verification& v) {
-  return v.count(MeshFailure::OpenBoundary) + v.count(MeshFailure::PinchedNode) +
-             v.count(MeshFailure::MissingVertex) + v.count(MeshFailure::BrokenEdge) +
-             v.count(MeshFailure::StrayFacet) + v.count(MeshFailure::FacetOffFace) +
+  return v.count(MeshFailure::NonManifoldEdge) + v.count(MeshFailure::NonManifoldVertex) +
+             v.count(MeshFailure::MissingVertex) + v.count(MeshFailure::MissingSegment) +
+             v.count(MeshFailure::NonconformingFacet) + v.count(MeshFailure::FacetOffFace) +
              v.count(MeshFailure::FaceArea) ==
          0;
 }
 
-kernel::Delaunay with_nodes_inserted(const kernel::Delaunay& mesh, std::int32_t first_inserted,
-                                     NodeSet& nodes, const BoundaryModel& boundary,
-                                     double edge_length, const Run& run) {
+DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,
+                                 NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+                                 const Run& run) {
   std::vector<std::uint8_t> holds(nodes.positions.size(), 0);
   std::fill_n(holds.begin(), first_inserted, 1);
   LiveMesh live(mesh, std::move(holds), false, run);

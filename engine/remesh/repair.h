@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "engine/boundary/samples.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/extract/peel.h"
-#include "engine/kernel/delaunay.h"
 #include "engine/nodes/node_set.h"
 #include "engine/verify/verify.h"
 
@@ -20,16 +20,16 @@ namespace remeshd {
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples, double edge_length);
 
-/// The stray facets of a peeled mesh as verification would name them.
-std::vector<MeshDefect> stray_facets(const PeeledMesh& mesh);
+/// The nonconforming facets of a peeled mesh as verification would name them.
+std::vector<MeshDefect> nonconforming_facets(const PeeledMesh& mesh);
 
 /// Whether all that is wrong with a mesh is its tets: its surface is closed and has the model's
 /// vertices, edges and faces.
 bool boundary_is_complete(const Verification& verification);
 
 /// Brings a Delaunay mesh of the first nodes up to all of them, with their model edges recovered.
-kernel::Delaunay with_nodes_inserted(const kernel::Delaunay& mesh, std::int32_t first_inserted,
-                                     NodeSet& nodes, const BoundaryModel& boundary,
-                                     double edge_length, const Run& run);
+DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,
+                                 NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
+                                 const Run& run);
 
 }  // namespace remeshd

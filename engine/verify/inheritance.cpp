@@ -32,8 +32,8 @@ struct Taken {
   std::vector<std::int32_t> name;     ///< by node of the parent
 };
 
-Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const Pages<Vec3>& then,
-                 const Pages<std::int32_t>& claims) {
+Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const CowVector<Vec3>& then,
+                 const CowVector<std::int32_t>& claims) {
   Taken taken{std::vector<std::int32_t>(unchanged.size(), -1),
               std::vector<std::int32_t>(then.size(), -1)};
   const auto take = [&](std::size_t n, std::int32_t o) {
@@ -49,13 +49,14 @@ Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const Pages<Vec3>& 
 
 /// Looks for tets with a touched node. In an unchanged page all nodes stand where the parent has
 /// them.
-void find_near(const PagedMesh& mesh, const VerifiedParent& parent, Inheritance& result,
+void find_near(const PagedMesh& mesh, const VerifiedParent& parent, TetCorrespondence& result,
                Polling& poll) {
   const std::vector<std::uint8_t>& touched = result.touched;
   std::vector<Vec3> places;
-  for (std::size_t n = 0; n < touched.size(); ++n)
-    if (touched[n] != 0) places.push_back(mesh.nodes[n]);
-  const PagesAt at_touched(parent.mesh.tets, parent.boxes, places);
+  if (std::ranges::any_of(result.unchanged.page, [](std::uint8_t same) { return same != 0; }))
+    for (std::size_t n = 0; n < touched.size(); ++n)
+      if (touched[n] != 0) places.push_back(mesh.nodes[n]);
+  const PagesNear at_touched(parent.mesh.tets, parent.boxes, places);
   for (std::size_t k = 0; k < mesh.tets.pages(); ++k, poll()) {
     if (result.unchanged.page[k] != 0 && !at_touched.may_be(mesh.tets, k)) continue;
     auto t = static_cast<std::int32_t>(k * mesh.tets.kPage);
@@ -69,32 +70,33 @@ void find_near(const PagedMesh& mesh, const VerifiedParent& parent, Inheritance&
 
 }  // namespace
 
-Heirs::Heirs(const Unchanged& unchanged, std::size_t tets, std::size_t then) : then_(then) {
-  constexpr std::size_t kPage = Pages<Tet>::kPage;
+CorrespondingTets::CorrespondingTets(const Unchanged& unchanged, std::size_t tets, std::size_t then)
+    : then_(then) {
+  constexpr std::size_t kPage = CowVector<Tet>::kPage;
   begin_.assign((then + kPage - 1) / kPage, -1);
   for (std::size_t k = 0; k < begin_.size(); ++k) {
     if (k < unchanged.page.size() && unchanged.page[k] != 0) continue;
-    begin_[k] = static_cast<std::int32_t>(heir_.size());
-    heir_.resize(heir_.size() + kPage);
-    std::iota(heir_.end() - kPage, heir_.end(), static_cast<std::int32_t>(k * kPage));
+    begin_[k] = static_cast<std::int32_t>(same_tet_.size());
+    same_tet_.resize(same_tet_.size() + kPage);
+    std::iota(same_tet_.end() - kPage, same_tet_.end(), static_cast<std::int32_t>(k * kPage));
   }
   for (const std::int32_t t : unchanged.changed_tets)
     if (static_cast<std::size_t>(t) < then) set(t, -1);
   for (std::size_t o = tets; o < then; ++o) set(static_cast<std::int32_t>(o), -1);
 }
 
-Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
-  const Pages<Tet>& then = parent.mesh.tets;
+TetCorrespondence correspond(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
+  const CowVector<Tet>& then = parent.mesh.tets;
   Unchanged same = unchanged(mesh, parent.mesh, parent.boxes);
   auto [image, name] = take_nodes(same.node, parent.mesh.nodes, parent.node);
-  Heirs heirs(same, mesh.tets.size(), then.size());
-  Inheritance result{std::move(same),
-                     std::move(heirs),
-                     std::move(name),
-                     std::vector<std::uint8_t>(mesh.nodes.size(), 0),
-                     {},
-                     {},
-                     {}};
+  CorrespondingTets heirs(same, mesh.tets.size(), then.size());
+  TetCorrespondence result{std::move(same),
+                           std::move(heirs),
+                           std::move(name),
+                           std::vector<std::uint8_t>(mesh.nodes.size(), 0),
+                           {},
+                           {},
+                           {}};
   const auto unmoved = [&](std::int32_t n) {
     return result.unchanged.node[n] != 0 || mesh.nodes[n] == parent.mesh.nodes[image[n]];
   };
@@ -102,18 +104,18 @@ Inheritance inherit(const PagedMesh& mesh, const VerifiedParent& parent, Polling
     poll();
     const Tet& tet = mesh.tets[t];
     const std::int32_t o = parent.tet[t];
-    const bool heir =
-        has(then, o) && result.heir[o] < 0 &&
+    const bool same_tet =
+        has(then, o) && result.same_tet[o] < 0 &&
         same_turn(then[o], {image[tet[0]], image[tet[1]], image[tet[2]], image[tet[3]]});
-    if (heir)
-      result.heir.set(o, t);
+    if (same_tet)
+      result.same_tet.set(o, t);
     else
       for (const std::int32_t n : tet) result.touched[n] = 1;
-    if (heir && std::ranges::all_of(tet, unmoved)) continue;
+    if (same_tet && std::ranges::all_of(tet, unmoved)) continue;
     result.changed.push_back(t);
-    if (heir) result.gone.push_back(o);
+    if (same_tet) result.gone.push_back(o);
   }
-  result.heir.for_each_without([&](std::int32_t o) {
+  result.same_tet.for_each_without([&](std::int32_t o) {
     result.gone.push_back(o);
     for (const std::int32_t n : then[o])
       if (result.name[n] >= 0) result.touched[result.name[n]] = 1;

@@ -26,7 +26,7 @@ constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0,
 /// tet, the facets in one tet only. `each`: calls its argument with the tets that take part and
 /// their facets that do, the same each time.
 template <class Each>
-void match(const Pages<Tet>& tets, std::size_t node_count, const Each& each,
+void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
            std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
   std::vector<std::uint32_t> end(node_count + 1, 0);
   each([&](std::size_t t, FacetMask wanted) {
@@ -88,7 +88,7 @@ void match(const Pages<Tet>& tets, std::size_t node_count, const Each& each,
   }
 }
 
-std::vector<SurfaceFacet> collect(const Pages<Tet>& tets, std::span<const FacetMask> alone) {
+std::vector<SurfaceFacet> collect(const CowVector<Tet>& tets, std::span<const FacetMask> alone) {
   std::vector<SurfaceFacet> surface;
   for (std::size_t t = 0; t < tets.size(); ++t)
     for (int i = 0; i < 4 && alone[t] >> i != 0; ++i) {
@@ -102,7 +102,7 @@ std::vector<SurfaceFacet> collect(const Pages<Tet>& tets, std::span<const FacetM
 
 }  // namespace
 
-FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count, Polling& poll) {
+FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count, Polling& poll) {
   FacetMatch result;
   std::vector<FacetMask> alone(tets.size(), 0);
   const auto each = [&](auto&& f) {
@@ -113,8 +113,9 @@ FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count, Polling&
   return result;
 }
 
-FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count,
-                        const VerifiedParent& parent, const Inheritance& inherited, Polling& poll) {
+FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
+                        const VerifiedParent& parent, const TetCorrespondence& inherited,
+                        Polling& poll) {
   // A tet that came or went has touched all its nodes. So at a facet with an untouched node there
   // are the tets that there were, and those with touched nodes only are matched with each other.
   const std::vector<std::uint8_t>& touched = inherited.touched;
@@ -131,7 +132,7 @@ FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count,
   match(tets, node_count, each, result.clashes, alone, poll);
   for (const SurfaceFacet& facet : parent.surface) {
     poll();
-    const std::int32_t t = inherited.heir[facet.tet];
+    const std::int32_t t = inherited.same_tet[facet.tet];
     if (t < 0) continue;
     bool rim = true;
     std::int32_t corner = 6;  // what is left of the four corners' sum
@@ -147,7 +148,7 @@ FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count,
   return result;
 }
 
-std::vector<std::int32_t> repeated_tets(const Pages<Tet>& tets, std::size_t node_count,
+std::vector<std::int32_t> repeated_tets(const CowVector<Tet>& tets, std::size_t node_count,
                                         std::span<const std::int32_t> clashes) {
   // Whatever is at a repeated tet's facets, a tet that clashes is there, so that these have its
   // nodes.

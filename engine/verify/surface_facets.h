@@ -16,15 +16,16 @@ struct FacetMatch {
 };
 
 /// Matches the facets of all tets.
-FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count, Polling& poll);
+FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count, Polling& poll);
 
 /// The same, where only the facets between touched nodes are matched: of all others the parent
 /// tells which are on the surface.
-FacetMatch match_facets(const Pages<Tet>& tets, std::size_t node_count,
-                        const VerifiedParent& parent, const Inheritance& inherited, Polling& poll);
+FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
+                        const VerifiedParent& parent, const TetCorrespondence& inherited,
+                        Polling& poll);
 
 /// Tets with the same four nodes as an earlier one. `clashes`: as found in the same tets.
-std::vector<std::int32_t> repeated_tets(const Pages<Tet>& tets, std::size_t node_count,
+std::vector<std::int32_t> repeated_tets(const CowVector<Tet>& tets, std::size_t node_count,
                                         std::span<const std::int32_t> clashes);
 
 }  // namespace remeshd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -32,7 +33,7 @@ std::string text(const Vec3& p) {
 
 class Checker {
  public:
-  Checker(const PagedMesh& mesh, const Pages<Support>& supports, const BoundaryModel& boundary,
+  Checker(const PagedMesh& mesh, const CowVector<Support>& supports, const BoundaryModel& boundary,
           const Run& run, const VerifyOptions& options)
       : mesh_(mesh),
         supports_(supports.flat()),
@@ -42,7 +43,7 @@ class Checker {
         tolerance_(kOnSupport * boundary.bounds.diagonal()),
         run_(run),
         poll_(run) {
-    if (options.parent) inherited_ = inherit(mesh, *options.parent, poll_);
+    if (options.parent) inherited_ = correspond(mesh, *options.parent, poll_);
   }
 
   Verification check(double exact_volume) {
@@ -54,7 +55,12 @@ class Checker {
     check_volume(exact_volume);
     result_.valid = result_.failures.empty();
     result_.surface = std::move(surface_);
-    if (inherited_) result_.changed_tets = std::move(inherited_->unchanged.changed_tets);
+    if (inherited_) {
+      result_.changed_tets = std::move(inherited_->unchanged.changed_tets);
+    } else {
+      result_.changed_tets.resize(mesh_.tets.size());
+      std::iota(result_.changed_tets.begin(), result_.changed_tets.end(), 0);
+    }
     return std::move(result_);
   }
 
@@ -71,7 +77,7 @@ class Checker {
     for (const std::int32_t n : mesh_.tets[t]) c += 0.25 * mesh_.nodes[n];
     return c;
   }
-  static double volume_of(const Tet& tet, const Pages<Vec3>& nodes) {
+  static double volume_of(const Tet& tet, const CowVector<Vec3>& nodes) {
     return tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]);
   }
 
@@ -205,7 +211,7 @@ class Checker {
       const bool back =
           std::any_of(at.begin(), at.end(), [&](const Spoke& s) { return s.second == b; });
       if (twice || !back)
-        fail(MeshFailure::OpenBoundary, n, 0.5 * (mesh_.nodes[n] + mesh_.nodes[b]),
+        fail(MeshFailure::NonManifoldEdge, n, 0.5 * (mesh_.nodes[n] + mesh_.nodes[b]),
              "a boundary edge that is not in two boundary facets");
     }
   }
@@ -224,7 +230,7 @@ class Checker {
       ++turned;
     }
     if (edge != at[0].first || turned != at.size())
-      fail(MeshFailure::PinchedNode, n, mesh_.nodes[n],
+      fail(MeshFailure::NonManifoldVertex, n, mesh_.nodes[n],
            "a node whose boundary facets are not one fan");
   }
 
@@ -260,13 +266,13 @@ class Checker {
       // A closed chain comes back to its first node over two others at least; an open one whose
       // vertices are missing fails by its length or by the vertices.
       if (chain.size() < (edge.closed() ? 4U : 2U)) {
-        fail(MeshFailure::BrokenEdge, index, edge.points[edge.points.size() / 2],
+        fail(MeshFailure::MissingSegment, index, edge.points[edge.points.size() / 2],
              "a model edge with too few nodes");
         continue;
       }
       for (std::size_t i = 0; i + 1 < chain.size(); ++i)
         if (!boundary_edge(chain[i], chain[i + 1]))
-          fail(MeshFailure::BrokenEdge, index,
+          fail(MeshFailure::MissingSegment, index,
                0.5 * (mesh_.nodes[chain[i]] + mesh_.nodes[chain[i + 1]]),
                "a model edge whose chain of boundary edges is broken");
     }
@@ -286,11 +292,12 @@ class Checker {
       result_.boundary_area += facet_area;
       const int face = faces_.face_of(facet.nodes, a, b, c);
       if (face < 0) {
-        fail(MeshFailure::StrayFacet, facet.tet, centre, "a boundary facet on no model face");
+        fail(MeshFailure::NonconformingFacet, facet.tet, centre,
+             "a boundary facet on no model face");
         continue;
       }
       if (dot(normal, faces_.outward(face, centre)) <= 0)
-        fail(MeshFailure::StrayFacet, facet.tet, centre,
+        fail(MeshFailure::NonconformingFacet, facet.tet, centre,
              "a boundary facet that is turned over on its face");
       area[face] += facet_area;
       if (boundary_.faces[face].surface.kind == Surface::Kind::Plane) continue;
@@ -350,7 +357,7 @@ class Checker {
   double tolerance_;
   const Run& run_;
   Polling poll_;
-  std::optional<Inheritance> inherited_;
+  std::optional<TetCorrespondence> inherited_;
   Verification result_;
   std::vector<std::uint8_t> used_;
   std::vector<SurfaceFacet> surface_;
@@ -361,7 +368,7 @@ class Checker {
 
 }  // namespace
 
-Verification verify(const PagedMesh& mesh, const Pages<Support>& supports,
+Verification verify(const PagedMesh& mesh, const CowVector<Support>& supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
                     const VerifyOptions& options) {
   return Checker(mesh, supports, boundary, run, options).check(exact_volume);
@@ -370,7 +377,7 @@ Verification verify(const PagedMesh& mesh, const Pages<Support>& supports,
 Verification verify(const TetMesh& mesh, std::span<const Support> supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
                     const VerifyOptions& options) {
-  return verify(paged(mesh), Pages(supports), boundary, exact_volume, run, options);
+  return verify(paged(mesh), CowVector(supports), boundary, exact_volume, run, options);
 }
 
 }  // namespace remeshd

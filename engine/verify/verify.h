@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/inside_test.h"
-#include "engine/cellular/support.h"
+#include "engine/cellular/boundary_model/support.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/verify/inheritance.h"
 
@@ -15,20 +15,21 @@ namespace remeshd {
 
 /// What can be wrong with a finished mesh.
 enum class MeshFailure : std::uint8_t {
-  BadTet,          ///< inverted or flat
-  BadFacet,        ///< in three tets or more, or two tets on the same side of it
-  OpenBoundary,    ///< an edge of the boundary that is not in exactly two boundary facets
-  PinchedNode,     ///< a boundary node whose boundary facets form more than one fan
-  MissingVertex,   ///< a model vertex that no boundary node stands on
-  BrokenEdge,      ///< a model edge that is no chain of boundary edges from its start to its end
-  OrphanNode,      ///< a node in no tet
-  NodeOffSupport,  ///< a node away from the vertex, edge or face that it is said to stand on
-  StrayFacet,    ///< a boundary facet whose nodes share no model face, or that is turned over on it
-  FaceArea,      ///< a model face that its facets do not cover, or cover twice
-  Volume,        ///< off the exact one by more than the tolerance
-  RepeatedTet,   ///< a tet with the four nodes of an earlier one
-  FacetOffFace,  ///< a boundary facet further from its curved face than a chord may be
-  OutsideTet,    ///< a tet in no cell: away from the material
+  BadTet,             ///< inverted or flat
+  BadFacet,           ///< in three tets or more, or two tets on the same side of it
+  NonManifoldEdge,    ///< an edge of the boundary that is not in exactly two boundary facets
+  NonManifoldVertex,  ///< a boundary node whose boundary facets form more than one fan
+  MissingVertex,      ///< a model vertex that no boundary node stands on
+  MissingSegment,     ///< a model edge that is no chain of boundary edges from its start to its end
+  OrphanNode,         ///< a node in no tet
+  NodeOffSupport,     ///< a node away from the vertex, edge or face that it is said to stand on
+  NonconformingFacet,  ///< a boundary facet whose nodes share no model face, or that is turned over
+                       ///< on it
+  FaceArea,            ///< a model face that its facets do not cover, or cover twice
+  Volume,              ///< off the exact one by more than the tolerance
+  RepeatedTet,         ///< a tet with the four nodes of an earlier one
+  FacetOffFace,        ///< a boundary facet further from its curved face than a chord may be
+  OutsideTet,          ///< a tet in no cell: away from the material
 };
 inline constexpr std::size_t kMeshFailures = 14;
 /// How far a boundary facet may be from its face at its centroid and at the middles of its edges,
@@ -57,7 +58,8 @@ struct Verification {
   double volume_error = 0;           ///< relative, of the volume with the chords' share
   std::uint32_t tets_proved = 0;     ///< by themselves
   std::uint32_t tets_inherited = 0;  ///< the parent's, unchanged
-  /// With a parent: the tets that are not its own of the same number in place, ascending.
+  /// Tets that are not a parent's own of the same number in place, ascending; without one all of
+  /// them.
   std::vector<std::int32_t> changed_tets;
 
   [[nodiscard]] std::uint32_t count(MeshFailure kind) const {
@@ -83,7 +85,7 @@ struct VerifyOptions {
 /// The model may be another, so the boundary is held against it whole. Says the same as without.
 ///
 /// A defect of the mesh is a value here. Throws Cancelled only.
-Verification verify(const PagedMesh& mesh, const Pages<Support>& supports,
+Verification verify(const PagedMesh& mesh, const CowVector<Support>& supports,
                     const BoundaryModel& boundary, double exact_volume, const Run& run,
                     const VerifyOptions& options = {});
 /// The same for a mesh that is still worked on.

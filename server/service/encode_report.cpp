@@ -1,27 +1,27 @@
 #include "server/service/encode_report.h"
 
-#include "engine/remesh/report.h"
+#include "engine/revision/report.h"
 
 namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
 
-v1::Report::Way encode(Way way) {
-  switch (way) {
-    case Way::Unchanged:
+v1::Report::Way encode(MeshStrategy strategy) {
+  switch (strategy) {
+    case MeshStrategy::Unchanged:
       return v1::Report::WAY_UNCHANGED;
-    case Way::Morphed:
+    case MeshStrategy::Morphed:
       return v1::Report::WAY_MORPHED;
-    case Way::Local:
+    case MeshStrategy::Local:
       return v1::Report::WAY_LOCAL;
-    case Way::Full:
+    case MeshStrategy::Full:
       return v1::Report::WAY_FULL;
-    case Way::Fresh:
+    case MeshStrategy::Fresh:
       return v1::Report::WAY_FRESH;
-    case Way::TetGen:
+    case MeshStrategy::TetGen:
       return v1::Report::WAY_TETGEN;
-    case Way::Renewed:
+    case MeshStrategy::Renewed:
       return v1::Report::WAY_RENEWED;
   }
   return v1::Report::WAY_UNSPECIFIED;
@@ -51,7 +51,7 @@ void put_seconds(const PhaseSeconds& seconds, v1::Report::Seconds& out) {
   out.set_total(seconds.total);
 }
 
-void put_attempt(const Attempt& attempt, v1::Report::Attempt& out) {
+void put_attempt(const RejectedAttempt& attempt, v1::Report::Attempt& out) {
   out.set_strategy(attempt.strategy);
   out.set_reason(attempt.reason);
   out.set_seconds(attempt.seconds);
@@ -130,7 +130,7 @@ v1::Report encode_report(const HeldRevision& held) {
   const Report& report = held.revision.report;
   v1::Report out;
   out.set_revision(report.revision);
-  out.set_way(encode(report.way));
+  out.set_way(encode(report.strategy));
   out.set_last_resort_share(report.last_resort_share);
   put_counts(report.counts, out);
   out.set_order(1);
@@ -143,7 +143,7 @@ v1::Report encode_report(const HeldRevision& held) {
   put_quality(report.quality_away, *out.mutable_quality_away());
   out.set_sharp_tets(report.sharp_tets);
   put_verification(report.verification, *out.mutable_verification());
-  for (const Attempt& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
+  for (const RejectedAttempt& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
   for (const GroupFigures& figures : groups_of(held)) put_group(figures, *out.add_groups());
   for (const Warning& warning : report.warnings) *out.add_warnings() = encode(warning);
   put_diagnostics(report, held.record.parent.empty(), *out.mutable_diagnostics());

@@ -63,8 +63,8 @@ MeshMessages::MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& pare
   const HeldRevision& held = *content_->revision;
   const std::set<int> wanted(selection.arrays().begin(), selection.arrays().end());
   const bool delta = selection.delta() && parent;
-  const auto of_parent = delta ? mesh_arrays(parent->revision.delivery) : std::vector<MeshArray>();
-  for (MeshArray& array : mesh_arrays(held.revision.delivery)) {
+  const auto of_parent = delta ? mesh_arrays(parent->revision.output) : std::vector<MeshArray>();
+  for (MeshArray& array : mesh_arrays(held.revision.output)) {
     if (!wanted.empty() && !wanted.contains(name_of(array))) continue;
     Sent& sent = content_->arrays.emplace_back();
     sent.bytes = array.bytes;
@@ -117,7 +117,7 @@ std::uint64_t MeshMessages::own_bytes() const {
 void MeshMessages::put_header(v1::MeshHeader& header) const {
   const HeldRevision& held = *content_->revision;
   const Revision& revision = held.revision;
-  const Delivery& delivery = revision.delivery;
+  const OutputMesh& delivery = revision.output;
   header.set_revision(held.record.id);
   header.set_parent(held.record.parent);
   header.set_base(base_);

@@ -7,8 +7,8 @@
 
 #include "engine/base/stored_array.h"
 #include "engine/difference/compare.h"
-#include "engine/remesh/memory.h"
 #include "engine/remesh/remesh.h"
+#include "engine/revision/storage/memory_use.h"
 
 namespace remeshd {
 
@@ -44,7 +44,7 @@ struct Engine {
   std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
-  /// See engine/remesh/image.h.
+  /// See engine/revision/storage/stored_revision.h.
   std::function<StoredArrays(const Revision&)> image_of;
   std::function<Revision(const StoredArrays&, const Revision* alike, const Run&)> revision_of;
   std::function<std::vector<FeatureTypeInfo>()> feature_types;

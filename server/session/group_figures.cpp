@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "engine/remesh/group_areas.h"
+#include "engine/delivery/group_areas.h"
 
 namespace remeshd {
 namespace {
@@ -66,8 +66,8 @@ class ExactAreas {
 }  // namespace
 
 std::vector<GroupFigures> group_figures(const Revision& revision) {
-  const MeshGroups& groups = revision.delivery.groups;
-  const Pages<Vec3>& nodes = revision.delivery.mesh.nodes;
+  const MeshGroups& groups = revision.output.groups;
+  const CowVector<Vec3>& nodes = revision.output.mesh.nodes;
   const Sorted sorted = by_group(groups);
   const ExactAreas exact(revision);
   std::vector<std::int32_t> counted_for(nodes.size(), -1);

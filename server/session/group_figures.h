@@ -19,7 +19,7 @@ struct GroupFigures {
   std::uint32_t nodes = 0, facets = 0;
 };
 
-/// Of every group of the mesh, in the order of `facet_groups`, counted from the delivered mesh.
+/// Of every group of the mesh, in the order of `facet_groups`, counted from the output mesh.
 /// Takes 0.4 ms for 15,000 nodes.
 std::vector<GroupFigures> group_figures(const Revision& revision);
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/remesh/memory.h"
+#include "engine/revision/storage/memory_use.h"
 #include "server/admission/memory_budget.h"
 #include "server/session/held_revision.h"
 

@@ -143,8 +143,8 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
   made->asked = prepared.options;
   made->record = preparation_.record_of(prepared);
   made->record.created_ns = nanoseconds_now();
-  made->record.nodes = static_cast<std::uint32_t>(revision.delivery.mesh.nodes.size());
-  made->record.tets = static_cast<std::uint32_t>(revision.delivery.mesh.tets.size());
+  made->record.nodes = static_cast<std::uint32_t>(revision.output.mesh.nodes.size());
+  made->record.tets = static_cast<std::uint32_t>(revision.output.mesh.tets.size());
   return made;
 }
 

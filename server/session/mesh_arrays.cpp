@@ -38,10 +38,10 @@ std::string_view bytes_of(std::span<const Row> rows) {
 }
 
 template <typename Row>
-MeshArray array_of(ArrayName name, NumberType type, const Pages<Row>& rows) {
+MeshArray array_of(ArrayName name, NumberType type, const CowVector<Row>& rows) {
   MeshArray array = empty_array<Row>(name, type, rows.size());
   array.from = [&rows](std::uint64_t offset) {
-    constexpr std::size_t kPage = Pages<Row>::page_bytes();
+    constexpr std::size_t kPage = CowVector<Row>::page_bytes();
     return bytes_of(rows.page(offset / kPage)).substr(offset % kPage);
   };
   return array;
@@ -96,7 +96,7 @@ std::string lines(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<MeshArray> mesh_arrays(const Delivery& d) {
+std::vector<MeshArray> mesh_arrays(const OutputMesh& d) {
   using enum ArrayName;
   using enum NumberType;
   const MeshGroups& g = d.groups;

@@ -66,7 +66,7 @@ struct MeshArray {
 };
 
 /// The arrays that a mesh has, in the order of their names. The delivery must outlive them.
-std::vector<MeshArray> mesh_arrays(const Delivery& delivery);
+std::vector<MeshArray> mesh_arrays(const OutputMesh& delivery);
 
 struct ArrayDigest {
   std::string whole;   ///< 64 hexadecimal digits: SHA-256 over `blocks`

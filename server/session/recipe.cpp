@@ -164,8 +164,8 @@ Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike) {
                 .model = held.revision.source,
                 .edit = held.edit,
                 .options = *held.asked};
-  const std::vector<MeshArray> arrays = mesh_arrays(held.revision.delivery);
-  const auto others = alike ? mesh_arrays(alike->revision.delivery) : std::vector<MeshArray>();
+  const std::vector<MeshArray> arrays = mesh_arrays(held.revision.output);
+  const auto others = alike ? mesh_arrays(alike->revision.output) : std::vector<MeshArray>();
   for (std::size_t i = 0; i < arrays.size(); ++i)
     recipe.digests.push_back(
         {arrays[i].name, alike ? held.digests.of(arrays[i], others[i], alike->digests)

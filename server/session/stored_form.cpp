@@ -31,7 +31,7 @@ std::string older_edit(const std::string& bytes) {
 std::vector<double> seconds_of(const Report& report) {
   std::vector<double> values;
   for (const auto member : kSeconds) values.push_back(report.seconds.*member);
-  for (const Attempt& attempt : report.attempts) values.push_back(attempt.seconds);
+  for (const RejectedAttempt& attempt : report.attempts) values.push_back(attempt.seconds);
   return values;
 }
 
@@ -42,7 +42,7 @@ void tell_seconds(HeldRevision& held) {
   };
   Report& report = held.revision.report;
   for (const auto member : kSeconds) tell(report.seconds.*member);
-  for (Attempt& attempt : report.attempts) tell(attempt.seconds);
+  for (RejectedAttempt& attempt : report.attempts) tell(attempt.seconds);
 }
 
 StoredArrays stored_form(const Engine& engine, const HeldRevision& held) {

@@ -14,7 +14,7 @@
 #include "tests/support/cases.h"
 #include "tests/support/child_process.h"
 #include "tests/support/documents.h"
-#include "tests/support/way_name.h"
+#include "tests/support/strategy_name.h"
 
 namespace remeshd::bench {
 namespace {
@@ -68,7 +68,7 @@ Sample sample_of(const Report& report) {
   s.tets = report.counts.tets;
   s.iterations = report.counts.iterations;
   s.free_share = report.free_share;
-  s.way = test::name_of(report.way);
+  s.strategy = test::name_of(report.strategy);
   s.quality = report.quality;
   return s;
 }
@@ -78,11 +78,12 @@ class Workshop {
  public:
   /// A first small mesh, so that no measured one pays for what the libraries do once.
   Workshop() {
-    make_revision(nullptr, test::one_feature(test::block("block", 2, 2, 2)), {.nodes = 300}, Run{});
+    make_revision(Revision::none(), test::one_feature(test::block("block", 2, 2, 2)),
+                  {.nodes = 300}, Run{});
     meter_.emplace();
   }
 
-  Revision make(const Revision* original, const ModelSource& source, const MeshOptions& options,
+  Revision make(const Revision& original, const ModelSource& source, const MeshOptions& options,
                 Sample& sample) {
     meter_->start();
     Revision revision = make_revision(original, source, options, Run{});
@@ -106,7 +107,7 @@ Samples run_regular(const EngineRun& run) {
   const ModelSource modified = model_of_file(run.modified);
   Workshop workshop;
   Samples samples;
-  workshop.make(nullptr, modified, mesh_options(run), samples["regular"]);
+  workshop.make(Revision::none(), modified, mesh_options(run), samples["regular"]);
   return samples;
 }
 
@@ -116,8 +117,8 @@ Samples run_remesh(const EngineRun& run) {
   Samples samples;
   Sample first;
   const MeshOptions options = mesh_options(run);
-  const Revision base = workshop.make(nullptr, original, options, first);
-  workshop.make(&base, modified, inherited(options), samples["remesh"]);
+  const Revision base = workshop.make(Revision::none(), original, options, first);
+  workshop.make(base, modified, inherited(options), samples["remesh"]);
   return samples;
 }
 
@@ -130,18 +131,18 @@ Samples run_chain(const EngineRun& run) {
   MeshOptions options = mesh_options(run);
   Samples samples;
   Sample made;
-  const Revision base = workshop.make(nullptr, original, options, made);
+  const Revision base = workshop.make(Revision::none(), original, options, made);
   std::vector<double> there, back;
   for (int k = 0; k < kSingles; ++k) {
-    workshop.make(&base, modified, inherited(options), samples["single"]);
+    workshop.make(base, modified, inherited(options), samples["single"]);
     there.push_back(samples["single"].cpu);
   }
   {
     MeshOptions same = options;
     same.nodes = samples["single"].nodes;
-    const Revision end = workshop.make(nullptr, modified, same, made);
+    const Revision end = workshop.make(Revision::none(), modified, same, made);
     for (int k = 0; k < kSingles; ++k) {
-      workshop.make(&end, original, inherited(same), made);
+      workshop.make(end, original, inherited(same), made);
       back.push_back(made.cpu);
     }
   }
@@ -149,18 +150,17 @@ Samples run_chain(const EngineRun& run) {
 
   Sample& chain = samples["chain"];
   std::deque<Revision> revisions;
-  std::map<std::string, int> ways;
+  std::map<std::string, int> strategies;
   double cpu = 0, wall = 0, nodes = 0, peak = 0, after_first = 0;
   for (int k = 1; k <= run.length; ++k) {
     const Revision& from = revisions.empty() ? base : revisions.back();
-    Revision next =
-        workshop.make(&from, k % 2 != 0 ? modified : original, inherited(options), made);
+    Revision next = workshop.make(from, k % 2 != 0 ? modified : original, inherited(options), made);
     revisions.push_back(std::move(next));
     cpu += made.cpu;
     wall += made.wall;
     nodes += made.nodes;
     peak = std::max(peak, made.peak_bytes);
-    ++ways[made.way];
+    ++strategies[made.strategy];
     malloc_trim(0);  // what is free does not stay with a revision
     if (k == 1) after_first = resident_bytes();
   }
@@ -169,9 +169,9 @@ Samples run_chain(const EngineRun& run) {
   chain.wall = wall / run.length;
   chain.nodes = nodes / run.length;
   chain.peak_bytes = peak;
-  chain.way.clear();
-  for (const auto& [way, n] : ways)
-    chain.way += (chain.way.empty() ? "" : ", ") + std::to_string(n) + " " + way;
+  chain.strategy.clear();
+  for (const auto& [way, n] : strategies)
+    chain.strategy += (chain.strategy.empty() ? "" : ", ") + std::to_string(n) + " " + way;
   if (run.length > 1) chain.retained_bytes = (resident_bytes() - after_first) / (run.length - 1);
   return samples;
 }

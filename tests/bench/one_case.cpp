@@ -38,16 +38,16 @@ void run_one_case(const std::string& edit, std::uint32_t nodes, std::uint32_t it
   const ModelSource source = test::case_model(edit.substr(0, edit.size() - 1));
   const Run run;
   for (int k = 0; k < repeats; ++k) {
-    const Revision original = make_revision(nullptr, source, options, run);
+    const Revision original = make_revision(Revision::none(), source, options, run);
     print("original", original.report);
     MeshOptions inherit = options;
     inherit.nodes.reset();
     const ModelSource edited = apply(source, test::case_edit(edit));
-    const Revision remesh = make_revision(&original, edited, inherit, run);
+    const Revision remesh = make_revision(original, edited, inherit, run);
     print("remesh", remesh.report);
     MeshOptions same = options;
     same.nodes = remesh.report.counts.nodes;
-    const Revision regular = make_revision(nullptr, edited, same, run);
+    const Revision regular = make_revision(Revision::none(), edited, same, run);
     print("regular", regular.report);
     std::printf("         remesh / regular %.1f %%\n",
                 100 * remesh.report.seconds.total / regular.report.seconds.total);

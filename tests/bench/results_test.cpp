@@ -15,7 +15,7 @@ Sample took(double seconds, std::uint32_t nodes = 1000) { return {.cpu = seconds
 TEST(Results, ComeBackFromJsonAsTheyWere) {
   Sample ours = took(0.25, 15155);
   ours.wall = 0.26;
-  ours.way = "local";
+  ours.strategy = "local";
   ours.iterations = 7;
   ours.free_share = 0.164;
   ours.phases = {.setup = 1, .optimise = 2, .extract = 3, .difference = 4, .copy = 5};

@@ -50,8 +50,8 @@ json write_sample(const Sample& s) {
   if (s.import > 0) j["import"] = s.import;
   if (s.surface > 0) j["surface"] = s.surface;
   if (s.retained_bytes > 0) j["retained_bytes"] = s.retained_bytes;
-  if (s.way.empty()) return j;
-  j["way"] = s.way;
+  if (s.strategy.empty()) return j;
+  j["way"] = s.strategy;
   j["iterations"] = s.iterations;
   j["free_share"] = s.free_share;
   j["phases"] = {{"setup", s.phases.setup},
@@ -83,7 +83,7 @@ Sample read_sample(const json& j) {
   s.import = j.value("import", 0.0);
   s.surface = j.value("surface", 0.0);
   s.retained_bytes = j.value("retained_bytes", 0.0);
-  s.way = j.value("way", std::string());
+  s.strategy = j.value("way", std::string());
   s.iterations = j.value("iterations", 0U);
   s.free_share = j.value("free_share", 0.0);
   if (j.contains("phases")) {

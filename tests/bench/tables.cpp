@@ -214,7 +214,7 @@ std::string chain_table(const Results& results) {
     text += row(
         {group.name, count(group.middle("chain", kNodes)), number(group.seconds("single"), 3),
          number(group.seconds("chain"), 3), number(group.ratio("chain", "single"), 2),
-         chain->second.front().way,
+         chain->second.front().strategy,
          count(group.middle("chain", [](const Sample& s) { return s.retained_bytes / s.nodes; }))});
   }
   return text.empty() ? text : head(names) + text;

@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 Sample ours(double seconds, std::uint32_t iterations) {
   Sample s{.cpu = seconds, .nodes = 15155, .tets = 72608, .iterations = iterations};
-  s.way = "local";
+  s.strategy = "local";
   s.free_share = .164;
   s.phases.optimise = .257;
   return s;
@@ -89,7 +89,7 @@ TEST(BetweenMarks, KeepsTheRestOfTheDocument) {
 
 TEST(ChainTable, ShowsTheWaysAndWhatARevisionKeeps) {
   Sample chain = ours(.11, 10);
-  chain.way = "19 local, 1 renewed";
+  chain.strategy = "19 local, 1 renewed";
   chain.retained_bytes = 600 * 15155;
   const Results results{.groups = {{.name = "tool1-ac",
                                     .nodes = 15000,

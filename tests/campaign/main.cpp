@@ -35,7 +35,7 @@ struct Options {
 constexpr double kCaseSeconds = 1500;  // wall clock; each step has its own limit
 
 bool fell_back(const Outcome& o) {
-  return o.valid() && (o.way == "full" || o.way == "fresh" || o.way == "TetGen");
+  return o.valid() && (o.strategy == "full" || o.strategy == "fresh" || o.strategy == "TetGen");
 }
 
 bool failed(const Outcome& o) { return !o.valid() && o.kind != "refused"; }
@@ -45,10 +45,10 @@ void keep(const Options& options, const WorkedCase& worked, const Outcome& o) {
                       (options.keep_fallbacks && fell_back(o));
   if (!wanted) return;
   std::cerr << "case " << worked.campaign_case.number << " step " << o.step << ": " << o.failure()
-            << (fell_back(o) ? o.way : "") << ": " << o.message << "\n";
+            << (fell_back(o) ? o.strategy : "") << ": " << o.message << "\n";
   if (options.out.empty()) return;
   Outcome named = o;
-  if (fell_back(o)) named.kind = "fallback", named.reason = o.way;
+  if (fell_back(o)) named.kind = "fallback", named.reason = o.strategy;
   const fs::path file = store_failure(options.out, worked, named);
   std::cerr << "  stored " << file.string() << "\n";
   if (!fell_back(o) && options.shrink_seconds > 0) {

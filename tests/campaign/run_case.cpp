@@ -11,7 +11,7 @@
 
 #include "engine/base/error.h"
 #include "tests/campaign/verifier/verifier.h"
-#include "tests/support/way_name.h"
+#include "tests/support/strategy_name.h"
 
 namespace remeshd::campaign {
 namespace {
@@ -68,10 +68,10 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
     run.on_warnings = [&](std::span<const Warning> warnings) {
       certain.insert(certain.end(), warnings.begin(), warnings.end());
     };
-    next->revision = make_revision(base ? &base->revision : nullptr, model, options, run);
+    next->revision = make_revision(base ? base->revision : Revision::none(), model, options, run);
     outcome.seconds = since(start);
     const Report& report = next->revision.report;
-    outcome.way = test::name_of(report.way);
+    outcome.strategy = test::name_of(report.strategy);
     outcome.inserted = static_cast<int>(report.counts.nodes_inserted);
     outcome.nodes = static_cast<int>(report.counts.nodes);
     outcome.kept =
@@ -111,7 +111,7 @@ json write_outcome(const Outcome& o) {
           {"reason", o.reason},
           {"message", o.message},
           {"placed", o.placed},
-          {"way", o.way},
+          {"way", o.strategy},
           {"inserted", o.inserted},
           {"seconds", o.seconds},
           {"verifier_seconds", o.verifier_seconds},
@@ -128,7 +128,7 @@ Outcome read_outcome(const json& j) {
   j.at("reason").get_to(o.reason);
   j.at("message").get_to(o.message);
   j.at("placed").get_to(o.placed);
-  j.at("way").get_to(o.way);
+  j.at("way").get_to(o.strategy);
   j.at("inserted").get_to(o.inserted);
   j.at("seconds").get_to(o.seconds);
   j.at("verifier_seconds").get_to(o.verifier_seconds);

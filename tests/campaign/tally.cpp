@@ -50,7 +50,7 @@ void print_results(const char* what, const Results& r, std::ostream& out) {
       << " without a feature and a place)\n";
   print_counts("refused because", r.reasons, out);
   print_counts("checks failed", r.checks, out);
-  print_counts("ways", r.ways, out);
+  print_counts("ways", r.strategies, out);
   const double n = std::max(1, r.valid + r.invalid);
   out << "  " << std::left << std::setw(24) << "nodes inserted in" << r.inserted << " meshes\n"
       << "  " << std::setw(24) << "mean time" << std::setprecision(3)
@@ -77,7 +77,7 @@ json to_json(const Results& r) {
           {"angle_below_5", r.angle_below_5},
           {"reasons", r.reasons},
           {"checks", r.checks},
-          {"ways", r.ways}};
+          {"ways", r.strategies}};
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void Results::add(const Outcome& o) {
   }
   valid += o.valid();
   if (o.kind != "valid" && o.kind != "invalid") return;
-  ++ways[o.way];
+  ++strategies[o.strategy];
   inserted += o.inserted > 0;
   verifier_seconds += o.verifier_seconds;
   kept += o.kept;

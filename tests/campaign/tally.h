@@ -16,10 +16,10 @@ struct Results {
   int inserted = 0;  ///< meshes with nodes inserted to make the boundary complete
   double seconds = 0, verifier_seconds = 0, kept = 0;
   double least_angle = 180, least_quality = 1;
-  int angle_below_5 = 0;               ///< meshes whose least dihedral angle is, in degrees
-  std::map<std::string, int> reasons;  ///< of refusals
-  std::map<std::string, int> checks;   ///< that invalid meshes failed
-  std::map<std::string, int> ways;     ///< as in Report
+  int angle_below_5 = 0;                  ///< meshes whose least dihedral angle is, in degrees
+  std::map<std::string, int> reasons;     ///< of refusals
+  std::map<std::string, int> checks;      ///< that invalid meshes failed
+  std::map<std::string, int> strategies;  ///< as in Report
 
   void add(const Outcome& outcome);
 };

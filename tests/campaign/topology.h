@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/cellular/boundary_model.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
 
 namespace remeshd::campaign {
 

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "engine/remesh/image.h"
 #include "engine/remesh/remesh.h"
+#include "engine/revision/storage/stored_revision.h"
 #include "proto/checksum.h"
 #include "tests/campaign/random_case.h"
 #include "tests/support/cases.h"
 #include "tests/support/chains.h"
-#include "tests/support/way_name.h"
+#include "tests/support/strategy_name.h"
 
 namespace remeshd::test {
 namespace {
@@ -40,7 +40,7 @@ bool tell(const std::string& name, const std::function<const Revision&()>& make)
   std::cout << name << ' ' << std::flush;
   try {
     const Revision& revision = make();
-    std::cout << name_of(revision.report.way) << ' ' << revision.report.counts.nodes << ' '
+    std::cout << name_of(revision.report.strategy) << ' ' << revision.report.counts.nodes << ' '
               << digest(revision) << std::endl;
     return true;
   } catch (const Error& e) {
@@ -59,12 +59,12 @@ void tell_seven(const Options& options) {
           Revision base, edited;
           if (!tell(name + " first", [&]() -> const Revision& {
                 return base = make_revision(
-                           nullptr, case_model(edit.original),
+                           Revision::none(), case_model(edit.original),
                            {.nodes = nodes, .iterations = iterations, .seed = seed}, {});
               }))
             continue;
           tell(name + " edit", [&]() -> const Revision& {
-            return edited = make_revision(&base, case_model(edit.modified),
+            return edited = make_revision(base, case_model(edit.modified),
                                           {.iterations = iterations, .seed = seed}, {});
           });
         }
@@ -77,12 +77,12 @@ void tell_chains() {
     int step = 0;
     const auto name = [&] { return "chain " + chain.model + ' ' + std::to_string(step++); };
     tell(name(), [&]() -> const Revision& {
-      return revision = make_revision(nullptr, source, {.nodes = 1000}, {});
+      return revision = make_revision(Revision::none(), source, {.nodes = 1000}, {});
     });
     for (const Chain::Step& s : chain.steps) {
       parameter(source, s.parameter) = s.value;
       tell(name(), [&]() -> const Revision& {
-        return revision = make_revision(&revision, source, s.options, {});
+        return revision = make_revision(revision, source, s.options, {});
       });
     }
   }
@@ -99,12 +99,12 @@ void tell_campaign(const Options& options) {
     bool any = false;
     for (std::size_t k = 0; k <= c.steps.size(); ++k) {
       Revision made;
-      const bool valid =
-          tell("campaign " + std::to_string(number) + " step " + std::to_string(k),
-               [&]() -> const Revision& {
-                 return made = make_revision(any ? &base : nullptr, campaign::model_after(c, k),
-                                             any ? inherited : c.options, {});
-               });
+      const bool valid = tell("campaign " + std::to_string(number) + " step " + std::to_string(k),
+                              [&]() -> const Revision& {
+                                return made = make_revision(any ? base : Revision::none(),
+                                                            campaign::model_after(c, k),
+                                                            any ? inherited : c.options, {});
+                              });
       if (valid) base = std::move(made);
       any |= valid;
       if (!any) break;

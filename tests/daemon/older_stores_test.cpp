@@ -46,7 +46,7 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
 
     const HeldRevisionPtr first = archive.get(archive.resolve("simple-a@1").id, kRun);
     EXPECT_EQ(first->revision.source, case_model("simple-a"));
-    EXPECT_EQ(first->revision.delivery.mesh.nodes.size(), 68U);
+    EXPECT_EQ(first->revision.output.mesh.nodes.size(), 68U);
     EXPECT_THAT(first->revision.report.warnings.size(), testing::Le(1U));
     EXPECT_GT(first->revision.report.seconds.total, 0);
     const HeldRevisionPtr second = archive.get(archive.resolve("simple-a").id, kRun);
@@ -57,9 +57,9 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
     for (const HeldRevisionPtr& held : {first, second}) {
       const Revision& r = held->revision;
       EXPECT_TRUE(
-          verify(r.delivery.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
+          verify(r.output.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
       EXPECT_EQ(r.report.revision, held->record.id);
-      EXPECT_EQ(held->record.nodes, r.delivery.mesh.nodes.size());
+      EXPECT_EQ(held->record.nodes, r.output.mesh.nodes.size());
     }
   }
 }
@@ -74,7 +74,7 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
     ModelSource source = base->revision.source;
     parameter(source, "top_x") = 5.0;
     auto made = std::make_shared<HeldRevision>();
-    made->revision = make_revision(&base->revision, source, base->revision.options, kRun);
+    made->revision = make_revision(base->revision, source, base->revision.options, kRun);
     made->record = {.id = id, .parent = base->record.id};
     EXPECT_EQ(archive.file(made, "simple-a", {}).place.number, 3U);
   }
@@ -82,7 +82,7 @@ TEST_P(OlderStores, AreWorkedOnAsIfTheyWereOfToday) {
   MemoryBudget memory(1 << 30);
   Archive archive(engine_, store, memory);
   EXPECT_EQ(archive.resolve("simple-a@3").id, id);
-  EXPECT_GT(archive.get(id, kRun)->revision.delivery.mesh.nodes.size(), 0U);
+  EXPECT_GT(archive.get(id, kRun)->revision.output.mesh.nodes.size(), 0U);
 }
 
 TEST_P(OlderStores, AreRefusedByTheProgramsThatWroteThem) {

@@ -46,7 +46,8 @@ void check_evaluated(const ModelSource& source) {
   expect(model.features.size() == source.features.size(), "a feature got lost");
   expect(same_geometry(model, evaluate(source)), "a model that is evaluated in two ways");
   check_solids(model);
-  const double nodes = check_node_limit(nullptr, model, {.size = 1.0}, {.max_nodes = 100000});
+  const double nodes =
+      check_node_limit(Revision::none(), model, {.size = 1.0}, {.max_nodes = 100000});
   expect(nodes >= 0 && nodes <= 100000, "a number of nodes that is none");
 }
 

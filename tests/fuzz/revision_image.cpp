@@ -6,8 +6,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "engine/remesh/image.h"
-#include "engine/remesh/memory.h"
+#include "engine/revision/storage/memory_use.h"
+#include "engine/revision/storage/stored_revision.h"
 #include "server/session/mesh_arrays.h"
 #include "server/store/pack_head.h"
 #include "tests/fuzz/finding.h"
@@ -41,8 +41,8 @@ StoredArrays older_bytes(const char* object) {
 /// A first mesh, one whose nodes followed its surfaces, and one of an older format.
 const std::vector<StoredArrays>& images() {
   static const std::vector<StoredArrays> all = [] {
-    const Revision first = make_revision(nullptr, small_model(1), {.nodes = 40}, {});
-    const Revision followed = make_revision(&first, small_model(1.0001), {}, {});
+    const Revision first = make_revision(Revision::none(), small_model(1), {.nodes = 40}, {});
+    const Revision followed = make_revision(first, small_model(1.0001), {}, {});
     return std::vector<StoredArrays>{
         test::copied(image_of(first)), test::copied(image_of(followed)),
         older_bytes("2b/bc3af054b0ea2fdada83c8f9418cb1d825549904c21ab25afc379202a99e66")};
@@ -92,13 +92,13 @@ void use(const Revision& revision, bool edited) {
   const std::string stored = test::stored_bytes(revision);
   expect(test::stored_bytes(test::stored_and_loaded(revision)) == stored,
          "a revision that is stored and read is another");
-  for (const MeshArray& array : mesh_arrays(revision.delivery)) {
+  for (const MeshArray& array : mesh_arrays(revision.output)) {
     std::string bytes;
     array.read(0, array.bytes, bytes);
     expect(bytes.size() == array.bytes, "an array of another size than it says");
   }
   memory_blocks(revision);
-  if (edited) make_revision(&revision, small_model(1.1), {}, {.max_nodes = 2000});
+  if (edited) make_revision(revision, small_model(1.1), {}, {.max_nodes = 2000});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class Writer {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
   template <typename T>
-  void list(const Pages<T>& values) {
+  void list(const CowVector<T>& values) {
     list(values.flat());
   }
   void text(const std::string& s) {
@@ -52,10 +52,10 @@ class Reader {
     take(values.data(), size * sizeof(T));
   }
   template <typename T>
-  void list(Pages<T>& values) {
+  void list(CowVector<T>& values) {
     std::vector<T> read;
     list(read);
-    values = Pages<T>(read);
+    values = CowVector<T>(read);
   }
   void text(std::string& s) {
     std::size_t size = 0;
@@ -89,14 +89,14 @@ StoredArrays image_of_fake(const Revision& r) {
   out.value(o.clean_up);
   out.value(o.threshold);
   out.value(r.edge_length);
-  out.list(r.delivery.mesh.nodes);
-  out.list(r.delivery.mesh.tets);
-  out.list(r.delivery.node_ids);
-  out.list(r.delivery.tet_ids);
-  out.list(r.delivery.map.node_origin);
-  out.list(r.delivery.map.original_node);
-  out.list(r.delivery.map.node_transform);
-  out.list(r.delivery.map.original_tet);
+  out.list(r.output.mesh.nodes);
+  out.list(r.output.mesh.tets);
+  out.list(r.output.node_ids);
+  out.list(r.output.tet_ids);
+  out.list(r.output.map.node_origin);
+  out.list(r.output.map.original_node);
+  out.list(r.output.map.node_transform);
+  out.list(r.output.map.original_tet);
   out.value(r.report.counts.nodes);
   out.value(r.report.counts.tets);
   out.value(r.report.counts.nodes_kept);
@@ -107,7 +107,7 @@ StoredArrays image_of_fake(const Revision& r) {
 
 /// The memory of a revision's nodes.
 std::vector<MemoryBlock> blocks_of_nodes(const Revision& r) {
-  const Pages<Vec3>& nodes = r.delivery.mesh.nodes;
+  const CowVector<Vec3>& nodes = r.output.mesh.nodes;
   std::vector<MemoryBlock> blocks;
   for (std::size_t k = 0; k < nodes.pages(); ++k)
     blocks.push_back({nodes.page(k).data(), nodes.page_bytes()});
@@ -116,16 +116,16 @@ std::vector<MemoryBlock> blocks_of_nodes(const Revision& r) {
 
 /// Groups and cells, which follow from the model.
 void name_parts(Revision& r) {
-  MeshGroups& groups = r.delivery.groups;
+  MeshGroups& groups = r.output.groups;
   groups.facets = {{{0, 1, 2}, 0, 0}, {{1, 2, 3}, 0, 1}};
   groups.facet_groups = {{r.source.features.front().id + ".top"},
                          {r.source.features.back().id + ".wall", "plate.top"}};
-  groups.tet_cell = {r.delivery.mesh.tets.size(), 0};
+  groups.tet_cell = {r.output.mesh.tets.size(), 0};
   groups.cell_owners = {{}};
   for (const FeatureSource& feature : r.source.features)
     groups.cell_owners[0].push_back(feature.id);
-  r.delivery.map.transforms = {Transform{}, Transform::translation({0, 0, 3})};
-  r.delivery.map.transform_features = {"plate", "rib"};
+  r.output.map.transforms = {Transform{}, Transform::translation({0, 0, 3})};
+  r.output.map.transform_features = {"plate", "rib"};
 }
 
 /// The rule of the real one without its geometry: a node for each cube of the edge length.
@@ -169,14 +169,14 @@ Revision revision_of_fake(const StoredArrays& image) {
   in.value(o.clean_up);
   in.value(o.threshold);
   in.value(r.edge_length);
-  in.list(r.delivery.mesh.nodes);
-  in.list(r.delivery.mesh.tets);
-  in.list(r.delivery.node_ids);
-  in.list(r.delivery.tet_ids);
-  in.list(r.delivery.map.node_origin);
-  in.list(r.delivery.map.original_node);
-  in.list(r.delivery.map.node_transform);
-  in.list(r.delivery.map.original_tet);
+  in.list(r.output.mesh.nodes);
+  in.list(r.output.mesh.tets);
+  in.list(r.output.node_ids);
+  in.list(r.output.tet_ids);
+  in.list(r.output.map.node_origin);
+  in.list(r.output.map.original_node);
+  in.list(r.output.map.node_transform);
+  in.list(r.output.map.original_tet);
   in.value(r.report.counts.nodes);
   in.value(r.report.counts.tets);
   in.value(r.report.counts.nodes_kept);
@@ -245,7 +245,7 @@ struct FakeEngine::State {
     if (options.nodes) {
       nodes = *options.nodes;
     } else if (original != nullptr) {
-      nodes = original->delivery.mesh.nodes.size();
+      nodes = original->output.mesh.nodes.size();
     }
     r.edge_length = original != nullptr ? original->edge_length : options.size.value_or(2.5);
     std::uint64_t mix = options.seed + r.model.features.size() + options.iterations;
@@ -255,7 +255,7 @@ struct FakeEngine::State {
       if (const auto* number = std::get_if<double>(&p.value))
         mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (*number + 1000));
     Random random(mix);
-    Delivery& d = r.delivery;
+    OutputMesh& d = r.output;
     for (std::size_t i = 0; i < nodes; ++i) {
       d.mesh.nodes.push_back({random.uniform(), random.uniform(), random.uniform()});
       d.node_ids.push_back(1000 + i);

@@ -10,9 +10,7 @@ namespace {
 
 class Bytes final : public grpc::ServerGenericBidiReactor {
  public:
-  Bytes(const std::vector<grpc::ByteBuffer>& messages) : messages_(messages) {
-    write();
-  }
+  Bytes(const std::vector<grpc::ByteBuffer>& messages) : messages_(messages) { write(); }
   void OnWriteDone(bool ok) override {
     if (ok)
       write();

@@ -6,8 +6,9 @@ import os
 import re
 from pathlib import Path
 
-STATIONS = ("base mesh kernel model cellular difference plan boundary nodes optimise extract "
-            "improve verify remesh").split()  # the road the data travels
+# The road the data travels.
+STATIONS = ("base mesh kernel model delaunay cellular local_fuse difference plan boundary nodes "
+            "optimise extract improve verify revision patch delivery remesh").split()
 # What programs under any licence may be built from (deploy/LICENSING.md).
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"

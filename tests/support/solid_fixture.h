@@ -10,8 +10,8 @@
 
 #include "engine/base/random.h"
 #include "engine/base/run.h"
-#include "engine/cellular/support.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/cellular/boundary_model/support.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/mesh/quality.h"
 #include "engine/mesh/tet_mesh.h"
 
@@ -39,9 +39,9 @@ struct SolidFixture {
     for (const Vec3& p : mesh.nodes) box.add(p);
     std::vector<std::int32_t> all(mesh.nodes.size());
     std::iota(all.begin(), all.end(), 0);
-    kernel::Delaunay delaunay(box);
+    DelaunayMesh delaunay(box);
     delaunay.insert(mesh.nodes, all, Run{});
-    delaunay.for_each_tet([&](const kernel::Delaunay::Corners& tet) {
+    delaunay.for_each_tet([&](const DelaunayMesh::Corners& tet) {
       Vec3 c;
       for (const std::int32_t n : tet) c += 0.25 * mesh.nodes[n];
       if (keep(c)) mesh.tets.push_back(tet);

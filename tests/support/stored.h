@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/remesh/image.h"
+#include "engine/revision/storage/stored_revision.h"
 
 namespace remeshd::test {
 

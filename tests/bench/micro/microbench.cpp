@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "engine/base/random.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/improve/improve.h"
-#include "engine/kernel/delaunay.h"
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/pull.h"
 #include "engine/optimise/relocate.h"
@@ -24,10 +24,10 @@ std::vector<std::int32_t> all_of(const NodeSet& nodes) {
   return all;
 }
 
-kernel::Delaunay delaunay_of(const NodeSet& nodes) {
+DelaunayMesh delaunay_of(const NodeSet& nodes) {
   Box box;
   for (const Vec3& p : nodes.positions) box.add(p);
-  kernel::Delaunay mesh(box);
+  DelaunayMesh mesh(box);
   mesh.insert(nodes.positions, all_of(nodes), Run{});
   return mesh;
 }
@@ -54,11 +54,10 @@ void delaunay_move(benchmark::State& state) {
     there[n] +=
         Vec3{random.uniform(-step, step), random.uniform(-step, step), random.uniform(-step, step)};
   }
-  kernel::Delaunay mesh = delaunay_of(w.nodes);
+  DelaunayMesh mesh = delaunay_of(w.nodes);
   bool out = true;
   while (state.KeepRunning()) {
-    if (mesh.move(out ? there : w.nodes.positions, moving, Run{}) !=
-        kernel::Delaunay::Moved::Done) {
+    if (mesh.move(out ? there : w.nodes.positions, moving, Run{}) != DelaunayMesh::Moved::Done) {
       state.SkipWithError("too far for flips");
       break;
     }

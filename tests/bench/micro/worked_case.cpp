@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "engine/optimise/optimise.h"
-#include "engine/plan/point_source.h"
-#include "engine/remesh/stages.h"
+#include "engine/plan/copy_plan.h"
+#include "engine/remesh/steps.h"
 #include "tests/support/cases.h"
 
 namespace remeshd::bench {
@@ -21,10 +21,10 @@ WorkedCase work() {
   w.model = test::case_features("tool1-a");
   w.cells = build_cells(w.model, run);
   w.membership = std::make_unique<const Membership>(w.model);
-  const Density density = resolve_density(nullptr, options, w.cells, run);
+  const Density density = resolve_density(Revision::none(), options, w.cells, run);
   w.edge_length = density.edge_length;
-  const PointSource source(nullptr, w.model, w.edge_length, run);
-  LocalNodes local = *initial_nodes(nullptr, source, density, options.start, kSeed, {}, run);
+  const CopyPlan source(nullptr, w.model, w.edge_length, run);
+  PatchNodes local = *initial_nodes(nullptr, source, density, options.start, kSeed, {}, run);
   w.samples = sample_boundary(w.cells.boundary, *w.membership, w.edge_length, kSeed, {}, run);
   w.all_samples.resize(w.samples.points.size());
   std::iota(w.all_samples.begin(), w.all_samples.end(), 0);
@@ -35,7 +35,8 @@ WorkedCase work() {
                                  {.edge_length = w.edge_length, .iterations = kIterations}, run);
   std::ranges::fill(w.nodes.free, 1);
   loop.mesh.for_each_tet([&](const Tet& tet) { w.delaunay.push_back(tet); });
-  Candidate candidate = extract(w.nodes, std::move(loop), local.part, source, w.cells, inside, run);
+  Candidate candidate =
+      extract(w.nodes, std::move(loop), local.patch, source, w.cells, inside, run);
   w.mesh_nodes = std::move(candidate.nodes);
   w.peeled = std::move(candidate.delaunay.tets);
   return w;

@@ -10,54 +10,54 @@ bool in_range(std::int32_t index, const Values& values) {
   return index >= 0 && index < static_cast<std::int32_t>(values.size());
 }
 
-void check_nodes(const Delivery& mesh, const Revision* base, Findings& findings) {
+void check_nodes(const OutputMesh& mesh, const Revision* base, Findings& findings) {
   const NodeMap& map = mesh.map;
-  std::vector<char> taken(base ? base->delivery.mesh.nodes.size() : 0, 0);
+  std::vector<char> taken(base ? base->output.mesh.nodes.size() : 0, 0);
   for (std::size_t n = 0; n < mesh.mesh.nodes.size(); ++n) {
     const std::int32_t from = map.original_node[n];
     if (map.node_origin[n] == NodeOrigin::New) {
       if (from != -1) findings.add("node map", "a new node with an original");
       continue;
     }
-    if (base == nullptr || !in_range(from, base->delivery.mesh.nodes)) {
+    if (base == nullptr || !in_range(from, base->output.mesh.nodes)) {
       findings.add("node map", "a kept node without an original", mesh.mesh.nodes[n]);
       continue;
     }
     if (taken[from]++) findings.add("node map", "two nodes of one original", mesh.mesh.nodes[n]);
-    if (mesh.node_ids[n] != base->delivery.node_ids[from])
+    if (mesh.node_ids[n] != base->output.node_ids[from])
       findings.add("node ids", "a kept node with another id", mesh.mesh.nodes[n]);
     if (!in_range(map.node_transform[n], map.transforms)) {
       findings.add("node map", "a kept node without a transformation", mesh.mesh.nodes[n]);
       continue;
     }
-    const Vec3 place = map.transforms[map.node_transform[n]].apply(base->delivery.mesh.nodes[from]);
+    const Vec3 place = map.transforms[map.node_transform[n]].apply(base->output.mesh.nodes[from]);
     if (map.node_origin[n] == NodeOrigin::Kept && place != mesh.mesh.nodes[n])
       findings.add("kept node", "a kept node that is not its original to the bit", place);
   }
 }
 
-void check_tets(const Delivery& mesh, const Revision* base, Findings& findings) {
-  std::vector<char> taken(base ? base->delivery.mesh.tets.size() : 0, 0);
+void check_tets(const OutputMesh& mesh, const Revision* base, Findings& findings) {
+  std::vector<char> taken(base ? base->output.mesh.tets.size() : 0, 0);
   for (std::size_t t = 0; t < mesh.mesh.tets.size(); ++t) {
     const std::int32_t from = mesh.map.original_tet[t];
     if (from == -1) continue;
-    if (base == nullptr || !in_range(from, base->delivery.mesh.tets)) {
+    if (base == nullptr || !in_range(from, base->output.mesh.tets)) {
       findings.add("tet map", "a kept tet without an original");
       continue;
     }
     if (taken[from]++) findings.add("tet map", "two tets of one original");
-    Tet now = mesh.mesh.tets[t], then = base->delivery.mesh.tets[from];
+    Tet now = mesh.mesh.tets[t], then = base->output.mesh.tets[from];
     for (std::int32_t& n : now) n = mesh.map.original_node[n];
     std::sort(now.begin(), now.end());
     std::sort(then.begin(), then.end());
     if (now != then) findings.add("tet map", "a kept tet of other nodes than its original's");
-    if (mesh.tet_ids[t] != base->delivery.tet_ids[from])
+    if (mesh.tet_ids[t] != base->output.tet_ids[from])
       findings.add("tet ids", "a kept tet with another id");
   }
 }
 
 /// New ids are new in the whole chain; all are there once.
-void check_ids(const Pages<std::uint64_t>& ids, const Pages<std::uint64_t>* base,
+void check_ids(const CowVector<std::uint64_t>& ids, const CowVector<std::uint64_t>* base,
                std::set<std::uint64_t>& ever, const std::string& check, Findings& findings) {
   const std::set<std::uint64_t> now(ids.begin(), ids.end());
   if (now.size() != ids.size()) findings.add(check, "an id twice");
@@ -75,7 +75,7 @@ void check_ids(const Pages<std::uint64_t>& ids, const Pages<std::uint64_t>* base
 /// the bit; kept tets have their originals' nodes; permanent ids stay and are never used again.
 void check_maps(const Revision& revision, const Revision* base, std::set<std::uint64_t>& node_ids,
                 std::set<std::uint64_t>& tet_ids, Findings& findings) {
-  const Delivery& d = revision.delivery;
+  const OutputMesh& d = revision.output;
   const std::size_t nodes = d.mesh.nodes.size(), tets = d.mesh.tets.size();
   if (d.map.node_origin.size() != nodes || d.map.original_node.size() != nodes ||
       d.map.node_transform.size() != nodes || d.node_ids.size() != nodes ||
@@ -85,8 +85,8 @@ void check_maps(const Revision& revision, const Revision* base, std::set<std::ui
   }
   check_nodes(d, base, findings);
   check_tets(d, base, findings);
-  check_ids(d.node_ids, base ? &base->delivery.node_ids : nullptr, node_ids, "node ids", findings);
-  check_ids(d.tet_ids, base ? &base->delivery.tet_ids : nullptr, tet_ids, "tet ids", findings);
+  check_ids(d.node_ids, base ? &base->output.node_ids : nullptr, node_ids, "node ids", findings);
+  check_ids(d.tet_ids, base ? &base->output.tet_ids : nullptr, tet_ids, "tet ids", findings);
 }
 
 }  // namespace remeshd::campaign

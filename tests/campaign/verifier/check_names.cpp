@@ -15,7 +15,7 @@ class NameChecker {
  public:
   NameChecker(const Revision& revision, const std::vector<Triangle>& facets, Findings& findings)
       : revision_(revision),
-        mesh_(test::flat(revision.delivery.mesh)),
+        mesh_(test::flat(revision.output.mesh)),
         membership_(revision.model),
         tiny_(kOnSurface * membership_.bounds().diagonal()),
         rays_(membership_),
@@ -23,7 +23,7 @@ class NameChecker {
         findings_(findings) {}
 
   void check(std::size_t index, const MeshFacet& facet) {
-    const auto& groups = revision_.delivery.groups.facet_groups;
+    const auto& groups = revision_.output.groups.facet_groups;
     const Vec3 c =
         (mesh_.nodes[facet.nodes[0]] + mesh_.nodes[facet.nodes[1]] + mesh_.nodes[facet.nodes[2]]) /
         3.0;
@@ -100,8 +100,8 @@ class NameChecker {
 /// on each face that it is named after, and the model has its boundary there, chords of rims apart.
 void check_names(const Revision& revision, const std::vector<Triangle>& facets,
                  Findings& findings) {
-  const MeshGroups& groups = revision.delivery.groups;
-  const PagedMesh& mesh = revision.delivery.mesh;
+  const MeshGroups& groups = revision.output.groups;
+  const PagedMesh& mesh = revision.output.mesh;
   // As smallest node first, turning as before.
   const auto canonical = [](Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

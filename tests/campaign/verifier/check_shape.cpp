@@ -29,7 +29,7 @@ class ShapeChecker {
  public:
   ShapeChecker(const Revision& revision, const std::vector<Triangle>& facets, Findings& findings)
       : revision_(revision),
-        mesh_(test::flat(revision.delivery.mesh)),
+        mesh_(test::flat(revision.output.mesh)),
         membership_(revision.model),
         rays_(membership_),
         diagonal_(membership_.bounds().diagonal()),
@@ -226,7 +226,7 @@ class ShapeChecker {
   /// Centroids of tets in material, or as near to the mesh's boundary as its chords allow; and the
   /// tet's cell has the features that contain the centroid as its owners.
   void check_centroids() {
-    const MeshGroups& groups = revision_.delivery.groups;
+    const MeshGroups& groups = revision_.output.groups;
     if (groups.tet_cell.size() != mesh_.tets.size()) {
       findings_.add("owners", "not one cell for each tet");
       return;

@@ -29,8 +29,8 @@ struct Meshes {
 const Meshes& meshes() {
   static const Meshes made = [] {
     Meshes m;
-    m.first = make_revision(nullptr, plate(2), {.nodes = 700}, Run{});
-    m.edited = make_revision(&m.first, plate(2.2), {}, Run{});
+    m.first = make_revision(Revision::none(), plate(2), {.nodes = 700}, Run{});
+    m.edited = make_revision(m.first, plate(2.2), {}, Run{});
     return m;
   }();
   return made;
@@ -48,11 +48,11 @@ std::string list(const Findings& findings) {
 }
 
 std::size_t some_node(const Revision& r, bool boundary) {
-  std::vector<char> on(r.delivery.mesh.nodes.size(), 0);
-  for (const MeshFacet& f : r.delivery.groups.facets)
+  std::vector<char> on(r.output.mesh.nodes.size(), 0);
+  for (const MeshFacet& f : r.output.groups.facets)
     for (const std::int32_t n : f.nodes) on[n] = 1;
   for (std::size_t n = 0; n < on.size(); ++n)
-    if ((on[n] == 1) == boundary && r.delivery.map.node_origin[n] == NodeOrigin::Kept) return n;
+    if ((on[n] == 1) == boundary && r.output.map.node_origin[n] == NodeOrigin::Kept) return n;
   return 0;
 }
 
@@ -64,7 +64,7 @@ TEST(Verifier, FindsNothingInGoodMeshes) {
 
 TEST(Verifier, FindsAnInvertedTet) {
   Revision r = meshes().edited;
-  Tet& tet = r.delivery.mesh.tets.edit(7);
+  Tet& tet = r.output.mesh.tets.edit(7);
   std::swap(tet[0], tet[1]);
   EXPECT_TRUE(verify_edited(r).has("volume sign")) << list(verify_edited(r));
 }
@@ -77,17 +77,17 @@ TEST(Verifier, FindsAFlatTet) {
 
 TEST(Verifier, FindsARepeatedTet) {
   Revision r = meshes().edited;
-  r.delivery.mesh.tets.edit(8) = r.delivery.mesh.tets[7];
+  r.output.mesh.tets.edit(8) = r.output.mesh.tets[7];
   EXPECT_TRUE(verify_edited(r).has("repeated tet")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAMissingTet) {
   Revision r = meshes().edited;
-  const std::size_t tets = r.delivery.mesh.tets.size() - 1;
-  r.delivery.mesh.tets.resize(tets);
-  r.delivery.tet_ids.resize(tets);
-  r.delivery.map.original_tet.resize(tets);
-  r.delivery.groups.tet_cell.resize(tets);
+  const std::size_t tets = r.output.mesh.tets.size() - 1;
+  r.output.mesh.tets.resize(tets);
+  r.output.tet_ids.resize(tets);
+  r.output.map.original_tet.resize(tets);
+  r.output.groups.tet_cell.resize(tets);
   EXPECT_TRUE(verify_edited(r).has("facets")) << list(verify_edited(r));
 }
 
@@ -126,51 +126,51 @@ TEST(Verifier, FindsTwoTetsOnOneSideOfAFacet) {
 
 TEST(Verifier, FindsABoundaryNodeOffItsSurface) {
   Revision r = meshes().edited;
-  r.delivery.mesh.nodes.edit(some_node(r, true)) += Vec3{1e-3, 1e-3, 1e-3};
+  r.output.mesh.nodes.edit(some_node(r, true)) += Vec3{1e-3, 1e-3, 1e-3};
   EXPECT_TRUE(verify_edited(r).has("node on surface")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAKeptNodeThatMovedByABit) {
   Revision r = meshes().edited;
-  double& x = r.delivery.mesh.nodes.edit(some_node(r, false)).x;
+  double& x = r.output.mesh.nodes.edit(some_node(r, false)).x;
   x = std::nextafter(x, 100);
   EXPECT_TRUE(verify_edited(r).has("kept node")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsFacetsUnderTheNameOfAnotherFace) {
   Revision r = meshes().edited;
-  std::int32_t& group = r.delivery.groups.facets[3].group;
-  group = (group + 1) % static_cast<std::int32_t>(r.delivery.groups.facet_groups.size());
+  std::int32_t& group = r.output.groups.facets[3].group;
+  group = (group + 1) % static_cast<std::int32_t>(r.output.groups.facet_groups.size());
   EXPECT_TRUE(verify_edited(r).has("names")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsATetInTheWrongCell) {
   Revision r = meshes().edited;
-  r.delivery.groups.cell_owners.push_back({"plate", "hole"});
-  r.delivery.groups.tet_cell.edit(5) =
-      static_cast<std::int32_t>(r.delivery.groups.cell_owners.size()) - 1;
+  r.output.groups.cell_owners.push_back({"plate", "hole"});
+  r.output.groups.tet_cell.edit(5) =
+      static_cast<std::int32_t>(r.output.groups.cell_owners.size()) - 1;
   EXPECT_TRUE(verify_edited(r).has("owners")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAnIdThatIsUsedTwice) {
   Revision r = meshes().edited;
-  r.delivery.node_ids.edit(0) = r.delivery.node_ids[1];
-  r.delivery.tet_ids.edit(0) = r.delivery.tet_ids[1];
+  r.output.node_ids.edit(0) = r.output.node_ids[1];
+  r.output.tet_ids.edit(0) = r.output.tet_ids[1];
   EXPECT_TRUE(verify_edited(r).has("node ids")) << list(verify_edited(r));
   EXPECT_TRUE(verify_edited(r).has("tet ids")) << list(verify_edited(r));
 }
 
 TEST(Verifier, FindsAnIdThatAnAncestorHad) {
   std::set<std::uint64_t> nodes;
-  std::set<std::uint64_t> tets{meshes().edited.delivery.tet_ids.begin(),
-                               meshes().edited.delivery.tet_ids.end()};
+  std::set<std::uint64_t> tets{meshes().edited.output.tet_ids.begin(),
+                               meshes().edited.output.tet_ids.end()};
   const Findings findings = verify_independently(meshes().edited, &meshes().first, nodes, tets);
   EXPECT_TRUE(findings.has("tet ids")) << list(findings);
 }
 
 TEST(Verifier, FindsAKeptTetOfOtherNodes) {
   Revision r = meshes().edited;
-  Pages<std::int32_t>& from = r.delivery.map.original_tet;
+  CowVector<std::int32_t>& from = r.output.map.original_tet;
   std::size_t a = 0;
   while (from[a] < 0) ++a;
   std::size_t b = a + 1;
@@ -218,7 +218,8 @@ TEST(Verifier, ForgivesAWallsChordsBesideAPlane) {
   hole.nature = Nature::Subtractive;
   hole.placement.origin = {70.0, 11.0, 4.7e-4};  // a film is left below
   model.features.push_back(hole);
-  const Revision r = make_revision(nullptr, model, {.nodes = 300, .seed = 662}, remeshd::Run{});
+  const Revision r =
+      make_revision(Revision::none(), model, {.nodes = 300, .seed = 662}, remeshd::Run{});
   std::set<std::uint64_t> nodes, tets;
   EXPECT_EQ(list(verify_independently(r, nullptr, nodes, tets)), "");
 }
@@ -244,7 +245,8 @@ TEST(Verifier, FindsTheAirInAGapOfATinyAngle) {
   peg.placement.x_axis = {{-0.30461862419233143, -0.8465196122025773, -0.436591387857765}};
   peg.placement.z_axis = {{-0.7901940783226674, 0.4805283510759669, -0.3803758961816624}};
   model.features.push_back(peg);
-  const Revision r = make_revision(nullptr, model, {.nodes = 300, .seed = 557}, remeshd::Run{});
+  const Revision r =
+      make_revision(Revision::none(), model, {.nodes = 300, .seed = 557}, remeshd::Run{});
   std::set<std::uint64_t> nodes, tets;
   EXPECT_EQ(list(verify_independently(r, nullptr, nodes, tets)), "");
 }

@@ -64,12 +64,13 @@ TEST(Lattice, APartOfTheBoxGetsThePointsOfTheWhole) {
                                     {"apple", {Kind::Torus, tilted, 2, 5}}};
   const Box whole{{-12, -12, -12}, {14, 14, 14}};
   for (const auto& [name, surface] : surfaces)
-    for (const Box& part : {Box{{3, 3, 3}, {14, 14, 14}}, Box{{-12, -12, -12}, {-2, 1, 3}},
-                            Box{{0, -12, 5}, {4, 14, 14}}}) {
-      const Visits of_whole = visits(surface, whole, part), of_part = visits(surface, part, part);
-      EXPECT_EQ(of_part.inside, of_whole.inside) << name;
-      EXPECT_LE(of_part.all, of_whole.all) << name;
-      EXPECT_FALSE(of_part.inside.empty()) << name;
+    for (const Box& patch : {Box{{3, 3, 3}, {14, 14, 14}}, Box{{-12, -12, -12}, {-2, 1, 3}},
+                             Box{{0, -12, 5}, {4, 14, 14}}}) {
+      const Visits of_whole = visits(surface, whole, patch),
+                   of_patch = visits(surface, patch, patch);
+      EXPECT_EQ(of_patch.inside, of_whole.inside) << name;
+      EXPECT_LE(of_patch.all, of_whole.all) << name;
+      EXPECT_FALSE(of_patch.inside.empty()) << name;
     }
   // The rows of a cylinder begin where the box does.
   const Surface cylinder{Kind::Cylinder, Transform::translation({1, 2, 0}), 7, 0};

@@ -104,7 +104,7 @@ TEST(MeshSurface, SidesBesideAThinFaceAreAboutAsLongAsItIsWide) {
 }
 
 TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
-  // The hole's wall keeps 0.05 from the rim's, whose chords of length 6 lie 0.09 deep.
+  // The hole's wall keeps 0.05 from the interface's, whose chords of length 6 lie 0.09 deep.
   const CellularModel cells =
       cells_of({cylinder("plate", 50, 12),
                 placed(cylinder("hole", 10, 12), 39.95, 0, 0, Nature::Subtractive)});

@@ -83,7 +83,7 @@ TEST(CellularModelTest, VolumesOfAllCasesAreExact) {
 }
 
 TEST(CellularModelTest, TheLastOwnerInHistoryGivesACellItsNature) {
-  // The plug stands after the pocket in history, so it fills a part of it again.
+  // The plug stands after the pocket in history, so it fills a patch of it again.
   const CellularModel plugged = cells_of({block("base", {0.0, 0.0, 0.0}, {40, 40, 10}),
                                           minus(cylinder("pocket", {0.0, 0.0, 4.0}, 8, 6)),
                                           cylinder("plug", {0.0, 0.0, 0.0}, 3, 10)});

@@ -23,7 +23,7 @@ PeeledMesh peeled_cube(int missing) {
   nodes.add_new(0.5 * (boundary.bounds.lo + boundary.bounds.hi));
   for (int v = 0; v + missing < static_cast<int>(boundary.vertices.size()); ++v)
     nodes.add_new(boundary.vertices[v].position, {Support::Kind::Vertex, v});
-  kernel::Delaunay delaunay(boundary.bounds);
+  DelaunayMesh delaunay(boundary.bounds);
   std::vector<std::int32_t> all(nodes.positions.size());
   std::iota(all.begin(), all.end(), 0);
   delaunay.insert(nodes.positions, all, kRun);
@@ -34,16 +34,16 @@ PeeledMesh peeled_cube(int missing) {
 TEST(Peel, OfACubeLeavesTwoTetsOnEachSide) {
   const PeeledMesh mesh = peeled_cube(0);
   EXPECT_EQ(mesh.tets.size(), 12U);
-  EXPECT_TRUE(mesh.stray.empty());
+  EXPECT_TRUE(mesh.nonconforming.empty());
 }
 
 TEST(Peel, TellsWhereABoundaryFacetIsOnNoFace) {
   const PeeledMesh mesh = peeled_cube(1);
-  ASSERT_EQ(mesh.stray.size(), 1U);
+  ASSERT_EQ(mesh.nonconforming.size(), 1U);
   const FeatureModel model = evaluate(test::one_feature(test::block("b", 2, 2, 2)));
   const CellularModel cells = build_cells(model, kRun);
-  EXPECT_NEAR(distance(mesh.stray[0], cells.boundary.vertices.back().position), 2 / std::sqrt(3.0),
-              1e-9);
+  EXPECT_NEAR(distance(mesh.nonconforming[0], cells.boundary.vertices.back().position),
+              2 / std::sqrt(3.0), 1e-9);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "engine/base/random.h"
 #include "engine/base/run.h"
-#include "engine/kernel/delaunay.h"
+#include "engine/delaunay/delaunay_mesh.h"
 #include "engine/mesh/tet_mesh.h"
 
 /// Delaunay meshes of random nodes in the unit cube.

@@ -139,10 +139,10 @@ TEST(SummariseBoth, SaysWhatMeasuringEachMeshSays) {
       if (left_out.back() == 0) second.push_back(t);
     }
     second.insert(second.end(), instead.begin(), instead.end());
-    const Pages<Vec3> at(nodes);
-    const Pages<Tet> of_first(first), of_instead(instead);
-    const Pages<TetMeasure> measures = measure_tets(at, of_first, {});
-    const Pages<TetMeasure> measures_instead = measure_tets(at, of_instead, {});
+    const CowVector<Vec3> at(nodes);
+    const CowVector<Tet> of_first(first), of_instead(instead);
+    const CowVector<TetMeasure> measures = measure_tets(at, of_first, {});
+    const CowVector<TetMeasure> measures_instead = measure_tets(at, of_instead, {});
     const TwoQualities both = summarise_both({at, of_first, measures, left_out}, 3,
                                              {at, of_instead, measures_instead}, 4);
     const auto expect_same = [](const Quality& a, const Quality& b) {

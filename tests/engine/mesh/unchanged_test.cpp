@@ -12,7 +12,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::int32_t kNodes = 1000, kTets = 1500;
-constexpr auto kPage = static_cast<std::int32_t>(Pages<Tet>::kPage);
+constexpr auto kPage = static_cast<std::int32_t>(CowVector<Tet>::kPage);
 
 /// Tets between nodes that are near in number and in space; whether they are positive is not asked.
 PagedMesh some_mesh() {
@@ -61,8 +61,8 @@ TEST(Unchanged, IsWhatComparingEverythingSays) {
         m.tets.edit(9)[2] = kNodes;
       },
       [](PagedMesh& m) {
-        m.nodes = Pages(m.nodes.flat());
-        m.tets = Pages(m.tets.flat());
+        m.nodes = CowVector(m.nodes.flat());
+        m.tets = CowVector(m.tets.flat());
       }};
   for (std::size_t k = 0; k < changes.size(); ++k) {
     SCOPED_TRACE(k);
@@ -87,14 +87,14 @@ TEST(Unchanged, IsWhatComparingEverythingSays) {
 
 TEST(TetBoxes, AreMeasuredAgainWhereTetsChanged) {
   const PagedMesh other = some_mesh();
-  const Pages<Box> boxes = boxes_round(other);
+  const CowVector<Box> boxes = boxes_round(other);
   PagedMesh mesh = other;
   mesh.nodes.edit(700).z += 3;
   mesh.tets.edit(9)[1] = 500;
   mesh.tets.resize(2 * kTets, {0, 1, 2, 3});
   const std::vector<std::int32_t> changed = unchanged(mesh, other, boxes).changed_tets;
-  const Pages<Box> again = boxes_round(mesh, boxes, changed);
-  const Pages<Box> expected = boxes_round(mesh);
+  const CowVector<Box> again = boxes_round(mesh, boxes, changed);
+  const CowVector<Box> expected = boxes_round(mesh);
   ASSERT_EQ(again.size(), expected.size());
   for (std::size_t k = 0; k < again.size(); ++k) {
     EXPECT_EQ(again[k].lo, expected[k].lo);
@@ -102,15 +102,15 @@ TEST(TetBoxes, AreMeasuredAgainWhereTetsChanged) {
   }
 }
 
-TEST(PagesAt, MissNoneWithANodeThere) {
+TEST(PagesNear, MissNoneWithANodeThere) {
   const PagedMesh other = some_mesh();
-  const Pages<Box> boxes = boxes_round(other);
+  const CowVector<Box> boxes = boxes_round(other);
   PagedMesh mesh = other;
   mesh.tets.edit(3 * kPage)[0] = 1;
   std::size_t missed = 0;
   for (const std::int32_t n : {0, 123, 500, kNodes - 1}) {
     const std::vector<Vec3> places{other.nodes[n]};
-    const PagesAt at(other.tets, boxes, places);
+    const PagesNear at(other.tets, boxes, places);
     EXPECT_TRUE(at.may_be(mesh.tets, 3)) << "it is another page";
     for (std::size_t k = 0; k < other.tets.pages(); ++k) {
       const bool there = std::ranges::any_of(

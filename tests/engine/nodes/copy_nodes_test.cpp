@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "engine/nodes/active_faces.h"
-#include "engine/remesh/master.h"
 #include "engine/remesh/remesh.h"
+#include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -18,24 +18,24 @@ const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 struct Copied {
   Revision original;
   FeatureModel modified;
-  PointSource source;
+  CopyPlan source;
   NodeSet nodes;
 
   Copied(const std::string& name, const ModelEdit& edit)
-      : original(
-            make_revision(nullptr, test::case_model(name), {.nodes = 2500, .iterations = 4}, kRun)),
+      : original(make_revision(Revision::none(), test::case_model(name),
+                               {.nodes = 2500, .iterations = 4}, kRun)),
         modified(evaluate(apply(original.source, edit))),
         source(&original.model, modified, original.edge_length, kRun),
         nodes(copy_all()) {}
 
   NodeSet copy_all() const {
-    const Master& master = *original.master;
+    const DelaunayState& delaunay_state = *original.delaunay_state;
     std::vector<Tet> tets;
-    for (std::int32_t s = 0; s < static_cast<std::int32_t>(master.mesh.slots()); ++s)
-      if (master.inside(s)) tets.push_back(master.mesh.corners(s));
-    std::vector<std::int32_t> all(master.positions().size());
+    for (std::int32_t s = 0; s < static_cast<std::int32_t>(delaunay_state.mesh.slots()); ++s)
+      if (delaunay_state.inside(s)) tets.push_back(delaunay_state.mesh.corners(s));
+    std::vector<std::int32_t> all(delaunay_state.positions().size());
     std::iota(all.begin(), all.end(), 0);
-    return copy_nodes(source, {master.positions(), master.supports, all, tets},
+    return copy_nodes(source, {delaunay_state.positions(), delaunay_state.supports, all, tets},
                       original.edge_length, kRun);
   }
 };
@@ -51,8 +51,9 @@ TEST(CopyNodes, AFixedCopyIsTheTransformedOriginalToTheBit) {
   const Copied c("simple-a", test::case_edit("simple-ab"));
   for (std::int32_t n = 0; n < c.nodes.size(); ++n)
     if (!c.nodes.free[n]) {
-      EXPECT_EQ(c.nodes.positions[n], c.source.transforms()[c.nodes.transform[n]].apply(
-                                          c.original.master->positions()[c.nodes.original[n]]));
+      EXPECT_EQ(c.nodes.positions[n],
+                c.source.transforms()[c.nodes.transform[n]].apply(
+                    c.original.delaunay_state->positions()[c.nodes.original[n]]));
     }
 }
 
@@ -82,8 +83,8 @@ TEST(CopyNodes, NodesOnTheWallOfAHoleThatGrewALittleAreSetBackInProportion) {
   const double l = base.original.edge_length;
   const Copied c("fig11-a", ModelEdit{{SetParameter{"hole_radius", 8.0 + 0.2 * l}}});
   int on_wall = 0, set_back = 0;
-  for (std::size_t n = 0; n < c.original.master->positions().size(); ++n) {
-    const Vec3& p = c.original.master->positions()[n];
+  for (std::size_t n = 0; n < c.original.delaunay_state->positions().size(); ++n) {
+    const Vec3& p = c.original.delaunay_state->positions()[n];
     on_wall += std::fabs(std::hypot(p.x + 20, p.y) - 8) < 1e-6;
   }
   for (std::int32_t n = 0; n < c.nodes.size(); ++n) {

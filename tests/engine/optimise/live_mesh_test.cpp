@@ -23,15 +23,15 @@ NodeSet cloud(int count, int fixed) {
   return nodes;
 }
 
-kernel::Delaunay empty_mesh() {
+DelaunayMesh empty_mesh() {
   Box box;
   box.add(Vec3{0, 0, 0});
   box.add(Vec3{1, 1, 1});
-  return kernel::Delaunay(box);
+  return DelaunayMesh(box);
 }
 
-kernel::Delaunay mesh_of_first(const NodeSet& nodes, int count) {
-  kernel::Delaunay mesh = empty_mesh();
+DelaunayMesh mesh_of_first(const NodeSet& nodes, int count) {
+  DelaunayMesh mesh = empty_mesh();
   std::vector<std::int32_t> first(count);
   std::iota(first.begin(), first.end(), 0);
   mesh.insert(nodes.positions, first, kRun);

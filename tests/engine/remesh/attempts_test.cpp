@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "engine/remesh/image_documents.h"
 #include "engine/remesh/remesh.h"
+#include "engine/revision/storage/stored_documents.h"
 #include "tests/support/cases.h"
 #include "tests/support/stored.h"
 
@@ -16,14 +16,14 @@ const Run kRun;
 
 std::vector<std::string> strategies(const Report& report) {
   std::vector<std::string> names;
-  for (const Attempt& attempt : report.attempts) names.push_back(attempt.strategy);
+  for (const RejectedAttempt& attempt : report.attempts) names.push_back(attempt.strategy);
   return names;
 }
 
 /// Each tells why, and none took longer than all of it.
 void expect_told(const Report& report) {
   double together = 0;
-  for (const Attempt& attempt : report.attempts) {
+  for (const RejectedAttempt& attempt : report.attempts) {
     EXPECT_THAT(attempt.reason, testing::Not(IsEmpty())) << attempt.strategy;
     EXPECT_GT(attempt.seconds, 0) << attempt.strategy;
     together += attempt.seconds;
@@ -35,30 +35,32 @@ void expect_told(const Report& report) {
 /// only TetGen's mesh can follow.
 Revision mesh_of_a_ledge() {
   const ModelEdit longer{{SetFeatureParameter{"base", "dx", 120.5}}};
-  return make_revision(nullptr, apply(test::case_model("tool2-c"), longer), {.nodes = 3000}, kRun);
+  return make_revision(Revision::none(), apply(test::case_model("tool2-c"), longer),
+                       {.nodes = 3000}, kRun);
 }
 
 /// An edit of a mesh that was made in one iteration from random nodes, in a chain that is said to
 /// have begun with a mean volume-length of .87.
 Revision edit_of_a_worn_mesh(const MeshOptions& options) {
   Revision base =
-      make_revision(nullptr, test::case_model("simple-a"),
+      make_revision(Revision::none(), test::case_model("simple-a"),
                     {.nodes = 2500, .iterations = 1, .start = MeshOptions::Start::Random}, kRun);
   base.reference.volume_length_mean = 0.87;
-  return make_revision(&base, apply(base.source, test::case_edit("simple-ab")), options, kRun);
+  return make_revision(base, apply(base.source, test::case_edit("simple-ab")), options, kRun);
 }
 
 TEST(Attempts, AreNoneWhereTheFirstStrategyServes) {
-  const Revision first = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 500}, kRun);
+  const Revision first =
+      make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 500}, kRun);
   EXPECT_THAT(first.report.attempts, IsEmpty());
-  const Revision same = make_revision(&first, first.source, {}, kRun);
-  EXPECT_EQ(same.report.way, Way::Unchanged);
+  const Revision same = make_revision(first, first.source, {}, kRun);
+  EXPECT_EQ(same.report.strategy, MeshStrategy::Unchanged);
   EXPECT_THAT(same.report.attempts, IsEmpty());
 }
 
 TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
   const Revision made = mesh_of_a_ledge();
-  ASSERT_EQ(made.report.way, Way::TetGen);
+  ASSERT_EQ(made.report.strategy, MeshStrategy::TetGen);
   EXPECT_THAT(strategies(made.report), ElementsAre("local"));
   expect_told(made.report);
   EXPECT_THAT(made.report.attempts[0].reason,
@@ -67,7 +69,7 @@ TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
 
 TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
   const Revision made = edit_of_a_worn_mesh({});
-  ASSERT_EQ(made.report.way, Way::Renewed);
+  ASSERT_EQ(made.report.strategy, MeshStrategy::Renewed);
   EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "local, 6 edge lengths",
                                                    "local, 8 edge lengths"));
   expect_told(made.report);
@@ -78,7 +80,7 @@ TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
 
 TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
   const Revision made = edit_of_a_worn_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
-  ASSERT_EQ(made.report.way, Way::Local);
+  ASSERT_EQ(made.report.strategy, MeshStrategy::Local);
   EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "renewed"));
   expect_told(made.report);
   EXPECT_THAT(made.report.attempts.back().reason, StartsWith("no better"));
@@ -96,7 +98,8 @@ TEST(Attempts, AreStoredButForTheirSeconds) {
 }
 
 TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
-  const Revision made = make_revision(nullptr, test::case_model("simple-a"), {.nodes = 60}, kRun);
+  const Revision made =
+      make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
   // Format 10 was the same without the list at the end, empty here, and the word after it.
   ASSERT_EQ(bytes[1], 11);

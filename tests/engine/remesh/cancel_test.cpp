@@ -37,7 +37,7 @@ class StoppedRun {
 };
 
 /// Stops a run at every one of its reports in turn.
-void stop_everywhere(const Revision* original, const ModelSource& source,
+void stop_everywhere(const Revision& original, const ModelSource& source,
                      const MeshOptions& options) {
   StoppedRun stopped;
   make_revision(original, source, options, stopped.stopped_at(0));
@@ -58,14 +58,15 @@ void stop_everywhere(const Revision* original, const ModelSource& source,
 }
 
 TEST(Cancelled, AtAnyReportAFirstMeshEndsAsIfItHadNotBeen) {
-  stop_everywhere(nullptr, test::case_model("tool1-a"), {.nodes = 500});
+  stop_everywhere(Revision::none(), test::case_model("tool1-a"), {.nodes = 500});
 }
 
 TEST(Cancelled, AtAnyReportAnEditEndsAsIfItHadNotBeen) {
-  const Revision base = make_revision(nullptr, test::case_model("tool1-a"), {.nodes = 500}, kRun);
+  const Revision base =
+      make_revision(Revision::none(), test::case_model("tool1-a"), {.nodes = 500}, kRun);
   ModelSource longer = base.source;
   test::parameter(longer, "pin_radius") = 4.5;
-  stop_everywhere(&base, longer, {});
+  stop_everywhere(base, longer, {});
 }
 
 }  // namespace

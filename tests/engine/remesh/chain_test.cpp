@@ -32,14 +32,14 @@ struct Ending {
 Ending end_of_chain(const Chain& chain, std::uint64_t seed) {
   ModelSource source = test::case_model(chain.model);
   Random random(seed);
-  Revision r = make_revision(nullptr, source, {.nodes = 2000}, kRun);
+  Revision r = make_revision(Revision::none(), source, {.nodes = 2000}, kRun);
   for (int k = 0; k < 100; ++k) {
     const Knob& knob = chain.knobs[random.below(chain.knobs.size())];
     test::parameter(source, knob.parameter) = random.uniform(knob.lo, knob.hi);
-    r = make_revision(&r, source, {}, kRun);
+    r = make_revision(r, source, {}, kRun);
   }
-  EXPECT_TRUE(verify(r.delivery.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
-  const Revision fresh = make_revision(nullptr, source, {.size = r.edge_length}, kRun);
+  EXPECT_TRUE(verify(r.output.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun).valid);
+  const Revision fresh = make_revision(Revision::none(), source, {.size = r.edge_length}, kRun);
   return {fresh.report.quality.volume_length_mean - r.report.quality.volume_length_mean,
           static_cast<double>(r.report.counts.nodes) / fresh.report.counts.nodes};
 }
@@ -75,10 +75,10 @@ TEST(ToAndFro, TheNumberOfNodesStaysWhatTheModelNeeds) {
   // where they were.
   const ModelSource there = test::case_model("tool1-a");
   const ModelSource back = apply(there, test::case_edit("tool1-ac"));
-  Revision r = make_revision(nullptr, there, {.nodes = 4000, .iterations = 5}, kRun);
+  Revision r = make_revision(Revision::none(), there, {.nodes = 4000, .iterations = 5}, kRun);
   for (int k = 0; k < 8; ++k) {
-    r = make_revision(&r, k % 2 == 0 ? back : there, {.iterations = 5}, kRun);
-    EXPECT_EQ(r.report.way, Way::Local);
+    r = make_revision(r, k % 2 == 0 ? back : there, {.iterations = 5}, kRun);
+    EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
     EXPECT_NEAR(r.report.counts.nodes, 4000, 100) << "edit " << k;
   }
 }
@@ -87,11 +87,12 @@ TEST(ToAndFro, ABoundaryThatIsBuriedAndLaidBareAgainWearsNothingOut) {
   // The block grows past its own sides and bosses move, then all goes back.
   const ModelSource there = test::case_model("tool3-a");
   const ModelSource back = apply(there, test::case_edit("tool3-ab"));
-  const Revision first = make_revision(nullptr, there, {.nodes = 4000, .iterations = 10}, kRun);
+  const Revision first =
+      make_revision(Revision::none(), there, {.nodes = 4000, .iterations = 10}, kRun);
   Revision r = first;
   for (int k = 0; k < 8; ++k) {
-    r = make_revision(&r, k % 2 == 0 ? back : there, {.iterations = 10}, kRun);
-    EXPECT_EQ(r.report.way, Way::Local) << "edit " << k;
+    r = make_revision(r, k % 2 == 0 ? back : there, {.iterations = 10}, kRun);
+    EXPECT_EQ(r.report.strategy, MeshStrategy::Local) << "edit " << k;
   }
   EXPECT_GT(r.report.quality.volume_length_mean, first.report.quality.volume_length_mean - 0.004);
 }
@@ -99,10 +100,11 @@ TEST(ToAndFro, ABoundaryThatIsBuriedAndLaidBareAgainWearsNothingOut) {
 TEST(AutomaticIterations, AreNotEndedByTheNodesThatFillVoids) {
   const ModelSource there = test::case_model("tool3-a");
   const ModelSource edited = apply(there, test::case_edit("tool3-ab"));
-  const Revision base = make_revision(nullptr, there, {.nodes = 4000}, kRun);
-  const Revision r = make_revision(&base, edited, {}, kRun);
-  EXPECT_EQ(r.report.way, Way::Local);
-  const Revision regular = make_revision(nullptr, edited, {.nodes = r.report.counts.nodes}, kRun);
+  const Revision base = make_revision(Revision::none(), there, {.nodes = 4000}, kRun);
+  const Revision r = make_revision(base, edited, {}, kRun);
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
+  const Revision regular =
+      make_revision(Revision::none(), edited, {.nodes = r.report.counts.nodes}, kRun);
   EXPECT_GT(r.report.quality.volume_length_mean, regular.report.quality.volume_length_mean - 0.01);
 }
 
@@ -110,16 +112,16 @@ TEST(AutomaticIterations, AreNotEndedByTheNodesThatFillVoids) {
 /// have begun with a mean volume-length of .87.
 Revision remesh_of_a_poor_mesh(const MeshOptions& options) {
   Revision base =
-      make_revision(nullptr, test::case_model("simple-a"),
+      make_revision(Revision::none(), test::case_model("simple-a"),
                     {.nodes = 2500, .iterations = 1, .start = MeshOptions::Start::Random}, kRun);
   base.reference.volume_length_mean = 0.87;
   const ModelSource edited = apply(base.source, test::case_edit("simple-ab"));
-  return make_revision(&base, edited, options, kRun);
+  return make_revision(base, edited, options, kRun);
 }
 
 TEST(WornMesh, IsMadeAnewAndTheReportSaysSo) {
   const Revision anew = remesh_of_a_poor_mesh({});
-  EXPECT_EQ(anew.report.way, Way::Renewed);
+  EXPECT_EQ(anew.report.strategy, MeshStrategy::Renewed);
   EXPECT_EQ(anew.report.counts.nodes_kept, 0U);
   EXPECT_GT(anew.report.quality.volume_length_mean, 0.85);
   EXPECT_EQ(anew.reference.volume_length_mean, anew.report.quality.volume_length_mean);
@@ -130,7 +132,7 @@ TEST(WornMesh, IsMadeAnewAndTheReportSaysSo) {
 TEST(WornMesh, StaysWhereARegularOneIsNoBetter) {
   const Revision remesh =
       remesh_of_a_poor_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
-  EXPECT_EQ(remesh.report.way, Way::Local);
+  EXPECT_EQ(remesh.report.strategy, MeshStrategy::Local);
   EXPECT_GT(remesh.report.counts.nodes_kept, 0U);
   EXPECT_EQ(remesh.reference.volume_length_mean, remesh.report.quality.volume_length_mean);
 }

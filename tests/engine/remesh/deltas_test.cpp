@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
 #include "engine/remesh/remesh.h"
-#include "engine/remesh/stopwatch.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/way_name.h"
+#include "tests/support/strategy_name.h"
 
 /// Deltas from rounding to the model's size on every number that the models of the seven cases
 /// hold: one for each in every run of the tests, all of them with REMESHD_DELTAS=all (README.md).
@@ -124,7 +124,7 @@ std::vector<Vec3> nodes_on(const Revision& r, const std::vector<bool>& faces) {
     for (std::size_t f = 0; f < faces.size(); ++f)
       if (faces[f] && incident(r.cells.boundary, supports[n],
                                {Support::Kind::Face, static_cast<std::int32_t>(f)})) {
-        nodes.push_back(r.delivery.mesh.nodes[n]);
+        nodes.push_back(r.output.mesh.nodes[n]);
         break;
       }
   }
@@ -142,27 +142,26 @@ bool says_why(const Report& report) {
 /// What holds for every mesh, whatever way led to it.
 void expect_valid(const Revision& from, const Revision& r) {
   const Membership membership(r.model);
-  const Verification v =
-      verify(r.delivery.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun,
-             {.material = [&](const Vec3& p) { return membership.inside(p); }});
+  const Verification v = verify(r.output.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun,
+                                {.material = [&](const Vec3& p) { return membership.inside(p); }});
   EXPECT_TRUE(v.valid) << v.failures.front().what;
-  const NodeMap& map = r.delivery.map;
+  const NodeMap& map = r.output.map;
   for (std::size_t n = 0; n < map.node_origin.size(); ++n)
     if (map.node_origin[n] == NodeOrigin::Kept) {
       const Transform& transform = map.transforms[map.node_transform[n]];
-      ASSERT_EQ(r.delivery.mesh.nodes[n],
-                transform.apply(from.delivery.mesh.nodes[map.original_node[n]]));
+      ASSERT_EQ(r.output.mesh.nodes[n],
+                transform.apply(from.output.mesh.nodes[map.original_node[n]]));
     }
 }
 
 /// No change: all of `from`, to the bit.
 void expect_unchanged(const Revision& from, const Revision& r) {
-  EXPECT_EQ(r.delivery.mesh.nodes, from.delivery.mesh.nodes);
-  EXPECT_EQ(r.delivery.mesh.tets, from.delivery.mesh.tets);
-  EXPECT_EQ(r.delivery.node_ids, from.delivery.node_ids);
-  EXPECT_EQ(r.delivery.tet_ids, from.delivery.tet_ids);
-  EXPECT_EQ(r.report.counts.nodes_kept, from.delivery.mesh.nodes.size());
-  EXPECT_EQ(r.report.counts.tets_kept, from.delivery.mesh.tets.size());
+  EXPECT_EQ(r.output.mesh.nodes, from.output.mesh.nodes);
+  EXPECT_EQ(r.output.mesh.tets, from.output.mesh.tets);
+  EXPECT_EQ(r.output.node_ids, from.output.node_ids);
+  EXPECT_EQ(r.output.tet_ids, from.output.tet_ids);
+  EXPECT_EQ(r.report.counts.nodes_kept, from.output.mesh.nodes.size());
+  EXPECT_EQ(r.report.counts.tets_kept, from.output.mesh.tets.size());
 }
 
 /// Continuity, from the revision that the connectivity was made for.
@@ -172,20 +171,20 @@ void expect_continued(const Revision& anchor, const Revision& r,
   const double none = kNone * anchor.cells.boundary.bounds.diagonal();
   const double largest = *std::max_element(motions.begin(), motions.end());
   EXPECT_LT(largest, kSmallest * l);
-  EXPECT_EQ(r.delivery.mesh.tets, anchor.delivery.mesh.tets);
-  EXPECT_EQ(r.delivery.node_ids, anchor.delivery.node_ids);
+  EXPECT_EQ(r.output.mesh.tets, anchor.output.mesh.tets);
+  EXPECT_EQ(r.output.node_ids, anchor.output.node_ids);
   // Hidden surfaces move too: where one lies on a face, the kernel may draw its edges on either.
   const double drawn = std::min(motion_bound(anchor.model, r.model), kCoincident / r.cells.scale);
   std::vector<bool> moved;
   for (const double m : motions) moved.push_back(m > none);
   std::vector<Vec3> sources = nodes_on(anchor, moved);
-  for (std::size_t n = 0; n < r.delivery.mesh.nodes.size(); ++n)
+  for (std::size_t n = 0; n < r.output.mesh.nodes.size(); ++n)
     if (r.supports()[n].kind > Support::Kind::Face &&
-        distance(anchor.delivery.mesh.nodes[n], r.delivery.mesh.nodes[n]) <= drawn)
-      sources.push_back(anchor.delivery.mesh.nodes[n]);
-  for (std::size_t n = 0; n < r.delivery.mesh.nodes.size(); ++n) {
-    const Vec3& before = anchor.delivery.mesh.nodes[n];
-    const double by = distance(before, r.delivery.mesh.nodes[n]);
+        distance(anchor.output.mesh.nodes[n], r.output.mesh.nodes[n]) <= drawn)
+      sources.push_back(anchor.output.mesh.nodes[n]);
+  for (std::size_t n = 0; n < r.output.mesh.nodes.size(); ++n) {
+    const Vec3& before = anchor.output.mesh.nodes[n];
+    const double by = distance(before, r.output.mesh.nodes[n]);
     if (by == 0) continue;
     ASSERT_LE(by, std::max(kLeverage * largest, drawn) + none) << "node " << n;
     ASSERT_TRUE(std::any_of(sources.begin(), sources.end(),
@@ -208,7 +207,7 @@ struct Result {
 Result expect_contract(const Revision& anchor, const Revision& from, const ModelSource& source) {
   Result result;
   try {
-    result.made = make_revision(&from, source, {}, kRun);
+    result.made = make_revision(from, source, {}, kRun);
   } catch (const Error& e) {
     result.what = e.info().reason;
     EXPECT_NE(result.what, "");
@@ -219,20 +218,20 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
     return result;
   }
   const Revision& r = *result.made;
-  result.what = test::name_of(r.report.way);
+  result.what = test::name_of(r.report.strategy);
   expect_valid(from, r);
   const std::vector<double> motions = face_motions(anchor.cells.boundary, r.cells.boundary);
   const double largest = *std::max_element(motions.begin(), motions.end());
   const double l = anchor.edge_length;
   const bool none = same_geometry(from.meshed_model, r.model);
-  EXPECT_EQ(none, r.report.way == Way::Unchanged);
+  EXPECT_EQ(none, r.report.strategy == MeshStrategy::Unchanged);
   if (none) expect_unchanged(from, r);
-  if (r.report.way == Way::Morphed) expect_continued(anchor, r, motions);
+  if (r.report.strategy == MeshStrategy::Morphed) expect_continued(anchor, r, motions);
   // Surfaces that are not on the boundary count too.
   if (!none && largest < kNearly * kSmallest * l &&
       motion_bound(anchor.model, r.model) < kFollowed * l &&
       same_topology(anchor.cells.boundary, r.cells.boundary)) {
-    EXPECT_TRUE(r.report.way == Way::Morphed || says_why(r.report));
+    EXPECT_TRUE(r.report.strategy == MeshStrategy::Morphed || says_why(r.report));
   }
   return result;
 }
@@ -287,7 +286,7 @@ class EveryDelta : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryDelta, GivesAValidMeshThatIsAsContinuousAsPromisedOrARefusal) {
   ModelSource source = test::case_model(GetParam());
-  const Revision base = make_revision(nullptr, source, kSmall, kRun);
+  const Revision base = make_revision(Revision::none(), source, kSmall, kRun);
   const std::vector<Literal> all = literals(source);
   const auto check = [&](std::size_t n, std::size_t k) {
     const double by = delta(k, base);

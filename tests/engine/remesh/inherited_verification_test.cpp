@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/random.h"
-#include "engine/remesh/node_map.h"
+#include "engine/patch/node_map.h"
 #include "engine/verify/verify.h"
 #include "tests/engine/verify/same_verdict.h"
 #include "tests/support/cases.h"
@@ -23,16 +23,16 @@ struct Heir {
   std::vector<std::int32_t> node, tet;
 
   explicit Heir(const Revision& r)
-      : mesh(test::flat(r.delivery.mesh)),
-        node(r.delivery.map.original_node.flat()),
-        tet(r.delivery.map.original_tet.flat()) {}
+      : mesh(test::flat(r.output.mesh)),
+        node(r.output.map.original_node.flat()),
+        tet(r.output.map.original_tet.flat()) {}
 };
 
 Verification whole(const Heir& h, const Revision& r) {
   return verify(paged(h.mesh), r.supports(), r.cells.boundary, r.cells.volume, kRun);
 }
 Verification inherited(const Heir& h, const Revision& r, const Revision& base) {
-  const VerifiedParent parent = verified_parent(base, Pages(h.node), Pages(h.tet));
+  const VerifiedParent parent = verified_parent(base, CowVector(h.node), CowVector(h.tet));
   return verify(paged(h.mesh), r.supports(), r.cells.boundary, r.cells.volume, kRun,
                 {.parent = &parent});
 }
@@ -42,10 +42,10 @@ void expect_both_to_say_the_same(const Revision& r, const Revision& base) {
   const Verification all = whole(good, r), some = inherited(good, r, base);
   EXPECT_TRUE(all.valid);
   test::expect_same_verdict(all, some);
-  ASSERT_EQ(some.surface.size(), r.delivery.groups.facets.size());
+  ASSERT_EQ(some.surface.size(), r.output.groups.facets.size());
   for (std::size_t f = 0; f < some.surface.size(); ++f) {
-    EXPECT_EQ(some.surface[f].nodes, r.delivery.groups.facets[f].nodes);
-    EXPECT_EQ(some.surface[f].tet, r.delivery.groups.facets[f].tet);
+    EXPECT_EQ(some.surface[f].nodes, r.output.groups.facets[f].nodes);
+    EXPECT_EQ(some.surface[f].tet, r.output.groups.facets[f].tet);
   }
   EXPECT_EQ(r.report.verification.tets_inherited, some.tets_inherited);
   EXPECT_EQ(r.report.verification.tets_proved, some.tets_proved);
@@ -76,46 +76,46 @@ void expect_both_to_say_the_same(const Revision& r, const Revision& base) {
 TEST(InheritedVerification, OfTheSevenEditsSaysWhatTheWholeOneSays) {
   for (const test::EditCase& c : test::seven_cases()) {
     SCOPED_TRACE(c.edit);
-    const Revision base = make_revision(nullptr, test::case_model(c.original), kSmall, kRun);
+    const Revision base =
+        make_revision(Revision::none(), test::case_model(c.original), kSmall, kRun);
     EXPECT_EQ(base.report.verification.tets_inherited, 0U);
     EXPECT_EQ(base.report.verification.tets_proved, base.report.counts.tets);
     EXPECT_LT(base.report.verification.volume_error, 2e-3);
     const Revision r =
-        make_revision(&base, apply(base.source, test::case_edit(c.edit)), kInherit, kRun);
+        make_revision(base, apply(base.source, test::case_edit(c.edit)), kInherit, kRun);
     EXPECT_GT(r.report.verification.tets_inherited, 0U);
     expect_both_to_say_the_same(r, base);
   }
 }
 
 TEST(InheritedVerification, AlongAChainOfRandomEditsSaysWhatTheWholeOneSays) {
-  Revision base = make_revision(nullptr, test::case_model("fig11-a"), kSmall, kRun);
+  Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kSmall, kRun);
   Random random(3);
   for (int k = 0; k < 8; ++k) {
     SCOPED_TRACE(k);
     // Steps of all sizes: with some of them the connectivity stays.
     const double step = k % 3 == 0 ? 1e-3 : 1.5;
     const double radius = 8 + random.uniform(-step, step);
-    Revision r =
-        make_revision(&base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", radius}}}),
-                      kInherit, kRun);
+    Revision r = make_revision(
+        base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", radius}}}), kInherit, kRun);
     expect_both_to_say_the_same(r, base);
     base = std::move(r);
   }
 }
 
 TEST(InheritedVerification, WhereOnlyNodesMoveOnlyTheirTetsAreProved) {
-  const Revision base = make_revision(nullptr, test::case_model("fig11-a"), kSmall, kRun);
+  const Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kSmall, kRun);
   const Revision r = make_revision(
-      &base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", 8.001}}}), kInherit, kRun);
-  ASSERT_EQ(r.report.way, Way::Morphed);
+      base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", 8.001}}}), kInherit, kRun);
+  ASSERT_EQ(r.report.strategy, MeshStrategy::Morphed);
   EXPECT_EQ(r.report.verification.tets_inherited, r.report.counts.tets_kept);
   EXPECT_LT(r.report.verification.tets_proved, r.report.counts.tets);
   EXPECT_GT(r.report.verification.tets_proved, 0U);
 }
 
 TEST(InheritedVerification, AMeshWithoutAChangeInheritsWhole) {
-  const Revision base = make_revision(nullptr, test::case_model("simple-a"), kSmall, kRun);
-  const Revision r = make_revision(&base, base.source, kInherit, kRun);
+  const Revision base = make_revision(Revision::none(), test::case_model("simple-a"), kSmall, kRun);
+  const Revision r = make_revision(base, base.source, kInherit, kRun);
   EXPECT_EQ(r.report.verification.tets_proved, 0U);
   EXPECT_EQ(r.report.verification.tets_inherited, r.report.counts.tets);
   EXPECT_EQ(r.report.verification.chord_error, base.report.verification.chord_error);

@@ -32,7 +32,7 @@ Run limited(std::uint32_t max_nodes) {
 }
 
 /// What a computation is refused with; fails the test where it went on to make nodes.
-ErrorInfo refused(const Revision* original, const ModelSource& source, const MeshOptions& options,
+ErrorInfo refused(const Revision& original, const ModelSource& source, const MeshOptions& options,
                   std::uint32_t max_nodes = kDefaultMaxNodes) {
   Run run = limited(max_nodes);
   std::set<std::string> stages;
@@ -44,49 +44,49 @@ ErrorInfo refused(const Revision* original, const ModelSource& source, const Mes
 }
 
 /// What a request is refused with before anything is computed.
-ErrorInfo refused_at_once(const Revision* original, const ModelSource& source,
+ErrorInfo refused_at_once(const Revision& original, const ModelSource& source,
                           const MeshOptions& options) {
   return error_of([&] { check_node_limit(original, evaluate(source), options, {}); });
 }
 
 const Revision& base() {
   static const Revision made =
-      make_revision(nullptr, plate(80), {.nodes = 1000, .iterations = 1}, {});
+      make_revision(Revision::none(), plate(80), {.nodes = 1000, .iterations = 1}, {});
   return made;
 }
 
 TEST(NodeLimit, HoldsForANumberOfNodes) {
-  const ErrorInfo info = refused(nullptr, plate(80), {.nodes = 1001}, 1000);
+  const ErrorInfo info = refused(Revision::none(), plate(80), {.nodes = 1001}, 1000);
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - nodes");
   EXPECT_EQ(info.message, "the request asks for 1001 nodes, more than the limit of 1000");
-  EXPECT_EQ(refused_at_once(nullptr, plate(80), {.nodes = 5'000'001}).message,
+  EXPECT_EQ(refused_at_once(Revision::none(), plate(80), {.nodes = 5'000'001}).message,
             "the request asks for 5000001 nodes, more than the limit of 5000000");
 }
 
 TEST(NodeLimit, HoldsForAnEdgeLength) {
-  const ErrorInfo info = refused(nullptr, plate(80), {.size = 0.01});
+  const ErrorInfo info = refused(Revision::none(), plate(80), {.size = 0.01});
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - size");
   EXPECT_THAT(info.message, HasSubstr("an edge length of 0.01 needs about 4.4"));
   EXPECT_THAT(info.message, HasSubstr("e+10 nodes, more than the limit of 5000000"));
   EXPECT_THAT(info.hint, HasSubstr("--max-nodes"));
-  EXPECT_EQ(test::place_of(refused_at_once(nullptr, plate(80), {.size = 0.01})),
+  EXPECT_EQ(test::place_of(refused_at_once(Revision::none(), plate(80), {.size = 0.01})),
             "MESH_TOO_LARGE plate size");
 }
 
 TEST(NodeLimit, HoldsForTheEdgeLengthThatAnEditTakesOver) {
-  const ErrorInfo info = refused(&base(), plate(1e9), {});
+  const ErrorInfo info = refused(base(), plate(1e9), {});
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - -");
   EXPECT_THAT(info.message, HasSubstr("the base's edge length of "));
   EXPECT_THAT(info.hint, HasSubstr("mesh the edited model anew"));
-  const ErrorInfo at_once = refused_at_once(&base(), plate(1e9), {});
+  const ErrorInfo at_once = refused_at_once(base(), plate(1e9), {});
   EXPECT_EQ(test::place_of(at_once), "MESH_TOO_LARGE plate -");
   EXPECT_THAT(at_once.message, HasSubstr("for the feature 'plate' alone at least "));
 }
 
 TEST(NodeLimit, HoldsForAnEditThatAsksForFewNodesBecauseItsEdgeLengthIsNoLargerThanItsBases) {
   for (const MeshOptions& options : {MeshOptions{.nodes = 100}, MeshOptions{.size = 1e6}}) {
-    EXPECT_EQ(refused(&base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
-    EXPECT_EQ(refused_at_once(&base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
+    EXPECT_EQ(refused(base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
+    EXPECT_EQ(refused_at_once(base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
   }
 }
 
@@ -94,26 +94,28 @@ TEST(NodeLimit, TakesTheExactVolumeWhereFeaturesOverlap) {
   // Six blocks in one place: closed formulas cannot tell that they are one.
   std::vector<FeatureSource> features;
   for (int k = 0; k < 6; ++k) features.push_back(block("b" + std::to_string(k), 10, 10, 10));
-  check_node_limit(nullptr, evaluate(model_of(features)), {.size = 1}, limited(2000));
-  EXPECT_EQ(refused(nullptr, model_of(features), {.size = 1}, 1500).reason, "MESH_TOO_LARGE");
-  make_revision(nullptr, model_of(features), {.size = 1, .iterations = 1}, limited(2000));
+  check_node_limit(Revision::none(), evaluate(model_of(features)), {.size = 1}, limited(2000));
+  EXPECT_EQ(refused(Revision::none(), model_of(features), {.size = 1}, 1500).reason,
+            "MESH_TOO_LARGE");
+  make_revision(Revision::none(), model_of(features), {.size = 1, .iterations = 1}, limited(2000));
 }
 
 TEST(NodeLimit, HoldsForBodiesSoThinThatVolumeAndAreaComeToNothing) {
   const MeshOptions few{.nodes = 1000};
-  const ErrorInfo bar = refused(nullptr, model_of({block("bar", 1e6, 1e-3, 1e-3)}), few, 100'000);
+  const ErrorInfo bar =
+      refused(Revision::none(), model_of({block("bar", 1e6, 1e-3, 1e-3)}), few, 100'000);
   EXPECT_EQ(test::place_of(bar), "MESH_TOO_LARGE - nodes");
   EXPECT_THAT(bar.message, HasSubstr("which 1000 nodes come to, needs about"));
   const FeatureSource ring =
       feature("ring", "torus", {{"major_radius", 1e3}, {"minor_radius", 0.1}});
-  EXPECT_EQ(refused(nullptr, model_of({ring}), few, 1500).reason, "MESH_TOO_LARGE");
+  EXPECT_EQ(refused(Revision::none(), model_of({ring}), few, 1500).reason, "MESH_TOO_LARGE");
 }
 
 TEST(NodeLimit, LetsAnEditOfAMeshThatIsJustAtItPass) {
   const auto& original = base();
-  EXPECT_NO_THROW(check_node_limit(&original, evaluate(plate(80)), {}, limited(1000)));
-  const Revision same = make_revision(&original, plate(80), {}, limited(1000));
-  EXPECT_EQ(same.report.way, Way::Unchanged);
+  EXPECT_NO_THROW(check_node_limit(original, evaluate(plate(80)), {}, limited(1000)));
+  const Revision same = make_revision(original, plate(80), {}, limited(1000));
+  EXPECT_EQ(same.report.strategy, MeshStrategy::Unchanged);
   EXPECT_EQ(refused(&original, plate(81), {}, 1000).reason, "MESH_TOO_LARGE");
 }
 

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "engine/base/error.h"
-#include "engine/remesh/master.h"
-#include "engine/remesh/tet_index.h"
+#include "engine/patch/tet_index.h"
+#include "engine/revision/delaunay_state.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
 #include "tests/support/stored.h"
@@ -23,12 +23,12 @@ constexpr MeshOptions kSmall{.nodes = 2500, .iterations = 5};
 constexpr MeshOptions kInherit{.iterations = 5};
 
 Revision first(const std::string& name, const MeshOptions& options = kSmall) {
-  return make_revision(nullptr, test::case_model(name), options, kRun);
+  return make_revision(Revision::none(), test::case_model(name), options, kRun);
 }
 
 Revision edit(const Revision& original, const ModelEdit& change,
               const MeshOptions& options = kInherit) {
-  return make_revision(&original, apply(original.source, change), options, kRun);
+  return make_revision(original, apply(original.source, change), options, kRun);
 }
 
 Revision edit(const Revision& original, const std::string& name) {
@@ -37,7 +37,7 @@ Revision edit(const Revision& original, const std::string& name) {
 
 void expect_valid(const Revision& r) {
   const Verification v =
-      verify(r.delivery.mesh, r.master->supports, r.cells.boundary, r.cells.volume, kRun);
+      verify(r.output.mesh, r.delaunay_state->supports, r.cells.boundary, r.cells.volume, kRun);
   EXPECT_TRUE(v.valid) << (v.failures.empty() ? "" : v.failures.front().what);
 }
 
@@ -49,7 +49,7 @@ TEST_P(SevenCases, GiveValidMeshesThatKeepMostOfTheOriginal) {
   expect_valid(original);
   EXPECT_EQ(original.report.free_share, 1);
   EXPECT_EQ(original.report.counts.nodes_kept, 0U);
-  EXPECT_NEAR(original.delivery.mesh.nodes.size(), 2500, 0.03 * 2500);
+  EXPECT_NEAR(original.output.mesh.nodes.size(), 2500, 0.03 * 2500);
   EXPECT_NEAR(original.cells.volume, c.original_volume, 1e-6 * c.original_volume);
   const Revision remesh = edit(original, c.edit);
   expect_valid(remesh);
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Remesh, SevenCases, testing::ValuesIn(test::seven_cases
 
 TEST(Remesh, AKeptNodeIsItsOriginalUnderTheTransformationToTheBit) {
   const Revision original = first("simple-a"), remesh = edit(original, "simple-ab");
-  const NodeMap& map = remesh.delivery.map;
+  const NodeMap& map = remesh.output.map;
   std::set<std::int32_t> transforms;
   for (std::size_t n = 0; n < map.node_origin.size(); ++n) {
     const std::int32_t o = map.original_node[n];
@@ -79,9 +79,8 @@ TEST(Remesh, AKeptNodeIsItsOriginalUnderTheTransformationToTheBit) {
       EXPECT_EQ(o, -1);
       continue;
     }
-    const Vec3 copied =
-        map.transforms[map.node_transform[n]].apply(original.delivery.mesh.nodes[o]);
-    EXPECT_EQ(remesh.delivery.mesh.nodes[n] == copied, map.node_origin[n] == NodeOrigin::Kept);
+    const Vec3 copied = map.transforms[map.node_transform[n]].apply(original.output.mesh.nodes[o]);
+    EXPECT_EQ(remesh.output.mesh.nodes[n] == copied, map.node_origin[n] == NodeOrigin::Kept);
     transforms.insert(map.node_transform[n]);
   }
   EXPECT_EQ(transforms.size(), 2U);  // the base stayed, the top moved
@@ -89,15 +88,15 @@ TEST(Remesh, AKeptNodeIsItsOriginalUnderTheTransformationToTheBit) {
 
 TEST(Remesh, AKeptTetStoodInTheOriginal) {
   const Revision original = first("tool1-a"), remesh = edit(original, "tool1-ac");
-  const NodeMap& map = remesh.delivery.map;
+  const NodeMap& map = remesh.output.map;
   int kept = 0;
   for (std::size_t k = 0; k < map.original_tet.size(); ++k) {
     if (map.original_tet[k] < 0) continue;
     ++kept;
-    Tet then = sorted_nodes(original.delivery.mesh.tets[map.original_tet[k]]);
+    Tet then = sorted_nodes(original.output.mesh.tets[map.original_tet[k]]);
     Tet now{};
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t n = remesh.delivery.mesh.tets[k][i];
+      const std::int32_t n = remesh.output.mesh.tets[k][i];
       EXPECT_EQ(map.node_origin[n], NodeOrigin::Kept);
       now[i] = map.original_node[n];
     }
@@ -111,17 +110,17 @@ TEST(Remesh, PermanentIdsSurviveEditsAndAreNeverUsedTwice) {
   const Revision a = first("tool2-a");
   const Revision b = edit(a, "tool2-ab");
   const Revision c = edit(b, "tool2-bc");
-  std::set<std::uint64_t> seen(a.delivery.node_ids.begin(), a.delivery.node_ids.end());
-  EXPECT_EQ(seen.size(), a.delivery.node_ids.size());
+  std::set<std::uint64_t> seen(a.output.node_ids.begin(), a.output.node_ids.end());
+  EXPECT_EQ(seen.size(), a.output.node_ids.size());
   const Revision* parent = &a;
   for (const Revision* r : {&b, &c}) {
     std::set<std::uint64_t> own;
-    for (std::size_t n = 0; n < r->delivery.node_ids.size(); ++n) {
-      const std::uint64_t id = r->delivery.node_ids[n];
+    for (std::size_t n = 0; n < r->output.node_ids.size(); ++n) {
+      const std::uint64_t id = r->output.node_ids[n];
       EXPECT_TRUE(own.insert(id).second);
-      const std::int32_t o = r->delivery.map.original_node[n];
+      const std::int32_t o = r->output.map.original_node[n];
       if (o >= 0)
-        EXPECT_EQ(id, parent->delivery.node_ids[o]);
+        EXPECT_EQ(id, parent->output.node_ids[o]);
       else
         EXPECT_TRUE(seen.insert(id).second);
     }
@@ -139,7 +138,7 @@ TEST(Remesh, TheSameRequestGivesTheSameBytes) {
 TEST(Remesh, AnotherSeedGivesAnotherMesh) {
   MeshOptions other = kSmall;
   other.seed = 2;
-  EXPECT_NE(first("simple-a").delivery.mesh.nodes, first("simple-a", other).delivery.mesh.nodes);
+  EXPECT_NE(first("simple-a").output.mesh.nodes, first("simple-a", other).output.mesh.nodes);
 }
 
 TEST(Remesh, AStoredRevisionIsEditedLikeTheOneInMemory) {
@@ -164,8 +163,8 @@ TEST(Remesh, AStoredRevisionOfAChainIsEditedLikeTheOneInMemory) {
 TEST(Remesh, WithoutAChangeEverythingIsKept) {
   const Revision original = first("fig11-a");
   const Revision same = edit(original, ModelEdit{{SetParameter{"rib_dx", 10.0}}});
-  EXPECT_EQ(same.delivery.mesh.tets, original.delivery.mesh.tets);
-  EXPECT_EQ(same.delivery.mesh.nodes, original.delivery.mesh.nodes);
+  EXPECT_EQ(same.output.mesh.tets, original.output.mesh.tets);
+  EXPECT_EQ(same.output.mesh.nodes, original.output.mesh.nodes);
   EXPECT_EQ(same.report.counts.nodes_kept, original.report.counts.nodes);
   EXPECT_EQ(same.report.counts.tets_kept, original.report.counts.tets);
 }
@@ -181,7 +180,7 @@ TEST(Remesh, ARotatedFeatureTakesItsNodesWithIt) {
           {-20.0, 0.0, 10.0}, std::nullopt, std::array<Scalar, 3>{std::cos(a), std::sin(a), 0.0}}});
   const Revision remesh = edit(original, turn);
   expect_valid(remesh);
-  const NodeMap& map = remesh.delivery.map;
+  const NodeMap& map = remesh.output.map;
   int turned = 0;
   for (std::size_t n = 0; n < map.node_origin.size(); ++n)
     turned +=
@@ -209,30 +208,30 @@ TEST(Remesh, AModelFarSmallerThanTheEdgeLengthOfItsBaseIsMeshed) {
       test::model_of({test::block("plate", 4, 4, 2), test::placed(test::cylinder("hole", 1.1, 2),
                                                                   0.5, 0, 0, Nature::Subtractive)});
   ASSERT_GT(large.edge_length, 20);
-  expect_valid(make_revision(&large, tiny, {}, kRun));
+  expect_valid(make_revision(large, tiny, {}, kRun));
 }
 
 TEST(Remesh, AChainOfSmallEditsNeitherThinsTheMeshOutNorClotsIt) {
   Revision r = first("fig11-a");
-  const double density = r.delivery.mesh.nodes.size() / r.cells.volume;
+  const double density = r.output.mesh.nodes.size() / r.cells.volume;
   for (int k = 1; k <= 12; ++k)
     r = edit(r, ModelEdit{{SetParameter{"hole_radius", 8 + 0.3 * (k <= 6 ? k : 12 - k)}}});
   expect_valid(r);
-  EXPECT_NEAR(r.delivery.mesh.nodes.size() / r.cells.volume, density, 0.03 * density);
+  EXPECT_NEAR(r.output.mesh.nodes.size() / r.cells.volume, density, 0.03 * density);
 }
 
 TEST(Remesh, EveryFacetKnowsItsFacesAndEveryTetItsOwners) {
   const Revision r = first("tool1-a");
-  const MeshGroups& g = r.delivery.groups;
+  const MeshGroups& g = r.output.groups;
   std::map<std::string, double> area;
   for (const MeshFacet& f : g.facets) {
     const auto& names = g.facet_groups[f.group];
     ASSERT_FALSE(names.empty());
-    const auto& p = r.delivery.mesh.nodes;
+    const auto& p = r.output.mesh.nodes;
     const double a =
         0.5 * norm(cross(p[f.nodes[1]] - p[f.nodes[0]], p[f.nodes[2]] - p[f.nodes[0]]));
     for (const std::string& name : names) area[name] += a;
-    const Tet& t = r.delivery.mesh.tets[f.tet];
+    const Tet& t = r.output.mesh.tets[f.tet];
     for (const std::int32_t n : f.nodes) EXPECT_NE(std::find(t.begin(), t.end(), n), t.end());
   }
   EXPECT_NEAR(area["hole1.wall"], 2 * std::numbers::pi * 5 * 12, 8);
@@ -240,9 +239,9 @@ TEST(Remesh, EveryFacetKnowsItsFacesAndEveryTetItsOwners) {
   EXPECT_GT(area["pin1.top"], 0);
   EXPECT_EQ(area.count("hub.bottom"), 0U);
   std::map<std::vector<std::string>, double> volume;
-  for (std::size_t k = 0; k < r.delivery.mesh.tets.size(); ++k) {
-    const Tet& t = r.delivery.mesh.tets[k];
-    const auto& p = r.delivery.mesh.nodes;
+  for (std::size_t k = 0; k < r.output.mesh.tets.size(); ++k) {
+    const Tet& t = r.output.mesh.tets[k];
+    const auto& p = r.output.mesh.nodes;
     volume[g.cell_owners[g.tet_cell[k]]] += tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
   }
   const double hub = std::numbers::pi * (18 * 18 - 9 * 9) * 25;
@@ -253,8 +252,8 @@ TEST(Remesh, CoincidentFacesGiveAFacetBothNames) {
   // Mounts reach through the base: their bottoms are no boundary; the wall's y faces continue the
   // base's.
   const Revision r = first("tool2-a");
-  std::set<std::vector<std::string>> groups(r.delivery.groups.facet_groups.begin(),
-                                            r.delivery.groups.facet_groups.end());
+  std::set<std::vector<std::string>> groups(r.output.groups.facet_groups.begin(),
+                                            r.output.groups.facet_groups.end());
   EXPECT_TRUE(groups.count({"wall.y_min"}) == 1);
   EXPECT_TRUE(groups.count({"base.y_min"}) == 1);
   for (const auto& g : groups) EXPECT_LE(g.size(), 2U);
@@ -281,11 +280,11 @@ TEST(Remesh, AProfilePointNudgedOffALevelSideMakesAConeNextToAPlane) {
                        test::point(8.0, height), test::point(8.0, 20.0), test::point(0.0, 20.0)},
                       {}));
   };
-  const Revision level = make_revision(nullptr, stepped(10), {.nodes = 1000}, kRun);
-  const Revision nudged = make_revision(&level, stepped(10 - 1e-5), {}, kRun);
+  const Revision level = make_revision(Revision::none(), stepped(10), {.nodes = 1000}, kRun);
+  const Revision nudged = make_revision(level, stepped(10 - 1e-5), {}, kRun);
   EXPECT_GT(nudged.report.counts.nodes_kept, 0.3 * nudged.report.counts.nodes);
-  const Revision anew = make_revision(nullptr, stepped(10 - 1e-5), {.nodes = 1000}, kRun);
-  EXPECT_EQ(anew.report.way, Way::Local);
+  const Revision anew = make_revision(Revision::none(), stepped(10 - 1e-5), {.nodes = 1000}, kRun);
+  EXPECT_EQ(anew.report.strategy, MeshStrategy::Local);
 }
 
 TEST(Remesh, AStopRequestEndsTheRunAsCancelled) {
@@ -296,7 +295,7 @@ TEST(Remesh, AStopRequestEndsTheRunAsCancelled) {
     if (p.stage == "optimise" && p.iteration == 2) source.request_stop();
   };
   try {
-    make_revision(nullptr, test::case_model("tool1-a"), kSmall, run);
+    make_revision(Revision::none(), test::case_model("tool1-a"), kSmall, run);
     FAIL() << "it went on";
   } catch (const Error& e) {
     EXPECT_EQ(e.info().kind, ErrorKind::Cancelled);
@@ -312,7 +311,8 @@ TEST(Remesh, ProgressNeverGoesBack) {
     last = p.fraction;
     if (stages.empty() || stages.back() != p.stage) stages.emplace_back(p.stage);
   };
-  make_revision(nullptr, test::case_model("simple-a"), {.nodes = 500, .iterations = 3}, run);
+  make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 500, .iterations = 3},
+                run);
   EXPECT_EQ(stages, (std::vector<std::string>{"cells", "difference", "nodes", "optimise", "extract",
                                               "improve", "verify"}));
 }
@@ -321,7 +321,7 @@ TEST(Remesh, OptionsOutOfRangeAreRefused) {
   for (const MeshOptions& bad : {MeshOptions{.nodes = 3}, MeshOptions{.size = 0.0},
                                  MeshOptions{.size = -1.0}, MeshOptions{.nodes = 100, .size = 1.0}})
     try {
-      make_revision(nullptr, test::case_model("simple-a"), bad, kRun);
+      make_revision(Revision::none(), test::case_model("simple-a"), bad, kRun);
       ADD_FAILURE() << "accepted";
     } catch (const Error& e) {
       EXPECT_EQ(e.info().reason, "OPTIONS_INVALID");
@@ -333,9 +333,9 @@ TEST(Remesh, TheControlMeshTellsInsideFromOutsideAsMembershipDoes) {
   control.inside = MeshOptions::Inside::ControlMesh;
   const Revision original = first("tool3-a", control);
   expect_valid(original);
-  MeshOptions inherit = kInherit;
-  inherit.inside = control.inside;
-  const Revision remesh = edit(original, test::case_edit("tool3-ab"), inherit);
+  MeshOptions correspond = kInherit;
+  correspond.inside = control.inside;
+  const Revision remesh = edit(original, test::case_edit("tool3-ab"), correspond);
   expect_valid(remesh);
   EXPECT_GT(remesh.report.counts.nodes_kept, 200U);
 }
@@ -350,7 +350,7 @@ TEST(Remesh, ASharpWedgeIsRepairedWithFewNodes) {
   // Tets across the wedge's edge survived eight rounds of inserting nodes beside it.
   const Revision r = first("tool2-d", {.nodes = 15098, .iterations = 10, .seed = 4});
   expect_valid(r);
-  EXPECT_NEAR(r.delivery.mesh.nodes.size(), 15098, 0.01 * 15098);
+  EXPECT_NEAR(r.output.mesh.nodes.size(), 15098, 0.01 * 15098);
   for (const Warning& w : r.report.warnings)
     EXPECT_EQ(w.message.find("seed"), std::string::npos) << w.message;
 }

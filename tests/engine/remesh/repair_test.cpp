@@ -22,7 +22,7 @@ class BrokenLink : public testing::Test {
     a_ = points.front() + 20.0 * along;
     b_ = a_ + kEdgeLength * along;
     for (const Vec3& p : {a_, b_}) nodes_.add_new(p, {Support::Kind::Edge, edge_});
-    verification_.failures = {{MeshFailure::BrokenEdge, edge_, 0.5 * (a_ + b_), "broken"}};
+    verification_.failures = {{MeshFailure::MissingSegment, edge_, 0.5 * (a_ + b_), "broken"}};
   }
   int insert() {
     return insert_where_missing(nodes_, verification_.failures, cells_.boundary, samples_,
@@ -79,10 +79,10 @@ TEST(Repair, OfAPartThatNothingIsInGoesOnInALargerOne) {
                    {-0.34505289105670045, -0.9267761390913646, -0.1484065038477639});
   block.reference = ReferenceKind::Centre;
   const ModelSource model = test::model_of({ring, post});
-  const Revision base = make_revision(nullptr, model, {.nodes = 300, .seed = 53}, kRun);
+  const Revision base = make_revision(Revision::none(), model, {.nodes = 300, .seed = 53}, kRun);
   const Revision edited =
-      make_revision(&base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
-  EXPECT_FALSE(edited.delivery.mesh.tets.empty());
+      make_revision(base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
+  EXPECT_FALSE(edited.output.mesh.tets.empty());
 }
 
 }  // namespace

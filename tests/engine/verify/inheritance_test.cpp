@@ -57,7 +57,7 @@ class Family {
   [[nodiscard]] Verification inherited() const {
     const PagedMesh mesh = paged(parent_.mesh);
     const VerifiedParent parent{mesh,    boxes_round(mesh), surface_,
-                                volume_, Pages(node),       Pages(tet)};
+                                volume_, CowVector(node),   CowVector(tet)};
     return verify(child, supports, parent_.boundary, volume(), {}, {.parent = &parent});
   }
 
@@ -108,7 +108,7 @@ class Family {
 
 Family box() { return Family(test::make_box({1, 1, 1}, 7, 2)); }
 
-TEST(Inheritance, OfAGoodMeshSaysWhatTheWholeVerificationSays) {
+TEST(TetCorrespondence, OfAGoodMeshSaysWhatTheWholeVerificationSays) {
   for (const Family& f : {box(), Family(test::make_cylinder(10, 20, 30, 1))}) {
     const Verification inherited = f.inherited();
     EXPECT_TRUE(inherited.valid);
@@ -120,7 +120,7 @@ TEST(Inheritance, OfAGoodMeshSaysWhatTheWholeVerificationSays) {
   }
 }
 
-TEST(Inheritance, FindsWhatIsBrokenAmongChangedTetsOnTheRimAndAwayFromBoth) {
+TEST(TetCorrespondence, FindsWhatIsBrokenAmongChangedTetsOnTheRimAndAwayFromBoth) {
   using Break = std::function<void(Family&, std::size_t)>;
   const std::map<std::string, Break> breaks{
       {"gone", [](Family& f, std::size_t t) { f.erase(t); }},
@@ -152,7 +152,7 @@ TEST(Inheritance, FindsWhatIsBrokenAmongChangedTetsOnTheRimAndAwayFromBoth) {
       SCOPED_TRACE(name + (" " + std::string(where)));
       Family f = box();
       const std::string at = where;
-      apply(f, at == "rim" ? f.rim() : f.inner(at == "changed"));
+      apply(f, at == "rim" ? f.interface_nodes() : f.inner(at == "changed"));
       f.claim();
       const Verification inherited = f.inherited();
       EXPECT_FALSE(inherited.valid);
@@ -160,7 +160,7 @@ TEST(Inheritance, FindsWhatIsBrokenAmongChangedTetsOnTheRimAndAwayFromBoth) {
     }
 }
 
-TEST(Inheritance, ManyBreaksAtOnceAreCountedAlike) {
+TEST(TetCorrespondence, ManyBreaksAtOnceAreCountedAlike) {
   Random random(5);
   for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE(round);
@@ -189,7 +189,7 @@ TEST(Inheritance, ManyBreaksAtOnceAreCountedAlike) {
   }
 }
 
-TEST(Inheritance, WhatHasNotChangedNeedsNoClaim) {
+TEST(TetCorrespondence, WhatHasNotChangedNeedsNoClaim) {
   Family f = box();
   std::ranges::fill(f.tet, -1);
   std::ranges::fill(f.node, -1);
@@ -199,7 +199,7 @@ TEST(Inheritance, WhatHasNotChangedNeedsNoClaim) {
   expect_same_verdict(f.whole(), unclaimed);
 }
 
-TEST(Inheritance, AFalseClaimIsNotBelieved) {
+TEST(TetCorrespondence, AFalseClaimIsNotBelieved) {
   Family f = box();
   const std::uint32_t unchanged = f.inherited().tets_inherited;
   std::ranges::reverse(f.child.tets);  // under other numbers, so that claims tell
@@ -224,7 +224,7 @@ TEST(Inheritance, AFalseClaimIsNotBelieved) {
   }
 }
 
-TEST(Inheritance, OneNodeOfTheParentHasOneHeir) {
+TEST(TetCorrespondence, OneNodeOfTheParentHasOneHeir) {
   // A copy of a node takes its place in half of its tets: they seem to be the parent's still, and
   // the mesh is torn.
   Family f = box();
@@ -242,7 +242,7 @@ TEST(Inheritance, OneNodeOfTheParentHasOneHeir) {
   expect_same_verdict(f.whole(), inherited);
 }
 
-TEST(Inheritance, ANodeThatMovedHasItsTetsProvedAndTheirFacetsInherited) {
+TEST(TetCorrespondence, ANodeThatMovedHasItsTetsProvedAndTheirFacetsInherited) {
   Family f = box();
   const std::int32_t n = f.child.tets[f.inner(false)][0];
   const Verification before = f.inherited();
@@ -253,7 +253,7 @@ TEST(Inheritance, ANodeThatMovedHasItsTetsProvedAndTheirFacetsInherited) {
   expect_same_verdict(f.whole(), after);
 }
 
-TEST(Inheritance, FindsANodeThatNoTetIsLeftAt) {
+TEST(TetCorrespondence, FindsANodeThatNoTetIsLeftAt) {
   Family f = box();
   const std::int32_t n = f.child.tets[f.inner(false)][0];
   std::erase_if(f.child.tets,

@@ -151,7 +151,7 @@ TEST(Verify, FindsAnEdgeOfTheBoundaryInFourFacets) {
   SolidFixture s = make_box({1, 1, 1}, 5, 2);
   s.mesh.tets.erase(s.mesh.tets.begin() + static_cast<std::ptrdiff_t>(inner_tet(s, 2)));
   const Verification v = check(s);
-  EXPECT_GT(v.count(MeshFailure::OpenBoundary), 0U);
+  EXPECT_GT(v.count(MeshFailure::NonManifoldEdge), 0U);
   EXPECT_EQ(v.count(MeshFailure::BadFacet), 0U);
 }
 
@@ -161,9 +161,9 @@ TEST(Verify, FindsANodeWhereACavityTouchesTheSurface) {
   const Tet tet = s.mesh.tets[t];
   s.mesh.tets.erase(s.mesh.tets.begin() + static_cast<std::ptrdiff_t>(t));
   const Verification v = check(s);
-  ASSERT_EQ(v.count(MeshFailure::PinchedNode), 1U);
-  EXPECT_EQ(v.count(MeshFailure::OpenBoundary), 0U);
-  EXPECT_NE(std::find(tet.begin(), tet.end(), first(v, MeshFailure::PinchedNode)->entity),
+  ASSERT_EQ(v.count(MeshFailure::NonManifoldVertex), 1U);
+  EXPECT_EQ(v.count(MeshFailure::NonManifoldEdge), 0U);
+  EXPECT_NE(std::find(tet.begin(), tet.end(), first(v, MeshFailure::NonManifoldVertex)->entity),
             tet.end());
 }
 
@@ -186,15 +186,15 @@ TEST(Verify, FindsAModelEdgeThatIsNoChainOfMeshEdges) {
   const int edge = s.supports[node].entity;
   s.supports[node] = {Support::Kind::Face, s.boundary.edges[edge].faces[0]};
   const Verification v = check(s);
-  ASSERT_EQ(v.count(MeshFailure::BrokenEdge), 1U) << report(v);
-  EXPECT_EQ(first(v, MeshFailure::BrokenEdge)->entity, edge);
-  EXPECT_LT(distance(first(v, MeshFailure::BrokenEdge)->place, s.mesh.nodes[node]), 0.2);
+  ASSERT_EQ(v.count(MeshFailure::MissingSegment), 1U) << report(v);
+  EXPECT_EQ(first(v, MeshFailure::MissingSegment)->entity, edge);
+  EXPECT_LT(distance(first(v, MeshFailure::MissingSegment)->place, s.mesh.nodes[node]), 0.2);
 }
 
 TEST(Verify, FindsAClosedModelEdgeThatIsBroken) {
   SolidFixture s = make_cylinder(10, 8, 48, 1);
   s.supports[find_node(s, Support::Kind::Edge)] = {Support::Kind::Face, 0};
-  EXPECT_EQ(check(s).count(MeshFailure::BrokenEdge), 1U);
+  EXPECT_EQ(check(s).count(MeshFailure::MissingSegment), 1U);
 }
 
 TEST(Verify, FindsAModelEdgeWithoutNodes) {
@@ -202,8 +202,8 @@ TEST(Verify, FindsAModelEdgeWithoutNodes) {
   for (Support& support : s.supports)
     if (support == Support{Support::Kind::Edge, 1}) support = {Support::Kind::Face, 2};
   const Verification v = check(s);
-  ASSERT_EQ(v.count(MeshFailure::BrokenEdge), 1U);
-  EXPECT_EQ(first(v, MeshFailure::BrokenEdge)->entity, 1);
+  ASSERT_EQ(v.count(MeshFailure::MissingSegment), 1U);
+  EXPECT_EQ(first(v, MeshFailure::MissingSegment)->entity, 1);
 }
 
 TEST(Verify, FindsAnOrphanNode) {
@@ -227,14 +227,14 @@ TEST(Verify, FindsABoundaryNodeThatLeftItsFace) {
 TEST(Verify, FindsBoundaryFacetsThatLieOnNoCommonFace) {
   SolidFixture s = make_box({1, 1, 1}, 5, 2);
   s.supports[find_node(s, Support::Kind::Face)] = {};
-  EXPECT_GE(check(s).count(MeshFailure::StrayFacet), 3U);
+  EXPECT_GE(check(s).count(MeshFailure::NonconformingFacet), 3U);
 }
 
 TEST(Verify, FindsAFacetThatIsTurnedOverOnItsFace) {
   // The cap of a cylinder in whose place its model has one that looks the other way.
   SolidFixture s = make_cylinder(10, 8, 24, 1);
   s.boundary.faces[2].reversed = true;
-  EXPECT_GT(check(s).count(MeshFailure::StrayFacet), 20U);
+  EXPECT_GT(check(s).count(MeshFailure::NonconformingFacet), 20U);
 }
 
 /// A flat cylinder of radius 10 with four nodes round each circle; every tet stands on the wall.
@@ -310,7 +310,7 @@ TEST(Verify, FindsEverythingMissingInAnEmptyMesh) {
   const SolidFixture s = make_box({1, 1, 1}, 5, 2);
   const Verification v = verify(TetMesh{}, {}, s.boundary, s.volume, {});
   EXPECT_EQ(v.count(MeshFailure::MissingVertex), 8U);
-  EXPECT_EQ(v.count(MeshFailure::BrokenEdge), 12U);
+  EXPECT_EQ(v.count(MeshFailure::MissingSegment), 12U);
   EXPECT_EQ(v.count(MeshFailure::FaceArea), 6U);
   EXPECT_EQ(v.count(MeshFailure::Volume), 1U);
 }

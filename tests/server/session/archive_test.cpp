@@ -85,7 +85,7 @@ TEST_F(ArchiveTest, WhoeverFilesNextWritesADamagedCopyAgain) {
   EXPECT_EQ(error_of([&] { archive.find(id_, kRun); }).reason, "STORE_CORRUPTED");
   archive.file(revision_, "another", {});
   Archive reader(engine_, *store, memory_of_reader);
-  EXPECT_EQ(reader.get(id_, kRun)->revision.delivery.mesh.nodes.size(), 100U);
+  EXPECT_EQ(reader.get(id_, kRun)->revision.output.mesh.nodes.size(), 100U);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace {
 Revision revision() {
   Revision r;
   for (const Vec3& p : {Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{1, 1, 1}, Vec3{0, 1, 1}, Vec3{0, 0, 0}})
-    r.delivery.mesh.nodes.push_back(p);
-  r.delivery.groups.facets = {{{0, 1, 2}, 0, 1}, {{0, 4, 1}, 0, 0}, {{0, 2, 3}, 0, 1}};
-  r.delivery.groups.facet_groups = {{"hole.wall", "plate.side1"}, {"plate.top"}};
+    r.output.mesh.nodes.push_back(p);
+  r.output.groups.facets = {{{0, 1, 2}, 0, 1}, {{0, 4, 1}, 0, 0}, {{0, 2, 3}, 0, 1}};
+  r.output.groups.facet_groups = {{"hole.wall", "plate.side1"}, {"plate.top"}};
   r.model.features.resize(2);
   r.model.features[0].id = "plate";
   r.model.features[1].id = "hole";

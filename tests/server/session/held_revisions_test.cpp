@@ -9,13 +9,13 @@ HeldRevisionPtr revision(const std::string& id, std::size_t nodes) {
   auto held = std::make_shared<HeldRevision>();
   held->record.id = id;
   for (std::size_t n = 0; n < nodes; ++n)
-    held->revision.delivery.mesh.nodes.push_back({static_cast<double>(n), 0, 0});
+    held->revision.output.mesh.nodes.push_back({static_cast<double>(n), 0, 0});
   return held;
 }
 
 /// The memory of nodes.
 std::vector<MemoryBlock> blocks_of(const Revision& r) {
-  const Pages<Vec3>& nodes = r.delivery.mesh.nodes;
+  const CowVector<Vec3>& nodes = r.output.mesh.nodes;
   std::vector<MemoryBlock> blocks;
   for (std::size_t k = 0; k < nodes.pages(); ++k)
     if (k == 0 || nodes.page(k).data() != nodes.page(k - 1).data())
@@ -109,7 +109,7 @@ TEST(HeldRevisions, WhatIsErasedWhileInUseLivesOnAndCountsUntilNobodyUsesIt) {
   auto used = held.find("a");
   held.erase("a");
   EXPECT_EQ(held.count(), 0U);
-  EXPECT_EQ(used->revision.delivery.mesh.nodes.size(), 10U);
+  EXPECT_EQ(used->revision.output.mesh.nodes.size(), 10U);
   EXPECT_EQ(held.bytes(), bytes);
   used = nullptr;
   EXPECT_EQ(held.bytes(), 0U);
@@ -173,14 +173,14 @@ TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
   HeldRevisionPtr parent = revision("a", 10000);
   auto heir = std::make_shared<HeldRevision>(*parent);
   heir->record.id = "b";
-  heir->revision.delivery.mesh.nodes.edit(17) = {1, 2, 3};
-  const std::size_t page = Pages<Vec3>::page_bytes();
+  heir->revision.output.mesh.nodes.edit(17) = {1, 2, 3};
+  const std::size_t page = CowVector<Vec3>::page_bytes();
   MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
   held.insert(parent);
   const std::uint64_t alone = held.bytes();
   held.insert(heir);
-  const std::uint64_t own = bytes_of(parent) - parent->revision.delivery.mesh.nodes.pages() * page;
+  const std::uint64_t own = bytes_of(parent) - parent->revision.output.mesh.nodes.pages() * page;
   EXPECT_EQ(held.bytes(), alone + own + page);
   parent = nullptr;
   heir = nullptr;

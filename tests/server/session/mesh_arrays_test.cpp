@@ -10,8 +10,8 @@
 namespace remeshd {
 namespace {
 
-Delivery delivery(std::size_t nodes, std::int32_t facets) {
-  Delivery d;
+OutputMesh output(std::size_t nodes, std::int32_t facets) {
+  OutputMesh d;
   for (std::size_t n = 0; n < nodes; ++n) d.mesh.nodes.push_back({double(n), 0.5, -1});
   for (std::int32_t f = 0; f < facets; ++f)
     d.groups.facets.push_back({{f, f + 1, f + 2}, 10 * f, f % 2});
@@ -33,13 +33,13 @@ std::string whole(const MeshArray& array) {
 }
 
 struct Digested {
-  explicit Digested(const Delivery& d) : arrays(mesh_arrays(d)) {}
+  explicit Digested(const OutputMesh& d) : arrays(mesh_arrays(d)) {}
   std::vector<MeshArray> arrays;
   MeshDigests digests;
 };
 
 TEST(MeshArrays, ComeInTheOrderOfTheirNamesWithTypeRowsAndBytes) {
-  const Delivery d = delivery(1000, 7);
+  const OutputMesh d = delivery(1000, 7);
   const auto arrays = mesh_arrays(d);
   ASSERT_EQ(arrays.size(), kArrayNames);
   for (std::size_t i = 0; i < arrays.size(); ++i)
@@ -63,7 +63,7 @@ TEST(MeshArrays, ComeInTheOrderOfTheirNamesWithTypeRowsAndBytes) {
 }
 
 TEST(MeshArrays, AreReadInPiecesOfAnySizeAsAtOnce) {
-  const Delivery d = delivery(2000, 500);
+  const OutputMesh d = delivery(2000, 500);
   for (const MeshArray& array : mesh_arrays(d)) {
     const std::string all = whole(array);
     ASSERT_EQ(all.size(), array.bytes);
@@ -77,7 +77,7 @@ TEST(MeshArrays, AreReadInPiecesOfAnySizeAsAtOnce) {
 }
 
 TEST(MeshArrays, OfFacetsHoldNodesTetsAndGroupsApart) {
-  const Delivery d = delivery(10, 2);
+  const OutputMesh d = delivery(10, 2);
   const auto numbers = [&](ArrayName name) {
     const std::string bytes = whole(array_named(mesh_arrays(d), name));
     std::vector<std::int32_t> out(bytes.size() / 4);
@@ -91,7 +91,7 @@ TEST(MeshArrays, OfFacetsHoldNodesTetsAndGroupsApart) {
 
 TEST(MeshDigests, AreOverTheDigestsOfBlocksOf16Kibibytes) {
   // 24,000 bytes of nodes are two blocks.
-  const Delivery d = delivery(1000, 0);
+  const OutputMesh d = delivery(1000, 0);
   const auto arrays = mesh_arrays(d);
   const std::string nodes = whole(arrays.front());
   std::string digests;
@@ -105,21 +105,21 @@ TEST(MeshDigests, AreOverTheDigestsOfBlocksOf16Kibibytes) {
 }
 
 TEST(MeshDigests, TakeOverThoseOfTheSameBlocksOfAnotherMesh) {
-  const Delivery base = delivery(5000, 3000);
+  const OutputMesh base = delivery(5000, 3000);
   const Digested other(base);
   const auto changed = [&](auto&& change) {
-    Delivery d = base;
+    OutputMesh d = base;
     change(d);
     return d;
   };
-  const std::vector<Delivery> meshes{
+  const std::vector<OutputMesh> meshes{
       base,
-      changed([](Delivery& d) { d.mesh.nodes.edit(3000).x = 7; }),
-      changed([](Delivery& d) {
+      changed([](OutputMesh& d) { d.mesh.nodes.edit(3000).x = 7; }),
+      changed([](OutputMesh& d) {
         d.mesh.nodes.push_back({1, 2, 3});
       }),
-      changed([](Delivery& d) { d.groups.facets.resize(1500); }),
-      changed([](Delivery& d) { d.groups.facets.clear(); }),
+      changed([](OutputMesh& d) { d.groups.facets.resize(1500); }),
+      changed([](OutputMesh& d) { d.groups.facets.clear(); }),
       delivery(100, 1),
       delivery(9000, 4000),
   };
@@ -134,8 +134,8 @@ TEST(MeshDigests, TakeOverThoseOfTheSameBlocksOfAnotherMesh) {
 }
 
 TEST(MeshDigests, ReadWhatIsSharedWithAnotherMeshNotAtAll) {
-  const Delivery base = delivery(5000, 0);
-  Delivery next = base;
+  const OutputMesh base = delivery(5000, 0);
+  OutputMesh next = base;
   next.mesh.nodes.edit(0).x = 7;
   const MeshArray nodes = mesh_arrays(next).front(), others = mesh_arrays(base).front();
   ArrayDigest of_others = digest_of(others);
@@ -147,7 +147,7 @@ TEST(MeshDigests, ReadWhatIsSharedWithAnotherMeshNotAtAll) {
 }
 
 TEST(MeshDigests, AreWorkedOutOnceForManyThreads) {
-  const Delivery d = delivery(10, 0);
+  const OutputMesh d = delivery(10, 0);
   std::atomic<int> reads = 0;
   MeshArray counted = mesh_arrays(d).front();
   counted.from = [&, from = counted.from](std::uint64_t at) {

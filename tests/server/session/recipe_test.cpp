@@ -56,10 +56,10 @@ TEST(RecipeText, ThatIsNoneIsAnError) {
 
 TEST(RecipeText, HasTheDigestsOfWhatIsDelivered) {
   HeldRevision held;
-  held.revision.delivery.mesh.nodes.push_back({1, 2, 3});
+  held.revision.output.mesh.nodes.push_back({1, 2, 3});
   EXPECT_TRUE(recipe_of(held).digests.empty()) << "its options are not known";
   held.asked.emplace();
-  const auto arrays = mesh_arrays(held.revision.delivery);
+  const auto arrays = mesh_arrays(held.revision.output);
   const Recipe recipe = recipe_of(held);
   ASSERT_EQ(recipe.digests.size(), arrays.size());
   for (std::size_t i = 0; i < arrays.size(); ++i)

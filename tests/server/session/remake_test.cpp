@@ -189,7 +189,7 @@ TEST_F(RemakeTest, AnotherMeshIsNeverServedUnderTheOldId) {
                               const Revision* original, const ModelSource& source,
                               const MeshOptions& options, const remeshd::Run& run) {
     Revision revision = make(original, source, options, run);
-    revision.delivery.mesh.nodes.edit(3).x += 1e-16;
+    revision.output.mesh.nodes.edit(3).x += 1e-16;
     return revision;
   };
   open();

@@ -114,7 +114,7 @@ TEST_F(TenantsTest, BothFindTheirOwnAfterARestart) {
   EXPECT_EQ(designs(anna()), std::vector<std::string>{"anna-s"});
   EXPECT_EQ(designs(ben()), std::vector<std::string>{"ben-s"});
   EXPECT_EQ(tenants_->load().revisions, 2U);
-  EXPECT_EQ(anna().get("anna-s", kRun)->revision.delivery.mesh.nodes.size(), 100U);
+  EXPECT_EQ(anna().get("anna-s", kRun)->revision.output.mesh.nodes.size(), 100U);
 }
 
 TEST_F(TenantsTest, AStoreThatCannotBeOpenedIsNoSessionAndHurtsNobodyElse) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/cellular/boundary_model/boundary_model.h"
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
+#include "engine/kernel/brep.h"
+
+namespace remeshd {
+
+/// Joins the boundary's pieces into model faces, edges and vertices.
+///
+/// Pre: one piece for each face of `brep`; `skeleton` is that of the boundary pieces, the side of
+/// each telling whether its outward normal is that of its surface.
+/// Pre: the boundary is manifold (require_manifold).
+/// Source: Sect. 4.1; seams and coplanar splits by DESIGN.
+BoundaryModel build_boundary(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
+                             const UnifiedEdges& unified);
+
+/// Throws Error(NON_MANIFOLD_MODEL) where the boundary touches itself along an edge or at a vertex,
+/// with the place but without the features.
+void require_manifold(const kernel::Brep& brep, const UnifiedEdges& unified);
+
+}  // namespace remeshd

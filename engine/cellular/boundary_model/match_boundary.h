@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/cellular/boundary_model/support.h"
+
+namespace remeshd {
+
+/// For each vertex, edge and face of one boundary the one of another that stands for it.
+struct BoundaryMatch {
+  std::vector<std::int32_t> vertices, edges, faces;
+
+  /// The same support in the other boundary.
+  [[nodiscard]] Support operator()(const Support& support) const;
+};
+
+/// Pairs the entities of two boundaries of nearly the same shape: every vertex with one at most
+/// `reach` away, every edge with one between the same vertices, of the same kind and at most
+/// `reach` away, every face with one of the same names, the same kind and between the same edges.
+///
+/// Post: nothing unless this pairs all entities of both, one to one: the boundaries have the same
+/// topology then.
+std::optional<BoundaryMatch> match_boundaries(const BoundaryModel& from, const BoundaryModel& to,
+                                              double reach);
+
+}  // namespace remeshd

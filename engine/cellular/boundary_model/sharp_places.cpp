@@ -1,0 +1,116 @@
+#include "engine/cellular/boundary_model/sharp_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kProbe = 1e-6;  // of the diagonal: radius of the circle that material is felt on
+constexpr int kPlaces = 5;       // along an edge
+constexpr int kFeelers = 64;     // round it
+
+Vec3 outward(const BoundaryFace& face, const Vec3& p) {
+  const Vec3 n = normal(face.surface, p);
+  return face.reversed ? -n : n;
+}
+
+/// Angle of the material round a curve's point, rad: a share of a small circle across it.
+double material_angle(const Vec3& p, const Vec3& along, double radius,
+                      const Membership& membership) {
+  const Vec3 helper = std::fabs(along.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 u = normalised(cross(along, helper)), v = cross(along, u);
+  int inside = 0;
+  for (int k = 0; k < kFeelers; ++k) {
+    const double a = 2 * std::numbers::pi * (k + 0.5) / kFeelers;
+    inside += membership.inside(p + radius * (std::cos(a) * u + std::sin(a) * v)) ? 1 : 0;
+  }
+  return 2 * std::numbers::pi * inside / kFeelers;
+}
+
+bool sharp_edge(const BoundaryModel& boundary, const BoundaryEdge& edge,
+                const Membership& membership, double angle) {
+  if (edge.faces.size() != 2 || edge.points.size() < 2) return false;
+  const BoundaryFace &a = boundary.faces[edge.faces[0]], &b = boundary.faces[edge.faces[1]];
+  const double radius = kProbe * boundary.bounds.diagonal();
+  const std::size_t last = edge.points.size() - 1;
+  for (int k = 0; k < kPlaces; ++k) {
+    // Places between two points of the polyline, the ends' neighbourhoods included.
+    const std::size_t i = std::min(last - 1, last * k / (kPlaces - 1));
+    const Vec3 p = project(boundary, edge, 0.5 * (edge.points[i] + edge.points[i + 1]));
+    const Vec3 along = edge.points[i + 1] - edge.points[i];
+    // Normals that point away from each other: a wedge of material, or a slit in it.
+    if (!(norm2(along) > 0) || dot(outward(a, p), outward(b, p)) > -std::cos(angle)) continue;
+    if (material_angle(p, normalised(along), radius, membership) < std::numbers::pi) return true;
+  }
+  return false;
+}
+
+/// Unit direction in which an edge leaves a vertex that it ends at.
+Vec3 leaves(const BoundaryEdge& edge, bool at_start) {
+  const std::size_t n = edge.points.size();
+  return at_start ? normalised(edge.points[1] - edge.points[0])
+                  : normalised(edge.points[n - 2] - edge.points[n - 1]);
+}
+
+bool share_face(const BoundaryEdge& a, const BoundaryEdge& b) {
+  return std::ranges::any_of(a.faces,
+                             [&](int f) { return std::ranges::find(b.faces, f) != b.faces.end(); });
+}
+
+bool sharp_vertex(const BoundaryModel& boundary, int vertex, double angle) {
+  struct Leaving {
+    const BoundaryEdge* edge;
+    Vec3 direction;
+  };
+  std::vector<Leaving> leaving;
+  for (const int e : boundary.vertices[vertex].edges) {
+    const BoundaryEdge& edge = boundary.edges[e];
+    if (edge.points.size() < 2) continue;
+    if (edge.start == vertex) leaving.push_back({&edge, leaves(edge, true)});
+    if (edge.end == vertex) leaving.push_back({&edge, leaves(edge, false)});
+  }
+  for (std::size_t i = 0; i < leaving.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (share_face(*leaving[i].edge, *leaving[j].edge) &&
+          dot(leaving[i].direction, leaving[j].direction) > std::cos(angle))
+        return true;
+  return false;
+}
+
+}  // namespace
+
+bool SharpPlaces::any() const {
+  const auto set = [](std::uint8_t flag) { return flag != 0; };
+  return std::ranges::any_of(edges, set) || std::ranges::any_of(vertices, set);
+}
+
+bool SharpPlaces::holds(const Support& support) const {
+  switch (support.kind) {
+    case Support::Kind::Vertex:
+      return vertices[support.entity] != 0;
+    case Support::Kind::Edge:
+      return edges[support.entity] != 0;
+    default:
+      return false;
+  }
+}
+
+SharpPlaces sharp_places(const BoundaryModel& boundary, const Membership& membership,
+                         double angle) {
+  SharpPlaces sharp;
+  for (const BoundaryEdge& edge : boundary.edges)
+    sharp.edges.push_back(sharp_edge(boundary, edge, membership, angle) ? 1 : 0);
+  for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v)
+    sharp.vertices.push_back(sharp_vertex(boundary, v, angle) ? 1 : 0);
+  for (std::size_t e = 0; e < boundary.edges.size(); ++e)
+    if (sharp.edges[e])
+      for (const int v : {boundary.edges[e].start, boundary.edges[e].end})
+        if (v >= 0) sharp.vertices[v] = 1;
+  return sharp;
+}
+
+}  // namespace remeshd

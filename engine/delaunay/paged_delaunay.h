@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/cow_vector.h"
+#include "engine/base/vec.h"
+#include "engine/delaunay/delaunay_mesh.h"
+
+namespace remeshd {
+
+/// A Delaunay mesh at rest, as it stays with a revision: in pages that it shares with the meshes
+/// that were made out of it. Changes are made to a patch of it, in flat arrays, and put back.
+class PagedDelaunay {
+ public:
+  using Corners = DelaunayMesh::Corners;
+
+  PagedDelaunay() = default;
+  /// A mesh with its tets in the order of their lowest nodes, so that what is near in space is near
+  /// in memory where this holds for the nodes. `to`: by slot there the one here, -1 for the free.
+  PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>& to);
+
+  /// How a patch hangs together with the mesh that it was cut out of.
+  struct Cut {
+    std::vector<std::int32_t> slots;  ///< by slot of the patch: that of the whole
+    std::vector<std::int32_t>
+        exterior;  ///< 4 * slot + facet of the whole, across the patch's boundary
+  };
+  /// Some of the tets as a mesh of their own, to be changed and put back: its nodes have the names
+  /// given, by node of the whole, below `count`.
+  [[nodiscard]] DelaunayMesh cut(std::span<const std::int32_t> slots,
+                                 std::span<const std::int32_t> names, std::int32_t count,
+                                 Cut& cut) const;
+  /// Puts a changed patch back in the place of the tets that were cut out; into a mesh without tets
+  /// as its constructor takes a mesh. `names`: by node of the patch, its node here, below `count`,
+  /// -1 where the patch does not use it. Returns for each slot of the patch, and each that was cut
+  /// out, its slot here, -1 for those out of use: a patch made anew may have fewer. Pre:
+  /// `patch.patch_too_small()` is false; tets outside of the patch use nodes that keep their names.
+  std::vector<std::int32_t> put_back(const DelaunayMesh& patch, const Cut& cut,
+                                     std::span<const std::int32_t> names, std::int32_t count);
+
+  /// Renames the nodes from `count` on: node n to `names[n - count]`, which no other node has and
+  /// which is below `count`; -1 for nodes that are in no tet.
+  void rename_last(std::span<const std::int32_t> names, std::int32_t count);
+
+  /// Moves the tets together, in the order of their slots, and gives back the memory of those that
+  /// are free. Returns by slot the new one, -1 for the free.
+  std::vector<std::int32_t> close_gaps();
+
+  /// Where the nodes are.
+  [[nodiscard]] const CowVector<Vec3>& positions() const { return points_; }
+  /// Whether a slot holds a tet, which may be at a super vertex.
+  [[nodiscard]] bool in_use(std::int32_t slot) const {
+    return slots_[slot].v[0] != DelaunayMesh::kDead;
+  }
+  /// A tet's nodes; negative for the super vertices.
+  [[nodiscard]] Corners corners(std::int32_t slot) const {
+    const auto& v = slots_[slot].v;
+    return {v[0] - DelaunayMesh::kSuper, v[1] - DelaunayMesh::kSuper, v[2] - DelaunayMesh::kSuper,
+            v[3] - DelaunayMesh::kSuper};
+  }
+  /// The ball round a tet, to within rounding.
+  struct Ball {
+    Vec3 centre;
+    double radius;  ///< infinite or not a number where the tet is flat
+  };
+  [[nodiscard]] Ball ball(std::int32_t slot) const;
+
+  [[nodiscard]] std::size_t slots() const { return slots_.size(); }
+  /// Calls f(slot) for the tets with a node in a box that `meets` takes, and some more: it is asked
+  /// of the boxes round pages of them.
+  template <class Meets, class F>
+  void for_each_slot_near(Meets&& meets, F&& f) const {
+    for (std::size_t k = 0; k < boxes_.size(); ++k)
+      if (!boxes_[k].empty() && meets(boxes_[k])) for_each_slot_of_page(k, f);
+  }
+  /// Number of tets, those at the super vertices included.
+  [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
+
+  /// For storing: the super vertices, and calls f(name, array) with all else that makes up the
+  /// mesh.
+  [[nodiscard]] const std::array<Vec3, DelaunayMesh::kSuper>& super_vertices() const {
+    return super_;
+  }
+  [[nodiscard]] std::array<Vec3, DelaunayMesh::kSuper>& super_vertices() { return super_; }
+  template <class F>
+  void visit_named(F&& f) {
+    visit_named(*this, f);
+  }
+  template <class F>
+  void visit_named(F&& f) const {
+    visit_named(*this, f);
+  }
+  /// Whether every index is one of a node or slot that there is, as after reading from outside.
+  [[nodiscard]] bool consistent() const;
+  /// Calls f with the arrays that grow with the mesh.
+  template <class F>
+  void visit_arrays(F&& f) const {
+    f(points_, slots_, free_, boxes_);
+  }
+
+ private:
+  using Slot = DelaunayMesh::Slot;
+
+  template <class Self, class F>
+  static void visit_named(Self& self, F&& f) {
+    f("delaunay.points", self.points_);
+    f("delaunay.slots", self.slots_);
+    f("delaunay.free", self.free_);
+    f("delaunay.boxes", self.boxes_);
+  }
+
+  [[nodiscard]] const Vec3& point(std::int32_t vertex) const {
+    return vertex < DelaunayMesh::kSuper ? super_[vertex] : points_[vertex - DelaunayMesh::kSuper];
+  }
+  std::int32_t allocate();
+  /// Looks at the pages of these slots again.
+  void measure_pages(std::span<const std::int32_t> slots);
+  void measure_page(std::size_t page);
+  template <class F>
+  void for_each_slot_of_page(std::size_t page, F&& f) const {
+    const std::size_t begin = page * CowVector<Slot>::kPage;
+    const std::size_t end = begin + slots_.page(page).size();
+    for (std::size_t s = begin; s < end; ++s)
+      if (slots_[s].v[0] != DelaunayMesh::kDead) f(static_cast<std::int32_t>(s));
+  }
+
+  std::array<Vec3, DelaunayMesh::kSuper> super_;
+  CowVector<Vec3> points_;  ///< by node
+  CowVector<Slot> slots_;
+  std::vector<std::int32_t> free_;
+  std::vector<Box> boxes_;  ///< by page of tets: round their nodes
+};
+
+}  // namespace remeshd

@@ -1,0 +1,68 @@
+#include "engine/delivery/group_areas.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/delivery/facet_names.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kOnSurface = 1e-6;  // of the model's diagonal: chords of the triangulation apart
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * norm(cross(b - a, c - a)); }
+
+/// A point well inside a piece of the boundary, on its triangulation.
+Vec3 point_on(const kernel::Brep& brep, const kernel::BrepFace& face) {
+  const auto& p = brep.points;
+  const auto size = [&](const auto& t) { return area(p[t[0]], p[t[1]], p[t[2]]); };
+  const auto largest =
+      std::max_element(face.triangles.begin(), face.triangles.end(),
+                       [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  return (p[(*largest)[0]] + p[(*largest)[1]] + p[(*largest)[2]]) / 3.0;
+}
+
+/// The plane faces of the merged boundary with several names, -1 for a point on none of them.
+int shared_plane(const BoundaryModel& boundary, const Membership& membership, const Vec3& p) {
+  const double tolerance = kOnSurface * boundary.bounds.diagonal();
+  for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
+    const BoundaryFace& face = boundary.faces[f];
+    if (face.names.size() < 2 || face.surface.kind != Surface::Kind::Plane ||
+        std::fabs(signed_distance(face.surface, p)) > tolerance)
+      continue;
+    const Vec3 out = (face.reversed ? -tolerance : tolerance) * normal(face.surface, p);
+    if (membership.inside(p - out) && !membership.inside(p + out)) return f;
+  }
+  return -1;
+}
+
+}  // namespace
+
+std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& groups,
+                                   const FeatureModel& model, const Membership& membership,
+                                   const CellularModel& cells) {
+  const FacetNames names(model, membership, cells.boundary);
+  std::map<std::vector<std::string>, double> exact;
+  for (const kernel::BrepFace& face : cells.parts->brep.faces) {
+    if (face.triangles.empty()) continue;
+    const Vec3 p = point_on(cells.parts->brep, face);
+    const int plane = shared_plane(cells.boundary, membership, p);
+    if (plane >= 0) exact[names(plane, p)] += face.area;
+  }
+  if (exact.empty()) return {};
+  std::vector<double> meshed(groups.facet_groups.size(), 0.0);
+  for (const MeshFacet& f : groups.facets)
+    meshed[f.group] += area(mesh.nodes[f.nodes[0]], mesh.nodes[f.nodes[1]], mesh.nodes[f.nodes[2]]);
+  std::vector<GroupArea> result;
+  for (const auto& [group, amount] : exact) {
+    const auto at = std::lower_bound(groups.facet_groups.begin(), groups.facet_groups.end(), group);
+    const bool found = at != groups.facet_groups.end() && *at == group;
+    result.push_back(
+        {group_name(group), amount, found ? meshed[at - groups.facet_groups.begin()] : 0.0});
+  }
+  return result;
+}
+
+}  // namespace remeshd

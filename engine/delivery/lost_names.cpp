@@ -1,0 +1,209 @@
+#include "engine/delivery/lost_names.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "engine/delivery/group_areas.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+namespace {
+
+using Group = std::vector<std::string>;
+
+std::string_view feature_of(std::string_view face) { return face.substr(0, face.find('.')); }
+
+std::string joined(const Group& names, const char* separator) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : separator) + name;
+  return text;
+}
+
+using NameSet = std::set<std::string, std::less<>>;
+
+/// What a mesh has names for.
+class Names {
+ public:
+  explicit Names(const MeshGroups& mesh)
+      : groups_(mesh.facet_groups.begin(), mesh.facet_groups.end()) {
+    for (const Group& group : mesh.facet_groups)
+      for (const std::string& face : group) add(face);
+    for (const auto& cell : mesh.cell_owners) features_.insert(cell.begin(), cell.end());
+  }
+
+  [[nodiscard]] bool has_face(std::string_view face) const { return faces_.contains(face); }
+  [[nodiscard]] bool lacks_face(std::string_view face) const { return !has_face(face); }
+  /// A face or material of it.
+  [[nodiscard]] bool has(const Feature& feature) const { return features_.contains(feature.id); }
+  [[nodiscard]] bool has(std::string_view feature) const { return features_.contains(feature); }
+  [[nodiscard]] bool lacks(const Feature& feature) const { return !has(feature); }
+  [[nodiscard]] bool lacks_group(const Group& group) const { return !groups_.contains(group); }
+
+ private:
+  void add(const std::string& face) {
+    faces_.insert(face);
+    features_.insert(std::string(feature_of(face)));
+  }
+
+  NameSet faces_, features_;
+  std::set<Group> groups_;
+};
+
+/// What a mesh is certain to have names for, and what it is certain to have none for, by the
+/// boundary that it will have. Neither may hold.
+class NamesToCome {
+ public:
+  NamesToCome(const FeatureModel& model, const BoundaryModel& boundary) {
+    for (const BoundaryFace& face : boundary.faces) {
+      NameSet names;
+      for (const FaceName& name : face.names) {
+        const std::string& feature = model.features[name.feature].id;
+        names.insert(feature + "." + name.face);
+        possible_features_.insert(feature);
+        if (face.names.size() == 1) features_.insert(feature);
+      }
+      possible_.insert(names.begin(), names.end());
+      if (names.size() == 1) faces_.insert(*names.begin());
+      together_.insert(std::move(names));
+    }
+  }
+
+  [[nodiscard]] bool has_face(std::string_view face) const { return faces_.contains(face); }
+  [[nodiscard]] bool lacks_face(std::string_view face) const { return !possible_.contains(face); }
+  [[nodiscard]] bool has(const Feature& feature) const { return features_.contains(feature.id); }
+  /// Of a subtractive one that nothing added later comes near: no material can be of it.
+  [[nodiscard]] bool lacks(const Feature& feature) const {
+    return feature.nature == Nature::Subtractive && !possible_features_.contains(feature.id);
+  }
+  [[nodiscard]] bool lacks_group(const Group& group) const {
+    return std::ranges::none_of(together_, [&](const NameSet& names) {
+      return std::ranges::all_of(group, [&](const auto& name) { return names.contains(name); });
+    });
+  }
+
+ private:
+  NameSet faces_, features_;              ///< on faces that have one name throughout
+  NameSet possible_, possible_features_;  ///< on any
+  std::set<NameSet> together_;            ///< on one face each
+};
+
+bool meet(const Box& a, const Box& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+}
+
+bool within(const Box& inner, const Box& outer) {
+  return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y &&
+         inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
+}
+
+/// Whether a feature that a mesh has no name for changes nothing at all; false where boxes do not
+/// tell.
+///
+/// An additive one does not: where it decided, there would be material of it. Neither does a
+/// subtractive one, if nothing that subtracts and nothing added later comes near it: then it would
+/// cut what was added before, and that would have a face of it, unless it swallowed a whole
+/// feature.
+bool has_no_effect(const FeatureModel& model, int feature) {
+  if (model.features[feature].nature == Nature::Additive) return true;
+  const Box box = world_bounds(model.features[feature]);
+  for (int k = 0; k < static_cast<int>(model.features.size()); ++k) {
+    if (k == feature) continue;
+    const Feature& other = model.features[k];
+    const Box at = world_bounds(other);
+    const bool earlier = other.nature == Nature::Additive && k < feature;
+    if (earlier ? within(at, box) : meet(at, box)) return false;
+  }
+  return true;
+}
+
+Warning without_effect(const std::string& feature, Group lost) {
+  return {.code = WarningCode::FeatureWithoutEffect,
+          .message = "the feature " + feature + " neither adds nor removes anything" +
+                     (lost.empty() ? "" : " any more: " + joined(lost, ", ") + " is gone"),
+          .features = {feature},
+          .groups = std::move(lost)};
+}
+
+Warning face_lost(const std::string& feature, Group faces) {
+  return {.code = WarningCode::FaceLost,
+          .message = joined(faces, ", ") + (faces.size() > 1 ? " lie" : " lies") +
+                     " nowhere on the boundary any more",
+          .features = {feature},
+          .groups = std::move(faces)};
+}
+
+/// Faces that the original's mesh names and this one does not, by feature.
+template <class Now>
+std::map<std::string, Group> lost_faces(const MeshGroups& original, const Now& now) {
+  std::map<std::string, std::set<std::string>> lost;
+  for (const Group& group : original.facet_groups)
+    for (const std::string& face : group)
+      if (now.lacks_face(face)) lost[std::string(feature_of(face))].insert(face);
+  std::map<std::string, Group> by_feature;
+  for (const auto& [feature, faces] : lost) by_feature[feature].assign(faces.begin(), faces.end());
+  return by_feature;
+}
+
+bool same_features(const FeatureModel& a, const FeatureModel& b) {
+  return std::ranges::equal(a.features, b.features, {}, &Feature::id, &Feature::id);
+}
+
+bool same_names(const Revision& a, const Revision& b) {
+  return a.output.groups.facet_groups == b.output.groups.facet_groups &&
+         a.output.groups.cell_owners == b.output.groups.cell_owners &&
+         same_features(a.model, b.model);
+}
+
+/// `now`: Names, or NamesToCome of a mesh that is not there yet.
+template <class Now>
+std::vector<Warning> losses(const Revision& original, const FeatureModel& model, const Now& now) {
+  const MeshGroups& groups_before = original.output.groups;
+  const Names before(groups_before);
+  std::map<std::string, Group> lost = lost_faces(groups_before, now);
+
+  std::vector<Warning> warnings;
+  for (int k = 0; k < static_cast<int>(model.features.size()); ++k) {
+    const Feature& feature = model.features[k];
+    const std::string& id = feature.id;
+    auto faces = lost.extract(id);
+    const bool had = before.has(id) || original.model.index_of(id) < 0;
+    if (had && now.lacks(feature) && has_no_effect(model, k)) {
+      warnings.push_back(without_effect(id, faces ? std::move(faces.mapped()) : Group{}));
+    } else if (faces && (now.has(feature) || !has_no_effect(model, k))) {
+      for (std::string& face : faces.mapped()) warnings.push_back(face_lost(id, {std::move(face)}));
+    }
+  }
+  // What is left of them belongs to features that the edit removed.
+  for (auto& [feature, faces] : lost) warnings.push_back(face_lost(feature, std::move(faces)));
+  for (const Group& group : groups_before.facet_groups) {
+    // What lost a face was told with it.
+    const bool whole =
+        std::ranges::all_of(group, [&](const std::string& face) { return now.has_face(face); });
+    if (!whole || group.empty() || !now.lacks_group(group)) continue;
+    warnings.push_back(
+        {.code = WarningCode::GroupEmptied,
+         .message = "no facet lies on " + joined(group, " and ") + " at the same time any more",
+         .groups = {group_name(group)}});
+  }
+  return warnings;
+}
+
+}  // namespace
+
+std::vector<Warning> lost_names(const Revision& original, const Revision& made) {
+  if (same_names(original, made)) return {};
+  return losses(original, made.model, Names(made.output.groups));
+}
+
+std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureModel& model,
+                                      const BoundaryModel& boundary) {
+  return losses(original, model, NamesToCome(model, boundary));
+}
+
+}  // namespace remeshd

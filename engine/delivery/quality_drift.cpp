@@ -1,0 +1,38 @@
+#include "engine/delivery/quality_drift.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/nodes/density.h"
+
+namespace remeshd {
+namespace {
+
+constexpr double kWornQuality = 0.005, kWornDensity = 0.1;
+
+}  // namespace
+
+QualityReference quality_reference(const Revision& revision) {
+  return {revision.report.quality.volume_length_mean,
+          static_cast<double>(revision.report.counts.nodes) /
+              expected_nodes(revision.cells.volume, revision.cells.area, revision.edge_length)};
+}
+
+bool is_regular(const Revision& revision) {
+  return revision.reference.volume_length_mean == revision.report.quality.volume_length_mean;
+}
+
+bool has_drifted(const QualityReference& now, const QualityReference& then) {
+  return now.volume_length_mean < then.volume_length_mean - kWornQuality ||
+         std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) > kWornDensity;
+}
+
+std::string describe(const QualityReference& reference) {
+  std::array<char, 96> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.3f mean volume-length, %.2f of the nodes expected",
+                reference.volume_length_mean, reference.nodes_over_expected);
+  return buffer.data();
+}
+
+}  // namespace remeshd

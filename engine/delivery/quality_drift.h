@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "engine/revision/revision.h"
+
+namespace remeshd {
+
+/// What a revision's mesh gives for telling wear by.
+QualityReference quality_reference(const Revision& revision);
+
+/// Whether it is the chain's last regular mesh itself: one edit wears nothing out.
+bool is_regular(const Revision& revision);
+
+/// Whether so much is lost against the last regular mesh that another may be worth its time: 0.005
+/// of the mean volume-length, or a tenth of the nodes that the edge length lets one expect.
+bool has_drifted(const QualityReference& now, const QualityReference& then);
+
+/// `0.801 mean volume-length, 1.08 of the nodes expected`.
+std::string describe(const QualityReference& reference);
+
+}  // namespace remeshd

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/local_fuse/arrangement/sweeps.h"
+
+namespace remeshd {
+
+/// A face of a feature that is swept: a cap, or a wall, flat or round, on one side of its outline.
+struct Patch {
+  int feature = -1;
+  const SolidFace* face = nullptr;
+  bool cap = false, round = false;
+  Box box;
+
+  Vec3 origin, normal;       ///< of a plane; outward
+  Vec3 from, along;          ///< of a flat wall: where it begins, and the unit vector from there
+  double length = 0;         ///< of a flat wall, along
+  Transform into;            ///< of a round wall: to where its axis is z
+  double radius = 0;         ///< of a round wall
+  double first = 0;          ///< of a round wall: angle about its axis where it begins,
+  double angle = 0;          ///< and how far it reaches from there; 2 pi all round
+  double low = 0, high = 0;  ///< of a round wall: along its axis
+
+  [[nodiscard]] bool closed() const;  ///< round all round, with a seam at `first`
+  [[nodiscard]] Vec3 axis() const { return {into.m[8], into.m[9], into.m[10]}; }
+  [[nodiscard]] double distance_to(const Vec3& p) const;  ///< signed, from the untrimmed surface
+  [[nodiscard]] Vec3 normal_at(const Vec3& p) const;      ///< of the surface
+  /// How far about the axis a point lies beyond where a round wall begins, [0, 2 pi).
+  [[nodiscard]] double angle_at(const Vec3& p) const;
+  /// Whether a point of the surface lies between the ends of a wall's side, at whatever height;
+  /// always on a cap.
+  [[nodiscard]] bool beside(const Vec3& p, double tolerance) const;
+};
+
+/// An edge of a feature itself, or a seam.
+struct PatchEdge {
+  int feature = -1;
+  Vec3 from, to;
+  int wall = -1;  ///< of an arc: the round wall whose border it is; else -1
+  int seam = -1;  ///< the wall that begins and ends there
+};
+
+struct Patches {
+  std::vector<Patch> patches;
+  std::vector<PatchEdge> edges;
+};
+
+/// The faces of features each of which is swept along a direction of its own; nothing where one is
+/// not swept.
+///
+/// Pre: the membership is the model's.
+std::optional<Patches> find_patches(const FeatureModel& model, const Membership& membership,
+                                    std::span<const int> features);
+
+}  // namespace remeshd

@@ -1,0 +1,131 @@
+#include "engine/local_fuse/arrangement/sectors.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "engine/cellular/changes.h"
+
+namespace remeshd {
+namespace {
+
+constexpr double kStep = 1e-7;        // of the diagonal
+constexpr double kNear = 10;          // steps: nothing else may be nearer
+constexpr double kSameAngle = 1e-7;   // rad
+constexpr double kClearAngle = 0.02;  // rad: between half-faces
+constexpr double kThrough = 1e-9;     // sine of the angle between a curve and a patch it lies on
+
+/// Of patches with the same normal at a point of both.
+bool same_patch_surface(const Patch& a, const Patch& b, const Vec3& p, double same) {
+  if (a.round != b.round) return false;
+  if (!a.round) return true;
+  return std::fabs(a.radius - b.radius) <= same && dot(a.normal_at(p), b.normal_at(p)) > 0 &&
+         norm(cross(a.axis(), b.axis())) <= kThrough;
+}
+
+}  // namespace
+
+Sectors::Sectors(const Membership& membership, std::span<const int> features,
+                 const Patches& patches, double diagonal, const Clearance& clearance)
+    : membership_(membership),
+      features_(features),
+      patches_(patches),
+      clearance_(clearance),
+      step_(kStep * diagonal) {
+  for (const int f : features)
+    boxes_.push_back(grown(membership.solids()[f].bounds(), kNear * step_));
+}
+
+bool Sectors::material(FeatureSet owners) const {
+  return owners != 0 &&
+         membership_.nature(features_[std::bit_width(owners) - 1]) == Nature::Additive;
+}
+
+FeatureSet Sectors::owners(const Vec3& p, FeatureSet candidates) const {
+  FeatureSet out = 0;
+  for (FeatureSet left = candidates; left != 0; left &= left - 1) {
+    const int k = std::countr_zero(left);
+    if (membership_.contains(features_[k], p)) out |= FeatureSet{1} << k;
+  }
+  return out;
+}
+
+/// The patches that part what lies before a half-face from what lies behind it, one of each
+/// feature.
+bool Sectors::add_covers(HalfFace& half_face, const Vec3& p,
+                         const std::vector<const Patch*>& through) const {
+  const Vec3 on = p + step_ * half_face.direction;
+  for (FeatureSet left = half_face.before ^ half_face.behind; left != 0; left &= left - 1) {
+    const int feature = features_[std::countr_zero(left)];
+    const Patch* cover = nullptr;
+    for (const Patch* patch : through) {
+      if (patch->feature != feature || !patch->beside(on, 0.5 * step_)) continue;
+      if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kSameAngle) continue;
+      if (cover != nullptr) return false;
+      cover = patch;
+    }
+    if (cover == nullptr) return false;
+    if (!half_face.covers.empty() &&
+        !same_patch_surface(*half_face.covers.front(), *cover, p, clearance_.same))
+      return false;
+    half_face.covers.push_back(cover);
+  }
+  return true;
+}
+
+std::optional<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve,
+                                                     double t) const {
+  const auto [p, derivative] = curve.at(t);
+  const Vec3 along = normalised(derivative);
+  Vec3 u = curve.round ? std::cos(t) * curve.x + std::sin(t) * curve.y : any_perpendicular(along);
+  u = normalised(u - dot(u, along) * along);
+  const Vec3 v = cross(along, u);
+
+  std::vector<const Patch*> through;
+  std::vector<double> angles;
+  for (const Patch& patch : patches_.patches) {
+    if (!patch.box.contains(p, kNear * step_)) continue;
+    const double d = std::fabs(patch.distance_to(p));
+    if (d > kNear * step_) continue;
+    const Vec3 n = patch.normal_at(p);
+    if (d > clearance_.same || std::fabs(dot(n, along)) > kThrough) return std::nullopt;
+    const Vec3 side = cross(n, along);
+    const double angle = std::atan2(dot(side, v), dot(side, u));
+    through.push_back(&patch);
+    for (const double turn : {0.0, std::numbers::pi}) {
+      const double a = std::fmod(angle + turn + 2 * std::numbers::pi, 2 * std::numbers::pi);
+      angles.push_back(a > 2 * std::numbers::pi - kSameAngle ? 0 : a);
+    }
+  }
+  std::ranges::sort(angles);
+  std::vector<double> apart;
+  for (const double a : angles)
+    if (apart.empty() || a - apart.back() > kSameAngle) apart.push_back(a);
+  if (apart.size() < 2) return std::vector<HalfFace>{};
+
+  FeatureSet candidates = 0;
+  for (std::size_t k = 0; k < boxes_.size(); ++k)
+    if (boxes_[k].contains(p)) candidates |= FeatureSet{1} << k;
+  const auto towards = [&](double a) { return std::cos(a) * u + std::sin(a) * v; };
+  std::vector<FeatureSet> between;  // an angle and the next
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + 2 * std::numbers::pi;
+    if (next - apart[i] < kClearAngle) return std::nullopt;
+    between.push_back(owners(p + step_ * towards(0.5 * (apart[i] + next)), candidates));
+  }
+  std::vector<HalfFace> half_faces;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    const FeatureSet before = between[(i + apart.size() - 1) % apart.size()];
+    if (before == between[i]) continue;
+    HalfFace& half_face = half_faces.emplace_back();
+    half_face.direction = towards(apart[i]);
+    half_face.ahead = cross(along, half_face.direction);
+    half_face.before = before;
+    half_face.behind = between[i];
+    if (!add_covers(half_face, p, through)) return std::nullopt;
+  }
+  return half_faces;
+}
+
+}  // namespace remeshd

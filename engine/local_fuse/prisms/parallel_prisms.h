@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/fuse_features.h"
+
+namespace remeshd {
+
+/// The boundary of some features, to be sewn into that of a model.
+struct FusedPrisms {
+  BoundaryParts parts;
+  /// By face: whether its outward normal is that of its surface.
+  std::vector<char> along;
+};
+
+/// The boundary of features that are swept along one direction, as a fuse of them gives it, but
+/// without the CAD kernel: level by level of the arrangement of their outlines. Faces of planes
+/// have their edges only, and one stands for all with the same plane, side and names.
+///
+/// Returns nothing where they are no such features, or their outlines are not simple enough.
+///
+/// Pre: the membership is the model's.
+std::optional<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model,
+                                                const Membership& membership,
+                                                std::span<const int> features,
+                                                const FuseFrame& frame);
+
+}  // namespace remeshd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/base/run.h"
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+
+struct EditedModel {
+  const FeatureModel& model;
+  const Membership& membership;
+};
+struct SewingBase {
+  const FeatureModel& model;
+  const BoundaryParts& parts;
+};
+
+/// The boundary parts of an edited model from those of its base. Outside of the boxes round what
+/// changed both models are the same point set; inside of them the features that reach into them
+/// decide. So these few are fused, without the CAD kernel where fuse_parallel_prisms.h or
+/// fuse_prisms.h do, and parts that meet a box are taken from there, all others from the base.
+/// Faces of planes, which may be as large as the model, are put together from edges of both; other
+/// faces and edges come as a whole, so all features near them are fused too.
+///
+/// Returns nothing where the kernel would have to fuse the whole model, or what comes out does not
+/// fit together, or the material is in more than one piece. Throws Error(KERNEL_FAILURE) where the
+/// CAD kernel does.
+std::optional<BoundaryParts> sew(const EditedModel& edited, const SewingBase& base, const Run& run);
+
+}  // namespace remeshd

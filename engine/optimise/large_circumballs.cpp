@@ -1,0 +1,54 @@
+#include "engine/optimise/large_circumballs.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "engine/base/circumball.h"
+
+namespace remeshd {
+
+namespace {
+
+// x edge length: in regular meshes half of the balls are smaller than .63, all but a few in a
+// thousand than this.
+constexpr double kLargestBall = 0.75;
+constexpr double kFlat = 1e-9;  // x edge length^3: six times the volume of a tet without a ball
+
+struct Void {
+  double radius2;
+  Vec3 centre;
+};
+
+std::optional<Void> ball_of(const std::vector<Vec3>& p, const Tet& t, double flat) {
+  const Vec3 &o = p[t[0]], a = p[t[1]] - o, b = p[t[2]] - o, c = p[t[3]] - o;
+  if (dot(a, cross(b, c)) <= flat) return std::nullopt;
+  const Vec3 to = to_circumcentre(a, b, c);
+  return Void{norm2(to), o + to};
+}
+
+}  // namespace
+
+std::int32_t insert_at_circumcentres(NodeSet& nodes, std::span<const Tet> tets,
+                                     const InsideTest& inside, double edge_length) {
+  const double l = edge_length;
+  const double least2 = kLargestBall * kLargestBall * l * l;
+  std::vector<Void> large_circumballs;
+  for (const Tet& t : tets) {
+    if (!std::ranges::all_of(
+            t, [&](std::int32_t n) { return nodes.supports[n].kind == Support::Kind::Interior; }))
+      continue;
+    const std::optional<Void> ball = ball_of(nodes.positions, t, kFlat * l * l * l);
+    if (ball && ball->radius2 > least2 && inside(ball->centre)) large_circumballs.push_back(*ball);
+  }
+  std::ranges::stable_sort(large_circumballs, std::ranges::greater(), &Void::radius2);
+  const std::int32_t first = nodes.size();
+  for (const Void& v : large_circumballs) {
+    const auto near = [&](const Vec3& p) { return norm2(p - v.centre) <= least2; };
+    if (std::none_of(nodes.positions.begin() + first, nodes.positions.end(), near))
+      nodes.add_new(v.centre);
+  }
+  return nodes.size() - first;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,119 @@
+#include "engine/patch/cavities.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "engine/patch/tet_index.h"
+
+namespace remeshd {
+
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::int32_t find(std::int32_t a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  void join(std::int32_t a, std::int32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::int32_t> parent_;
+};
+
+/// A facet by its two larger nodes; the smallest names the bucket that it stands in.
+struct BucketFacet {
+  std::int32_t mid, high;
+  std::int32_t owner;
+};
+
+/// The nodes of the facet opposite a corner, ascending.
+std::array<std::int32_t, 3> facet_key(const Tet& t, int corner) {
+  const auto& f = kTetFacets[corner];
+  std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Tets that share a facet, on either side of the exchange, belong to one cavity.
+void join_across_facets(std::span<const Tet> tets, std::size_t node_count, UnionFind& sets,
+                        Polling& poll) {
+  std::vector<std::uint32_t> end(node_count + 1, 0);
+  for (const Tet& t : tets)
+    for (int i = 0; i < 4; ++i) ++end[facet_key(t, i)[0] + 1];
+  for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
+  std::vector<BucketFacet> facets(4 * tets.size());
+  for (std::size_t k = 0; k < tets.size(); ++k)
+    for (int i = 0; i < 4; ++i) {
+      const auto key = facet_key(tets[k], i);
+      facets[end[key[0]]++] = {key[1], key[2], static_cast<std::int32_t>(k)};
+    }
+  std::uint32_t begin = 0;
+  for (std::size_t n = 0; n < node_count; ++n) {
+    poll();
+    for (std::uint32_t a = begin; a < end[n]; ++a)
+      for (std::uint32_t b = a + 1; b < end[n]; ++b)
+        if (facets[a].mid == facets[b].mid && facets[a].high == facets[b].high)
+          sets.join(facets[a].owner, facets[b].owner);
+    begin = end[n];
+  }
+}
+
+}  // namespace
+
+Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
+                       std::span<const std::int32_t> same, std::size_t node_count, const Run& run) {
+  Polling poll(run);
+  Cavities cavities;
+  cavities.same.assign(delaunay.size(), -1);
+  cavities.of_tet.assign(delaunay.size(), -1);
+  std::vector<std::uint8_t> stands(output.size(), 0);
+  for (std::size_t k = 0; k < same.size(); ++k) {
+    if (same[k] < 0) continue;
+    cavities.same[same[k]] = static_cast<std::int32_t>(k);
+    stands[k] = 1;
+  }
+  const TetIndex index(output, stands, node_count, poll);
+  std::vector<std::int32_t> changed;  // Delaunay tets, then output ones
+  for (std::size_t k = 0; k < delaunay.size(); ++k) {
+    poll();
+    if (cavities.same[k] < 0) cavities.same[k] = index.find(delaunay[k]);
+    if (cavities.same[k] >= 0)
+      stands[cavities.same[k]] = 1;
+    else
+      changed.push_back(static_cast<std::int32_t>(k));
+  }
+  const std::size_t delaunay_count = changed.size();
+  for (std::size_t k = 0; k < output.size(); ++k)
+    if (!stands[k]) changed.push_back(static_cast<std::int32_t>(k));
+
+  std::vector<Tet> tets;
+  tets.reserve(changed.size());
+  for (std::size_t c = 0; c < changed.size(); ++c)
+    tets.push_back(c < delaunay_count ? delaunay[changed[c]] : output[changed[c]]);
+  UnionFind sets(changed.size());
+  join_across_facets(tets, node_count, sets, poll);
+  std::vector<std::int32_t> number(changed.size(), -1);
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    const std::int32_t root = sets.find(static_cast<std::int32_t>(c));
+    if (number[root] < 0) {
+      number[root] = static_cast<std::int32_t>(cavities.list.size());
+      cavities.list.emplace_back();
+    }
+    if (c < delaunay_count) {
+      cavities.list[number[root]].delaunay.push_back(changed[c]);
+      cavities.of_tet[changed[c]] = number[root];
+    } else {
+      cavities.list[number[root]].output.push_back(changed[c]);
+    }
+  }
+  return cavities;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/revision/delaunay_state.h"
+
+namespace remeshd {
+
+/// What clean-up made of a peeled Delaunay mesh, as cavities that may be exchanged: a tet that it left
+/// alone stands for itself, all others are in cavities.
+struct Cavities {
+  std::vector<std::int32_t> same;    ///< by Delaunay tet: the same output tet, or -1
+  std::vector<std::int32_t> of_tet;  ///< by Delaunay tet: its cavity, -1 where `same` is not
+  std::vector<Cavity> list;
+};
+
+/// Tets that share a facet, on either side of the exchange, belong to one cavity. `same`: by
+/// output tet the Delaunay tet with the same nodes where that is known, else -1; may be empty.
+/// `node_count`: above every node of the tets.
+Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
+                       std::span<const std::int32_t> same, std::size_t node_count, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,179 @@
+#include "engine/patch/patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remeshd {
+
+namespace {
+
+/// The tets at inner nodes, those of cavities that one of them is in, and tets outside of the model
+/// that changing nodes may lie in the balls of: these may reach far.
+std::vector<std::int32_t> slots_at(const DelaunayState& delaunay_state,
+                                   const std::vector<std::uint8_t>& inner,
+                                   const Surroundings* changing) {
+  const auto count = static_cast<std::int32_t>(delaunay_state.mesh.slots());
+  std::vector<std::uint8_t> taken(count, 0);
+  std::vector<std::uint8_t> cavities(delaunay_state.cavities.size(), 0);
+  const auto near = [&](const Box& box) { return !changing || changing->may_hold_some_of(box); };
+  delaunay_state.mesh.for_each_slot_near(near, [&](std::int32_t s) {
+    const bool wanted = std::ranges::any_of(
+        delaunay_state.mesh.corners(s), [&](std::int32_t n) { return n >= 0 && inner[n] != 0; });
+    if (!wanted) return;
+    taken[s] = 1;
+    if (const std::int32_t c = delaunay_state.cavity_of(s); c >= 0) cavities[c] = 1;
+  });
+  const auto may_be_entered = [&](std::int32_t s) {
+    const PagedDelaunay::Ball ball = delaunay_state.mesh.ball(s);
+    return changing->meets(ball.centre, ball.radius);
+  };
+  if (changing)
+    delaunay_state.tet_of_slot.for_each([&](std::size_t s, std::int32_t tet) {
+      const auto slot = static_cast<std::int32_t>(s);
+      if (tet == DelaunayState::kOutside && taken[s] == 0 && delaunay_state.mesh.in_use(slot) &&
+          may_be_entered(slot))
+        taken[s] = 1;
+    });
+  for (std::size_t c = 0; c < cavities.size(); ++c)
+    if (cavities[c] != 0)
+      for (const std::int32_t s : delaunay_state.cavities[c].delaunay) taken[s] = 1;
+  std::vector<std::int32_t> slots;
+  for (std::int32_t s = 0; s < count; ++s)
+    if (taken[s] != 0) slots.push_back(s);
+  return slots;
+}
+
+}  // namespace
+
+Patch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
+                const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
+  Patch patch;
+  const std::vector<std::int32_t> slots = slots_at(delaunay_state, inner, changing);
+
+  // The output tets of all cavities, and which slots have them.
+  std::vector<std::int32_t> output_number(slots.size(), -1);
+  std::vector<std::int32_t> cavity_number(delaunay_state.cavities.size(), -1);
+  const auto deliver = [&](std::int32_t tet) {
+    patch.output_tet.push_back(tet);
+    return static_cast<std::int32_t>(patch.output_tet.size()) - 1;
+  };
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::int32_t s = slots[k];
+    if (!delaunay_state.inside(s)) continue;
+    const std::int32_t c = delaunay_state.cavity_of(s);
+    if (c < 0) {
+      output_number[k] = deliver(delaunay_state.tet_of_slot[s]);
+    } else if (cavity_number[c] < 0) {
+      cavity_number[c] = static_cast<std::int32_t>(patch.cavities.list.size());
+      Cavity& cavity = patch.cavities.list.emplace_back();
+      patch.parent_cavities.push_back(c);
+      for (const std::int32_t t : delaunay_state.cavities[c].output)
+        cavity.output.push_back(deliver(t));
+    }
+  }
+
+  std::vector<std::int32_t> name(output.nodes.size(), -1);
+  for (const std::int32_t s : slots)
+    for (const std::int32_t n : delaunay_state.mesh.corners(s))
+      if (n >= 0) name[n] = 0;
+  for (const std::int32_t t : patch.output_tet)
+    for (const std::int32_t n : output.tets[t]) name[n] = 0;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(name.size()); ++n) {
+    if (name[n] < 0) continue;
+    name[n] = static_cast<std::int32_t>(patch.nodes.size());
+    patch.nodes.push_back(n);
+    patch.inner.push_back(inner[n]);
+    patch.positions.push_back(delaunay_state.positions()[n]);
+    patch.output_nodes.push_back(output.nodes[n]);
+  }
+  const auto renamed = [&](Tet t) {
+    for (std::int32_t& n : t) n = name[n];
+    return t;
+  };
+  for (const std::int32_t t : patch.output_tet) patch.output.push_back(renamed(output.tets[t]));
+  patch.mesh = delaunay_state.mesh.cut(slots, name, static_cast<std::int32_t>(patch.nodes.size()),
+                                       patch.cut);
+  for (const std::int32_t facet : patch.cut.exterior)
+    patch.exterior.push_back(delaunay_state.inside(facet >> 2) ? 1 : 0);
+
+  patch.inside.assign(slots.size(), 0);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::int32_t s = slots[k];
+    if (!delaunay_state.inside(s)) continue;
+    patch.inside[k] = 1;
+    const std::int32_t c = delaunay_state.cavity_of(s);
+    patch.cavities.same.push_back(output_number[k]);
+    patch.cavities.of_tet.push_back(c < 0 ? -1 : cavity_number[c]);
+    if (c >= 0)
+      patch.cavities.list[cavity_number[c]].delaunay.push_back(
+          static_cast<std::int32_t>(patch.tets.size()));
+    patch.tets.push_back(renamed(delaunay_state.mesh.corners(s)));
+  }
+  return patch;
+}
+
+std::optional<PatchNodes> extract_patch(const NodeSet& near,
+                                        std::span<const std::int32_t> candidates,
+                                        const DelaunayState& delaunay_state,
+                                        const CowVector<Support>& supports, const PagedMesh& output,
+                                        const EntityMap* map, const CopyPlan& source,
+                                        double reach) {
+  const std::int32_t identity = source.identity();
+  const auto stays = [&](std::int32_t n) {
+    return !near.free[n] && near.original[n] >= 0 && near.transform[n] == identity;
+  };
+  PatchNodes local;
+  std::vector<std::uint8_t> looked(output.nodes.size(), 0);  // 1: gone or changed, 2: stays
+  for (const std::int32_t o : candidates) looked[o] = 1;
+  for (std::int32_t n = 0; n < near.size(); ++n)
+    if (stays(n)) looked[near.original[n]] = 2;
+  std::vector<std::uint8_t> inner(output.nodes.size(), 1);
+  std::optional<Surroundings> changing;
+  if (std::isfinite(reach)) {
+    std::vector<Vec3> changed;
+    for (std::int32_t n = 0; n < near.size(); ++n)
+      if (!stays(n)) changed.push_back(near.positions[n]);
+    for (const std::int32_t o : candidates)
+      if (looked[o] == 1) changed.push_back(delaunay_state.positions()[o]);
+    changing.emplace(changed, reach, source.modified().bounds());
+    for (std::size_t n = 0; n < inner.size(); ++n)
+      inner[n] = changing->holds(delaunay_state.positions()[n]) ? 1 : 0;
+  }
+  local.patch = cut_patch(delaunay_state, output, inner, changing ? &*changing : nullptr);
+  const Patch& patch = local.patch;
+
+  NodeSet& nodes = local.nodes;
+  const auto add = [&](std::int32_t original, const Vec3& position, const Support& support,
+                       std::uint8_t free, std::int32_t transform) {
+    nodes.positions.push_back(position);
+    nodes.supports.push_back(support);
+    nodes.free.push_back(free);
+    nodes.original.push_back(original);
+    nodes.transform.push_back(transform);
+  };
+  const auto add_kept = [&](std::int32_t p) {
+    const std::optional<Support> support = (*map)(supports[patch.nodes[p]], patch.positions[p]);
+    if (support) add(p, patch.positions[p], *support, 0, identity);
+    return support.has_value();
+  };
+  const auto count = static_cast<std::int32_t>(patch.nodes.size());
+  std::vector<std::int32_t> in_part(output.nodes.size(), -1);
+  for (std::int32_t p = 0; p < count; ++p) {
+    in_part[patch.nodes[p]] = p;
+    if (!patch.inner[p] && !add_kept(p)) return std::nullopt;
+  }
+  nodes.interface_nodes = nodes.size();
+  for (std::int32_t p = 0; p < count; ++p)
+    if (patch.inner[p] && looked[patch.nodes[p]] == 0 && !add_kept(p)) return std::nullopt;
+  local.placed = nodes.size();
+  for (std::int32_t n = 0; n < near.size(); ++n) {
+    const std::int32_t o = near.original[n];
+    const std::int32_t p = o < 0 ? -1 : in_part[o];
+    if (stays(n) && (p < 0 || !patch.inner[p])) continue;
+    add(p, near.positions[n], near.supports[n], near.free[n], near.transform[n]);
+  }
+  nodes.elsewhere = static_cast<std::int32_t>(output.nodes.size()) - count;
+  return local;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/boundary/entity_map.h"
+#include "engine/delaunay/paged_delaunay.h"
+#include "engine/nodes/node_set.h"
+#include "engine/nodes/surroundings.h"
+#include "engine/patch/cavities.h"
+#include "engine/plan/copy_plan.h"
+#include "engine/revision/delaunay_state.h"
+
+namespace remeshd {
+
+/// The patch of an original mesh that an edit works on, with numbers of its own. All of an inner
+/// node's tets are in it; interface nodes have others too.
+///
+/// Its tets are whole cavities: the peeled Delaunay tets and the output tets have the same hull.
+struct Patch {
+  std::vector<std::int32_t> nodes;  ///< by node: that of the original, ascending
+  std::vector<std::uint8_t> inner;  ///< by node
+  std::vector<Vec3> positions;      ///< as in the Delaunay mesh
+  std::vector<Vec3> output_nodes;   ///< as the Delaunay mesh gave them
+  DelaunayMesh mesh;
+  PagedDelaunay::Cut cut;
+  std::vector<Tet> tets;                 ///< peeled
+  Cavities cavities;                     ///< of `tets` and `output`
+  std::vector<Tet> output;               ///< output tets that these cavities have
+  std::vector<std::int32_t> output_tet;  ///< by output tet: that of the original, ascending
+  std::vector<std::int32_t> parent_cavities;  ///< by cavity: its number in the Delaunay state
+  std::vector<std::uint8_t> inside;      ///< by slot of `mesh`: 1 if among `tets`
+  std::vector<std::uint8_t> exterior;    ///< by element of `cut.exterior`: 1 if in the model
+};
+
+/// `inner`: by node of the original. `changing`: where nodes may move or come; null: nowhere that
+/// is not at inner nodes.
+Patch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
+                const std::vector<std::uint8_t>& inner, const Surroundings* changing);
+
+/// The nodes that an edit works on, and the patch of the original that they came from.
+struct PatchNodes {
+  NodeSet nodes;            ///< `original`: nodes of `part`
+  Patch patch;              ///< empty for a first mesh
+  std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
+};
+
+/// Cuts the patch out of the original that lies within `reach` (length) of what changes: `near` are
+/// the nodes that the plan made of the original's `looked_at` nodes, by their numbers in the
+/// original, new ones too. With `reach` infinite all of the original is in it.
+///
+/// Nodes that are looked at keep their supports of the original; others that come along stand
+/// before them and get theirs by `map`. Returns nothing where it has none for one.
+std::optional<PatchNodes> extract_patch(const NodeSet& near,
+                                        std::span<const std::int32_t> candidates,
+                                        const DelaunayState& delaunay_state,
+                                        const CowVector<Support>& supports, const PagedMesh& output,
+                                        const EntityMap* map, const CopyPlan& source, double reach);
+
+}  // namespace remeshd

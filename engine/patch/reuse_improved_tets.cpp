@@ -1,0 +1,239 @@
+#include "engine/patch/reuse_improved_tets.h"
+
+#include <algorithm>
+
+#include "engine/mesh/quality.h"
+#include "engine/optimise/live_mesh.h"
+#include "engine/patch/tet_index.h"
+
+namespace remeshd {
+
+namespace {
+
+/// A tet this bad next to carried ones is not for the clean-up to mend.
+constexpr double kSpoilt = 0.02;
+
+/// The new mesh seen through the original's cavities.
+class TetReuse {
+ public:
+  TetReuse(const NodeSet& nodes, const PeeledMesh& peeled, const Patch& original,
+           std::span<const Transform> transforms, const Run& run)
+      : nodes_(nodes),
+        tets_(peeled.tets),
+        slots_(peeled.slots),
+        original_(original),
+        transforms_(transforms),
+        poll_(run),
+        cavities_(original.cavities) {
+    match();
+  }
+
+  ReusedMesh reuse() {
+    while (give_back_spoilt()) {
+    }
+    return assemble();
+  }
+
+ private:
+  /// Transformation shared by four unmoved copies, -1 otherwise; fills in their originals.
+  std::int32_t common_transform(const Tet& t, Tet& originals) const {
+    for (int i = 0; i < 4; ++i) {
+      if (!unmoved_[t[i]] || nodes_.transform[t[i]] != nodes_.transform[t[0]]) return -1;
+      originals[i] = nodes_.original[t[i]];
+    }
+    return nodes_.transform[t[0]];
+  }
+
+  void find_images() {
+    std::vector<std::int32_t> at_slot(original_.inside.size(), -1);  // the original's peeled tet
+    std::int32_t next = 0;
+    for (std::size_t s = 0; s < at_slot.size(); ++s)
+      if (original_.inside[s] != 0) at_slot[s] = next++;
+    std::vector<std::uint8_t> taken(original_.tets.size(), 0);
+    std::vector<std::int32_t> others;  // that do not stand where they stood
+    image_.assign(tets_.size(), -1);
+    Tet originals{};
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      poll_();
+      if (common_transform(tets_[k], originals) < 0) continue;
+      const auto slot = static_cast<std::size_t>(slots_[k]);
+      const std::int32_t o = slot < at_slot.size() ? at_slot[slot] : -1;
+      if (o >= 0 && original_.tets[o] == originals) {
+        image_[k] = o;
+        taken[o] = 1;
+      } else {
+        others.push_back(static_cast<std::int32_t>(k));
+      }
+    }
+    const TetIndex index(original_.tets, taken, original_.positions.size(), poll_);
+    for (const std::int32_t k : others) {
+      common_transform(tets_[k], originals);
+      image_[k] = index.find(originals);
+    }
+  }
+
+  void match() {
+    const std::int32_t count = nodes_.size();
+    unmoved_.assign(count, 0);
+    for (std::int32_t n = 0; n < count; ++n)
+      if (nodes_.original[n] >= 0)
+        unmoved_[n] = nodes_.positions[n] == transforms_[nodes_.transform[n]].apply(
+                                                 original_.positions[nodes_.original[n]]);
+    find_images();
+    std::vector<std::uint32_t> found(cavities_.list.size(), 0);
+    std::vector<std::int32_t> transform(cavities_.list.size(), -1);
+    std::vector<std::uint8_t> whole(cavities_.list.size(), 1);
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      if (image_[k] < 0) continue;
+      const std::int32_t t = nodes_.transform[tets_[k][0]];
+      const std::int32_t cavity = cavities_.of_tet[image_[k]];
+      if (cavity < 0) continue;
+      if (transform[cavity] < 0) transform[cavity] = t;
+      if (transform[cavity] != t) whole[cavity] = 0;
+      ++found[cavity];
+    }
+    // Where a cavity is whole, its output tets speak of nodes that the new mesh has once each.
+    cavity_tets_.resize(cavities_.list.size());
+    reused_cavity_.assign(cavities_.list.size(), 0);
+    std::vector<std::int32_t> copy(original_.positions.size(), -1);
+    for (std::int32_t n = 0; n < count; ++n)
+      if (unmoved_[n]) copy[nodes_.original[n]] = n;
+    for (std::size_t p = 0; p < cavities_.list.size(); ++p) {
+      if (!whole[p] || found[p] == 0 || found[p] != cavities_.list[p].delaunay.size()) continue;
+      // Delivered tets may have nodes that none of the cavity's Delaunay tets has.
+      const auto came_along = [&](std::int32_t n) {
+        return copy[n] >= 0 && nodes_.transform[copy[n]] == transform[p];
+      };
+      const auto& output = cavities_.list[p].output;
+      if (!std::ranges::all_of(output, [&](std::int32_t d) {
+            return std::ranges::all_of(original_.output[d], came_along);
+          }))
+        continue;
+      reused_cavity_[p] = 1;
+      for (const std::int32_t d : output) {
+        Tet t = original_.output[d];
+        for (std::int32_t& n : t) n = copy[n];
+        cavity_tets_[p].push_back(t);
+      }
+    }
+    reused_.assign(tets_.size(), 0);
+    for (std::size_t k = 0; k < tets_.size(); ++k)
+      reused_[k] = image_[k] >= 0 &&
+                   (cavities_.of_tet[image_[k]] < 0 || reused_cavity_[cavities_.of_tet[image_[k]]]);
+  }
+
+  [[nodiscard]] bool stands_for_itself(std::size_t k) const {
+    return image_[k] < 0 || cavities_.of_tet[image_[k]] < 0;
+  }
+
+  /// Delivered position where a carried tet holds the node, else that of the Delaunay mesh.
+  [[nodiscard]] std::vector<Vec3> positions() const {
+    std::vector<Vec3> p = nodes_.positions;
+    for (std::int32_t n = 0; n < nodes_.size(); ++n)
+      if (held_[n])
+        p[n] = transforms_[nodes_.transform[n]].apply(original_.output_nodes[nodes_.original[n]]);
+    return p;
+  }
+
+  void hold_nodes() {
+    held_.assign(nodes_.size(), 0);
+    std::fill_n(held_.begin(), nodes_.interface_nodes, 1);
+    for (std::size_t k = 0; k < tets_.size(); ++k)
+      if (reused_[k] && stands_for_itself(k))
+        for (const std::int32_t n : tets_[k]) held_[n] = 1;
+    for (std::size_t p = 0; p < cavity_tets_.size(); ++p)
+      if (reused_cavity_[p])
+        for (const Tet& t : cavity_tets_[p])
+          for (const std::int32_t n : t) held_[n] = 1;
+  }
+
+  /// Gives back what was carried at the nodes of tets that the output positions have spoilt.
+  /// Returns whether anything was.
+  bool give_back_spoilt() {
+    hold_nodes();
+    const std::vector<Vec3> p = positions();
+    std::vector<std::uint8_t> release(nodes_.size(), 0);
+    bool any = false;
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      poll_();
+      if (reused_[k]) continue;
+      const Tet& t = tets_[k];
+      if (!held_[t[0]] && !held_[t[1]] && !held_[t[2]] && !held_[t[3]]) continue;
+      const double now = volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+      if (now >= kSpoilt) continue;
+      const auto& m = nodes_.positions;
+      if (volume_length(m[t[0]], m[t[1]], m[t[2]], m[t[3]]) <= now) continue;
+      const auto spoils = [&](std::int32_t n) { return held_[n] && p[n] != m[n]; };
+      bool released = false;
+      for (const std::int32_t n : t)
+        if (n >= nodes_.interface_nodes && spoils(n)) release[n] = 1, released = true;
+      if (!released && std::ranges::any_of(t, spoils)) throw PatchTooSmall{"carrying tets over"};
+      any |= released;
+    }
+    if (!any) return false;
+    const auto touched = [&](const Tet& t) {
+      return release[t[0]] || release[t[1]] || release[t[2]] || release[t[3]];
+    };
+    for (std::size_t q = 0; q < cavity_tets_.size(); ++q)
+      if (reused_cavity_[q] && std::any_of(cavity_tets_[q].begin(), cavity_tets_[q].end(), touched))
+        reused_cavity_[q] = 0;
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      if (!reused_[k]) continue;
+      const std::int32_t cavity = cavities_.of_tet[image_[k]];
+      if (touched(tets_[k])) {
+        reused_[k] = 0;
+        if (cavity >= 0) reused_cavity_[cavity] = 0;
+      }
+    }
+    for (std::size_t k = 0; k < tets_.size(); ++k)
+      if (reused_[k] && !stands_for_itself(k) && !reused_cavity_[cavities_.of_tet[image_[k]]])
+        reused_[k] = 0;
+    return true;
+  }
+
+  ReusedMesh assemble() {
+    ReusedMesh result;
+    result.mesh.nodes = positions();
+    const auto add = [&](const Tet& tet, bool dirty, std::int32_t peeled, std::int32_t output) {
+      result.mesh.tets.push_back(tet);
+      result.dirty.push_back(dirty ? 1 : 0);
+      result.same.peeled.push_back(peeled);
+      result.same.output.push_back(output);
+    };
+    for (std::size_t k = 0; k < tets_.size(); ++k) {
+      if (reused_[k] && !stands_for_itself(k)) continue;  // its cavity stands for it
+      add(tets_[k], !reused_[k], static_cast<std::int32_t>(k),
+          image_[k] < 0 ? -1 : cavities_.same[image_[k]]);
+    }
+    for (std::size_t p = 0; p < cavity_tets_.size(); ++p) {
+      if (!reused_cavity_[p]) continue;
+      for (std::size_t i = 0; i < cavity_tets_[p].size(); ++i)
+        add(cavity_tets_[p][i], false, -1, cavities_.list[p].output[i]);
+    }
+    return result;
+  }
+
+  const NodeSet& nodes_;
+  std::span<const Tet> tets_;
+  std::span<const std::int32_t> slots_;  ///< by tet
+  const Patch& original_;
+  std::span<const Transform> transforms_;
+  Polling poll_;
+  const Cavities& cavities_;
+  std::vector<std::uint8_t> unmoved_;  ///< by node: still the exact copy of its original
+  std::vector<std::uint8_t> held_;     ///< by node: a carried tet holds it
+  std::vector<std::int32_t> image_;    ///< by tet: the same Delaunay tet of the original, or -1
+  std::vector<std::uint8_t> reused_;   ///< by tet
+  std::vector<std::uint8_t> reused_cavity_;    ///< by cavity
+  std::vector<std::vector<Tet>> cavity_tets_;  ///< by cavity: cleaned-up tets over the new nodes
+};
+
+}  // namespace
+
+ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
+                               const Patch& original, std::span<const Transform> transforms,
+                               const Run& run) {
+  return TetReuse(nodes, peeled, original, transforms, run).reuse();
+}
+
+}  // namespace remeshd

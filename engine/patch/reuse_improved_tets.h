@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/extract/peel.h"
+#include "engine/nodes/node_set.h"
+#include "engine/patch/patch.h"
+
+namespace remeshd {
+
+/// Tets of two other meshes with the same nodes as those of a mesh: by tet, -1 where none is known;
+/// empty where nothing is.
+struct SameTets {
+  std::vector<std::int32_t> peeled;  ///< of the new peeled Delaunay mesh
+  std::vector<std::int32_t> output;  ///< of Patch::output
+};
+
+/// A peeled Delaunay mesh in which everything that did not change has already been replaced by the
+/// original's cleaned-up mesh, to the bit and with its connectivity.
+struct ReusedMesh {
+  TetMesh mesh;  ///< node i is node i of the NodeSet
+  std::vector<std::uint8_t>
+      dirty;  ///< per tet: 1 where it is not the original's and may need clean-up
+  SameTets same;
+};
+
+/// Carries the original's cleaned-up mesh over to where the new Delaunay mesh has the same tets.
+///
+/// Clean-up replaces cavities of Delaunay tets by cavities of others with the same hull. A cavity
+/// whose Delaunay tets are all in the new mesh, copied with one transformation, is replaced again;
+/// a Delaunay tet that clean-up left alone stands for itself. Nodes of carried tets take their
+/// output position; where that would spoil a tet next to them, what was carried round them is
+/// given back.
+///
+/// `peeled`: the new peeled Delaunay mesh over `nodes`, made out of that of `original`: a tet that
+/// was left alone stands in the same slot. `transforms`: as in CopyPlan. Interface nodes keep
+/// their output position; throws PatchTooSmall where one of them would have to be given back.
+ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
+                               const Patch& original, std::span<const Transform> transforms,
+                               const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/patch/patch.h"
+#include "engine/patch/reuse_improved_tets.h"
+#include "engine/revision/revision.h"
+
+namespace remeshd {
+
+/// What came of the nodes of a patch.
+struct PatchMesh {
+  const NodeSet& nodes;
+  const DelaunayMesh& delaunay;  ///< of all nodes
+  const PeeledMesh& peeled;      ///< its tets in the model
+  const TetMesh& mesh;           ///< cleaned up
+  const SameTets& same;          ///< by tet of `mesh`; empty where nothing is known
+};
+
+/// A whole mesh with where it came from.
+struct StitchedMesh {
+  PagedMesh mesh;
+  DelaunayState delaunay_state;  ///< but for permanent ids
+  NodeMap map;
+  std::vector<std::int32_t> new_tets;  ///< by tet of the patch's mesh: its number
+};
+
+/// Puts a patch's mesh back in the place of what was cut out. Copies keep the number of their
+/// original, tets that stayed theirs; others take the numbers of those that went, lowest first,
+/// then go to the end; where more went than came, the last ones fill the gaps. Where nothing was
+/// cut out, tets stand in the order of their lowest nodes.
+///
+/// `supports`: of the original's nodes, in the modified boundary; those in the patch are not read.
+StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const Patch& cut,
+                    const PatchMesh& patch, const CopyPlan& source, const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,160 @@
+#include "engine/plan/copy_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kSameTransform = 1e-12;  // of the model's diagonal: rounding, not motion
+constexpr double kProbe = 1e-9;           // of the model's diagonal
+constexpr double kMeasureStep = 1.0;      // of the edge length
+constexpr double kMeasurePoints = 20000;  // at most; the order of sources needs no more
+
+/// The rigid motion that carries the frame `from` to `to`; a pure translation where the axes agree.
+Transform motion(const Transform& from, const Transform& to) {
+  bool turned = false;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) turned |= from.m[4 * r + c] != to.m[4 * r + c];
+  if (turned) return to * rigid_inverse(from);
+  return Transform::translation({to.m[3] - from.m[3], to.m[7] - from.m[7], to.m[11] - from.m[11]});
+}
+
+bool same_motion(const Transform& a, const Transform& b, double size) {
+  for (int k = 0; k < 12; ++k) {
+    const double tolerance = k % 4 == 3 ? kSameTransform * size : kSameTransform;
+    if (std::fabs(a.m[k] - b.m[k]) > tolerance) return false;
+  }
+  return true;
+}
+
+/// Whether two features have the same geometry in their aligned frames.
+bool same_shape(const Feature& a, const Feature& b) {
+  FeatureModel ma{"", {a}}, mb{"", {b}};
+  mb.features[0].placement = a.placement;
+  mb.features[0].alignment = a.alignment;
+  mb.features[0].reference = a.reference;
+  return same_geometry(ma, mb);
+}
+
+}  // namespace
+
+CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
+                   const Run& run)
+    : modified_(modified), probe_(kProbe * modified_.bounds().diagonal()) {
+  if (original.features.empty()) {
+    changed_.push_back(modified_.bounds());
+    return;
+  }
+  original_.emplace(original);
+  match(original, modified);
+  measure(edge_length, run);
+}
+
+std::int32_t CopyPlan::find_transform(const Feature& original, const Feature& modified) {
+  const double size = modified_.bounds().diagonal();
+  Transform m = motion(original.alignment, modified.alignment);
+  if (same_motion(m, Transform{}, size)) m = {};
+  for (std::size_t k = 0; k < transforms_.size(); ++k)
+    if (same_motion(m, transforms_[k], size)) return static_cast<std::int32_t>(k);
+  transforms_.push_back(m);
+  inverses_.push_back(m.is_identity() ? Transform{}
+                                      : motion(modified.alignment, original.alignment));
+  if (m.is_identity()) identity_ = static_cast<std::int32_t>(transforms_.size()) - 1;
+  return static_cast<std::int32_t>(transforms_.size()) - 1;
+}
+
+void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified) {
+  std::vector<std::uint8_t> matched(original.features.size(), 0);
+  int last = -1;
+  for (int m = 0; m < static_cast<int>(modified.features.size()); ++m) {
+    const Feature& now = modified.features[m];
+    const int o = original.index_of(now.id);
+    const Box& box = modified_.solids()[m].bounds();
+    if (o < 0) {
+      changed_.push_back(box);
+      continue;
+    }
+    matched[o] = 1;
+    const Feature& then = original.features[o];
+    const std::int32_t transform = find_transform(then, now);
+    const bool same = same_shape(then, now);
+    sources_.push_back({o, m, transform, inverses_[transform], same, 0});
+    const bool in_order = o > last;
+    last = std::max(last, o);
+    if (transform == identity_ && in_order && then.nature == now.nature && same) continue;
+    changed_.push_back(box);
+    changed_.push_back(original_->solids()[o].bounds());
+  }
+  for (std::size_t o = 0; o < matched.size(); ++o)
+    if (!matched[o]) changed_.push_back(original_->solids()[o].bounds());
+  for (Box& box : changed_) {  // a box's own rounding must not decide
+    const Vec3 margin{probe_ * 10, probe_ * 10, probe_ * 10};
+    box.lo -= margin;
+    box.hi += margin;
+  }
+}
+
+void CopyPlan::measure(double edge_length, const Run& run) {
+  const Box& box = modified_.bounds();
+  const Vec3 extent = box.hi - box.lo;
+  const double h = std::fmax(kMeasureStep * edge_length,
+                             std::cbrt(extent.x * extent.y * extent.z / kMeasurePoints));
+  const auto steps = [h](double v) { return static_cast<int>(std::ceil(v / h)); };
+  for (int k = 0; k < steps(extent.z); ++k) {
+    run.poll();
+    for (int j = 0; j < steps(extent.y); ++j)
+      for (int i = 0; i < steps(extent.x); ++i) {
+        const Vec3 p = box.lo + h * Vec3{i + 0.5, j + 0.5, k + 0.5};
+        if (!modified_.inside(p)) continue;
+        for (SourceFeature& s : sources_) {
+          if (!modified_.contains(s.modified, p)) continue;
+          const Vec3 q = s.to_original.apply(p);
+          if (original_->contains(s.original, q) && original_->inside(q)) s.volume += h * h * h;
+        }
+      }
+  }
+  std::stable_sort(
+      sources_.begin(), sources_.end(),
+      [](const SourceFeature& a, const SourceFeature& b) { return a.volume > b.volume; });
+}
+
+bool CopyPlan::in_changed(const Vec3& p, double margin) const {
+  return std::any_of(changed_.begin(), changed_.end(),
+                     [&](const Box& box) { return box.contains(p, margin); });
+}
+
+bool CopyPlan::meets_changed(const Box& box) const {
+  return std::ranges::any_of(
+      changed_, [&](const Box& changed) { return !intersection(box, changed).empty(); });
+}
+
+std::int32_t CopyPlan::operator()(const Vec3& p) const {
+  if (!modified_.inside(p)) return kOutside;
+  if (!original_) return kNew;
+  if (!in_changed(p)) return identity_;
+  for (const SourceFeature& s : sources_) {
+    if (!modified_.contains(s.modified, p)) continue;
+    const Vec3 q = s.to_original.apply(p);
+    if (original_->contains(s.original, q) && original_->inside(q)) return s.transform;
+  }
+  return kNew;
+}
+
+bool CopyPlan::active_face(const Vec3& p, const Vec3& n) const {
+  const std::array<Vec3, 2> side{p + probe_ * n, p - probe_ * n};
+  const std::array<std::int32_t, 2> source{(*this)(side[0]), (*this)(side[1])};
+  const bool inside0 = source[0] != kOutside, inside1 = source[1] != kOutside;
+  if (!inside0 && !inside1) return false;
+  if (inside0 && inside1 && source[0] != source[1]) return true;
+  const bool boundary_now = inside0 != inside1;
+  const std::int32_t t = inside0 ? source[0] : source[1];
+  if (t == kNew) return false;
+  const bool then0 = original_->inside(inverses_[t].apply(side[0]));
+  const bool then1 = original_->inside(inverses_[t].apply(side[1]));
+  return boundary_now != (then0 != then1);
+}
+
+}  // namespace remeshd

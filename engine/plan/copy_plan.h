@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/mesh/tet_mesh.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+
+/// A feature that both models have, and so may supply nodes (Sect. 6.3).
+struct SourceFeature {
+  int original = -1;            ///< index in the original model
+  int modified = -1;            ///< index in the modified model
+  std::int32_t transform = -1;  ///< index into CopyPlan::transforms
+  Transform to_original;        ///< A_orig * A_mod^-1
+  bool same_shape = false;      ///< the original, moved by the transformation, is the modified one
+  double volume = 0;            ///< of the copycells it covers, estimated on a lattice
+};
+
+/// Where the material at a point of the modified model comes from, by point membership in the
+/// features of both models: exact however small the change is.
+///
+/// A point of the modified model lies in a copycell if for one of its owners the place where that
+/// owner had it, A_orig A_mod^-1 p, lies in the original owner and in material
+/// (persistent-identical positive, Table 2); it lies in a newcell otherwise. Several owners may
+/// offer it: the one with the largest volume of copycells wins (Sects. 6.2-6.4).
+class CopyPlan {
+ public:
+  static constexpr std::int32_t kOutside = -2;  ///< not in the modified model
+  static constexpr std::int32_t kNew = -1;      ///< in a newcell
+
+  /// Of an original without features everything is new. `edge_length`: target; sets how finely the
+  /// copying volumes are measured.
+  CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
+           const Run& run);
+
+  /// kOutside, kNew or the index of the transformation that carries the material at p.
+  [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
+
+  /// Whether the face through p with unit normal n needs attention (Sect. 7): its two sides come
+  /// from different places, or it is boundary in one model only.
+  [[nodiscard]] bool active_face(const Vec3& p, const Vec3& n) const;
+
+  /// Distinct transformations from original to modified coordinates.
+  [[nodiscard]] const std::vector<Transform>& transforms() const { return transforms_; }
+  [[nodiscard]] const std::vector<Transform>& inverses() const { return inverses_; }
+  /// Of the transformations the one that moves nothing; -1 where every feature has moved.
+  [[nodiscard]] std::int32_t identity() const { return identity_; }
+  /// In copying order: largest volume of copycells first; equal volumes in history order.
+  [[nodiscard]] const std::vector<SourceFeature>& sources() const { return sources_; }
+  /// Outside of these boxes the models are the same and everything is copied in place.
+  [[nodiscard]] const std::vector<Box>& changed() const { return changed_; }
+  [[nodiscard]] bool in_changed(const Vec3& p, double margin = 0) const;
+
+  /// Whether the box round a tet meets one of them. Far corners, negative, are nowhere.
+  template <class Nodes>
+  [[nodiscard]] bool meets_changed(const Tet& tet, const Nodes& nodes) const {
+    Box box;
+    for (const std::int32_t n : tet)
+      if (n >= 0) box.add(nodes[n]);
+    return meets_changed(box);
+  }
+  [[nodiscard]] bool meets_changed(const Box& box) const;
+
+  [[nodiscard]] const Membership& modified() const { return modified_; }
+  /// Null where the original model has no features.
+  [[nodiscard]] const Membership* original() const { return original_ ? &*original_ : nullptr; }
+  [[nodiscard]] double probe() const { return probe_; }
+
+ private:
+  void match(const FeatureModel& original, const FeatureModel& modified);
+  void measure(double edge_length, const Run& run);
+  std::int32_t find_transform(const Feature& original, const Feature& modified);
+
+  Membership modified_;
+  std::optional<Membership> original_;
+  std::vector<Transform> transforms_, inverses_;
+  std::vector<SourceFeature> sources_;
+  std::vector<Box> changed_;
+  std::int32_t identity_ = -1;
+  double probe_ = 0;  ///< how far both sides of a face are looked at
+};
+
+}  // namespace remeshd

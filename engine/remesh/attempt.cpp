@@ -1,0 +1,52 @@
+#include "engine/remesh/attempt.h"
+
+#include <utility>
+
+#include "engine/delivery/failure_place.h"
+
+namespace remeshd {
+const CopyPlan& Problem::plan() const {
+  if (!plan_)
+    plan_ = std::make_unique<const CopyPlan>(parent.delaunay_model(), modified.model,
+                                             density.edge_length, run);
+  return *plan_;
+}
+
+const EntityMap& Problem::entities() const {
+  const BoundaryModel& boundary = modified.cells.boundary;
+  if (!entities_)
+    entities_ = std::make_unique<const EntityMap>(parent.cells.boundary, boundary,
+                                                  kOnEntity * boundary.bounds.diagonal());
+  return *entities_;
+}
+
+std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
+  return std::make_unique<const CopyPlan>(FeatureModel{}, problem.modified.model,
+                                          problem.density.edge_length, problem.run);
+}
+
+void add(PhaseSeconds& sum, const PhaseSeconds& more) {
+  sum.setup += more.setup;
+  sum.optimise += more.optimise;
+  sum.extract += more.extract;
+  sum.difference += more.difference;
+  sum.copy += more.copy;
+  sum.verify += more.verify;
+}
+
+Warning describe_fault(const Candidate& failed, const Problem& problem) {
+  Warning warning{.code = WarningCode::Fallback};
+  if (failed.verification.failures.empty()) {
+    warning.message = "the mesh did not pass verification";
+    return warning;
+  }
+  const MeshDefect& defect = failed.verification.failures.front();
+  FailurePlace place = find_failure(defect, problem.modified.model, problem.plan().modified(),
+                                    problem.modified.cells.boundary, problem.density.edge_length);
+  warning.message = describe(defect, place);
+  if (!place.faces.empty()) warning.point = defect.place;
+  warning.features = std::move(place.features);
+  return warning;
+}
+
+}  // namespace remeshd

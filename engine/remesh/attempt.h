@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/base/stopwatch.h"
+#include "engine/base/warning.h"
+#include "engine/boundary/entity_map.h"
+#include "engine/patch/candidate.h"
+#include "engine/plan/copy_plan.h"
+#include "engine/remesh/density.h"
+#include "engine/remesh/morph.h"
+#include "engine/revision/report.h"
+
+namespace remeshd {
+
+/// What every strategy starts from: the model to be meshed and the revision that it was edited
+/// from. What several strategies need is made when the first of them asks. Keeps references.
+class Problem {
+ public:
+  /// `modified`: with its model, cells and options; `parent`: `Revision::none()` for a first mesh.
+  Problem(const Revision& parent, const Revision& modified, const Density& density, const Run& run)
+      : parent(parent), modified(modified), density(density), run(run) {}
+
+  const Revision& parent;
+  const Revision& modified;
+  const Density density;
+  const Run& run;
+
+  /// Copycells and newcells of the modified model (Sect. 5).
+  [[nodiscard]] const CopyPlan& plan() const;
+  /// Where the entities of the parent's boundary are in the modified one.
+  [[nodiscard]] const EntityMap& entities() const;
+  /// Whether there are features that nodes may be copied of.
+  [[nodiscard]] bool copies() const { return plan().original() != nullptr; }
+
+ private:
+  mutable std::unique_ptr<const CopyPlan> plan_;
+  mutable std::unique_ptr<const EntityMap> entities_;
+};
+
+/// A copied node stands on a face that is this near; of the diagonal.
+inline constexpr double kOnEntity = 1e-7;
+
+/// The plan of a mesh all of whose nodes are new.
+std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem);
+
+/// A try at a mesh by one strategy: a mesh that is taken, or why it is not, with all that there is
+/// to tell of it.
+struct Attempt {
+  explicit Attempt(std::string name) : name(std::move(name)) {}
+
+  std::string name;  ///< of the strategy, as the report lists it: `local, 4 edge lengths`
+  /// The parent's own mesh, its nodes moved, or a new one.
+  std::variant<std::monostate, MorphedMesh, Candidate> mesh;
+  std::string reason;            ///< why it was not taken; empty where it is
+  std::optional<Warning> fault;  ///< what is wrong with the mesh, and where
+  bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
+  bool copies = false;    ///< its nodes may be copies of the parent's
+  bool serves = true;     ///< false: the problem is none for this strategy; nothing is told of it
+
+  // What the report gets of it.
+  PhaseSeconds seconds;  ///< `total` of all of it
+  Counts counts;
+  double free_share = 1;
+  std::vector<Warning> warnings;
+  std::vector<RejectedAttempt> tries;  ///< given up on the way to it
+
+  [[nodiscard]] bool taken() const { return serves && reason.empty(); }
+  [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
+};
+
+/// Adds the seconds of each phase.
+void add(PhaseSeconds& sum, const PhaseSeconds& more);
+
+/// What is wrong with a mesh of the modified model, and where.
+Warning describe_fault(const Candidate& failed, const Problem& problem);
+
+}  // namespace remeshd

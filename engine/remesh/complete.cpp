@@ -1,0 +1,118 @@
+#include "engine/remesh/complete.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "engine/delivery/deliver.h"
+#include "engine/delivery/lost_names.h"
+#include "engine/delivery/quality_drift.h"
+#include "engine/delivery/shortfalls.h"
+#include "engine/remesh/strategies.h"
+
+namespace remeshd {
+namespace {
+
+/// The parent's mesh, every node and tet kept.
+void deliver_unchanged(const Revision& parent, Revision& revision, const Run& run) {
+  deliver_kept(parent, parent.output.mesh.nodes, {}, revision);
+  revision.anchor = parent.anchor;
+  revision.meshed_source = parent.meshed_source;
+  revision.meshed_model = parent.meshed_model;
+  revision.report.groups = parent.report.groups;
+  revision.report.verification = parent.report.verification;
+  revision.report.verification.tets_inherited +=
+      std::exchange(revision.report.verification.tets_proved, 0);
+  account(parent, {}, parent.report.volume, revision, run);
+}
+
+/// The parent's tets over nodes that followed the surfaces.
+void deliver_morphed(MorphedMesh mesh, double free_share, const Revision& parent,
+                     Revision& revision, const Run& run) {
+  revision.report.verification = figures_of(mesh.verification);
+  deliver_kept(parent, std::move(mesh.mesh.nodes), mesh.verification.changed_tets, revision);
+  const Membership membership(revision.model);
+  name_output(mesh.verification.surface, mesh.supports, membership, {}, revision, run);
+  revision.anchor = std::make_shared<const Anchor>(
+      Anchor{parent.anchor ? parent.anchor->source : parent.meshed_source, parent.delaunay_model(),
+             parent.delaunay_nodes(), std::move(mesh.supports)});
+  revision.report.free_share = free_share;
+  account(parent, mesh.verification.changed_tets, mesh.verification.volume, revision, run);
+}
+
+void deliver(Attempt taken, const Problem& problem, Revision& revision) {
+  const Revision& parent = problem.parent;
+  Report& report = revision.report;
+  report.counts = std::move(taken.counts);
+  report.free_share = taken.free_share;
+  report.warnings.insert(report.warnings.end(), taken.warnings.begin(), taken.warnings.end());
+  if (auto* mesh = std::get_if<Candidate>(&taken.mesh))
+    deliver(std::move(*mesh), taken.copies ? parent : Revision::none(), parent, problem.plan(),
+            revision, problem.run);
+  else if (auto* morphed = std::get_if<MorphedMesh>(&taken.mesh))
+    deliver_morphed(std::move(*morphed), taken.free_share, parent, revision, problem.run);
+  else
+    deliver_unchanged(parent, revision, problem.run);
+}
+
+/// Puts a regular mesh in the place of a remesh whose quality has drifted, where it is better.
+void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const std::string& remesh,
+                      Revision& revision) {
+  const QualityReference now = quality_reference(revision);
+  Report& report = revision.report;
+  if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference)) return;
+  Attempt regular = regular_mesh(problem);
+  add(report.seconds, regular.seconds);
+  const RejectedAttempt drifted{remesh, "the mesh had worn: " + describe(now), seconds_of_remesh};
+  RejectedAttempt rejected{regular.name, regular.reason, regular.seconds.total};
+  if (regular.taken()) {
+    Revision anew = revision;
+    deliver(std::move(regular), problem, anew);
+    anew.reference = quality_reference(anew);
+    if (has_drifted(now, anew.reference)) {
+      anew.report.attempts.push_back(drifted);
+      anew.report.warnings.push_back({.code = WarningCode::Renewed,
+                                      .message = "the mesh had worn (" + describe(now) +
+                                                 ") and was made anew (" +
+                                                 describe(anew.reference) + ")"});
+      anew.report.strategy = MeshStrategy::Renewed;
+      revision = std::move(anew);
+      return;
+    }
+    rejected.reason = "no better than the mesh that had worn: " + describe(anew.reference);
+  }
+  report.attempts.push_back(std::move(rejected));
+  revision.reference = now;
+}
+
+/// Tets that an problem keeps are as likely of a last resort as those of its parent.
+double last_resort_share(const Revision& parent, const Report& report) {
+  if (report.strategy == MeshStrategy::TetGen) return 1;
+  if (report.counts.tets == 0) return 0;
+  return parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
+}
+
+}  // namespace
+
+void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwatch& watch) {
+  const Revision& parent = problem.parent;
+  Report& report = revision.report;
+  const bool new_nodes = taken.candidate() != nullptr;
+  const bool renewable = new_nodes && taken.copies && problem.density.inherited;
+  const std::string name = taken.name;
+  const double seconds = taken.seconds.total;
+  deliver(std::move(taken), problem, revision);
+  const bool begins_anew = !problem.density.inherited || report.strategy == MeshStrategy::Fresh;
+  revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
+  if (renewable) renew_if_drifted(problem, seconds, name, revision);
+  report.last_resort_share = last_resort_share(parent, report);
+  for (auto& found : {lost_names(parent, revision), shortfalls(revision)})
+    report.warnings.insert(report.warnings.end(), found.begin(), found.end());
+  report.seconds.total = watch.total();
+  const PhaseSeconds& s = report.seconds;
+  // What no step took for itself: names, maps and figures.
+  (new_nodes ? report.seconds.extract : report.seconds.copy) +=
+      s.total - (s.setup + s.optimise + s.extract + s.difference + s.copy);
+}
+
+}  // namespace remeshd

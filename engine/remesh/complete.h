@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/base/stopwatch.h"
+#include "engine/remesh/attempt.h"
+
+namespace remeshd {
+
+/// Makes the attempt that was taken the revision's mesh, with its maps, names and figures; renews
+/// it where its quality has drifted along the chain of edits and a regular mesh is better.
+/// `watch`: ran since the revision was begun.
+void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwatch& watch);
+
+}  // namespace remeshd

@@ -1,0 +1,47 @@
+#include "engine/remesh/density.h"
+
+#include <cmath>
+
+#include "engine/base/error.h"
+#include "engine/nodes/density.h"
+#include "engine/remesh/node_limit.h"
+
+namespace remeshd {
+namespace {
+
+constexpr std::uint32_t kDefaultNodes = 15000;
+constexpr std::uint32_t kMinNodes = 20;
+
+}  // namespace
+
+Density resolve_density(const Revision& parent, const MeshOptions& options,
+                        const CellularModel& cells, const Run& run) {
+  if (options.nodes && options.size)
+    throw error::options_invalid("nodes", "give a number of nodes or an edge length, not both");
+  if (options.nodes && *options.nodes < kMinNodes)
+    throw error::options_invalid("nodes", "at least 20 nodes have to be asked for");
+  if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
+    throw error::options_invalid("size", "the edge length has to be a positive number");
+  const double volume = cells.volume, area = cells.area;
+  Density density;
+  if (options.size) {
+    density.edge_length = *options.size;
+    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
+  } else if (options.nodes || parent.output.mesh.tets.empty()) {
+    const std::uint32_t nodes = options.nodes.value_or(kDefaultNodes);
+    density.edge_length = edge_length_for(volume, area, nodes);
+    density.nodes_per_volume = nodes / volume;
+    if (parent.output.mesh.tets.empty()) density.count = nodes;
+  } else {
+    density.edge_length = parent.edge_length;
+    // What the edge length says, not what the parent has: small errors of many edits would add
+    // up.
+    density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
+    density.inherited = true;
+  }
+  density.edge_length = std::fmin(density.edge_length, parent.edge_length);
+  check_node_limit(parent, extent_of(cells), density.edge_length, options, run);
+  return density;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,186 @@
+#include "engine/remesh/morph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/stopwatch.h"
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/boundary_model/match_boundary.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
+#include "engine/extract/common_face.h"
+#include "engine/mesh/quality.h"
+#include "engine/model/solid.h"
+#include "engine/nodes/nearest.h"
+#include "engine/patch/node_map.h"
+#include "engine/revision/delaunay_state.h"
+
+namespace remeshd {
+
+namespace {
+
+constexpr double kLargestMotion = 0.01;  // x edge length, of surfaces
+/// The bound on feature surfaces' motion adds up what placement and sizes may do; true motions are
+/// measured where it is below this.
+constexpr double kLargestBound = 0.05;  // x edge length
+constexpr double kReach = 0.1;          // x edge length: how far entities look for their partners
+constexpr double kInfluence = 2.9;      // x edge length: interior nodes this near may move
+constexpr double kLeverage = 5;         // node motion over surface motion
+constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rounding
+/// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
+/// that an edge may move by this together with a hidden face, though no face of the boundary does.
+constexpr double kCoincident = 0.5;
+constexpr int kSweeps = 24;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kLeastAngle = 25 * kDegree, kLargestAngle = 145 * kDegree, kLeastMeasure = 0.42;
+constexpr double kNextToNothing = 1e-3;  // rad, and of the measure
+
+/// Where the nodes of the anchor go.
+class Motion {
+ public:
+  Motion(const CowVector<Vec3>& anchor, const CowVector<Support>& supports, double edge_length)
+      : anchor_(anchor), supports_(supports), l_(edge_length), by_(anchor.size()) {}
+
+  /// Boundary nodes to their entities. Post: false where a surface moved too far.
+  bool follow(const BoundaryModel& boundary) {
+    const FacesOf faces(boundary);
+    none_ = kNone * boundary.bounds.diagonal();
+    for (std::size_t n = 0; n < anchor_.size(); ++n) {
+      if (supports_[n].kind == Support::Kind::Interior) continue;
+      for (const int f : faces(supports_[n]))
+        surface_ =
+            std::max(surface_, std::fabs(signed_distance(boundary.faces[f].surface, anchor_[n])));
+      const Vec3 d = project(boundary, supports_[n], anchor_[n]) - anchor_[n];
+      if (norm(d) <= none_) continue;
+      by_[n] = d;
+      moved_.push_back(anchor_[n]);
+      node_ = std::max(node_, norm(d));
+    }
+    return surface_ < kLargestMotion * l_;
+  }
+
+  /// Whether no node moved out of proportion. `hidden`: what hidden faces may have moved edges by.
+  [[nodiscard]] bool in_proportion(double hidden) const {
+    return node_ <= std::max(kLeverage * surface_, hidden) + none_;
+  }
+
+  /// Interior nodes near moved ones by harmonic extension, nought further away.
+  void extend(const CowVector<Tet>& tets, Polling& poll) {
+    if (moved_.empty()) return;
+    const NearestNode grid(moved_, l_);
+    std::vector<std::int32_t> row(anchor_.size(), -1);
+    std::vector<std::int32_t> inner;
+    for (std::size_t n = 0; n < anchor_.size(); ++n) {
+      poll();
+      if (supports_[n].kind != Support::Kind::Interior) continue;
+      const Vec3& nearest = moved_[grid.nearest(anchor_[n])];
+      if (norm2(nearest - anchor_[n]) > kInfluence * kInfluence * l_ * l_) continue;
+      row[n] = static_cast<std::int32_t>(inner.size());
+      inner.push_back(static_cast<std::int32_t>(n));
+    }
+    std::vector<std::vector<std::int32_t>> neighbours(inner.size());
+    for (const Tet& t : tets) {
+      poll();
+      for (const std::int32_t a : t)
+        if (row[a] >= 0)
+          for (const std::int32_t b : t)
+            if (a != b) neighbours[row[a]].push_back(b);
+    }
+    // A neighbour counts once for every tet that the two share.
+    const auto descend = [&](std::size_t k) {
+      Vec3 sum;
+      for (const std::int32_t b : neighbours[k]) sum += by_[b];
+      by_[inner[k]] = sum / static_cast<double>(neighbours[k].size());
+    };
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (std::size_t k = 0; k < inner.size(); ++k, poll()) descend(k);
+      for (std::size_t k = inner.size(); k-- > 0; poll()) descend(k);
+    }
+  }
+
+  [[nodiscard]] bool moves(std::int32_t n) const { return by_[n] != Vec3{}; }
+  [[nodiscard]] Vec3 place(std::int32_t n) const {
+    return moves(n) ? anchor_[n] + by_[n] : anchor_[n];
+  }
+
+ private:
+  const CowVector<Vec3>& anchor_;
+  const CowVector<Support>& supports_;
+  double l_;
+  std::vector<Vec3> by_;     ///< by node
+  std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
+  double none_ = 0;          ///< a motion that is rounding
+  double surface_ = 0;       ///< largest distance of a boundary node from a surface it stood on
+  double node_ = 0;          ///< largest motion of a boundary node
+};
+
+struct Worst {
+  double measure, least, largest;
+
+  Worst(const Tet& t, const CowVector<Vec3>& p) {
+    const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]], &d = p[t[3]];
+    measure = volume_length(a, b, c, d);
+    const auto angles = dihedral_angles(a, b, c, d);
+    const auto [lo, hi] = std::minmax_element(angles.begin(), angles.end());
+    least = *lo;
+    largest = *hi;
+  }
+  /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
+  [[nodiscard]] bool as_good_as(const Worst& then) const {
+    return measure >= std::min(kLeastMeasure, then.measure - kNextToNothing) &&
+           least >= std::min(kLeastAngle, then.least - kNextToNothing) &&
+           largest <= std::max(kLargestAngle, then.largest + kNextToNothing);
+  }
+};
+
+}  // namespace
+
+std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
+                                                 const Run& run) {
+  const double l = original.edge_length;
+  const BoundaryModel& boundary = modified.cells.boundary;
+  const double bound = motion_bound(original.delaunay_model(), modified.model);
+  if (bound > kLargestBound * l) return NotMorphed{};
+  const auto match = match_boundaries(original.cells.boundary, boundary, kReach * l);
+  if (!match) return NotMorphed{};
+
+  MorphedMesh c;
+  c.supports = original.supports();
+  for (std::size_t n = 0; n < c.supports.size(); ++n) c.supports.set(n, (*match)(c.supports[n]));
+  const CowVector<Vec3>& anchor = original.delaunay_nodes();
+  Motion motion(anchor, c.supports, l);
+  if (!motion.follow(boundary)) return NotMorphed{};
+  const double coincident = kCoincident * kernel_tolerance(modified.cells.parts->brep);
+  if (!motion.in_proportion(std::min(bound, coincident)))
+    return NotMorphed("a node would have moved more than five times as far as any surface");
+  Polling poll(run);
+  c.mesh.tets = original.output.mesh.tets;
+  motion.extend(c.mesh.tets, poll);
+  c.mesh.nodes = anchor;
+  for (std::size_t n = 0; n < anchor.size(); ++n) {
+    const auto node = static_cast<std::int32_t>(n);
+    if (!motion.moves(node)) continue;
+    ++c.nodes_moved;
+    c.mesh.nodes.edit(n) = motion.place(node);
+  }
+
+  for (const Tet& t : c.mesh.tets) {
+    poll();
+    if (std::any_of(t.begin(), t.end(), [&](std::int32_t n) { return motion.moves(n); }) &&
+        !Worst(t, c.mesh.nodes).as_good_as(Worst(t, anchor)))
+      return NotMorphed("a tet would have missed the goals of quality");
+  }
+  run.report("verify", 0.95);
+  const Stopwatch watch;
+  const Membership membership(modified.model);
+  const VerifiedParent parent = verified_parent(original);
+  c.verification =
+      verify(c.mesh, c.supports, boundary, modified.cells.volume, run,
+             {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});
+  c.verify_seconds = watch.total();
+  if (!c.verification.valid) return NotMorphed(c.verification.failures.front().what);
+  return c;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/revision/revision.h"
+#include "engine/verify/verify.h"
+
+namespace remeshd {
+
+/// The mesh of a revision whose nodes have followed a small motion of the surfaces.
+struct MorphedMesh {
+  PagedMesh mesh;  ///< the tets of the base
+  CowVector<Support> supports;
+  Verification verification;
+  double verify_seconds = 0;
+  std::uint32_t nodes_moved = 0;  ///< against the anchor
+};
+
+/// Why the connectivity cannot be kept; empty where the change is none that it should survive.
+using NotMorphed = std::string;
+
+/// Keeps the connectivity of `original` for a model whose surfaces are less than 0.01 l from where
+/// they were when that connectivity was made (the anchor), with the same topology. Every node is
+/// placed anew from where it was then, so that any number of steps ends where one step would:
+/// boundary nodes go to the nearest point of their surface, curve or vertex, and interior nodes
+/// less than 3 l from them share the motion by a discrete harmonic extension. No node moves further
+/// than five times the largest distance between a node of the anchor's boundary and its surface
+/// now, or with an edge that the CAD kernel draws on a hidden face by its tolerance.
+///
+/// Post: the mesh is valid; a tet that met the goals of quality at the anchor (least dihedral angle
+/// 25 degrees, largest 145, volume-length 0.42) meets them still, any other lost next to nothing.
+std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
+                                                 const Run& run);
+
+}  // namespace remeshd

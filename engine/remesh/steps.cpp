@@ -1,0 +1,246 @@
+#include "engine/remesh/steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/hilbert.h"
+#include "engine/boundary/control_mesh.h"
+#include "engine/nodes/active_faces.h"
+#include "engine/nodes/copy_nodes.h"
+#include "engine/nodes/decimate_close_nodes.h"
+#include "engine/nodes/dump.h"
+#include "engine/nodes/fill.h"
+#include "engine/nodes/place_supports.h"
+#include "engine/optimise/live_mesh.h"
+#include "engine/revision/delaunay_state.h"
+
+namespace remeshd {
+namespace {
+
+constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for rounding
+constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
+constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
+constexpr int kSampledSteps = 4;        // cubes to the reach
+
+/// Nodes of the parent that may not stay as they are: those in the changed boxes or within
+/// `margin` of them. `everything`: all nodes.
+std::vector<std::int32_t> candidate_nodes(const Revision& parent, const CopyPlan& plan,
+                                          double margin, bool everything) {
+  std::vector<std::int32_t> nodes;
+  const CowVector<Vec3>& positions = parent.delaunay_state->positions();
+  for (std::size_t n = 0; n < positions.size(); ++n)
+    if (everything || plan.in_changed(positions[n], margin))
+      nodes.push_back(static_cast<std::int32_t>(n));
+  return nodes;
+}
+
+/// The tets of the model at some of the nodes. `meets`: takes the boxes that one of these may be
+/// in.
+template <class Meets>
+std::vector<Tet> tets_at(const DelaunayState& delaunay_state, std::span<const std::int32_t> nodes,
+                         const Meets& meets) {
+  std::vector<std::uint8_t> wanted(delaunay_state.positions().size(), 0);
+  for (const std::int32_t n : nodes) wanted[n] = 1;
+  std::vector<Tet> tets;
+  delaunay_state.mesh.for_each_slot_near(meets, [&](std::int32_t s) {
+    if (!delaunay_state.inside(s)) return;
+    const Tet t = delaunay_state.mesh.corners(s);
+    if (wanted[t[0]] || wanted[t[1]] || wanted[t[2]] || wanted[t[3]]) tets.push_back(t);
+  });
+  return tets;
+}
+
+/// Where an problem needs samples of the boundary: near its free nodes, with those that get free
+/// beside them, and near fixed nodes that have to find what they stand on.
+std::vector<Region> sampled_places(const PatchNodes& local, double edge_length, double reach) {
+  const NodeSet& nodes = local.nodes;
+  std::vector<Vec3> free, to_place;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (nodes.free[n])
+      free.push_back(nodes.positions[n]);
+    else if (n >= local.placed && nodes.supports[n].kind != Support::Kind::Interior)
+      to_place.push_back(nodes.positions[n]);
+  }
+  return {Region(free, reach + kSampledBeyond * edge_length, kSampledSteps),
+          Region(to_place, kSupportReach * edge_length, 1)};
+}
+
+/// The inside test that the options ask for. It keeps a reference to `membership`.
+InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
+                       const BoundaryModel& boundary, const Run& run) {
+  if (kind == MeshOptions::Inside::Membership)
+    return [&membership](const Vec3& p) { return membership.inside(p); };
+  const auto mesh = std::make_shared<const ControlMesh>(ControlMesh::build(boundary, run));
+  return [mesh](const Vec3& p) { return mesh->inside(p); };
+}
+
+/// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the parent's.
+/// Throws PatchTooSmall.
+StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& bounds,
+                     const Run& run) {
+  const NodeSet& nodes = local.nodes;
+  const Patch& patch = local.patch;
+  StartMesh start{DelaunayMesh(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
+  const auto without = [&] {
+    if (nodes.of_patch()) throw PatchTooSmall{"taking out the free nodes"};
+    return start;
+  };
+  if (patch.nodes.empty() && nodes.of_patch()) {  // nothing changes
+    start.mesh = patch.mesh;
+    return start;
+  }
+  if (patch.nodes.empty() || !patch.mesh.encloses(bounds)) return without();
+  std::vector<std::int32_t> name(patch.nodes.size(), -1);
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    if (nodes.original[n] >= 0 && !nodes.free[n] &&
+        plan.transforms()[nodes.transform[n]].is_identity())
+      name[nodes.original[n]] = n;
+  std::vector<std::int32_t> others;
+  for (std::size_t o = 0; o < name.size(); ++o)
+    if (name[o] < 0) others.push_back(static_cast<std::int32_t>(o));
+  DelaunayMesh mesh = patch.mesh;
+  if (!mesh.remove(others, run)) return without();
+  mesh.rename(name, nodes.size());
+  // What moves as one body brings its tets along.
+  for (std::int32_t t = 0; t < static_cast<std::int32_t>(plan.transforms().size()); ++t) {
+    if (plan.transforms()[t].is_identity()) continue;
+    std::vector<std::int32_t> moved(patch.nodes.size(), -1);
+    for (std::int32_t n = 0; n < nodes.size(); ++n)
+      if (nodes.transform[n] == t && !nodes.free[n]) moved[nodes.original[n]] = n;
+    mesh.insert_moved(patch.mesh, moved, nodes.positions, run);
+    for (const std::int32_t n : moved)
+      if (n >= 0) start.holds[n] = 1;
+  }
+  if (mesh.patch_too_small()) throw PatchTooSmall{"moving nodes"};
+  for (const std::int32_t n : name)
+    if (n >= 0) start.holds[n] = 1;
+  start.mesh = std::move(mesh);
+  return start;
+}
+
+double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
+  if (loop.free_per_iteration.empty() || nodes == 0) return 0;
+  double sum = 0;
+  for (const std::uint32_t f : loop.free_per_iteration) sum += f;
+  return std::fmin(1.0, sum / static_cast<double>(loop.free_per_iteration.size()) / nodes);
+}
+
+std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) {
+  return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
+}
+
+/// All that the density says, as a number of nodes, where it is not asked for by an edge length.
+Density counted(Density density, const Revision& modified) {
+  if (!modified.options.size)
+    density.count = std::lround(density.nodes_per_volume * modified.cells.volume);
+  return density;
+}
+
+}  // namespace
+
+Task::Task(const Strategy& how, const Problem& problem)
+    : of_nothing_(how.reuse == Reuse::Nothing ? plan_of_nothing(problem) : nullptr),
+      parent(of_nothing_ ? Revision::none() : problem.parent),
+      plan(of_nothing_ ? *of_nothing_ : problem.plan()),
+      cells(problem.modified.cells),
+      options(problem.modified.options),
+      density(of_nothing_ ? counted(problem.density, problem.modified) : problem.density),
+      seed(options.seed + how.other_seed),
+      all_free(how.reuse == Reuse::FreedNodes),
+      reach(how.reach * density.edge_length),
+      entities(std::isfinite(reach) ? &problem.entities() : nullptr),
+      run(problem.run) {}
+
+std::optional<PatchNodes> copy_and_fill(const Task& task, Attempt& attempt) {
+  Stopwatch watch;
+  const Revision& parent = task.parent;
+  const CopyPlan& plan = task.plan;
+  const Run& run = task.run;
+  const double l = task.density.edge_length;
+  run.report("nodes", 0.1);
+  const DelaunayState& state = *parent.delaunay_state;
+  const double margin = kNearChange * l;
+  const bool everything = std::isinf(task.reach);
+  const std::vector<std::int32_t> candidates = candidate_nodes(parent, plan, margin, everything);
+  const std::vector<Tet> tets = tets_at(state, candidates, [&](const Box& box) {
+    return everything || plan.meets_changed(grown(box, kRounding * margin));
+  });
+  NodeSet near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
+                            parent.edge_length, run);
+  const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
+  // What is near in space is to be near in memory: revisions share pages.
+  for (const Vec3& p : along_hilbert_curve(fill(
+           plan.changed(), [&](const Vec3& p) { return plan(p) == CopyPlan::kNew; },
+           {.edge_length = l,
+           .density = task.density.nodes_per_volume,
+           .count = task.density.count,
+           .seed = task.seed},
+           run)))
+    near.add_new(p);
+  if (plan.original() != nullptr) {  // new nodes alone are free, and spread evenly
+    free_at_active_faces(near, plan, l, run);
+    decimate_close_nodes(near, l);
+  }
+  std::optional<PatchNodes> local = extract_patch(
+      near, candidates, state, parent.supports(),
+      {parent.delaunay_nodes(), parent.output.mesh.tets}, task.entities, plan, task.reach);
+  if (!local) {
+    attempt.reason = "a node of the base stands on nothing that the boundary still has";
+    return local;
+  }
+  NodeSet& nodes = local->nodes;
+  dump_nodes(run, "05-nodes", nodes);
+  if (task.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
+  Counts& counts = attempt.counts;
+  counts.nodes_new =
+      static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
+  counts.nodes_copied =
+      static_cast<std::uint32_t>(nodes.size() + nodes.elsewhere) - counts.nodes_new;
+  watch.lap(attempt.seconds.copy);
+  return local;
+}
+
+SampledBoundary sample(const Task& task, PatchNodes& local, Attempt& attempt) {
+  Stopwatch watch;
+  const BoundaryModel& boundary = task.cells.boundary;
+  const Membership& membership = task.plan.modified();
+  const double l = task.density.edge_length;
+  SampleOptions sampling;
+  if (std::isfinite(task.reach)) sampling.where = sampled_places(local, l, task.reach);
+  SampledBoundary sampled{sample_boundary(boundary, membership, l, task.seed, sampling, task.run),
+                          inside_test(task.options.inside, membership, boundary, task.run)};
+  place_supports(local.nodes, boundary, sampled.samples, l, kOnEntity * boundary.bounds.diagonal(),
+                 local.placed, task.run);
+  attempt.counts.samples = static_cast<std::uint32_t>(sampled.samples.points.size());
+  attempt.counts.free_at_start = count(local.nodes.free, 1);
+  watch.lap(attempt.seconds.setup);
+  return sampled;
+}
+
+OptimiseResult optimise(const Task& task, PatchNodes& local, const SampledBoundary& sampled,
+                        Attempt& attempt) {
+  Stopwatch watch;
+  const BoundaryModel& boundary = task.cells.boundary;
+  NodeSet& nodes = local.nodes;
+  const bool all_free = nodes.elsewhere == 0 && count(nodes.free, 0) == 0;
+  OptimiseResult loop =
+      optimise(nodes, start_mesh(local, task.plan, boundary.bounds, task.run), boundary,
+               sampled.inside, sampled.samples,
+               {.edge_length = task.density.edge_length,
+                .iterations = task.options.iterations,
+                .insert_at_circumcentres =
+                    task.plan.original() != nullptr && !task.all_free && task.density.inherited,
+                .rebuild = task.options.rebuild},
+               task.run);
+  Counts& counts = attempt.counts;
+  counts.free_at_end = count(nodes.free, 1);
+  counts.free_per_iteration = loop.free_per_iteration;
+  counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
+  counts.active_samples = loop.samples_active;
+  // Nodes added on the way are free from their first iteration on.
+  attempt.free_share = all_free ? 1 : mean_free_share(loop, nodes.size() + nodes.elsewhere);
+  watch.lap(attempt.seconds.optimise);
+  return loop;
+}
+
+}  // namespace remeshd

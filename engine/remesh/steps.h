@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "engine/base/inside_test.h"
+#include "engine/boundary/samples.h"
+#include "engine/optimise/optimise.h"
+#include "engine/patch/candidate.h"
+#include "engine/patch/patch.h"
+#include "engine/remesh/attempt.h"
+#include "engine/remesh/strategies.h"
+
+namespace remeshd {
+
+// The steps of remesh_nodes (remesh.cpp). Each writes its counts and seconds into the attempt.
+
+/// What a strategy makes a mesh of: the parent's nodes and what the plan says of them, or nothing.
+/// Keeps references.
+class Task {
+ private:
+  std::unique_ptr<const CopyPlan> of_nothing_;  // before `plan`, which may be this
+
+ public:
+  Task(const Strategy& how, const Problem& problem);
+
+  const Revision& parent;  ///< what nodes are copied from; `Revision::none()` where all are new
+  const CopyPlan& plan;    ///< of that
+  const CellularModel& cells;
+  const MeshOptions& options;
+  Density density;
+  std::uint64_t seed;
+  bool all_free;              ///< copied nodes are optimised too, all of them
+  double reach;               ///< how far from what changes the parent is cut open; length
+  const EntityMap* entities;  ///< for nodes that are not in the patch; null where all are
+  const Run& run;
+};
+
+/// Copied and new nodes, free and fixed (Sects. 6 and 7), with the patch of the parent's mesh that
+/// they are put into. Returns nothing, and says why in the attempt, where a node that stays stands
+/// on nothing that the modified boundary has.
+std::optional<PatchNodes> copy_and_fill(const Task& task, Attempt& attempt);
+
+/// The modified boundary as the optimisation sees it.
+struct SampledBoundary {
+  Samples samples;    ///< near what is free or has to find what it stands on
+  InsideTest inside;  ///< keeps a reference to the task's plan
+};
+
+/// Samples the boundary (Sect. 3.1) and places the fixed nodes that have to find what they stand
+/// on. Throws what ControlMesh::build throws.
+SampledBoundary sample(const Task& task, PatchNodes& nodes, Attempt& attempt);
+
+/// The optimisation loop (Sect. 8), from the Delaunay mesh of the fixed nodes that stayed in place.
+/// Throws PatchTooSmall.
+OptimiseResult optimise(const Task& task, PatchNodes& nodes, const SampledBoundary& boundary,
+                        Attempt& attempt);
+
+/// The peeled Delaunay mesh of the optimised nodes, cleaned up, put back into the parent's mesh and
+/// verified, with nodes inserted where the boundary is not all there. Throws PatchTooSmall.
+Candidate extract_verified(const Task& task, PatchNodes nodes, OptimiseResult loop,
+                           const SampledBoundary& boundary, Attempt& attempt);
+
+/// Whether the attempt's mesh is taken, else why not: it is not valid, or, where a larger patch
+/// will be tried, could not be cleaned up at the interface.
+void judge(const Strategy& how, const Problem& problem, Attempt& attempt);
+
+/// More nodes beside `nodes` than this no boundary of the edge length asked for needs.
+double few_more_nodes(double nodes);
+
+}  // namespace remeshd

@@ -1,0 +1,254 @@
+#include "engine/remesh/tetgen_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
+#include "engine/boundary/material.h"
+#include "engine/boundary/mesh_surface.h"
+#include "engine/delivery/failure_place.h"
+#include "engine/extract/peel.h"
+#include "engine/improve/improve.h"
+#include "engine/mesh/quality.h"
+#include "engine/nodes/density.h"
+
+namespace remeshd {
+
+namespace {
+
+/// One way to ask TetGen.
+struct Question {
+  const char* name;       ///< as an attempt's strategy
+  double surface_length;  ///< x edge length
+  bool split_surface;
+};
+// Mostly the first will do. A finer surface comes before points that TetGen adds on it: these go
+// where a thin wall makes its tets bad, by the ten thousand.
+constexpr std::array kQuestions{
+    Question{"TetGen, facets of 1 edge length", 1, false},
+    Question{"TetGen, facets of 0.7 edge lengths", 0.7, false},
+    Question{"TetGen, facets of 1 edge length, points added on them", 1, true},
+    Question{"TetGen, facets of 0.5 edge lengths", 0.5, false},
+    Question{"TetGen, facets of 0.5 edge lengths, points added on them", 0.5, true}};
+// Facets and nodes inside: so many times what a regular mesh has, and some more.
+constexpr double kMostTimes = 10;
+constexpr std::uint32_t kMostMore = 10'000;
+constexpr double kMaxVolume = 0.2;  // x edge length^3; a regular tet has 0.118
+// Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
+constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
+
+kernel::MarkedSurface mark(const SurfaceMesh& surface) {
+  kernel::MarkedSurface marked;
+  marked.surface.points = surface.nodes;
+  for (const FaceFacet& f : surface.facets) {
+    marked.surface.triangles.push_back(f.nodes);
+    marked.triangle_markers.push_back(kFirstFace + f.face);
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t a = f.nodes[i], b = f.nodes[(i + 1) % 3];
+      if (f.edge[i] < 0 || a > b) continue;
+      marked.segments.push_back({a, b});
+      marked.segment_markers.push_back(kFirstEdge + f.edge[i]);
+    }
+  }
+  return marked;
+}
+
+/// Supports of all nodes: those of the surface keep theirs, TetGen's stand where markers tell.
+std::vector<Support> find_supports(const SurfaceMesh& surface, const kernel::QualityMesh& out) {
+  std::vector<Support> supports = surface.supports;
+  supports.resize(out.filling.mesh.nodes.size());
+  const auto set = [&](std::int32_t n, const Support& support) {
+    if (static_cast<std::size_t>(n) >= surface.nodes.size()) supports[n] = support;
+  };
+  for (std::size_t f = 0; f < out.facets.size(); ++f)
+    for (const std::int32_t n : out.facets[f])
+      set(n, {Support::Kind::Face, out.facet_markers[f] - kFirstFace});
+  for (std::size_t s = 0; s < out.segments.size(); ++s)
+    if (out.segment_markers[s] >= kFirstEdge)
+      for (const std::int32_t n : out.segments[s])
+        set(n, {Support::Kind::Edge, out.segment_markers[s] - kFirstEdge});
+  return supports;
+}
+
+/// The nodes that tets use, on their supports, and the tets over them.
+TetMesh take_used(std::vector<Tet> tets, const std::vector<Vec3>& points,
+                  const std::vector<Support>& supports, const BoundaryModel& boundary,
+                  NodeSet& nodes) {
+  std::vector<std::int32_t> number(points.size(), -1);
+  for (const Tet& t : tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (number[n] < 0) continue;
+    number[n] = nodes.size();
+    nodes.add_new(project(boundary, supports[n], points[n]), supports[n]);
+  }
+  for (Tet& t : tets)
+    for (std::int32_t& n : t) n = number[n];
+  return {nodes.positions, std::move(tets)};
+}
+
+DelaunayMesh triangulate(const NodeSet& nodes, const Box& bounds, const Run& run) {
+  DelaunayMesh mesh(bounds);
+  std::vector<std::int32_t> all(nodes.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  mesh.insert(nodes.positions, all, run);
+  return mesh;
+}
+
+/// Whether the mesh is one that can be cleaned up: no tet inverted, the boundary a closed manifold.
+template <class Mesh>
+bool sound(const Mesh& mesh, const Verification& verification) {
+  for (const MeshFailure kind :
+       {MeshFailure::BadFacet, MeshFailure::NonManifoldEdge, MeshFailure::NonManifoldVertex})
+    if (verification.count(kind) > 0) return false;
+  return std::ranges::all_of(mesh.tets, [&](const Tet& t) {
+    return volume_length(mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]], mesh.nodes[t[3]]) >=
+           0;
+  });
+}
+
+std::uint32_t most_nodes_inside(const TetGenInput& input) {
+  const CellularModel& cells = input.cells;
+  const double expected = expected_nodes(cells.volume, cells.area, input.edge_length);
+  return kMostMore + static_cast<std::uint32_t>(kMostTimes * std::fmin(expected, 1e7));
+}
+
+std::size_t most_facets(const TetGenInput& input) {
+  const double l = input.edge_length;
+  const double expected = 4 / std::numbers::sqrt3 * input.cells.area / (l * l);
+  return kMostMore + static_cast<std::size_t>(kMostTimes * std::fmin(expected, 1e7));
+}
+
+/// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
+Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGenInput& input,
+                     const kernel::TetGenLimits& limits, const Run& run) {
+  const double l = input.edge_length;
+  const CellularModel& cells = input.cells;
+  const kernel::MarkedSurface marked = mark(surface);
+  const kernel::QualityMesh out = kernel::run_tetgen(marked,
+                                                     {.max_volume = kMaxVolume * l * l * l,
+                                                      .split_surface = split_surface,
+                                                      .most_added = most_nodes_inside(input)},
+                                                     limits, run);
+  Candidate c;
+  TetMesh mesh = take_used(tets_in_material(out.filling, marked.surface), out.filling.mesh.nodes,
+                           find_supports(surface, out), cells.boundary, c.nodes);
+  Stopwatch watch;
+  c.verification = verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run);
+  watch.lap(c.verify_seconds);
+  const auto unfinished = [&] {
+    c.whole.mesh = paged(mesh);
+    return std::move(c);
+  };
+  if (!sound(mesh, c.verification)) return unfinished();
+  if (input.clean_up) {
+    const std::vector<std::uint8_t> dirty(mesh.tets.size(), 1);
+    mesh =
+        improve(mesh, c.nodes.supports, cells.boundary, dirty, {.threshold = input.threshold}, run)
+            .mesh;
+  }
+  Stopwatch again;
+  c.verification =
+      verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run,
+             {.material = [&](const Vec3& p) { return input.plan.modified().inside(p); }});
+  again.lap(c.verify_seconds);
+  if (!c.verification.valid) return unfinished();
+  c.nodes.positions = mesh.nodes;  // where the nodes were matters to no Delaunay mesh
+  c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
+  const auto inside = [&](const Vec3& p) { return input.plan.modified().inside(p); };
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
+  c.whole = stitch(Revision::none(), {}, {}, {c.nodes, c.loop.mesh, c.delaunay, mesh, {}},
+                   input.plan, run);
+  for (SurfaceFacet& facet : c.verification.surface) facet.tet = c.whole.new_tets[facet.tet];
+  std::ranges::stable_sort(c.verification.surface, {}, &SurfaceFacet::tet);
+  return c;
+}
+
+/// Whether nothing is wrong but that tets are flat: the model is, there, and will be however fine
+/// the surface.
+bool is_flat_only(const Candidate& c) {
+  const Verification& v = c.verification;
+  const auto& counts = v.counts;
+  return std::accumulate(counts.begin(), counts.end(), 0U) == v.count(MeshFailure::BadTet) &&
+         sound(c.whole.mesh, v);
+}
+
+FailurePlace place_of(const MeshDefect& defect, const TetGenInput& input) {
+  return find_failure(defect, input.model, input.plan.modified(), input.cells.boundary,
+                      input.edge_length);
+}
+
+std::string fault_of(const Verification& failed, const TetGenInput& input) {
+  if (failed.failures.empty()) return "the mesh did not pass verification";
+  const MeshDefect& defect = failed.failures.front();
+  return describe(defect, place_of(defect, input));
+}
+
+Error not_recovered(const TetGenInput& input, const Verification& failed, const std::string& also) {
+  if (failed.failures.empty()) return error::boundary_not_recovered(also, {}, {});
+  const MeshDefect& defect = failed.failures.front();
+  const FailurePlace place = place_of(defect, input);
+  std::optional<Vec3> at;
+  if (!place.faces.empty()) at = defect.place;
+  return error::boundary_not_recovered(describe(defect, place) + (also.empty() ? "" : "; " + also),
+                                       at, place.features);
+}
+
+bool tetgen_failed(const Error& e) {
+  return e.info().reason.starts_with("TETGEN_") && e.info().reason != "TETGEN_MISSING";
+}
+
+}  // namespace
+
+Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
+  const Stopwatch watch;
+  std::optional<Error> failure;
+  kernel::TetGenLimits limits = input.limits;
+  const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
+  std::vector<RejectedAttempt> given_up;
+  for (const Question& question : kQuestions) {
+    const Stopwatch tried;
+    const SurfaceMesh surface = mesh_surface(
+        input.cells.boundary,
+        {.edge_length = question.surface_length * input.edge_length, .most_facets = facets}, run);
+    limits.seconds = input.limits.seconds - watch.total();
+    if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
+    try {
+      Candidate c = try_tetgen(surface, question.split_surface, input, limits, run);
+      if (c.verification.valid) {
+        c.given_up = std::move(given_up);
+        return c;
+      }
+      failure = not_recovered(input, c.verification, {});
+      given_up.push_back(
+          RejectedAttempt{question.name, fault_of(c.verification, input), tried.total()});
+      if (!question.split_surface && is_flat_only(c)) break;
+    } catch (const Error& e) {
+      if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
+      if (!tetgen_failed(e)) throw;
+      failure = e;
+      given_up.push_back(RejectedAttempt{question.name, e.info().message, tried.total()});
+    }
+  }
+  throw Error(*failure);
+}
+
+Candidate tetgen_mesh(const TetGenInput& input, const Verification& failed, const Run& run) {
+  try {
+    return mesh_by_tetgen(input, run);
+  } catch (const Error& e) {
+    const std::string& reason = e.info().reason;
+    if (tetgen_failed(e) || reason == "KERNEL_FAILURE")
+      throw not_recovered(input, failed, e.info().message);
+    throw;
+  }
+}
+
+}  // namespace remeshd

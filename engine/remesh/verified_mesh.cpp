@@ -1,0 +1,254 @@
+// From the optimised nodes to a verified mesh.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "engine/extract/peel.h"
+#include "engine/improve/improve.h"
+#include "engine/nodes/dump.h"
+#include "engine/optimise/live_mesh.h"
+#include "engine/patch/node_map.h"
+#include "engine/patch/reuse_improved_tets.h"
+#include "engine/patch/stitch.h"
+#include "engine/remesh/repair.h"
+#include "engine/remesh/steps.h"
+#include "engine/revision/delaunay_state.h"
+
+namespace remeshd {
+namespace {
+
+constexpr int kRepairRounds = 8;
+constexpr double kFewInserted = 200, kMostInserted = 0.2;
+
+/// Leaves out the nodes that no tet uses, but for those at the interface, and renumbers the tets
+/// and the Delaunay mesh.
+void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, const Run& run) {
+  std::vector<std::int32_t> number(nodes.positions.size(), -1);
+  std::fill_n(number.begin(), nodes.interface_nodes, 0);
+  for (const Tet& t : tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  std::vector<std::int32_t> unused;
+  std::int32_t next = 0;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (number[n] < 0) {
+      unused.push_back(n);
+      continue;
+    }
+    nodes.move(n, next);
+    number[n] = next++;
+  }
+  if (unused.empty()) return;
+  nodes.resize(next);
+  for (Tet& t : tets)
+    for (std::int32_t& n : t) n = number[n];
+  if (mesh.remove(unused, run)) {
+    mesh.rename(number, next);
+  } else if (nodes.of_patch()) {
+    throw PatchTooSmall{"leaving out nodes"};
+  } else {
+    mesh = mesh.emptied();
+    std::vector<std::int32_t> all(next);
+    std::iota(all.begin(), all.end(), 0);
+    mesh.insert(nodes.positions, all, run);
+  }
+  if (mesh.patch_too_small()) throw PatchTooSmall{"leaving out nodes"};
+}
+
+/// What is known of the patch's tets and their neighbours beyond it, from before: of those that are
+/// as they were and meet no changed box.
+KnownClassification known_classification(const NodeSet& nodes, const DelaunayMesh& mesh,
+                                         const Patch& patch, const CopyPlan& plan) {
+  KnownClassification known;
+  if (!nodes.of_patch()) return known;
+  known.exterior = patch.exterior;
+  known.tets.assign(mesh.slots(), KnownClassification::Known::No);
+  for (std::int32_t s = 0; s < static_cast<std::int32_t>(patch.mesh.slots()); ++s) {
+    if (!mesh.in_use(s)) continue;
+    const Tet then = patch.mesh.corners(s), now = mesh.corners(s);
+    const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {
+      if (a < 0 || b < 0) return a == b;  // super vertices
+      return a == nodes.original[b] && nodes.positions[b] == patch.positions[a];
+    });
+    if (same && !plan.meets_changed(now, nodes.positions))
+      known.tets[s] = patch.inside[s] ? KnownClassification::Known::Inside
+                                      : KnownClassification::Known::Outside;
+  }
+  return known;
+}
+
+/// Supports of the nodes that are not in the patch; of the others any.
+CowVector<Support> supports_left(const Revision& parent, const Patch& cut,
+                                 const EntityMap* entities) {
+  const CowVector<Support>& then = parent.supports();
+  const CowVector<Vec3>& positions = parent.delaunay_state->positions();
+  if (entities == nullptr) return CowVector<Support>(then.size(), {});
+  CowVector<Support> supports = then;
+  const std::vector<std::int32_t>& patch = cut.nodes;  // ascending
+  auto next = patch.begin();
+  then.for_each([&](std::size_t n, const Support& was) {
+    if (was.kind == Support::Kind::Interior) return;
+    next = std::find_if(next, patch.end(),
+                        [&](std::int32_t p) { return p >= static_cast<std::int32_t>(n); });
+    if (next != patch.end() && *next == static_cast<std::int32_t>(n)) return;
+    const std::optional<Support> support = (*entities)(was, positions[n]);
+    if (!support) throw PatchTooSmall{"naming where nodes stand"};
+    supports.set(n, *support);
+  });
+  return supports;
+}
+
+/// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws PatchTooSmall.
+Candidate extract(NodeSet nodes, OptimiseResult loop, const Task& task, const Patch& patch,
+                  const InsideTest& inside) {
+  Candidate c;
+  c.loop = std::move(loop);
+  c.nodes = std::move(nodes);
+  task.run.report("extract", 0.8);
+  c.delaunay = peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
+                    known_classification(c.nodes, c.loop.mesh, patch, task.plan), {}, task.run);
+  drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
+  dump_nodes(task.run, "08-peel", c.nodes, c.delaunay.tets);
+  return c;
+}
+
+/// The patch's mesh as it comes from the loop, all of it to be cleaned up.
+ReusedMesh all_new(const Candidate& c) {
+  const std::vector<Tet>& tets = c.delaunay.tets;
+  return {{c.nodes.positions, tets}, std::vector<std::uint8_t>(tets.size(), 1), {}};
+}
+
+std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
+                                    std::span<const std::int32_t> at) {
+  std::vector<std::int32_t> result(at.size(), -1);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (at[k] >= 0) result[k] = values[at[k]];
+  return result;
+}
+
+/// The patch's mesh, carried over and cleaned up.
+ReusedMesh cleaned_up(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+  const MeshOptions& options = task.options;
+  const bool copied = task.plan.original() && options.clean_up;
+  ReusedMesh reused =
+      copied ? reuse_improved_tets(c.nodes, c.delaunay, patch, task.plan.transforms(), task.run)
+             : all_new(c);
+  task.run.report("improve", 0.85);
+  c.bad_at_interface = 0;
+  if (!clean_up) return reused;
+  ImproveResult improved =
+      improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
+              {.threshold = options.threshold, .locked = c.nodes.interface_nodes}, task.run);
+  c.bad_at_interface = improved.bad_at_interface;
+  SameTets same;
+  if (copied)
+    same = {looked_up(reused.same.peeled, improved.was),
+            looked_up(reused.same.output, improved.was)};
+  else
+    same.peeled = std::move(improved.was);  // which was cleaned up as it is
+  return {std::move(improved.mesh), {}, std::move(same)};
+}
+
+StitchedMesh put_together(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+  const ReusedMesh mesh = cleaned_up(c, task, patch, clean_up);
+  const PatchMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
+  return stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
+                task.plan, task.run);
+}
+
+/// Reuse of improved tets, clean-up, stitching into the parent's mesh, map and verification of an
+/// extracted mesh. `clean_up`: false for a draft, to see whether the boundary is all there. Throws
+/// PatchTooSmall.
+void finish(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+  const CellularModel& cells = task.cells;
+  c.whole = {};  // its memory, where it is made again
+  c.whole = put_together(c, task, patch, clean_up);
+  task.run.report("verify", 0.95);
+  const VerifiedParent parent =
+      verified_parent(task.parent, c.whole.map.original_node, c.whole.map.original_tet);
+  const VerifyOptions proof{
+      .material = [&](const Vec3& p) { return task.plan.modified().inside(p); }, .parent = &parent};
+  const Stopwatch watch;
+  c.verification = verify(c.whole.mesh, c.whole.delaunay_state.supports, cells.boundary,
+                          cells.volume, task.run, proof);
+  c.verify_seconds += watch.total();
+}
+
+/// Finishes a mesh, with nodes inserted where the boundary is not all there: as long as the peeled
+/// mesh shows that by itself, and then where verification finds it. Returns their number.
+std::uint32_t finish_repaired(Candidate& c, const Task& task, const Patch& patch,
+                              const SampledBoundary& boundary) {
+  const CellularModel& cells = task.cells;
+  const double l = task.density.edge_length;
+  const bool clean_up = task.options.clean_up;
+  const auto most = static_cast<std::uint32_t>(
+      few_more_nodes(static_cast<double>(c.nodes.size() + c.nodes.elsewhere)));
+  std::uint32_t repaired = 0;
+  const auto insert_at = [&](std::span<const MeshDefect> defects) {
+    const std::int32_t first = c.nodes.size();
+    if (c.too_fine ||
+        insert_where_missing(c.nodes, defects, cells.boundary, boundary.samples, l) == 0)
+      return false;
+    c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, task.run);
+    repaired += c.nodes.size() - first;
+    const double verified = c.verify_seconds;
+    c = extract(std::move(c.nodes), std::move(c.loop), task, patch, boundary.inside);
+    c.verify_seconds = verified;
+    c.too_fine = repaired > most;
+    return true;
+  };
+  int rounds_at_facets = 0;
+  const auto insert_at_facets = [&] {
+    for (; rounds_at_facets < kRepairRounds && !c.delaunay.nonconforming.empty();
+         ++rounds_at_facets)
+      if (!insert_at(nonconforming_facets(c.delaunay))) break;
+  };
+  insert_at_facets();
+  finish(c, task, patch, clean_up);
+  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
+    if (!insert_at(c.verification.failures)) break;
+    insert_at_facets();
+    // What the peeled mesh lacks no clean-up brings back.
+    finish(c, task, patch, false);
+    if (clean_up && boundary_is_complete(c.verification)) finish(c, task, patch, true);
+  }
+  return repaired;
+}
+
+}  // namespace
+
+double few_more_nodes(double nodes) { return kFewInserted + kMostInserted * nodes; }
+
+Candidate extract_verified(const Task& task, PatchNodes local, OptimiseResult loop,
+                           const SampledBoundary& boundary, Attempt& attempt) {
+  Stopwatch watch;
+  Candidate mesh =
+      extract(std::move(local.nodes), std::move(loop), task, local.patch, boundary.inside);
+  const std::uint32_t inserted = finish_repaired(mesh, task, local.patch, boundary);
+  attempt.counts.nodes_inserted = inserted;
+  if (inserted > 0)
+    attempt.warnings.push_back({.code = WarningCode::NodesInserted,
+                                .message = std::to_string(inserted) +
+                                           " nodes were inserted to make the boundary complete"});
+  watch.lap(attempt.seconds.extract);
+  attempt.seconds.verify += mesh.verify_seconds;
+  return mesh;
+}
+
+void judge(const Strategy& how, const Problem& problem, Attempt& attempt) {
+  const Candidate& mesh = *attempt.candidate();
+  const bool larger_patch = std::isfinite(how.reach) && !how.last_reach;
+  if (mesh.verification.valid && (mesh.bad_at_interface == 0 || !larger_patch)) return;
+  if (mesh.bad_at_interface > 0 && larger_patch && (mesh.verification.valid || mesh.too_fine)) {
+    attempt.reason = std::to_string(mesh.bad_at_interface) +
+                     " tets beside what stays of the base could not be cleaned up";
+    return;
+  }
+  attempt.fault = describe_fault(mesh, problem);
+  attempt.reason = attempt.fault->message;
+  attempt.too_fine = mesh.too_fine;
+  if (mesh.too_fine) attempt.reason += "; its boundary takes far more nodes than were asked for";
+}
+
+}  // namespace remeshd

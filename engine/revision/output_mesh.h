@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/cow_vector.h"
+#include "engine/base/vec.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+enum class NodeOrigin : std::uint8_t { New = 0, Kept = 1, Moved = 2 };
+
+/// Where each node and tet of a mesh comes from.
+struct NodeMap {
+  CowVector<NodeOrigin> node_origin;
+  CowVector<std::int32_t> original_node;   ///< in the original mesh; -1 where New
+  CowVector<std::int32_t> node_transform;  ///< index into `transforms`; -1 where New
+  CowVector<std::int32_t> original_tet;    ///< in the original mesh; -1 where not kept
+  std::vector<Transform>
+      transforms;  ///< of the source features; a kept node is transform(original) to the bit
+  std::vector<std::string>
+      transform_features;  ///< for each transform: the first source feature that has it
+};
+
+/// A boundary facet: a triangle of the mesh, outward, with its tet and its set of model faces.
+struct MeshFacet {
+  Triangle nodes;
+  std::int32_t tet;
+  std::int32_t group;  ///< index into `MeshGroups::facet_groups`
+};
+
+/// Names on a mesh: what its facets lie on and who owns its tets.
+struct MeshGroups {
+  std::vector<MeshFacet> facets;
+  std::vector<std::vector<std::string>>
+      facet_groups;                  ///< `hole1.wall`, latest owner on the material side first
+  CowVector<std::int32_t> tet_cell;  ///< for each tet: index into `cell_owners`
+  std::vector<std::vector<std::string>> cell_owners;  ///< feature ids in history order
+};
+
+/// Everything the output mesh is made of, in the order of the files and the stream.
+struct OutputMesh {
+  PagedMesh mesh;
+  CowVector<std::uint64_t>
+      node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
+  CowVector<std::uint64_t> tet_ids;
+  MeshGroups groups;
+  NodeMap map;
+};
+
+}  // namespace remeshd

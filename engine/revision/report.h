@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/warning.h"
+#include "engine/mesh/quality.h"
+
+namespace remeshd {
+
+/// Seconds per phase; the names in Table 3 in brackets. A first mesh fills t1-t3, an edit t4-t8.
+struct PhaseSeconds {
+  double setup = 0;       ///< [t1, t6] cellular model, membership, samples
+  double optimise = 0;    ///< [t2, t7] the loop
+  double extract = 0;     ///< [t3, t8] peel, clean-up, groups, maps, verification
+  double difference = 0;  ///< [t4] classes by membership, copy order
+  double copy = 0;        ///< [t5] copying, new nodes, active faces, free and fixed
+  double verify = 0;      ///< of these, verification
+  double total = 0;       ///< decoded request to checked mesh with all that the next edit needs
+};
+
+struct Counts {
+  std::uint32_t nodes = 0, tets = 0, boundary_facets = 0;
+  std::uint32_t samples = 0, active_samples = 0;
+  std::uint32_t nodes_copied = 0, nodes_new = 0;
+  std::uint32_t free_at_start = 0, free_at_end = 0;
+  std::vector<std::uint32_t> free_per_iteration;
+  std::uint32_t nodes_kept = 0, nodes_moved = 0, tets_kept = 0;
+  std::uint32_t iterations = 0;
+  std::uint32_t nodes_inserted = 0;  ///< to make the boundary complete
+};
+
+/// Which way led to the mesh; a later one is taken where the earlier gave no valid mesh.
+enum class MeshStrategy : std::uint8_t {
+  Unchanged,  ///< no surface moved: the base's mesh
+  Morphed,    ///< the base's connectivity; nodes near moved surfaces follow them
+  Local,      ///< what changed was meshed anew; of a first mesh, everything
+  Full,       ///< every node was optimised anew, copied ones included
+  Fresh,      ///< a regular mesh from new nodes
+  TetGen,     ///< TetGen's mesh of the conforming surface
+  Renewed,    ///< a regular mesh, valid as the remesh was: edits had worn it
+};
+
+/// A strategy that was tried and not taken, as the report lists it.
+struct RejectedAttempt {
+  std::string strategy;  ///< a way, with what tells it from others: `local, 4 edge lengths`
+  std::string reason;    ///< what its mesh lacked
+  double seconds = 0;
+};
+
+/// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
+struct GroupArea {
+  std::string group;  ///< `plate.top`
+  double exact_area = 0;
+  double mesh_area = 0;
+};
+
+/// What verification measured of a mesh that it found valid.
+struct VerificationFigures {
+  std::uint32_t tets_proved = 0;     ///< by themselves: new ones and those with a node that moved
+  std::uint32_t tets_inherited = 0;  ///< by the base's verification, of tets that are unchanged
+  double chord_error = 0;   ///< largest distance of a boundary facet or edge from its face or curve
+  double volume_error = 0;  ///< relative, what chords cut off apart
+};
+
+/// What a run did. Everything but seconds, those of attempts too, is the same for the same request.
+struct Report {
+  std::string revision;  ///< set by the session
+  bool cached = false;   ///< set by the session
+  MeshStrategy strategy = MeshStrategy::Local;
+  std::vector<RejectedAttempt> attempts;  ///< in the order tried
+  PhaseSeconds seconds;
+  Counts counts;
+  double free_share = 1;  ///< mean over the iterations; frozen nodes count as free
+  double edge_length = 0;
+  double volume = 0, exact_volume = 0;
+  Quality quality_before;  ///< of the peeled Delaunay mesh
+  Quality quality;         ///< as delivered
+  /// Of the tets without a corner where the model itself has an angle below 25 degrees: a wedge of
+  /// material, or edges of one face that meet sharply or touch.
+  Quality quality_away;
+  std::uint32_t sharp_tets = 0;  ///< the others
+  VerificationFigures verification;
+  std::vector<GroupArea> groups;
+  /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
+  /// share of those that it keeps.
+  double last_resort_share = 0;
+  std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
+  std::vector<Warning> warnings;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/base/cow_vector.h"
+#include "engine/cellular/boundary_model/support.h"
+#include "engine/cellular/cellular_model.h"
+#include "engine/mesh/quality.h"
+#include "engine/model/feature_model.h"
+#include "engine/revision/options.h"
+#include "engine/revision/output_mesh.h"
+#include "engine/revision/report.h"
+
+namespace remeshd {
+
+/// The Delaunay mesh that a revision goes on from; only the engine reads it (delaunay_state.h).
+struct DelaunayState;
+
+/// What the connectivity of a mesh was made for, where its nodes have followed the surfaces since.
+struct Anchor {
+  ModelSource source;
+  FeatureModel model;
+  CowVector<Vec3> nodes;        ///< as delivered then
+  CowVector<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
+};
+
+/// What wear along a chain of edits is told by: the chain's last regular mesh.
+struct QualityReference {
+  double volume_length_mean = 0;
+  double nodes_over_expected = 1;  ///< its nodes over those that its edge length lets one expect
+};
+
+/// One design revision as the engine sees it: immutable once made.
+struct Revision {
+  /// What a first mesh is an edit of: no features, no nodes, no tets, edges of whatever length.
+  static const Revision& none();
+
+  ModelSource source;  ///< as asked for
+  FeatureModel model;  ///< evaluated
+  /// What the mesh was made for: `source` and `model` but for rounding and spelling, so that steps
+  /// too small to count cannot add up unseen.
+  ModelSource meshed_source;
+  FeatureModel meshed_model;
+  MeshOptions options;     ///< as resolved; an edit inherits these
+  double edge_length = 0;  ///< target edge length l; an edit inherits it as its density
+  CellularModel cells;
+  std::shared_ptr<const DelaunayState> delaunay_state;  ///< made for `delaunay_model()`
+  std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its Delaunay mesh gave it
+  OutputMesh output;
+  CowVector<TetMeasure> measures;  ///< of the output tets
+  CowVector<Box> boxes;            ///< round the output tets, one for each page of them
+  Report report;
+  QualityReference reference;
+
+  [[nodiscard]] const FeatureModel& delaunay_model() const;
+  /// The output nodes as the Delaunay mesh gave them.
+  [[nodiscard]] const CowVector<Vec3>& delaunay_nodes() const;
+  /// Of the output nodes, in the boundary of `cells`.
+  [[nodiscard]] const CowVector<Support>& supports() const;
+};
+
+}  // namespace remeshd

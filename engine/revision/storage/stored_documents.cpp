@@ -1,0 +1,91 @@
+#include "engine/revision/storage/stored_documents.h"
+
+#include <cereal/archives/portable_binary.hpp>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "engine/revision/storage/stored_archive.h"
+#include "engine/revision/storage/stored_types.h"
+
+namespace remeshd {
+
+namespace {
+/// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
+/// formats of whole revisions.
+constexpr std::uint32_t kFormat = 11;
+constexpr std::uint32_t kShorterReport = 10;  // without attempts and geometry, which come last
+
+class DocumentsArchive : public StoredArchive<DocumentsArchive> {
+ public:
+  explicit DocumentsArchive(std::string_view bytes) : StoredArchive(this, bytes) {}
+};
+}  // namespace
+}  // namespace remeshd
+
+/// cereal asks for one; enumerators are read as it writes them.
+template <>
+struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> {
+  using type = cereal::PortableBinaryOutputArchive;
+};
+
+namespace remeshd {
+
+template <class A>
+void serialize(A& a, ModelSource& m) {
+  a(m.name, m.unit, m.parameters, m.features);
+}
+/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry.
+template <class A>
+void serialize(A& a, Report& r) {
+  a(r.strategy, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
+    r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
+    r.warnings);
+}
+template <class A>
+void serialize(A& a, RejectedAttempt& t) {
+  a(t.strategy, t.reason);
+}
+
+std::string write_documents(const Revision& revision) {
+  std::ostringstream out(std::ios::binary);
+  {
+    cereal::PortableBinaryOutputArchive archive(out);
+    const MeshGroups& groups = revision.output.groups;
+    archive(kFormat, revision.source, revision.meshed_source, revision.options,
+            revision.edge_length, *revision.cells.parts, groups.facet_groups, groups.cell_owners,
+            revision.output.map.transform_features, revision.report, revision.reference,
+            revision.delaunay_state->mesh.super_vertices(), revision.delaunay_state->next_node_id,
+            revision.delaunay_state->next_tet_id, revision.anchor != nullptr);
+    if (revision.anchor) archive(revision.anchor->source);
+    archive(revision.report.attempts, revision.report.geometry);
+  }
+  return std::move(out).str();
+}
+
+Documents read_documents(const std::string& bytes, Revision& revision) {
+  Documents documents;
+  try {
+    DocumentsArchive archive(bytes);
+    std::uint32_t format = 0;
+    archive(format);
+    if (format != kFormat && format != kShorterReport)
+      throw error::internal("store", "a revision of another format");
+#ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
+    MeshGroups& groups = revision.output.groups;
+    archive(revision.source, revision.meshed_source, revision.options, revision.edge_length,
+            documents.parts, groups.facet_groups, groups.cell_owners,
+            revision.output.map.transform_features, revision.report, revision.reference,
+            documents.delaunay_state.mesh.super_vertices(), documents.delaunay_state.next_node_id,
+            documents.delaunay_state.next_tet_id, documents.anchored);
+    if (documents.anchored) archive(documents.anchor_source);
+    if (format != kShorterReport) archive(revision.report.attempts, revision.report.geometry);
+#endif
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw error::internal("store", std::string("a stored revision cannot be read: ") + e.what());
+  }
+  return documents;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/revision/delaunay_state.h"
+#include "engine/revision/revision.h"
+
+namespace remeshd {
+
+/// What a revision has beside its arrays, in one piece: models and options as written, the parts of
+/// its boundary, names of groups and cells, the report, and numbers.
+struct Documents {
+  BoundaryParts parts;
+  DelaunayState delaunay_state;  ///< but for its arrays
+  bool anchored = false;
+  ModelSource anchor_source;
+};
+
+std::string write_documents(const Revision& revision);
+
+/// What belongs into the revision itself is put there.
+/// Throws Error(Internal) on malformed bytes, and on those of another version.
+Documents read_documents(const std::string& bytes, Revision& revision);
+
+}  // namespace remeshd

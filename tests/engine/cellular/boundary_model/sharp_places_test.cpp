@@ -1,0 +1,71 @@
+#include "engine/cellular/boundary_model/sharp_places.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/cellular/cellular_model.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+constexpr double kDegree = std::numbers::pi / 180;
+
+SharpPlaces of(const ModelSource& source) {
+  const FeatureModel model = evaluate(source);
+  return sharp_places(build_cells(model, kRun).boundary, Membership(model), 25 * kDegree);
+}
+
+std::ptrdiff_t count(const std::vector<std::uint8_t>& flags) {
+  return std::count(flags.begin(), flags.end(), 1);
+}
+
+/// A right-angled prism whose sharp corner has tan(angle) = rise / 40.
+ModelSource wedge(double rise) {
+  return test::one_feature(test::feature(
+      "wedge", "prism", {test::point(0.0, 0.0), test::point(40.0, 0.0), test::point(40.0, rise)},
+      {{"height", 20.0}}));
+}
+
+TEST(SharpPlaces, AreTheEdgeOfAWedgeAndItsEnds) {
+  const SharpPlaces sharp = of(wedge(7));  // 9.9 degrees
+  EXPECT_EQ(count(sharp.edges), 1);
+  EXPECT_EQ(count(sharp.vertices), 2);
+}
+
+TEST(SharpPlaces, AreNotThereFrom25DegreesOn) {
+  EXPECT_TRUE(of(wedge(18.2)).any());   // 24.5 degrees
+  EXPECT_FALSE(of(wedge(19.1)).any());  // 25.5 degrees
+}
+
+TEST(SharpPlaces, AreNotTheGroundOfASlit) {
+  ModelSource source = test::one_feature(
+      test::feature("block", "block", {{"dx", 60.0}, {"dy", 60.0}, {"dz", 20.0}}));
+  FeatureSource slit = test::feature(
+      "slit", "prism", {test::point(0.0, 0.0), test::point(40.0, -3.0), test::point(40.0, 3.0)},
+      {{"height", 20.0}});
+  slit.nature = Nature::Subtractive;
+  source.features.push_back(slit);
+  const SharpPlaces sharp = of(source);
+  EXPECT_EQ(count(sharp.edges), 0);
+  // On top and bottom the slit's edges meet at 8.6 degrees, on the side of the void or not.
+  EXPECT_EQ(count(sharp.vertices), 2);
+}
+
+TEST(SharpPlaces, AreWhereEdgesOfAFaceTouch) {
+  // A boss on a disc that touches its rim from inside leaves a crescent with a cusp of no angle.
+  ModelSource source =
+      test::one_feature(test::feature("disc", "cylinder", {{"radius", 20.0}, {"height", 10.0}}));
+  FeatureSource boss = test::feature("boss", "cylinder", {{"radius", 10.0}, {"height", 20.0}});
+  boss.placement.origin = {10.0, 0.0, 0.0};
+  source.features.push_back(boss);
+  EXPECT_EQ(count(of(source).vertices), 1);
+  EXPECT_EQ(count(of(source).edges), 0);
+  EXPECT_FALSE(of(test::case_model("simple-a")).any());
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,206 @@
+#include "engine/delivery/lost_names.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <span>
+#include <stop_token>
+#include <tuple>
+
+#include "engine/base/error.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+using test::block;
+using test::cylinder;
+using test::feature;
+using test::model_of;
+using test::placed;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Names = std::vector<std::vector<std::string>>;
+
+constexpr Nature kHole = Nature::Subtractive;
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+/// A revision of which only the model and the names on its mesh are known.
+Revision named(const ModelSource& model, Names facets, Names cells = {{"plate"}}) {
+  Revision r;
+  r.model = evaluate(model);
+  r.output.groups.facet_groups = std::move(facets);
+  r.output.groups.cell_owners = std::move(cells);
+  return r;
+}
+
+/// `CODE features | groups`, a line for each warning.
+std::vector<std::string> told(const std::vector<Warning>& warnings) {
+  std::vector<std::string> lines;
+  for (const Warning& w : warnings) {
+    std::string line(name_of(w.code));
+    for (const std::string& id : w.features) line += " " + id;
+    line += " |";
+    for (const std::string& group : w.groups) line += " " + group;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+ModelSource plate(double hole_x) {
+  return model_of(
+      {block("plate", 20, 20, 4), placed(cylinder("hole", 2, 6), hole_x, 10, -1, kHole)});
+}
+
+const Names kPlate{{"plate.bottom"}, {"plate.top"}};
+const Names kPlateWithHole{{"hole.wall"}, {"plate.bottom"}, {"plate.top"}};
+
+TEST(LostNames, AreNoneWhereTheNamesStay) {
+  const Revision original = named(plate(10), kPlateWithHole);
+  EXPECT_THAT(lost_names(Revision::none(), original), IsEmpty());
+  EXPECT_THAT(lost_names(original, named(plate(11), kPlateWithHole)), IsEmpty());
+}
+
+TEST(LostNames, AHoleMovedOffThePartIsTold) {
+  const Revision original = named(plate(10), kPlateWithHole);
+  const Revision without = named(plate(40), kPlate);
+  EXPECT_THAT(told(lost_names(original, without)),
+              ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  EXPECT_THAT(told(lost_names(Revision::none(), without)),
+              ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
+  // It was told when it happened.
+  EXPECT_THAT(lost_names(without, named(plate(50), kPlate)), IsEmpty());
+}
+
+TEST(LostNames, AFaceOfAFeatureThatHasOthersIsToldByItself) {
+  const Names with{{"rib.left"}, {"rib.right"}, {"rib.top"}};
+  const ModelSource model = model_of({block("rib", 1, 1, 1)});
+  const Revision original = named(model, with, {{"rib"}});
+  EXPECT_THAT(told(lost_names(original, named(model, {{"rib.top"}}, {{"rib"}}))),
+              ElementsAre("FACE_LOST rib | rib.left", "FACE_LOST rib | rib.right"));
+}
+
+TEST(LostNames, FacesOfARemovedFeatureAreToldAtOnce) {
+  const Revision original = named(plate(10), {{"hole.bottom"}, {"hole.wall"}, {"plate.top"}});
+  const ModelSource model = model_of({block("plate", 20, 20, 4)});
+  EXPECT_THAT(told(lost_names(original, named(model, {{"plate.top"}}))),
+              ElementsAre("FACE_LOST hole | hole.bottom hole.wall"));
+}
+
+TEST(LostNames, AGroupIsToldWhereItsFacesAreStillThere) {
+  const ModelSource model = model_of({block("plate", 20, 20, 4), block("hub", 4, 4, 4)});
+  const Names apart{{"hub.top"}, {"plate.top"}};
+  const Revision original = named(model, {{"hub.top"}, {"hub.top", "plate.top"}, {"plate.top"}});
+  EXPECT_THAT(told(lost_names(original, named(model, apart))),
+              ElementsAre("GROUP_EMPTIED | hub.top+plate.top"));
+}
+
+TEST(LostNames, WithoutEffectIsSaidOnlyWhereItIsCertain) {
+  const auto with = [](const FeatureSource& other, const FeatureSource& last) {
+    return model_of({block("plate", 20, 20, 4), other, last});
+  };
+  const auto unnamed_last = [&](const ModelSource& model) {
+    return told(lost_names(Revision::none(), named(model, {{"plate.top"}, {"other.wall"}},
+                                                   {{"plate"}, {"other", "plate"}})));
+  };
+  const FeatureSource far = placed(cylinder("hole", 2, 6), 40, 10, 0, kHole);
+  // Away from everything.
+  EXPECT_THAT(unnamed_last(with(placed(block("other", 2, 2, 2), 5, 5, 3), far)),
+              ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
+  // It may have swallowed the whole other one.
+  EXPECT_THAT(unnamed_last(with(placed(block("other", 1, 1, 1), 40, 10, 1), far)), IsEmpty());
+  // In a larger hole: boxes do not tell.
+  EXPECT_THAT(unnamed_last(with(placed(cylinder("other", 4, 6), 40, 10, 0, kHole), far)),
+              IsEmpty());
+  // Where an additive one decided there would be material of it.
+  EXPECT_THAT(unnamed_last(with(placed(block("other", 2, 2, 2), 5, 5, 3), block("rib", 1, 1, 1))),
+              ElementsAre("FEATURE_WITHOUT_EFFECT rib |"));
+}
+
+TEST(LostNames, AFeatureThatHasMaterialHasAnEffect) {
+  const ModelSource model = model_of({block("plate", 20, 20, 4), block("inlay", 1, 1, 1)});
+  EXPECT_THAT(lost_names(Revision::none(), named(model, kPlate, {{"plate"}, {"plate", "inlay"}})),
+              IsEmpty());
+}
+
+TEST(LostNames, AnEditThatMovesAHoleOffAPlateSaysSoInItsReport) {
+  const Revision original = make_revision(Revision::none(), plate(10), {.nodes = 300}, kRun);
+  EXPECT_THAT(told(lost_names(Revision::none(), original)), IsEmpty());
+  const ModelSource moved = plate(40);
+  const Revision remesh = make_revision(original, moved, {}, kRun);
+  EXPECT_THAT(told(remesh.report.warnings),
+              testing::Contains("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  const Revision fresh = make_revision(Revision::none(), moved, {.nodes = 300}, kRun);
+  EXPECT_THAT(told(fresh.report.warnings), testing::Contains("FEATURE_WITHOUT_EFFECT hole |"));
+}
+
+/// A remesh of `original`, what was told before there was a mesh, and the stages until then.
+struct Watched {
+  std::vector<std::string> early;
+  std::vector<std::string> stages;
+  std::vector<std::string> in_the_report;
+};
+Watched watched(const Revision& original, const ModelSource& source, bool stop_at_warning) {
+  Watched seen;
+  remeshd::Run run;
+  std::stop_source stop;
+  run.stop = stop.get_token();
+  run.on_progress = [&](const Progress& p) { seen.stages.emplace_back(p.stage); };
+  run.on_warnings = [&](std::span<const Warning> certain) {
+    const auto lines = told({certain.begin(), certain.end()});
+    seen.early.insert(seen.early.end(), lines.begin(), lines.end());
+    if (stop_at_warning) stop.request_stop();
+  };
+  MeshOptions options;
+  if (original.output.mesh.tets.empty()) options.nodes = 300;
+  try {
+    seen.in_the_report = told(make_revision(original, source, options, run).report.warnings);
+  } catch (const Error& e) {
+    EXPECT_EQ(e.info().kind, ErrorKind::Cancelled) << e.what();
+  }
+  return seen;
+}
+
+TEST(NamesToBeLost, AreToldBeforeAnythingIsMeshed) {
+  const Revision original = make_revision(Revision::none(), plate(10), {.nodes = 300}, kRun);
+  const Watched edit = watched(original, plate(40), true);
+  EXPECT_THAT(edit.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  EXPECT_THAT(edit.stages, ElementsAre("cells", "difference"));
+  const Watched first = watched(Revision::none(), plate(40), true);
+  EXPECT_THAT(first.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
+  EXPECT_THAT(first.stages, ElementsAre("cells", "difference"));
+}
+
+/// A plate with a hole and an inlay, flush with the top where `raised` is 0.
+ModelSource inlaid(double hole_x, double raised) {
+  ModelSource model = plate(hole_x);
+  model.features.push_back(placed(block("inlay", 4, 4, 2 + raised), -5, -5, 2));
+  return model;
+}
+
+TEST(NamesToBeLost, AreThoseThatTheMeshLosesForCertain) {
+  const ModelSource flush = inlaid(5, 0);
+  const Revision original = make_revision(Revision::none(), flush, {.nodes = 400}, kRun);
+  ModelSource without = flush;
+  without.features.erase(without.features.begin() + 1);
+  ModelSource buried = flush;
+  buried.features.back().parameters["dz"] = 1.0;
+  for (const auto& [what, source, early] :
+       std::vector<std::tuple<const char*, ModelSource, std::vector<std::string>>>{
+           {"the hole is off the plate",
+            inlaid(40, 0),
+            {"FEATURE_WITHOUT_EFFECT hole | hole.wall"}},
+           {"the hole is gone", without, {"FACE_LOST hole | hole.wall"}},
+           {"the inlay stands out", inlaid(5, 2), {"GROUP_EMPTIED | inlay.top+plate.top"}},
+           {"the inlay is inside: its material is the mesh's to tell", buried, {}},
+           {"the hole is elsewhere", inlaid(6, 0), {}}}) {
+    SCOPED_TRACE(what);
+    const Watched seen = watched(original, source, false);
+    EXPECT_EQ(seen.early, early);
+    for (const std::string& line : seen.early)
+      EXPECT_THAT(seen.in_the_report, testing::Contains(line));
+  }
+}
+
+}  // namespace
+}  // namespace remeshd

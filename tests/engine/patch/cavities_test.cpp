@@ -1,0 +1,34 @@
+#include "engine/patch/cavities.h"
+
+#include <gtest/gtest.h>
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;
+
+// The second and third tet share a facet and have been replaced by one that has their nodes but for
+// one; the fourth stands alone.
+const std::vector<Tet> kDelaunay{{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}, {10, 11, 12, 13}};
+const std::vector<Tet> kDelivered{{11, 10, 13, 12}, {0, 1, 2, 3}, {1, 2, 3, 5}};
+
+void expect_pieces(const Cavities& cavities) {
+  EXPECT_EQ(cavities.same, (std::vector<std::int32_t>{1, -1, -1, 0}));
+  EXPECT_EQ(cavities.of_tet, (std::vector<std::int32_t>{-1, 0, 0, -1}));
+  ASSERT_EQ(cavities.list.size(), 1U);
+  EXPECT_EQ(cavities.list[0].delaunay, (std::vector<std::int32_t>{1, 2}));
+  EXPECT_EQ(cavities.list[0].output, (std::vector<std::int32_t>{2}));
+}
+
+TEST(Cavities, StandForThemselvesOrInClusters) {
+  expect_pieces(find_cavities(kDelaunay, kDelivered, {}, 14, kRun));
+}
+
+TEST(Cavities, AreTheSameWhateverIsKnownOfThem) {
+  using Known = std::vector<std::int32_t>;
+  for (const Known& same : {Known{-1, -1, -1}, Known{3, -1, -1}, Known{-1, 0, -1}, Known{3, 0, -1}})
+    expect_pieces(find_cavities(kDelaunay, kDelivered, same, 14, kRun));
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,68 @@
+#include "engine/patch/reuse_improved_tets.h"
+
+#include <gtest/gtest.h>
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;
+/// Of the original's tet, in another slot.
+const PeeledMesh kPeeled{{{0, 1, 2, 4}}, {7}, {}};
+
+/// A Delaunay mesh of one tet, for which the output mesh has two with a fifth node: as after the
+/// last resort, whose output mesh is more than clean-up makes of the peeled Delaunay mesh.
+struct Original : Patch {
+  Original() {
+    positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    output_nodes = positions;
+    tets = {{0, 1, 2, 4}};
+    output = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+    cavities = find_cavities(tets, output, {}, positions.size(), kRun);
+  }
+};
+
+NodeSet copies_of(const Original& original, std::int32_t count) {
+  NodeSet nodes;
+  for (std::int32_t n = 0; n < count; ++n) {
+    nodes.add_new(original.positions[n]);
+    nodes.original[n] = n;
+    nodes.transform[n] = 0;
+  }
+  return nodes;
+}
+
+ReusedMesh reuse(const Original& original, const NodeSet& nodes) {
+  const std::vector<Transform> transforms{Transform{}};
+  return reuse_improved_tets(nodes, kPeeled, original, transforms, kRun);
+}
+
+TEST(CarryOver, BringsWhatTheCleanUpMadeOfATet) {
+  const Original original;
+  const ReusedMesh reused = reuse(original, copies_of(original, 5));
+  EXPECT_EQ(reused.mesh.tets, original.output);
+  EXPECT_EQ(reused.dirty, (std::vector<std::uint8_t>{0, 0}));
+}
+
+TEST(CarryOver, LeavesTetsWhoseNodesAreNotAllThere) {
+  const Original original;
+  NodeSet nodes = copies_of(original, 5);
+  nodes.original[3] = nodes.transform[3] = -1;  // only the output tets have the fourth node
+  const ReusedMesh reused = reuse(original, nodes);
+  EXPECT_EQ(reused.mesh.tets, (std::vector<Tet>{{0, 1, 2, 4}}));
+  EXPECT_EQ(reused.dirty, (std::vector<std::uint8_t>{1}));
+}
+
+TEST(CarryOver, LeavesTetsWhoseNodesWentDifferentWays) {
+  const Original original;
+  NodeSet nodes = copies_of(original, 5);
+  nodes.transform[3] = 1;
+  Transform away;
+  away.m[3] = 0.5;
+  nodes.positions[3] = away.apply(nodes.positions[3]);
+  const ReusedMesh reused = reuse_improved_tets(nodes, kPeeled, original,
+                                                std::vector<Transform>{Transform{}, away}, kRun);
+  EXPECT_EQ(reused.mesh.tets, kPeeled.tets);
+}
+
+}  // namespace
+}  // namespace remeshd

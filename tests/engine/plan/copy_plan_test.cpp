@@ -1,0 +1,98 @@
+#include "engine/plan/copy_plan.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+constexpr double kEdge = 2;
+
+FeatureModel edited(const std::string& original, const std::string& edit) {
+  return evaluate(apply(test::case_model(original), test::case_edit(edit)));
+}
+
+TEST(CopyPlan, WithoutAnOriginalEverythingIsNew) {
+  const CopyPlan source(nullptr, test::case_features("simple-a"), kEdge, kRun);
+  EXPECT_EQ(source({0, 0, 20}), CopyPlan::kNew);
+  EXPECT_EQ(source({0, 0, 70}), CopyPlan::kOutside);
+}
+
+TEST(CopyPlan, AMovedFeatureBringsItsMaterialAlong) {
+  const FeatureModel original = test::case_features("simple-a");
+  const FeatureModel modified = edited("simple-a", "simple-ab");
+  const CopyPlan source(&original, modified, kEdge, kRun);
+  const std::int32_t base = source({0, 0, 20}), top = source({20, 0, 50});
+  ASSERT_GE(base, 0);
+  ASSERT_GE(top, 0);
+  EXPECT_TRUE(source.transforms()[base].is_identity());
+  EXPECT_EQ(source.transforms()[top].apply({-20, 0, 50}), (Vec3{20, 0, 50}));
+  EXPECT_EQ(source({-20, 0, 50}), CopyPlan::kOutside);
+}
+
+TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
+  const FeatureModel original = test::case_features("tool2-a");
+  const CopyPlan source(&original, edited("tool2-a", "tool2-ab"), kEdge, kRun);
+  ASSERT_FALSE(source.sources().empty());
+  EXPECT_EQ(original.features[source.sources().front().original].id, "base");
+  for (std::size_t k = 1; k < source.sources().size(); ++k)
+    EXPECT_GE(source.sources()[k - 1].volume, source.sources()[k].volume);
+}
+
+TEST(CopyPlan, WhereAHoleWasAndIsNoMoreTheMaterialIsNew) {
+  const FeatureModel original = test::case_features("fig11-a");
+  const CopyPlan source(&original, edited("fig11-a", "fig11-ab"), kEdge, kRun);
+  EXPECT_EQ(source({-26, 0, 7}), CopyPlan::kNew);      // old hole at x -20, radius 8
+  EXPECT_EQ(source({-10, 0, 7}), CopyPlan::kOutside);  // new hole at x -10, radius 6
+  EXPECT_GE(source({30, 0, 7}), 0);
+  EXPECT_GE(source({15, 0, 25}), 0);               // rib as it was
+  EXPECT_EQ(source({22, 0, 25}), CopyPlan::kNew);  // rib, widened by 3 on each side
+}
+
+TEST(CopyPlan, ACentredReferenceMovesTheCopyWithTheCentre) {
+  const FeatureModel original = test::case_features("fig10-a");
+  const CopyPlan source(&original, edited("fig10-a", "fig10-ab"), kEdge, kRun);
+  const std::int32_t t = source({0, 0, 19});
+  ASSERT_GE(t, 0);
+  EXPECT_EQ(source.transforms()[t].apply({0, 0, 16}), (Vec3{0, 0, 19}));
+}
+
+TEST(CopyPlan, TheFootOfAMovedRibIsActiveWhereItWasAndWhereItIs) {
+  const FeatureModel original = test::case_features("fig6-a");
+  const CopyPlan source(&original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const Vec3 up{0, 0, 1};
+  EXPECT_TRUE(source.active_face({-20, 0, 10}, up));  // boundary now, was none
+  EXPECT_TRUE(source.active_face({10, 0, 10}, up));   // copies of different origin meet
+  EXPECT_FALSE(source.active_face({30, 0, 10}, up));  // boundary before and after
+  EXPECT_FALSE(source.active_face({30, 0, 5}, up));   // no face at all
+  EXPECT_FALSE(source.active_face({10, 8, 22}, up));  // knob on rib: moved together
+}
+
+TEST(CopyPlan, ATinyMoveIsStillAMove) {
+  ModelSource document = test::case_model("simple-a");
+  const FeatureModel original = evaluate(document);
+  test::parameter(document, "top_x") = -20 + 1e-7;
+  const FeatureModel modified = evaluate(document);
+  const CopyPlan source(&original, modified, kEdge, kRun);
+  const std::int32_t top = source({-20, 0, 50});
+  ASSERT_GE(top, 0);
+  EXPECT_FALSE(source.transforms()[top].is_identity());
+  EXPECT_EQ(source.changed().size(), 2U);
+}
+
+TEST(CopyPlan, NothingChangedLeavesNoBox) {
+  const FeatureModel model = test::case_features("tool1-a");
+  EXPECT_TRUE(CopyPlan(&model, model, kEdge, kRun).changed().empty());
+}
+
+TEST(CopyPlan, FeaturesThatMoveTogetherShareATransformation) {
+  const FeatureModel original = test::case_features("fig6-a");
+  const CopyPlan source(&original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  EXPECT_EQ(source.transforms().size(), 2U);
+}
+
+}  // namespace
+}  // namespace remeshd
