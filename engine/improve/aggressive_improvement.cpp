@@ -9,10 +9,11 @@ namespace {
 constexpr double kGain = 1e-3;
 /// More tets than this do not surround a tet: about 500 do.
 constexpr std::size_t kCrowd = 2000;
-/// Rounds of easing over the nodes at a stubborn tet's neighbours.
+/// Rounds of energy descent over the nodes at a residual tet's neighbours.
 constexpr int kRelaxRounds = 12;
 constexpr int kClimbRounds = 4;
-constexpr double kLeastGain = 1e-4;  // of the score, for a step of a climb: it bounds their number
+constexpr double kLeastGain =
+    1e-4;  // of the score, for a step of the compass search: it bounds their number
 constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge length
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
 constexpr int kMendSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
@@ -30,8 +31,8 @@ void sort_unique(std::vector<std::int32_t>& values) {
 
 bool AggressiveImprovement::Rank::better_than(const Rank& other) const {
   if (worst > other.worst + kGain) return true;
-  const bool mended = deficit == 0 && other.deficit > 0;
-  return worst >= other.worst && (mended || deficit < other.deficit - kGain);
+  const bool meets_goals = deficit == 0 && other.deficit > 0;
+  return worst >= other.worst && (meets_goals || deficit < other.deficit - kGain);
 }
 
 std::vector<std::int32_t> AggressiveImprovement::nodes_round(std::int32_t t) const {
@@ -121,7 +122,7 @@ bool AggressiveImprovement::compass_search(std::int32_t t) {
   bool changed = false;
   for (int round = 0; round < kClimbRounds && !good(t); ++round) {
     bool moved = false;
-    for (const std::int32_t node : tet) moved |= climb_node(node);
+    for (const std::int32_t node : tet) moved |= compass_search_node(node);
     if (!moved) break;
     changed = true;
   }
@@ -140,7 +141,7 @@ double AggressiveImprovement::worst_at(std::int32_t node, const Vec3& p, double 
   return worst;
 }
 
-bool AggressiveImprovement::climb_node(std::int32_t node) {
+bool AggressiveImprovement::compass_search_node(std::int32_t node) {
   if (!rules_.facets_at(node, facets_)) return false;
   double length = 0;
   for (const std::int32_t n : mesh_.tet(mesh_.tets_of(node)[0]))

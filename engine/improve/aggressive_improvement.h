@@ -12,8 +12,8 @@
 
 namespace remeshd {
 
-/// What is tried on a tet that reconnections and moves of single nodes by measure left below the
-/// goals. It goes by scores, so that angles count, and costs more.
+/// Operations on a residual bad tet: one that reconnections and moves of single nodes by measure
+/// left below the goals. They go by scores, so that angles count, and cost more.
 class AggressiveImprovement {
  public:
   AggressiveImprovement(LocalMesh& mesh, const BoundaryRules& rules, Smoother& smoother,
@@ -22,11 +22,10 @@ class AggressiveImprovement {
 
   /// Tets with their stamps, ascending.
   using Neighbourhood = std::vector<std::pair<std::int32_t, std::uint32_t>>;
-  /// What the means look at to help a tet: where one was of no help, it is of none until this
-  /// changes.
+  /// What the operations look at to improve a tet: one that failed there fails until this changes.
   [[nodiscard]] Neighbourhood neighbourhood(std::int32_t t) const;
   /// Whether so many tets surround a tet as only do in a mesh that is broken there, with nodes in
-  /// hundreds of tets: it would take the last means minutes, for nothing.
+  /// hundreds of tets: the operations would take minutes there, for nothing.
   [[nodiscard]] static bool is_crowded(const Neighbourhood& neighbourhood);
 
   /// Moves all nodes round a tet a little, several times, though most of their tets are good
@@ -69,7 +68,7 @@ class AggressiveImprovement {
   [[nodiscard]] Rank rank(const std::vector<std::int32_t>& tets) const;
   /// Worst score of the node's tets with the node at p; stops once one is at or below `floor`.
   [[nodiscard]] double worst_at(std::int32_t node, const Vec3& p, double floor) const;
-  bool climb_node(std::int32_t node);
+  bool compass_search_node(std::int32_t node);
   /// One of the ten ways to take the tet out, whether it gets worse or not.
   bool take_out(std::int32_t t, int way, Reconnection& out) const;
   bool optimise_from(const Reconnection& start, const std::vector<std::int32_t>& nodes);

@@ -21,16 +21,16 @@ constexpr double kGain = 1e-3;
 /// By how much a move tries to raise a tet at least; a sharp one may be above the threshold
 /// already.
 constexpr double kSharpGain = 0.02;
-/// So many tets per pass are relaxed at most, and one more per thousand: a VTM mesh of 15,000 nodes
-/// has fewer than ten, only a threshold out of reach has more.
-constexpr std::size_t kMostStubborn = 40;
-/// The same for those that are mended together with all that surrounds them.
-constexpr std::size_t kMostMended = 12;
-/// And of these for the dearest, ten times that.
-constexpr std::size_t kMostTakenOut = 3;
+/// So many residual tets per pass are worked on at most, and one more per thousand: a VTM mesh of
+/// 15,000 nodes has fewer than ten, only a threshold out of reach has more.
+constexpr std::size_t kMostResidual = 40;
+/// The same for those whose whole neighbourhood is optimised.
+constexpr std::size_t kMostNeighbourhoods = 12;
+/// And for those that are perturbed first, which costs ten times as much.
+constexpr std::size_t kMostPerturbed = 3;
 /// A node in more tets than this, as only a broken mesh has, stays: it would be tried for each.
 constexpr std::size_t kMostAtNode = 300;
-constexpr double kBadAtRim = 0.9;  // score
+constexpr double kBadAtInterface = 0.9;  // score
 constexpr int kPollEvery = 64;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
@@ -65,16 +65,16 @@ class CleanUp {
     for (int pass = 0; pass < options_.passes; ++pass) {
       for (const std::int32_t t : bad_tets()) push(t);
       bool changed = drain();
-      changed |= on_stubborn(most_residual(), Spare::Neighbours, in_vain, [&](std::int32_t t) {
+      changed |= on_residual_tets(most_residual(), Spare::Neighbours, in_vain, [&](std::int32_t t) {
         return aggressive_.descend(t) || aggressive_.reconnect(t) || aggressive_.compass_search(t);
       });
       if (!changed) break;
     }
-    if (bad_tets().size() <= most_residual()) optimise_neighbourhood();
+    if (bad_tets().size() <= most_residual()) optimise_residual_tets();
     ImproveResult result;
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
-      if (std::ranges::min(mesh_.tet(t)) < options_.locked && score_(mesh_, t) < kBadAtRim)
+      if (std::ranges::min(mesh_.tet(t)) < options_.locked && score_(mesh_, t) < kBadAtInterface)
         ++result.bad_at_interface;
     }
     result.mesh = mesh_.result();
@@ -106,20 +106,21 @@ class CleanUp {
     return tets;
   }
 
-  /// By tet, what surrounded it when a means was of no help.
+  /// By tet, its neighbourhood when an operation failed there.
   using InVain = std::map<std::int32_t, AggressiveImprovement::Neighbourhood>;
 
-  /// Which tets a means is not tried on, for it was tried on another whose neighbours they are: it
-  /// has moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad
-  /// in dozens. Neighbours of a crowded one are spared always.
+  /// Which tets an operation is not tried on, for it was tried on a neighbour of theirs and has
+  /// moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad in
+  /// dozens. Neighbours of a crowded one are spared always.
   enum class Spare : std::uint8_t {
     Neighbours,        ///< those that have a node in common with it
     NeighboursInVain,  ///< the same, unless it helped there
   };
 
-  /// Has a last means try the worst of the bad tets, `most` of them; true if it helped one.
-  template <class Means>
-  bool on_stubborn(std::size_t most, Spare spare, InVain& in_vain, const Means& means) {
+  /// Tries an operation on the worst of the bad tets, `most` of them; true if it improved one.
+  template <class Operation>
+  bool on_residual_tets(std::size_t most, Spare spare, InVain& in_vain,
+                        const Operation& operation) {
     bool changed = false;
     std::vector<std::uint8_t> spared(mesh_.slots(), 0);
     const auto spare_neighbours = [&](std::int32_t t) {
@@ -139,7 +140,7 @@ class CleanUp {
         continue;
       if (most-- == 0) break;
       if (spare == Spare::Neighbours) spare_neighbours(t);
-      if (!means(t)) {
+      if (!operation(t)) {
         spare_neighbours(t);
         in_vain[t] = std::move(round);
         continue;
@@ -152,18 +153,18 @@ class CleanUp {
   }
 
   [[nodiscard]] std::size_t most_residual() const {
-    return kMostStubborn + static_cast<std::size_t>(mesh_.slots()) / 1000;
+    return kMostResidual + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
-  /// Has the few that are left mended; where there are many the goals are out of reach.
-  void optimise_neighbourhood() {
+  /// Works on the few tets that are left; where there are many the goals are out of reach.
+  void optimise_residual_tets() {
     InVain in_vain;
-    const auto mended = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
+    const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_stubborn(kMostMended, Spare::NeighboursInVain, in_vain, mended)) break;
+      if (!on_residual_tets(kMostNeighbourhoods, Spare::NeighboursInVain, in_vain, optimise)) break;
     in_vain.clear();
-    on_stubborn(kMostTakenOut, Spare::NeighboursInVain, in_vain,
-                [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
+    on_residual_tets(kMostPerturbed, Spare::NeighboursInVain, in_vain,
+                     [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
   }
 
   [[nodiscard]] std::vector<std::int32_t> worst_first() const {

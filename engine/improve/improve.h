@@ -22,8 +22,7 @@ struct ImproveOptions {
   /// A boundary node that slides may leave no boundary facet off its surface by more than this
   /// share of the local edge length beyond what it was.
   double chord_tolerance = 0.05;
-  /// Nodes below are at a patch's interface of a mesh: they stay, and so does the hull between
-  /// them.
+  /// Nodes below are interface nodes of a patch: they stay, and so does the hull between them.
   std::int32_t locked = 0;
 };
 
@@ -41,10 +40,11 @@ struct ImproveResult {
 /// boundary) and local smoothing in which boundary nodes slide on their surface or curve. Works on
 /// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches. A tet
 /// scores by how near it comes to the threshold in measure and to the least dihedral angle; every
-/// reconnection and every move of one node raises the worst measure, or as a last means the worst
-/// score, of the tets it touches. Where neither helps, the nodes round a tet are eased together,
-/// which may leave the worst as it is while what all of them lack gets less; and at the very last
-/// eased and reconnected in turn, which is taken back unless the outcome is better.
+/// reconnection and every move of one node raises the worst measure, or on residual tets the worst
+/// score, of the tets it touches. Where neither helps, the nodes round a tet take energy descent
+/// steps together, which may leave the worst as it is while the sum of the deficits shrinks; at
+/// last such steps and reconnections take turns, which is taken back unless the outcome is better
+/// (aggressive_improvement.h).
 ///
 /// Post: volume covered, boundary manifold and its model edges as before; no tet scores worse than
 /// the worst of the input; the same input gives the same bytes.

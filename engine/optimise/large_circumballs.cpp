@@ -15,16 +15,16 @@ namespace {
 constexpr double kLargestBall = 0.75;
 constexpr double kFlat = 1e-9;  // x edge length^3: six times the volume of a tet without a ball
 
-struct Void {
+struct Circumball {
   double radius2;
   Vec3 centre;
 };
 
-std::optional<Void> ball_of(const std::vector<Vec3>& p, const Tet& t, double flat) {
+std::optional<Circumball> ball_of(const std::vector<Vec3>& p, const Tet& t, double flat) {
   const Vec3 &o = p[t[0]], a = p[t[1]] - o, b = p[t[2]] - o, c = p[t[3]] - o;
   if (dot(a, cross(b, c)) <= flat) return std::nullopt;
   const Vec3 to = to_circumcentre(a, b, c);
-  return Void{norm2(to), o + to};
+  return Circumball{norm2(to), o + to};
 }
 
 }  // namespace
@@ -33,17 +33,17 @@ std::int32_t insert_at_circumcentres(NodeSet& nodes, std::span<const Tet> tets,
                                      const InsideTest& inside, double edge_length) {
   const double l = edge_length;
   const double least2 = kLargestBall * kLargestBall * l * l;
-  std::vector<Void> large_circumballs;
+  std::vector<Circumball> large_circumballs;
   for (const Tet& t : tets) {
     if (!std::ranges::all_of(
             t, [&](std::int32_t n) { return nodes.supports[n].kind == Support::Kind::Interior; }))
       continue;
-    const std::optional<Void> ball = ball_of(nodes.positions, t, kFlat * l * l * l);
+    const std::optional<Circumball> ball = ball_of(nodes.positions, t, kFlat * l * l * l);
     if (ball && ball->radius2 > least2 && inside(ball->centre)) large_circumballs.push_back(*ball);
   }
-  std::ranges::stable_sort(large_circumballs, std::ranges::greater(), &Void::radius2);
+  std::ranges::stable_sort(large_circumballs, std::ranges::greater(), &Circumball::radius2);
   const std::int32_t first = nodes.size();
-  for (const Void& v : large_circumballs) {
+  for (const Circumball& v : large_circumballs) {
     const auto near = [&](const Vec3& p) { return norm2(p - v.centre) <= least2; };
     if (std::none_of(nodes.positions.begin() + first, nodes.positions.end(), near))
       nodes.add_new(v.centre);

@@ -112,6 +112,8 @@ void put_diagnostics(const Report& report, bool first_mesh, v1::Diagnostics& out
                                            counts.free_per_iteration.end());
   put_quality(report.quality_before, *out.mutable_quality_before());
   out.set_geometry(report.geometry);
+  for (const RejectedAttempt& attempt : report.geometry_attempts)
+    put_attempt(attempt, *out.add_geometry_attempts());
 }
 
 }  // namespace

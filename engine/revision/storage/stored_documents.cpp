@@ -12,8 +12,9 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 11;
-constexpr std::uint32_t kShorterReport = 10;  // without attempts and geometry, which come last
+constexpr std::uint32_t kFormat = 12;
+// With less of the report, whose latest parts come last.
+constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -34,7 +35,7 @@ template <class A>
 void serialize(A& a, ModelSource& m) {
   a(m.name, m.unit, m.parameters, m.features);
 }
-/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry.
+/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry's.
 template <class A>
 void serialize(A& a, Report& r) {
   a(r.strategy, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
@@ -57,7 +58,7 @@ std::string write_documents(const Revision& revision) {
             revision.delaunay_state->mesh.super_vertices(), revision.delaunay_state->next_node_id,
             revision.delaunay_state->next_tet_id, revision.anchor != nullptr);
     if (revision.anchor) archive(revision.anchor->source);
-    archive(revision.report.attempts, revision.report.geometry);
+    archive(revision.report.attempts, revision.report.geometry, revision.report.geometry_attempts);
   }
   return std::move(out).str();
 }
@@ -68,7 +69,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     DocumentsArchive archive(bytes);
     std::uint32_t format = 0;
     archive(format);
-    if (format != kFormat && format != kShorterReport)
+    if (format < kNoAttempts || format > kFormat)
       throw error::internal("store", "a revision of another format");
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     MeshGroups& groups = revision.output.groups;
@@ -78,7 +79,8 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
             documents.delaunay_state.mesh.super_vertices(), documents.delaunay_state.next_node_id,
             documents.delaunay_state.next_tet_id, documents.anchored);
     if (documents.anchored) archive(documents.anchor_source);
-    if (format != kShorterReport) archive(revision.report.attempts, revision.report.geometry);
+    if (format > kNoAttempts) archive(revision.report.attempts, revision.report.geometry);
+    if (format > kNoGeometryAttempts) archive(revision.report.geometry_attempts);
 #endif
   } catch (const Error&) {
     throw;

@@ -9,23 +9,23 @@
 #include "engine/kernel/predicates.h"
 #include "engine/mesh/quality.h"
 #include "engine/mesh/tet_mesh.h"
-#include "tests/engine/kernel/clouds.h"
+#include "tests/engine/delaunay/clouds.h"
 
-namespace remeshd::kernel {
+namespace remeshd {
 namespace {
 
 using namespace test;
 
 /// Every node outside every circumsphere, every tet positive.
-void expect_delaunay(const Delaunay& mesh, const std::vector<Vec3>& p,
+void expect_delaunay(const DelaunayMesh& mesh, const std::vector<Vec3>& p,
                      const std::vector<std::int32_t>& nodes) {
   int count = 0, bad = 0;
   mesh.for_each_tet([&](const Tet& t) {
     ++count;
-    ASSERT_GT(orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]), 0);
+    ASSERT_GT(kernel::orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]), 0);
     for (const std::int32_t n : nodes)
       if (std::find(t.begin(), t.end(), n) == t.end())
-        bad += in_sphere(p[t[0]], p[t[1]], p[t[2]], p[t[3]], p[n]) > 0;
+        bad += kernel::in_sphere(p[t[0]], p[t[1]], p[t[2]], p[t[3]], p[n]) > 0;
   });
   EXPECT_GT(count, 0);
   EXPECT_EQ(bad, 0);
@@ -52,14 +52,14 @@ TEST(Delaunay, TheOrderOfInsertionDoesNotMatter) {
   const auto points = cloud(400, 2);
   auto backwards = all(400);
   std::reverse(backwards.begin(), backwards.end());
-  Delaunay mesh(unit_box());
+  DelaunayMesh mesh(unit_box());
   mesh.insert(points, {backwards.data(), 150}, kRun);
   mesh.insert(points, {backwards.data() + 150, 250}, kRun);
   EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
 }
 
 /// Tets that are said to share a facet do.
-void expect_neighbours(const Delaunay& mesh) {
+void expect_neighbours(const DelaunayMesh& mesh) {
   std::vector<Tet> tets(mesh.slots(), Tet{-1, -1, -1, -1});
   mesh.for_each_tet_with_neighbours(
       [&](std::int32_t slot, const Tet& t, const Tet&) { tets[slot] = t; });
@@ -83,7 +83,7 @@ TEST(Delaunay, ANodeThatManyOthersSurroundIsLinkedWithAllOfThem) {
     const std::vector<Vec3> more = cloud(40, 7);
     points.insert(points.end(), more.begin(), more.end());
     const std::vector<std::int32_t> nodes = all(points.size());
-    Delaunay mesh(unit_box());
+    DelaunayMesh mesh(unit_box());
     mesh.insert(points, {nodes.data(), static_cast<std::size_t>(count)}, kRun);
     mesh.insert(points, {nodes.data() + count, 1}, kRun);
     expect_neighbours(mesh);
@@ -103,14 +103,14 @@ TEST(Delaunay, ANodeAtTheVeryPlaceOfAnotherStaysOut) {
 TEST(Delaunay, TakingNodesOutGivesTheMeshOfTheOthers) {
   const auto points = cloud(500, 4);
   for (const std::size_t count : {1U, 30U, 250U, 499U}) {
-    Delaunay mesh = mesh_of(points);
+    DelaunayMesh mesh = mesh_of(points);
     std::vector<std::int32_t> out;
     for (std::size_t k = 0; k < count; ++k) out.push_back(static_cast<std::int32_t>((k * 7) % 500));
     ASSERT_TRUE(mesh.remove(out, kRun));
     std::vector<std::int32_t> rest;
     for (const std::int32_t n : all(500))
       if (std::find(out.begin(), out.end(), n) == out.end()) rest.push_back(n);
-    Delaunay expected(unit_box());
+    DelaunayMesh expected(unit_box());
     expected.insert(points, rest, kRun);
     EXPECT_EQ(sorted_tets(mesh), sorted_tets(expected)) << count << " nodes taken out";
   }
@@ -118,7 +118,7 @@ TEST(Delaunay, TakingNodesOutGivesTheMeshOfTheOthers) {
 
 TEST(Delaunay, NodesTakenOutCanBePutInAgain) {
   const auto points = cloud(400, 5);
-  Delaunay mesh = mesh_of(points);
+  DelaunayMesh mesh = mesh_of(points);
   const std::vector<std::int32_t> some{3, 5, 100, 101, 102, 399};
   ASSERT_TRUE(mesh.remove(some, kRun));
   mesh.insert(points, some, kRun);
@@ -128,7 +128,7 @@ TEST(Delaunay, NodesTakenOutCanBePutInAgain) {
 TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
   for (const double step : {1e-6, 1e-3, 1e-2, 5e-2, 0.5}) {
     auto points = cloud(600, 6);
-    Delaunay mesh = mesh_of(points);
+    DelaunayMesh mesh = mesh_of(points);
     Random random(11);
     for (int round = 0; round < 3; ++round) {
       for (std::size_t k = 0; k < points.size(); k += 2)
@@ -145,7 +145,7 @@ TEST(Delaunay, MovedNodesGiveTheMeshOfTheirNewPlaces) {
 void move_a_box(const Vec3& shift, double rest_in_box) {
   const auto points = cloud(6000, 13);
   const auto in_box = [](const Vec3& p) { return std::max({p.x, p.y, p.z}) < 0.6; };
-  const Delaunay from = mesh_of(points);
+  const DelaunayMesh from = mesh_of(points);
   std::vector<Vec3> places;
   std::vector<std::int32_t> names(points.size(), -1);
   Random random(3);
@@ -161,10 +161,10 @@ void move_a_box(const Vec3& shift, double rest_in_box) {
   for (const std::int32_t n : names) std::erase(still, n);
   Box box = unit_box();
   box.add(Vec3{1, 1, 1} + shift);
-  Delaunay mesh(box);
+  DelaunayMesh mesh(box);
   mesh.insert(places, still, kRun);
   mesh.insert_moved(from, names, places, kRun);
-  Delaunay expected(box);
+  DelaunayMesh expected(box);
   expected.insert(places, all(places.size()), kRun);
   ASSERT_EQ(sorted_tets(mesh), sorted_tets(expected));
   // Its tets hang together: it can be changed.
@@ -186,8 +186,8 @@ TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
   auto points = before;
   std::swap(points[0], points[1]);
   for (std::size_t k = 2; k < points.size(); k += 2) std::swap(points[k], points[k + 1]);
-  Delaunay mesh = mesh_of(before);
-  ASSERT_EQ(mesh.move(points, all(400), kRun), Delaunay::Moved::TooFar);
+  DelaunayMesh mesh = mesh_of(before);
+  ASSERT_EQ(mesh.move(points, all(400), kRun), DelaunayMesh::Moved::TooFar);
   EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(before)));
   EXPECT_EQ(mesh.position(0), before[0]);
 }
@@ -195,9 +195,9 @@ TEST(Delaunay, MovesTooFarForFlipsChangeNothing) {
 TEST(Delaunay, HeldNodesGoOneByOneWhereTheyCan) {
   // A wave that inverts so many tets that flips would not do if all their nodes stayed behind.
   auto points = cloud(6000, 9);
-  Delaunay mesh = mesh_of(points);
+  DelaunayMesh mesh = mesh_of(points);
   for (Vec3& p : points) p.x = std::clamp(p.x + 0.01 * std::sin(40 * p.y), 0.0, 1.0);
-  ASSERT_EQ(follow(mesh, points), Delaunay::Moved::Done);
+  ASSERT_EQ(follow(mesh, points), DelaunayMesh::Moved::Done);
   EXPECT_EQ(sorted_tets(mesh), sorted_tets(mesh_of(points)));
 }
 
@@ -210,7 +210,7 @@ TEST(Delaunay, NodesSlidingInAPlaneAreFlippedThere) {
                       k % 3 == 0   ? 0.5
                       : k % 3 == 1 ? random.uniform(0, 0.4)
                                    : random.uniform(0.6, 1)});
-  Delaunay mesh = mesh_of(points);
+  DelaunayMesh mesh = mesh_of(points);
   for (int round = 0; round < 5; ++round) {
     for (std::size_t k = 0; k < points.size(); k += 3) {
       points[k].x = std::clamp(points[k].x + 0.01 * random.uniform(-1, 1), 0.0, 1.0);
@@ -223,7 +223,7 @@ TEST(Delaunay, NodesSlidingInAPlaneAreFlippedThere) {
 
 TEST(Delaunay, RenamedNodesKeepTheirPlaces) {
   const auto points = cloud(100, 8);
-  Delaunay mesh = mesh_of(points);
+  DelaunayMesh mesh = mesh_of(points);
   std::vector<std::int32_t> names(100);
   for (int k = 0; k < 100; ++k) names[k] = 149 - k;
   mesh.rename(names, 150);
@@ -240,10 +240,10 @@ TEST(Delaunay, AStopRequestEndsInsertion) {
   source.request_stop();
   remeshd::Run run;
   run.stop = source.get_token();
-  Delaunay mesh(unit_box());
+  DelaunayMesh mesh(unit_box());
   const auto points = cloud(1000, 9);
   EXPECT_ANY_THROW(mesh.insert(points, all(1000), run));
 }
 
 }  // namespace
-}  // namespace remeshd::kernel
+}  // namespace remeshd

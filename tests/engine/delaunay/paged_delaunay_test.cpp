@@ -6,9 +6,9 @@
 #include <array>
 
 #include "engine/mesh/tet_mesh.h"
-#include "tests/engine/kernel/clouds.h"
+#include "tests/engine/delaunay/clouds.h"
 
-namespace remeshd::kernel {
+namespace remeshd {
 namespace {
 
 using namespace test;
@@ -19,7 +19,7 @@ PagedDelaunay paged(const std::vector<Vec3>& points) {
 }
 
 /// The whole as a patch of itself.
-Delaunay unpaged(const PagedDelaunay& mesh) {
+DelaunayMesh unpaged(const PagedDelaunay& mesh) {
   std::vector<std::int32_t> slots;
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh.slots()); ++s)
     if (mesh.in_use(s)) slots.push_back(s);
@@ -55,7 +55,7 @@ void expect_moved(const Mesh& mesh, const PagedDelaunay& other,
 
 TEST(PagedDelaunay, HasTheTetsInTheOrderOfTheirLowestNodes) {
   const auto points = cloud(400, 9);
-  Delaunay mesh = mesh_of(points);
+  DelaunayMesh mesh = mesh_of(points);
   std::vector<std::int32_t> some(150);
   std::iota(some.begin(), some.end(), 100);
   ASSERT_TRUE(mesh.remove(some, kRun));
@@ -72,7 +72,7 @@ TEST(PagedDelaunay, HasTheTetsInTheOrderOfTheirLowestNodes) {
   };
   for (std::int32_t s = 1; s < static_cast<std::int32_t>(at_rest.slots()); ++s)
     EXPECT_LE(lowest(s - 1), lowest(s));
-  Delaunay again = unpaged(at_rest);
+  DelaunayMesh again = unpaged(at_rest);
   again.insert(points, some, kRun);
   EXPECT_EQ(sorted_tets(again), sorted_tets(mesh_of(points)));
 }
@@ -83,7 +83,7 @@ TEST(PagedDelaunay, WithoutGapsItIsTheSameMesh) {
   std::vector<std::int32_t> slots;
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh.slots()); ++s) slots.push_back(s);
   PagedDelaunay::Cut cut;
-  Delaunay patch = mesh.cut(slots, all(2000), 2000, cut);
+  DelaunayMesh patch = mesh.cut(slots, all(2000), 2000, cut);
   std::vector<std::int32_t> some(500), names = all(2000);
   std::iota(some.begin(), some.end(), 1500);
   ASSERT_TRUE(patch.remove(some, kRun));
@@ -105,7 +105,7 @@ TEST(PagedDelaunay, AllOfItMadeAnewOfFewerTetsIsPutBack) {
   std::vector<std::int32_t> slots(mesh.slots()), names = all(2000);
   std::iota(slots.begin(), slots.end(), 0);
   PagedDelaunay::Cut cut;
-  Delaunay patch = mesh.cut(slots, names, 2000, cut).emptied();
+  DelaunayMesh patch = mesh.cut(slots, names, 2000, cut).emptied();
   patch.insert(points, all(500), kRun);
   ASSERT_LT(patch.slots(), slots.size());
   std::fill(names.begin() + 500, names.end(), -1);
@@ -125,7 +125,7 @@ struct Part {
   std::vector<std::int32_t> names;  ///< by node of the whole: that of the patch, or -1
   std::vector<std::int32_t> nodes;  ///< by node of the patch: that of the whole
   PagedDelaunay::Cut cut;
-  Delaunay patch;
+  DelaunayMesh patch;
 
   Part() : names(points.size(), -1) {
     const auto near = [&](std::int32_t n) {
@@ -167,7 +167,7 @@ TEST(PagedDelaunay, WithAPartPutBackIsTheMeshOfAllNodes) {
   Part p;
   const auto moved = p.stir(0.12, 0.05);
   ASSERT_GT(moved.size(), 15U);
-  if (p.patch.move(p.places(), moved, kRun) == Delaunay::Moved::TooFar) {
+  if (p.patch.move(p.places(), moved, kRun) == DelaunayMesh::Moved::TooFar) {
     ASSERT_TRUE(p.patch.reinsert(p.places(), moved, kRun));
   }
   ASSERT_FALSE(p.patch.patch_too_small());
@@ -178,10 +178,10 @@ TEST(PagedDelaunay, WithAPartPutBackIsTheMeshOfAllNodes) {
 TEST(PagedDelaunay, CanBeChangedAgainAfterAPartWasPutBack) {
   Part p;
   const auto moved = p.stir(0.12, 0.02);
-  ASSERT_NE(p.patch.move(p.places(), moved, kRun), Delaunay::Moved::Failed);
+  ASSERT_NE(p.patch.move(p.places(), moved, kRun), DelaunayMesh::Moved::Failed);
   p.whole.put_back(p.patch, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
   p.stir(0.3, 0.02);
-  Delaunay again = unpaged(p.whole);
+  DelaunayMesh again = unpaged(p.whole);
   follow(again, p.points);
   EXPECT_EQ(sorted_tets(again), sorted_tets(mesh_of(p.points)));
 }
@@ -218,7 +218,7 @@ TEST(PagedDelaunay, ItsPartTellsWhereAChangeGoesBeyondTheRim) {
   EXPECT_TRUE(p.patch.patch_too_small());
   Part q;
   const auto moved = q.stir(0.3, 0.1);
-  if (q.patch.move(q.places(), moved, kRun) == Delaunay::Moved::TooFar) {
+  if (q.patch.move(q.places(), moved, kRun) == DelaunayMesh::Moved::TooFar) {
     ASSERT_TRUE(q.patch.reinsert(q.places(), moved, kRun));
   }
   EXPECT_TRUE(q.patch.patch_too_small());
@@ -230,7 +230,7 @@ TEST(PagedDelaunay, SharesWhatDidNotChange) {
   p.whole.put_back(p.patch, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
   EXPECT_EQ(pages_shared(before, p.whole), pages_shared(before, before)) << "nothing changed";
   const auto moved = p.stir(0.12, 0.02);
-  ASSERT_NE(p.patch.move(p.places(), moved, kRun), Delaunay::Moved::Failed);
+  ASSERT_NE(p.patch.move(p.places(), moved, kRun), DelaunayMesh::Moved::Failed);
   p.whole.put_back(p.patch, p.cut, p.nodes, static_cast<std::int32_t>(p.points.size()));
   const std::size_t shared = pages_shared(before, p.whole), pages = pages_shared(before, before);
   EXPECT_LT(shared, pages);
@@ -267,7 +267,7 @@ TEST(PagedDelaunay, FindsTheTetsNearABox) {
   expect_all_tets_near(paged(points), box);
   Part p;
   const auto moved = p.stir(0.12, 0.05);
-  if (p.patch.move(p.places(), moved, kRun) == Delaunay::Moved::TooFar) {
+  if (p.patch.move(p.places(), moved, kRun) == DelaunayMesh::Moved::TooFar) {
     ASSERT_TRUE(p.patch.reinsert(p.places(), moved, kRun));
   }
   ASSERT_FALSE(p.patch.patch_too_small());
@@ -297,7 +297,7 @@ TEST(PagedDelaunay, RenamesItsLastNodes) {
   std::vector<std::int32_t> slots;
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh.slots()); ++s) slots.push_back(s);
   PagedDelaunay::Cut cut;
-  Delaunay patch = mesh.cut(slots, all(300), 300, cut);
+  DelaunayMesh patch = mesh.cut(slots, all(300), 300, cut);
   ASSERT_TRUE(patch.remove(std::array{7, 100, 298}, kRun));
   std::vector<std::int32_t> names = all(300);
   names[7] = names[100] = names[298] = -1;
@@ -311,4 +311,4 @@ TEST(PagedDelaunay, RenamesItsLastNodes) {
 }
 
 }  // namespace
-}  // namespace remeshd::kernel
+}  // namespace remeshd

@@ -13,7 +13,7 @@
 #include "engine/mesh/tet_mesh.h"
 
 /// Delaunay meshes of random nodes in the unit cube.
-namespace remeshd::kernel::test {
+namespace remeshd::test {
 
 inline const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 
@@ -37,13 +37,13 @@ inline std::vector<Vec3> cloud(int n, std::uint64_t seed) {
   return points;
 }
 
-inline Delaunay mesh_of(const std::vector<Vec3>& points) {
-  Delaunay mesh(unit_box());
+inline DelaunayMesh mesh_of(const std::vector<Vec3>& points) {
+  DelaunayMesh mesh(unit_box());
   mesh.insert(points, all(points.size()), kRun);
   return mesh;
 }
 
-inline std::vector<Tet> sorted_tets(const Delaunay& mesh) {
+inline std::vector<Tet> sorted_tets(const DelaunayMesh& mesh) {
   std::vector<Tet> tets;
   mesh.for_each_tet([&](Tet t) {
     std::sort(t.begin(), t.end());
@@ -54,13 +54,13 @@ inline std::vector<Tet> sorted_tets(const Delaunay& mesh) {
 }
 
 /// Brings the mesh to where the points are now. Returns how flips got on.
-inline Delaunay::Moved follow(Delaunay& mesh, const std::vector<Vec3>& points) {
+inline DelaunayMesh::Moved follow(DelaunayMesh& mesh, const std::vector<Vec3>& points) {
   const auto moved = mesh.move(points, all(points.size()), kRun);
-  if (moved == Delaunay::Moved::TooFar) {
+  if (moved == DelaunayMesh::Moved::TooFar) {
     EXPECT_TRUE(mesh.reinsert(points, all(points.size()), kRun));
   }
-  EXPECT_NE(moved, Delaunay::Moved::Failed);
+  EXPECT_NE(moved, DelaunayMesh::Moved::Failed);
   return moved;
 }
 
-}  // namespace remeshd::kernel::test
+}  // namespace remeshd::test

@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include "client/cli/commands/command.h"
+#include "client/cli/exit_code.h"
+#include "client/cli/reply.h"
+#include "client/cli/table.h"
+
+namespace remeshd::cli {
+namespace {
+
+using remesh::v1::Report;
+using Rows = std::vector<std::vector<std::string>>;
+
+/// `WAY_LOCAL` as the attempts call it: `local`.
+std::string name_of(Report::Way way) {
+  if (way == Report::WAY_TETGEN) return "TetGen";
+  std::string name = Report::Way_Name(way).substr(std::string("WAY_").size());
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
+void add_attempts(const google::protobuf::RepeatedPtrField<Report::Attempt>& attempts,
+                  const std::string& step, Rows& rows) {
+  for (const Report::Attempt& attempt : attempts)
+    rows.push_back({step, attempt.strategy(), "given up",
+                    attempt.seconds() > 0 ? rounded(attempt.seconds(), 3) : "-",
+                    attempt.reason()});
+}
+
+/// The road that a revision took: what made its boundary and its mesh, and what was tried before.
+int explain(Session& session, const std::string& name) {
+  const auto description = session.client().get_revision(name, session.call());
+  const auto& revision = description.revision();
+  const Report& report = description.report();
+  const auto& diagnostics = report.diagnostics();
+  write_table(session.out(),
+              {{"revision", short_name(revision)},
+               {revision.parent().empty() ? "first mesh of" : "edit of",
+                revision.parent().empty() ? revision.model_name() : revision.parent()}});
+  Rows rows{{"step", "way", "outcome", "seconds", "reason"}};
+  add_attempts(diagnostics.geometry_attempts(), "boundary", rows);
+  rows.push_back({"boundary", diagnostics.geometry().empty() ? "-" : diagnostics.geometry(),
+                  "taken", "-", "-"});
+  add_attempts(report.attempts(), "mesh", rows);
+  rows.push_back(
+      {"mesh", name_of(report.way()), "taken", rounded(report.seconds().total(), 3), "-"});
+  session.out() << '\n';
+  write_table(session.out(), rows);
+  return kFine;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "explain", "Show which way a revision's boundary and mesh came about, and why not another");
+  const auto revision = std::make_shared<std::string>();
+  command->add_option("REV", *revision, "Revision")->required();
+  command->callback([revision, &action] {
+    action = [revision](Session& session) { return explain(session, *revision); };
+  });
+}
+
+}  // namespace remeshd::cli
