@@ -74,7 +74,7 @@ bool has_seam(const Shape& shape) {
 }
 
 /// What the model does not depend on, but whether the CAD kernel gets it right.
-struct RejectedAttempt {
+struct FuseAttempt {
   double seam;           ///< rad about their axis: where round features are cut open
   bool last_first;       ///< order of the features as the kernel's arguments
   int doublings = 0;     ///< of the kernel's unit
@@ -87,12 +87,11 @@ constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
 /// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
 /// and moves nothing by more than that; samples and volumes are those of the exact model either
 /// way. Where all fail, that takes as long as ten fuses.
-constexpr std::array kAttempts{
-    RejectedAttempt{0.0, false, 0}, RejectedAttempt{0.7, false, 0},
-    RejectedAttempt{2.5, false, 0}, RejectedAttempt{0.7, false, -4},
-    RejectedAttempt{2.5, true, 4},  RejectedAttempt{0.0, false, 0, true}};
+constexpr std::array kAttempts{FuseAttempt{0.0, false, 0}, FuseAttempt{0.7, false, 0},
+                               FuseAttempt{2.5, false, 0}, FuseAttempt{0.7, false, -4},
+                               FuseAttempt{2.5, true, 4},  FuseAttempt{0.0, false, 0, true}};
 
-Fused fuse(const FeatureModel& model, const FuseFrame& frame, const RejectedAttempt& attempt,
+Fused fuse(const FeatureModel& model, const FuseFrame& frame, const FuseAttempt& attempt,
            const Run& run) {
   const double scale = std::ldexp(frame.scale, -attempt.doublings);
   Fused fused;
@@ -199,7 +198,7 @@ void fuse_features(const FeatureModel& model, const Membership& membership, cons
                    const Run& run, const std::function<void(FusedFeatures)>& use) {
   // The first failure is the one to tell.
   std::optional<Error> first;
-  for (const RejectedAttempt& attempt : kAttempts) {
+  for (const FuseAttempt& attempt : kAttempts) {
     if (attempt.in_turn && model.features.size() > kMaxInTurn) continue;
     try {
       Fused fused = fuse(model, frame, attempt, run);

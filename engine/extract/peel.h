@@ -16,7 +16,7 @@ struct PeelOptions {
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 
-/// What is known at a patch's interface of a mesh; nothing for a whole mesh.
+/// What is known of a patch's tets from before; nothing of a whole mesh.
 struct KnownClassification {
   enum class Known : std::uint8_t { No, Inside, Outside };
   std::vector<Known> tets;             ///< by slot: whether it is in the model
@@ -36,7 +36,7 @@ struct PeeledMesh {
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
 ///
-/// `rim`: what is known of a patch of a mesh.
+/// `known`: of a patch.
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
                 const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run);

@@ -23,6 +23,11 @@ void array(std::ostream& out, const char* type, const char* name, int components
   out << "</DataArray>\n";
 }
 
+void finish(std::ofstream& out, const Run& run) {
+  out.close();
+  if (!out) throw error::internal("dump", "a dump could not be written to " + run.dumps.string());
+}
+
 }  // namespace
 
 void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
@@ -57,8 +62,15 @@ void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
         [&](std::size_t i) { out << (points ? 1 : 4) * (i + 1); });
   array(out, "UInt8", "types", 1, cells, [&](std::size_t) { out << (points ? 1 : 10); });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  out.close();
-  if (!out) throw error::internal("dump", "a dump could not be written to " + run.dumps.string());
+  finish(out, run);
+}
+
+void dump_text(const Run& run, std::string_view name, const std::function<std::string()>& text) {
+  if (run.dumps.empty()) return;
+  std::filesystem::create_directories(run.dumps);
+  std::ofstream out(run.dumps / (std::string(name) + ".txt"));
+  out << text();
+  finish(out, run);
 }
 
 }  // namespace remeshd

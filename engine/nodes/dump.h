@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/base/run.h"
@@ -17,5 +19,8 @@ namespace remeshd {
 /// Throws Error(Internal) where the file cannot be written.
 void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
                 std::span<const Tet> tets = {});
+
+/// Writes what a stage decided to `NAME.txt` there; the text is made only then. Throws as above.
+void dump_text(const Run& run, std::string_view name, const std::function<std::string()>& text);
 
 }  // namespace remeshd

@@ -17,7 +17,7 @@ struct FillOptions {
   std::uint64_t seed = 1;
 };
 
-/// Puts new nodes into the patch of the boxes where `inside` holds, at the corners and centres of a
+/// Puts new nodes into the part of the boxes where `inside` holds, at the corners and centres of a
 /// body-centred cubic lattice, each shaken a little. Such a start is nearly an optimal Delaunay
 /// mesh already: after five iterations the mean volume-length measure is .85 to .90, where a random
 /// start ends at .82 to .85 after fifteen.

@@ -17,12 +17,12 @@ struct NodeSet {
   std::vector<std::uint8_t> free;       ///< 1: moved by the optimisation (Sect. 7)
   std::vector<std::int32_t> original;   ///< index in the Patch's nodes of what it copies
   std::vector<std::int32_t> transform;  ///< index into CopyPlan::transforms
-  /// Nodes below are at a patch's interface of the mesh: fixed, some of their tets are not in it.
+  /// Interface nodes of a patch come first: fixed, some of their tets are not in it. Their number.
   std::int32_t interface_nodes = 0;
   std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
-  /// Whether the set is that of a patch of the mesh only.
+  /// Whether the set is that of a patch, not of a whole mesh.
   [[nodiscard]] bool of_patch() const { return interface_nodes > 0 || elsewhere > 0; }
   void add_new(const Vec3& p, const Support& support = {}) {
     positions.push_back(p);

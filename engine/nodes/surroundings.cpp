@@ -13,9 +13,9 @@ constexpr double kSlack = 1e-9;  // of a radius or the reach: more than rounding
 
 Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box& within)
     : reach_(reach), region_(points, reach, kSteps), grid_(points, kCell * reach) {
-  for (const Box& patch : region_.boxes()) {
-    parts_.push_back(grown(patch, kSlack * reach));
-    const Box box = intersection(patch, within);
+  for (const Box& part : region_.boxes()) {
+    parts_.push_back(grown(part, kSlack * reach));
+    const Box box = intersection(part, within);
     if (box.empty()) continue;
     boxes_.push_back(box);
     box_.add(box.lo);
@@ -29,7 +29,7 @@ bool Surroundings::holds(const Vec3& p) const {
 
 bool Surroundings::may_hold_some_of(const Box& box) const {
   return std::ranges::any_of(parts_,
-                             [&](const Box& patch) { return !intersection(patch, box).empty(); });
+                             [&](const Box& part) { return !intersection(part, box).empty(); });
 }
 
 bool Surroundings::meets(const Vec3& centre, double radius) const {

@@ -45,9 +45,9 @@ std::vector<std::int32_t> slots_at(const DelaunayState& delaunay_state,
 
 }  // namespace
 
-Patch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
-                const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
-  Patch patch;
+MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
+                    const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
+  MeshPatch patch;
   const std::vector<std::int32_t> slots = slots_at(delaunay_state, inner, changing);
 
   // The output tets of all cavities, and which slots have them.
@@ -140,7 +140,7 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
       inner[n] = changing->holds(delaunay_state.positions()[n]) ? 1 : 0;
   }
   local.patch = cut_patch(delaunay_state, output, inner, changing ? &*changing : nullptr);
-  const Patch& patch = local.patch;
+  const MeshPatch& patch = local.patch;
 
   NodeSet& nodes = local.nodes;
   const auto add = [&](std::int32_t original, const Vec3& position, const Support& support,

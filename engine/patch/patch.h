@@ -19,31 +19,31 @@ namespace remeshd {
 /// node's tets are in it; interface nodes have others too.
 ///
 /// Its tets are whole cavities: the peeled Delaunay tets and the output tets have the same hull.
-struct Patch {
+struct MeshPatch {
   std::vector<std::int32_t> nodes;  ///< by node: that of the original, ascending
   std::vector<std::uint8_t> inner;  ///< by node
   std::vector<Vec3> positions;      ///< as in the Delaunay mesh
   std::vector<Vec3> output_nodes;   ///< as the Delaunay mesh gave them
   DelaunayMesh mesh;
   PagedDelaunay::Cut cut;
-  std::vector<Tet> tets;                 ///< peeled
-  Cavities cavities;                     ///< of `tets` and `output`
-  std::vector<Tet> output;               ///< output tets that these cavities have
-  std::vector<std::int32_t> output_tet;  ///< by output tet: that of the original, ascending
+  std::vector<Tet> tets;                      ///< peeled
+  Cavities cavities;                          ///< of `tets` and `output`
+  std::vector<Tet> output;                    ///< output tets that these cavities have
+  std::vector<std::int32_t> output_tet;       ///< by output tet: that of the original, ascending
   std::vector<std::int32_t> parent_cavities;  ///< by cavity: its number in the Delaunay state
-  std::vector<std::uint8_t> inside;      ///< by slot of `mesh`: 1 if among `tets`
-  std::vector<std::uint8_t> exterior;    ///< by element of `cut.exterior`: 1 if in the model
+  std::vector<std::uint8_t> inside;           ///< by slot of `mesh`: 1 if among `tets`
+  std::vector<std::uint8_t> exterior;         ///< by element of `cut.exterior`: 1 if in the model
 };
 
 /// `inner`: by node of the original. `changing`: where nodes may move or come; null: nowhere that
 /// is not at inner nodes.
-Patch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
-                const std::vector<std::uint8_t>& inner, const Surroundings* changing);
+MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
+                    const std::vector<std::uint8_t>& inner, const Surroundings* changing);
 
 /// The nodes that an edit works on, and the patch of the original that they came from.
 struct PatchNodes {
   NodeSet nodes;            ///< `original`: nodes of `part`
-  Patch patch;              ///< empty for a first mesh
+  MeshPatch patch;          ///< empty for a first mesh
   std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
 };
 

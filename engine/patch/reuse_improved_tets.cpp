@@ -16,7 +16,7 @@ constexpr double kSpoilt = 0.02;
 /// The new mesh seen through the original's cavities.
 class TetReuse {
  public:
-  TetReuse(const NodeSet& nodes, const PeeledMesh& peeled, const Patch& original,
+  TetReuse(const NodeSet& nodes, const PeeledMesh& peeled, const MeshPatch& original,
            std::span<const Transform> transforms, const Run& run)
       : nodes_(nodes),
         tets_(peeled.tets),
@@ -216,7 +216,7 @@ class TetReuse {
   const NodeSet& nodes_;
   std::span<const Tet> tets_;
   std::span<const std::int32_t> slots_;  ///< by tet
-  const Patch& original_;
+  const MeshPatch& original_;
   std::span<const Transform> transforms_;
   Polling poll_;
   const Cavities& cavities_;
@@ -231,7 +231,7 @@ class TetReuse {
 }  // namespace
 
 ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
-                               const Patch& original, std::span<const Transform> transforms,
+                               const MeshPatch& original, std::span<const Transform> transforms,
                                const Run& run) {
   return TetReuse(nodes, peeled, original, transforms, run).reuse();
 }

@@ -13,7 +13,7 @@ namespace remeshd {
 /// empty where nothing is.
 struct SameTets {
   std::vector<std::int32_t> peeled;  ///< of the new peeled Delaunay mesh
-  std::vector<std::int32_t> output;  ///< of Patch::output
+  std::vector<std::int32_t> output;  ///< of MeshPatch::output
 };
 
 /// A peeled Delaunay mesh in which everything that did not change has already been replaced by the
@@ -37,7 +37,7 @@ struct ReusedMesh {
 /// was left alone stands in the same slot. `transforms`: as in CopyPlan. Interface nodes keep
 /// their output position; throws PatchTooSmall where one of them would have to be given back.
 ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
-                               const Patch& original, std::span<const Transform> transforms,
+                               const MeshPatch& original, std::span<const Transform> transforms,
                                const Run& run);
 
 }  // namespace remeshd

@@ -77,7 +77,7 @@ std::vector<std::int32_t> by_lowest_node(const TetMesh& mesh) {
 
 class Stitcher {
  public:
-  Stitcher(const Revision& original, const Patch& cut, const PatchMesh& patch,
+  Stitcher(const Revision& original, const MeshPatch& cut, const PatchMesh& patch,
            const CopyPlan& source, const Run& run)
       : original_(original), cut_(cut), patch_(patch), source_(source), run_(run), poll_(run) {}
 
@@ -289,7 +289,7 @@ class Stitcher {
   }
 
   const Revision& original_;
-  const Patch& cut_;
+  const MeshPatch& cut_;
   const PatchMesh& patch_;
   const CopyPlan& source_;
   const Run& run_;
@@ -301,7 +301,7 @@ class Stitcher {
 
 }  // namespace
 
-StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const Patch& cut,
+StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const MeshPatch& cut,
                     const PatchMesh& patch, const CopyPlan& source, const Run& run) {
   return Stitcher(original, cut, patch, source, run).stitch(std::move(supports));
 }

@@ -32,7 +32,7 @@ struct StitchedMesh {
 /// cut out, tets stand in the order of their lowest nodes.
 ///
 /// `supports`: of the original's nodes, in the modified boundary; those in the patch are not read.
-StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const Patch& cut,
+StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const MeshPatch& cut,
                     const PatchMesh& patch, const CopyPlan& source, const Run& run);
 
 }  // namespace remeshd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace remeshd {
 
@@ -155,6 +156,22 @@ bool CopyPlan::active_face(const Vec3& p, const Vec3& n) const {
   const bool then0 = original_->inside(inverses_[t].apply(side[0]));
   const bool then1 = original_->inside(inverses_[t].apply(side[1]));
   return boundary_now != (then0 != then1);
+}
+
+std::string to_text(const CopyPlan& plan, const FeatureModel& original) {
+  std::ostringstream out;
+  out.precision(6);
+  for (const SourceFeature& s : plan.sources()) {
+    const Transform& t = plan.transforms()[s.transform];
+    out << "copies " << original.features[s.original].id << ": volume " << s.volume;
+    if (!t.is_identity()) out << ", transformation " << s.transform;
+    out << (s.same_shape ? "" : ", of another shape") << '\n';
+  }
+  if (plan.sources().empty()) out << "copies nothing\n";
+  for (const Box& box : plan.changed())
+    out << "changed: " << box.lo.x << ' ' << box.lo.y << ' ' << box.lo.z << " to " << box.hi.x
+        << ' ' << box.hi.y << ' ' << box.hi.z << '\n';
+  return out.str();
 }
 
 }  // namespace remeshd

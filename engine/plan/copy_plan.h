@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -84,5 +85,10 @@ class CopyPlan {
   std::int32_t identity_ = -1;
   double probe_ = 0;  ///< how far both sides of a face are looked at
 };
+
+/// The plan for people: the features that supply nodes in copying order, a line each, with the
+/// volume of their copycells and how far they moved; then the boxes of what changed.
+/// `original`: the model that it copies from.
+std::string to_text(const CopyPlan& plan, const FeatureModel& original);
 
 }  // namespace remeshd

@@ -22,9 +22,9 @@ namespace remeshd {
 /// from. What several strategies need is made when the first of them asks. Keeps references.
 class Problem {
  public:
-  /// `modified`: with its model, cells and options; `parent`: `Revision::none()` for a first mesh.
-  Problem(const Revision& parent, const Revision& modified, const Density& density, const Run& run)
-      : parent(parent), modified(modified), density(density), run(run) {}
+  /// `edited`: `Revision::none()` for a first mesh; `to_mesh`: with its model, cells and options.
+  Problem(const Revision& edited, const Revision& to_mesh, const Density& target, const Run& around)
+      : parent(edited), modified(to_mesh), density(target), run(around) {}
 
   const Revision& parent;
   const Revision& modified;
@@ -52,7 +52,7 @@ std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem);
 /// A try at a mesh by one strategy: a mesh that is taken, or why it is not, with all that there is
 /// to tell of it.
 struct Attempt {
-  explicit Attempt(std::string name) : name(std::move(name)) {}
+  explicit Attempt(std::string strategy) : name(std::move(strategy)) {}
 
   std::string name;  ///< of the strategy, as the report lists it: `local, 4 edge lengths`
   /// The parent's own mesh, its nodes moved, or a new one.

@@ -85,7 +85,7 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
   revision.reference = now;
 }
 
-/// Tets that an problem keeps are as likely of a last resort as those of its parent.
+/// Tets that an edit keeps are as likely of a last resort as those of its parent.
 double last_resort_share(const Revision& parent, const Report& report) {
   if (report.strategy == MeshStrategy::TetGen) return 1;
   if (report.counts.tets == 0) return 0;

@@ -37,7 +37,7 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
 Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*) {
   Attempt attempt(how.name);
   // Feature difference, copycells and newcells (Sects. 4.2 and 5).
-  const Task task(how, problem);
+  const MeshingTask task(how, problem);
   try {
     // Nodes are copied to copycells and filled into newcells (Sect. 6), free and fixed (Sect. 7).
     std::optional<PatchNodes> nodes = copy_and_fill(task, attempt);

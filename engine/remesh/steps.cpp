@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "engine/base/hilbert.h"
 #include "engine/boundary/control_mesh.h"
@@ -50,7 +53,7 @@ std::vector<Tet> tets_at(const DelaunayState& delaunay_state, std::span<const st
   return tets;
 }
 
-/// Where an problem needs samples of the boundary: near its free nodes, with those that get free
+/// Where an edit needs samples of the boundary: near its free nodes, with those that get free
 /// beside them, and near fixed nodes that have to find what they stand on.
 std::vector<Region> sampled_places(const PatchNodes& local, double edge_length, double reach) {
   const NodeSet& nodes = local.nodes;
@@ -79,7 +82,7 @@ InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
 StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& bounds,
                      const Run& run) {
   const NodeSet& nodes = local.nodes;
-  const Patch& patch = local.patch;
+  const MeshPatch& patch = local.patch;
   StartMesh start{DelaunayMesh(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
   const auto without = [&] {
     if (nodes.of_patch()) throw PatchTooSmall{"taking out the free nodes"};
@@ -136,9 +139,22 @@ Density counted(Density density, const Revision& modified) {
   return density;
 }
 
+/// The same with a folder of the strategy's own for dumps.
+Run with_folder(Run run, const Strategy& how) {
+  if (run.dumps.empty()) return run;
+  const std::span<const Strategy> all = strategies();
+  const auto at = std::ranges::find(all, std::string_view(how.name),
+                                    [](const Strategy& s) { return std::string_view(s.name); });
+  std::string folder = std::to_string(at - all.begin() + 1) + "-" + how.name;
+  std::erase(folder, ',');
+  std::ranges::replace(folder, ' ', '-');
+  run.dumps /= folder;
+  return run;
+}
+
 }  // namespace
 
-Task::Task(const Strategy& how, const Problem& problem)
+MeshingTask::MeshingTask(const Strategy& how, const Problem& problem)
     : of_nothing_(how.reuse == Reuse::Nothing ? plan_of_nothing(problem) : nullptr),
       parent(of_nothing_ ? Revision::none() : problem.parent),
       plan(of_nothing_ ? *of_nothing_ : problem.plan()),
@@ -149,15 +165,16 @@ Task::Task(const Strategy& how, const Problem& problem)
       all_free(how.reuse == Reuse::FreedNodes),
       reach(how.reach * density.edge_length),
       entities(std::isfinite(reach) ? &problem.entities() : nullptr),
-      run(problem.run) {}
+      run(with_folder(problem.run, how)) {}
 
-std::optional<PatchNodes> copy_and_fill(const Task& task, Attempt& attempt) {
+std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attempt) {
   Stopwatch watch;
   const Revision& parent = task.parent;
   const CopyPlan& plan = task.plan;
   const Run& run = task.run;
   const double l = task.density.edge_length;
   run.report("nodes", 0.1);
+  dump_text(run, "04-plan", [&] { return to_text(plan, parent.model); });
   const DelaunayState& state = *parent.delaunay_state;
   const double margin = kNearChange * l;
   const bool everything = std::isinf(task.reach);
@@ -200,7 +217,7 @@ std::optional<PatchNodes> copy_and_fill(const Task& task, Attempt& attempt) {
   return local;
 }
 
-SampledBoundary sample(const Task& task, PatchNodes& local, Attempt& attempt) {
+SampledBoundary sample(const MeshingTask& task, PatchNodes& local, Attempt& attempt) {
   Stopwatch watch;
   const BoundaryModel& boundary = task.cells.boundary;
   const Membership& membership = task.plan.modified();
@@ -217,7 +234,7 @@ SampledBoundary sample(const Task& task, PatchNodes& local, Attempt& attempt) {
   return sampled;
 }
 
-OptimiseResult optimise(const Task& task, PatchNodes& local, const SampledBoundary& sampled,
+OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const SampledBoundary& sampled,
                         Attempt& attempt) {
   Stopwatch watch;
   const BoundaryModel& boundary = task.cells.boundary;

@@ -18,12 +18,12 @@ namespace remeshd {
 
 /// What a strategy makes a mesh of: the parent's nodes and what the plan says of them, or nothing.
 /// Keeps references.
-class Task {
+class MeshingTask {
  private:
   std::unique_ptr<const CopyPlan> of_nothing_;  // before `plan`, which may be this
 
  public:
-  Task(const Strategy& how, const Problem& problem);
+  MeshingTask(const Strategy& how, const Problem& problem);
 
   const Revision& parent;  ///< what nodes are copied from; `Revision::none()` where all are new
   const CopyPlan& plan;    ///< of that
@@ -34,13 +34,13 @@ class Task {
   bool all_free;              ///< copied nodes are optimised too, all of them
   double reach;               ///< how far from what changes the parent is cut open; length
   const EntityMap* entities;  ///< for nodes that are not in the patch; null where all are
-  const Run& run;
+  const Run run;              ///< with a folder of its own for dumps: `3-local-4-edge-lengths`
 };
 
 /// Copied and new nodes, free and fixed (Sects. 6 and 7), with the patch of the parent's mesh that
 /// they are put into. Returns nothing, and says why in the attempt, where a node that stays stands
 /// on nothing that the modified boundary has.
-std::optional<PatchNodes> copy_and_fill(const Task& task, Attempt& attempt);
+std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attempt);
 
 /// The modified boundary as the optimisation sees it.
 struct SampledBoundary {
@@ -50,16 +50,16 @@ struct SampledBoundary {
 
 /// Samples the boundary (Sect. 3.1) and places the fixed nodes that have to find what they stand
 /// on. Throws what ControlMesh::build throws.
-SampledBoundary sample(const Task& task, PatchNodes& nodes, Attempt& attempt);
+SampledBoundary sample(const MeshingTask& task, PatchNodes& nodes, Attempt& attempt);
 
 /// The optimisation loop (Sect. 8), from the Delaunay mesh of the fixed nodes that stayed in place.
 /// Throws PatchTooSmall.
-OptimiseResult optimise(const Task& task, PatchNodes& nodes, const SampledBoundary& boundary,
+OptimiseResult optimise(const MeshingTask& task, PatchNodes& nodes, const SampledBoundary& boundary,
                         Attempt& attempt);
 
 /// The peeled Delaunay mesh of the optimised nodes, cleaned up, put back into the parent's mesh and
 /// verified, with nodes inserted where the boundary is not all there. Throws PatchTooSmall.
-Candidate extract_verified(const Task& task, PatchNodes nodes, OptimiseResult loop,
+Candidate extract_verified(const MeshingTask& task, PatchNodes nodes, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt);
 
 /// Whether the attempt's mesh is taken, else why not: it is not valid, or, where a larger patch

@@ -13,10 +13,11 @@
 namespace remeshd {
 namespace {
 
-/// Whether an problem with these options may answer with the tets of its parent.
+/// Whether an edit with these options may answer with the tets of its parent.
 bool may_keep_tets(const Problem& problem, const Attempt*) {
   const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
-  return problem.density.inherited && now.clean_up == then.clean_up && now.threshold == then.threshold;
+  return problem.density.inherited && now.clean_up == then.clean_up &&
+         now.threshold == then.threshold;
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {
@@ -65,7 +66,8 @@ Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
   }
   auto& mesh = std::get<MorphedMesh>(result);
   attempt.seconds.verify = mesh.verify_seconds;
-  attempt.free_share = mesh.nodes_moved / static_cast<double>(problem.parent.output.mesh.nodes.size());
+  attempt.free_share =
+      mesh.nodes_moved / static_cast<double>(problem.parent.output.mesh.nodes.size());
   attempt.mesh = std::move(mesh);
   return attempt;
 }
@@ -131,8 +133,8 @@ Attempt first_taken(const Problem& problem, Report& report) {
     if (how.reuse != Reuse::Mesh && !std::exchange(made_nodes, true)) {
       problem.run.warn(report.warnings);
       if (problem.run.on_warnings)
-        problem.run.warn(
-            names_to_be_lost(problem.parent, problem.modified.model, problem.modified.cells.boundary));
+        problem.run.warn(names_to_be_lost(problem.parent, problem.modified.model,
+                                          problem.modified.cells.boundary));
       Stopwatch watch;
       static_cast<void>(problem.plan());
       watch.lap(report.seconds.difference);

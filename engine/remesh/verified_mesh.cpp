@@ -59,7 +59,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
 /// What is known of the patch's tets and their neighbours beyond it, from before: of those that are
 /// as they were and meet no changed box.
 KnownClassification known_classification(const NodeSet& nodes, const DelaunayMesh& mesh,
-                                         const Patch& patch, const CopyPlan& plan) {
+                                         const MeshPatch& patch, const CopyPlan& plan) {
   KnownClassification known;
   if (!nodes.of_patch()) return known;
   known.exterior = patch.exterior;
@@ -79,7 +79,7 @@ KnownClassification known_classification(const NodeSet& nodes, const DelaunayMes
 }
 
 /// Supports of the nodes that are not in the patch; of the others any.
-CowVector<Support> supports_left(const Revision& parent, const Patch& cut,
+CowVector<Support> supports_left(const Revision& parent, const MeshPatch& cut,
                                  const EntityMap* entities) {
   const CowVector<Support>& then = parent.supports();
   const CowVector<Vec3>& positions = parent.delaunay_state->positions();
@@ -100,8 +100,8 @@ CowVector<Support> supports_left(const Revision& parent, const Patch& cut,
 }
 
 /// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws PatchTooSmall.
-Candidate extract(NodeSet nodes, OptimiseResult loop, const Task& task, const Patch& patch,
-                  const InsideTest& inside) {
+Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
+                  const MeshPatch& patch, const InsideTest& inside) {
   Candidate c;
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
@@ -128,7 +128,8 @@ std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
 }
 
 /// The patch's mesh, carried over and cleaned up.
-ReusedMesh cleaned_up(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                      bool clean_up) {
   const MeshOptions& options = task.options;
   const bool copied = task.plan.original() && options.clean_up;
   ReusedMesh reused =
@@ -150,7 +151,8 @@ ReusedMesh cleaned_up(Candidate& c, const Task& task, const Patch& patch, bool c
   return {std::move(improved.mesh), {}, std::move(same)};
 }
 
-StitchedMesh put_together(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+StitchedMesh put_together(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                          bool clean_up) {
   const ReusedMesh mesh = cleaned_up(c, task, patch, clean_up);
   const PatchMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
   return stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
@@ -160,7 +162,7 @@ StitchedMesh put_together(Candidate& c, const Task& task, const Patch& patch, bo
 /// Reuse of improved tets, clean-up, stitching into the parent's mesh, map and verification of an
 /// extracted mesh. `clean_up`: false for a draft, to see whether the boundary is all there. Throws
 /// PatchTooSmall.
-void finish(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
+void finish(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool clean_up) {
   const CellularModel& cells = task.cells;
   c.whole = {};  // its memory, where it is made again
   c.whole = put_together(c, task, patch, clean_up);
@@ -177,7 +179,7 @@ void finish(Candidate& c, const Task& task, const Patch& patch, bool clean_up) {
 
 /// Finishes a mesh, with nodes inserted where the boundary is not all there: as long as the peeled
 /// mesh shows that by itself, and then where verification finds it. Returns their number.
-std::uint32_t finish_repaired(Candidate& c, const Task& task, const Patch& patch,
+std::uint32_t finish_repaired(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                               const SampledBoundary& boundary) {
   const CellularModel& cells = task.cells;
   const double l = task.density.edge_length;
@@ -220,13 +222,14 @@ std::uint32_t finish_repaired(Candidate& c, const Task& task, const Patch& patch
 
 double few_more_nodes(double nodes) { return kFewInserted + kMostInserted * nodes; }
 
-Candidate extract_verified(const Task& task, PatchNodes local, OptimiseResult loop,
+Candidate extract_verified(const MeshingTask& task, PatchNodes local, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt) {
   Stopwatch watch;
   Candidate mesh =
       extract(std::move(local.nodes), std::move(loop), task, local.patch, boundary.inside);
   const std::uint32_t inserted = finish_repaired(mesh, task, local.patch, boundary);
   attempt.counts.nodes_inserted = inserted;
+  dump_text(task.run, "09-verify", [&] { return to_text(mesh.verification); });
   if (inserted > 0)
     attempt.warnings.push_back({.code = WarningCode::NodesInserted,
                                 .message = std::to_string(inserted) +

@@ -380,4 +380,13 @@ Verification verify(const TetMesh& mesh, std::span<const Support> supports,
   return verify(paged(mesh), CowVector(supports), boundary, exact_volume, run, options);
 }
 
+std::string to_text(const Verification& v) {
+  std::string out = v.valid ? "valid" : "not valid";
+  out += "\n" + std::to_string(v.tets_proved) + " tets proved, " +
+         std::to_string(v.tets_inherited) + " inherited, " + std::to_string(v.boundary_facets) +
+         " boundary facets\n";
+  for (const MeshDefect& defect : v.failures) out += defect.what + "\n";
+  return out;
+}
+
 }  // namespace remeshd

@@ -73,6 +73,9 @@ struct VerifyOptions {
   const VerifiedParent* parent = nullptr;  ///< whose proof unchanged tets inherit
 };
 
+/// For people: whether it is valid, what it counted, and the first failures.
+std::string to_text(const Verification& verification);
+
 /// Checks a mesh against the model that it is to represent: positive tets in the material, each
 /// once, a closed manifold boundary (by facets, edges and nodes), every model vertex, edge and face
 /// there, every boundary facet on its face, no node unused, and the volume within its tolerance of

@@ -78,7 +78,7 @@ class VerifyCall final : public std::enable_shared_from_this<VerifyCall> {
   const std::shared_ptr<MessageStream> stream_;
   Session& session_;
   const bool repair_;
-  Verification verification_;
+  CacheVerification verification_;
   v1::VerifyCacheResponse so_far_;
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };

@@ -2,7 +2,7 @@
 
 namespace remeshd {
 
-Verification::Verification(Archive& archive) : archive_(archive) {
+CacheVerification::CacheVerification(Archive& archive) : archive_(archive) {
   for (const RevisionRecord& record :
        archive.store().read([](Catalogue& catalogue) { return catalogue.revisions(); })) {
     if (record.bytes == 0) continue;
@@ -11,7 +11,7 @@ Verification::Verification(Archive& archive) : archive_(archive) {
   }
 }
 
-std::optional<CacheFault> Verification::next() {
+std::optional<CacheFault> CacheVerification::next() {
   const Mesh& mesh = meshes_[next_++];
   bytes_read_ += mesh.bytes;
   return archive_.check_stored(mesh.id);

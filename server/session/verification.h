@@ -11,10 +11,10 @@ namespace remeshd {
 
 /// The reading of all that an archive has stored, mesh by mesh, so that it can be interrupted
 /// between two of them. What is stored after its beginning is left out.
-class Verification {
+class CacheVerification {
  public:
   /// The archive must outlive it.
-  explicit Verification(Archive& archive);
+  explicit CacheVerification(Archive& archive);
 
   [[nodiscard]] bool ended() const { return next_ == meshes_.size(); }
   /// Reads the next mesh; what is wrong with it, if anything. Pre: not ended.

@@ -145,15 +145,15 @@ std::string_view piece_of(const StoredArray& array, std::size_t k) {
 /// What Pages writes for each page.
 enum : std::uint8_t { kSame = 0, kDifference = 1, kWhole = 2 };
 
-struct CowVector {
+struct Pages {
   std::string states;  ///< a byte a page
   PageDepths depths;
   std::size_t count = 0;  ///< of those that are not the same
   std::size_t bytes = 0;  ///< of these
 };
 
-CowVector differing_pages(const StoredArray& array, const DecodedArray& base) {
-  CowVector out;
+Pages differing_pages(const StoredArray& array, const DecodedArray& base) {
+  Pages out;
   for (std::size_t k = 0; k < array.pieces.size(); ++k) {
     const std::string_view page = array.pieces[k], before = piece_of(base.array, k);
     const std::uint8_t depth = k < base.depths.size() ? base.depths[k] : 0;
@@ -172,8 +172,7 @@ CowVector differing_pages(const StoredArray& array, const DecodedArray& base) {
 }
 
 /// What Pages writes: states, depths, the pages that are not the same.
-std::string plain_pages(const CowVector& pages, const StoredArray& array,
-                        const DecodedArray& base) {
+std::string plain_pages(const Pages& pages, const StoredArray& array, const DecodedArray& base) {
   const std::size_t width = bytes_of(array.type), start = 2 * pages.states.size();
   std::string plain = pages.states;
   plain.append(pages.depths.begin(), pages.depths.end());
@@ -219,8 +218,8 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
     depths.assign(array.pieces.size(), 0);
     return out;
   }
-  CowVector pages = differing_pages(array, *base);
-  out.encoding = ArrayEncoding::CowVector;
+  Pages pages = differing_pages(array, *base);
+  out.encoding = ArrayEncoding::Pages;
   out.data = compress(plain_pages(pages, array, *base));
   depths = std::move(pages.depths);
   if (pages.count * kFewPages <= array.pieces.size()) return out;

@@ -11,8 +11,8 @@ namespace remeshd {
 
 /// How the bytes of an array are written.
 enum class ArrayEncoding : std::uint8_t {
-  Full = 1,       ///< by themselves
-  CowVector = 2,  ///< the pieces that differ from those of a base, most of them as their difference
+  Full = 1,   ///< by themselves
+  Pages = 2,  ///< the pieces that differ from those of a base, most of them as their difference
   Patch = 3,  ///< what a match of all bytes against all those of a base leaves, where rows moved
 };
 

@@ -57,6 +57,11 @@ def volume_length(nodes, tets):
     return 6 * np.sqrt(2) * np.abs(volume) / (edges / 6) ** 1.5
 
 
+def last_attempt(folder):
+    """The dumps of the attempt that was taken: `3-local-4-edge-lengths`."""
+    return max(folder.iterdir(), key=lambda attempt: int(attempt.name.split("-")[0]))
+
+
 def evolution(folder, model, out):
     """Fig. 3: a cut through the plate while VTM runs."""
     stages = [("after the first placing of boundary nodes", "07-optimise-01"),
@@ -139,9 +144,9 @@ def main(binaries, out=Path(__file__).with_name("pictures")):
                               out="original")["revision"]
 
         remesh = daemon.run("edit", mesh(15000), CASE.path(CASE.edit), out="remesh")["revision"]
-        evolution(Path(folder) / mesh(4000), Model(CASE.path(CASE.original)), out)
-        copied_and_new(Path(folder) / remesh, out)
-        free_nodes(Path(folder) / remesh, out)
+        evolution(last_attempt(Path(folder) / mesh(4000)), Model(CASE.path(CASE.original)), out)
+        copied_and_new(last_attempt(Path(folder) / remesh), out)
+        free_nodes(last_attempt(Path(folder) / remesh), out)
 
 
 if __name__ == "__main__":

@@ -57,11 +57,11 @@ TEST(Parallel, ThrowsWhatTheFirstBlockThrew) {
 TEST(Parallel, BlocksMayHaveBlocks) {
   std::vector<std::size_t> sums(20);
   in_blocks(sums.size(), 1, on(3), [&](std::size_t k, std::size_t) {
-    std::vector<std::size_t> patch(50);
-    in_blocks(patch.size(), 4, on(3), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) patch[i] = k * i;
+    std::vector<std::size_t> part(50);
+    in_blocks(part.size(), 4, on(3), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) part[i] = k * i;
     });
-    sums[k] = std::accumulate(patch.begin(), patch.end(), std::size_t{0});
+    sums[k] = std::accumulate(part.begin(), part.end(), std::size_t{0});
   });
   for (std::size_t k = 0; k < sums.size(); ++k) EXPECT_EQ(sums[k], k * 1225);
 }

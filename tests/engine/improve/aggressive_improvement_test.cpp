@@ -97,7 +97,7 @@ TEST(AggressiveImprovement, MendATetOrLeaveTheMeshAsItWas) {
     if (!w.mesh.used(t) || w.score(w.mesh, t) >= 1) continue;
     const TetMesh before = w.mesh.result();
     const double worst = w.worst();
-    if (w.last.mend(t)) {
+    if (w.last.optimise_neighbourhood(t)) {
       ++mended;
       EXPECT_FALSE(w.last.touched().empty());
       EXPECT_GE(w.worst(), worst);
@@ -116,10 +116,10 @@ TEST(AggressiveImprovement, TakeATetOutAtAPriceWhereMotionAloneDoesNotHelp) {
   Workshop w(s);
   int helped = 0;
   for (std::int32_t t = 0; t < w.mesh.slots(); ++t) {
-    if (!w.mesh.used(t) || w.score(w.mesh, t) >= 1 || w.last.mend(t)) continue;
+    if (!w.mesh.used(t) || w.score(w.mesh, t) >= 1 || w.last.optimise_neighbourhood(t)) continue;
     const TetMesh before = w.mesh.result();
     const double worst = w.worst();
-    if (w.last.mend_otherwise(t)) {
+    if (w.last.perturb_and_optimise(t)) {
       ++helped;
       EXPECT_GE(w.worst(), worst);
     } else {

@@ -123,15 +123,15 @@ TEST(Evaluate, EachParameterOfATypeIsRequiredAndNoOtherIsTaken) {
     EXPECT_NO_THROW(evaluate(test::one_feature(whole))) << type.name;
     EXPECT_EQ(failure_of(with(whole, "colour", 1.0)), "UNKNOWN_PARAMETER f colour") << type.name;
     for (const ParameterInfo& p : type.parameters) {
-      FeatureSource patch = whole;
+      FeatureSource part = whole;
       if (p.unit == "profile")
-        patch.profile.reset();
+        part.profile.reset();
       else
-        patch.parameters.erase(p.name);
+        part.parameters.erase(p.name);
       if (p.required) {
-        EXPECT_EQ(failure_of(patch), "MISSING_PARAMETER f " + p.name) << type.name;
+        EXPECT_EQ(failure_of(part), "MISSING_PARAMETER f " + p.name) << type.name;
       } else {
-        EXPECT_NO_THROW(evaluate(test::one_feature(patch))) << type.name;
+        EXPECT_NO_THROW(evaluate(test::one_feature(part))) << type.name;
       }
     }
   }

@@ -11,7 +11,7 @@ const PeeledMesh kPeeled{{{0, 1, 2, 4}}, {7}, {}};
 
 /// A Delaunay mesh of one tet, for which the output mesh has two with a fifth node: as after the
 /// last resort, whose output mesh is more than clean-up makes of the peeled Delaunay mesh.
-struct Original : Patch {
+struct Original : MeshPatch {
   Original() {
     positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     output_nodes = positions;

@@ -4,6 +4,7 @@
 
 #include "engine/base/random.h"
 #include "engine/patch/node_map.h"
+#include "engine/remesh/remesh.h"
 #include "engine/verify/verify.h"
 #include "tests/engine/verify/same_verdict.h"
 #include "tests/support/cases.h"

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
 
@@ -116,7 +117,7 @@ TEST(NodeLimit, LetsAnEditOfAMeshThatIsJustAtItPass) {
   EXPECT_NO_THROW(check_node_limit(original, evaluate(plate(80)), {}, limited(1000)));
   const Revision same = make_revision(original, plate(80), {}, limited(1000));
   EXPECT_EQ(same.report.strategy, MeshStrategy::Unchanged);
-  EXPECT_EQ(refused(&original, plate(81), {}, 1000).reason, "MESH_TOO_LARGE");
+  EXPECT_EQ(refused(original, plate(81), {}, 1000).reason, "MESH_TOO_LARGE");
 }
 
 }  // namespace

@@ -247,7 +247,7 @@ TEST_F(RemakeTest, APinnedMeshStays) {
 TEST_F(RemakeTest, WhatIsDamagedIsFoundAndRepaired) {
   const auto faults = [&](bool repair) {
     std::vector<CacheFault> found;
-    for (Verification all(session_->cache()); !all.ended();) {
+    for (CacheVerification all(session_->cache()); !all.ended();) {
       const auto fault = all.next();
       if (!fault) continue;
       if (!repair) {

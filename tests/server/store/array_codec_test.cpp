@@ -50,7 +50,7 @@ TEST(ArrayCodec, AFewChangesCostAFewBytes) {
   const DecodedArray base = decoded(array_of(values));
   for (const std::size_t at : {5, 20000, 70000}) values[at] += 1;
   const EncodedArray encoded = expect_round_trip(array_of(values), &base);
-  EXPECT_EQ(encoded.encoding, ArrayEncoding::CowVector);
+  EXPECT_EQ(encoded.encoding, ArrayEncoding::Pages);
   EXPECT_LT(encoded.data.size(), 200U);
 }
 

@@ -1,4 +1,5 @@
 #include "engine/local_fuse/sewing/sew.h"
+#include "engine/local_fuse/local_fuse.h"
 
 #include <gtest/gtest.h>
 
