@@ -94,7 +94,7 @@ inline constexpr double kLeastDelay = 0.1, kMostDelay = 60, kDelayJitter = 0.2;
 /// Bytes that computations, loads, requests and revisions held may take together (`--memory`), and
 /// revisions held of it (`--cache`).
 inline constexpr std::uint64_t kMemory = 2048 * kMebi, kHeld = 1024 * kMebi;
-/// Bytes a node that a computation takes at its peak, beside its base (tests/bench/README.md:
+/// Bytes a node that a computation takes at its peak, beside its base (tests/bench/results.md:
 /// 1,411), and likewise the reading of a revision.
 inline constexpr std::uint64_t kBytesPerNode = 1500;
 /// s that the reading of a revision waits for memory, and that one is told to wait who finds none.
