@@ -71,6 +71,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   bool files_all = false;  ///< refuses HeadUpdate.file = false
   std::vector<remesh::v1::Warning> warnings;
   std::vector<remesh::v1::Report::Attempt> attempts;
+  remesh::v1::Report stored_report;  ///< of every GetRevision
+  std::string stored_parent;
 
   // What came.
   std::vector<remesh::v1::EditStreamRequest> requests;
@@ -178,6 +180,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     info->set_id("id-of-" + request->revision());
     info->set_design(request->revision());
     info->set_number(7);
+    info->set_parent(stored_parent);
+    *response->mutable_report() = stored_report;
     auto* model = response->mutable_model();
     model->set_name("described");
     for (const char* name : {"top_x", "a", "b"}) {

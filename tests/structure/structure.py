@@ -67,6 +67,41 @@ def stations_include_only_earlier_ones(root):
             yield f"{path}:{number}: {header} is not a full path"
 
 
+TYPE = re.compile(r"^(?:class|struct|enum class|enum|union) (\w+)(?=[^;]*\{)", re.M)
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
+
+
+def a_type_has_one_home(root):
+    """Two types of one name in one namespace are one to the linker, whatever the headers say."""
+    homes = {}
+    for path in files(root, ".", {".h"}):
+        if path.parts[0] not in ("engine", "server", "client", "proto"):
+            continue
+        text = (Path(root) / path).read_text(encoding="utf-8")
+        namespace = NAMESPACE.search(text)
+        for m in TYPE.finditer(text):
+            home = homes.setdefault((namespace[1] if namespace else "", m[1]), path)
+            if home != path:
+                line = text.count("\n", 0, m.start()) + 1
+                yield f"{path}:{line}: {m[1]} is a type of {home} too"
+
+
+MOST_LINES = 400  # of a source of the engine
+MOST_FILES = 25  # of a folder of the engine, headers and sources
+
+
+def engine_rooms_are_small(root):
+    folders = {}
+    for path in files(root, "engine", {".h", ".cpp"}):
+        folders.setdefault(path.parent, []).append(path)
+        count = sum(1 for _ in lines(root, path))
+        if count > MOST_LINES:
+            yield f"{path}: has {count} lines, more than {MOST_LINES}"
+    for folder, found in folders.items():
+        if len(found) > MOST_FILES:
+            yield f"{folder}: has {len(found)} files, more than {MOST_FILES}"
+
+
 def geometry_kernels_stay_in_kernel(root):
     for folder in ("engine", "server", "client", "tests"):
         for path, number, _, header in includes(root, folder):
@@ -127,6 +162,7 @@ def no_path_of_one_machine(root):
                     yield f"{path}:{number}: names {m[0]}, a path of one machine"
 
 
-RULES = [stations_include_only_earlier_ones, geometry_kernels_stay_in_kernel,
+RULES = [stations_include_only_earlier_ones, a_type_has_one_home, engine_rooms_are_small,
+         geometry_kernels_stay_in_kernel,
          protocol_stays_in_service, server_layers_look_inwards, apache_folders_say_so,
          apache_folders_include_nothing_else_of_ours, no_path_of_one_machine]

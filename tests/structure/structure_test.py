@@ -103,6 +103,32 @@ class Rule(unittest.TestCase):
                 self.forbids(rule, path, f'#include "{header}"')
         self.allows(rule, "client/cli/a.cpp", '#include "engine/base/error.h"')
 
+    def test_a_type_has_one_home_in_a_namespace(self):
+        rule = structure.a_type_has_one_home
+        with tempfile.TemporaryDirectory() as root:
+            for path, text in (("engine/a.h", "namespace remeshd {\nstruct A {\n};"),
+                               ("engine/b.h", "namespace remeshd {\nstruct A;\nstruct B {\n};"),
+                               ("client/c.h", "namespace remeshd::client {\nclass A {\n};")):
+                (Path(root) / path).parent.mkdir(exist_ok=True)
+                (Path(root) / path).write_text(text)
+            self.assertEqual(list(rule(root)), [])
+            (Path(root) / "engine/d.h").write_text("namespace remeshd {\nenum class A : char {\n};")
+            self.assertEqual(list(rule(root)), ["engine/d.h:2: A is a type of engine/a.h too"])
+
+    def test_sources_and_folders_of_the_engine_are_small(self):
+        rule = structure.engine_rooms_are_small
+        self.allows(rule, "engine/mesh/a.cpp", "\n" * 399)
+        self.forbids(rule, "engine/mesh/a.cpp", "\n" * 400)
+        self.allows(rule, "server/store/a.cpp", "\n" * 401)
+        with tempfile.TemporaryDirectory() as root:
+            folder = Path(root) / "engine/mesh"
+            folder.mkdir(parents=True)
+            for k in range(25):
+                (folder / f"a{k}.cpp").write_text("")
+            self.assertEqual(list(rule(root)), [])
+            (folder / "b.h").write_text("")
+            self.assertEqual(list(rule(root)), ["engine/mesh: has 26 files, more than 25"])
+
     def test_no_file_names_a_path_of_one_machine(self):
         rule = structure.no_path_of_one_machine
         self.allows(rule, "README.md", "client/" + "work/a, $HOME/" + "work/b, https://a.b/" + "work/")
