@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <numeric>
 #include <string>
 
 #include "engine/base/error.h"
+#include "engine/base/union_find.h"
 #include "engine/cellular/boundary_model/build_boundary.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/features_at.h"
@@ -50,21 +50,16 @@ struct Piece {
 
 /// Throws Error(EMPTY_MODEL, DISCONNECTED_MODEL); the latter names the smallest piece.
 void require_one_piece(const CellComplex& model, const FeatureModel& features) {
-  std::vector<int> piece(model.cells.size());
-  std::iota(piece.begin(), piece.end(), 0);
-  const auto find = [&](int c) {
-    while (piece[c] != c) c = piece[c] = piece[piece[c]];
-    return c;
-  };
+  UnionFind piece(model.cells.size());
   for (const CellFace& face : model.faces)
     if (face.cells[0] >= 0 && face.cells[1] >= 0 && model.cells[face.cells[0]].positive &&
         model.cells[face.cells[1]].positive)
-      piece[find(face.cells[0])] = find(face.cells[1]);
+      piece.join(face.cells[0], face.cells[1]);
   std::map<int, Piece> pieces;
-  for (int c = 0; c < static_cast<int>(piece.size()); ++c) {
+  for (int c = 0; c < static_cast<int>(model.cells.size()); ++c) {
     const Cell& cell = model.cells[c];
     if (!cell.positive) continue;
-    Piece& p = pieces[find(c)];
+    Piece& p = pieces[piece.find(c)];
     p.volume += cell.volume;
     if (p.largest < 0 || cell.volume > model.cells[p.largest].volume) p.largest = c;
     merge_owners(p.features, cell.owners);

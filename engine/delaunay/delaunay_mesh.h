@@ -243,7 +243,7 @@ class DelaunayMesh {
              std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held, const Run& run);
   /// Flips facets that are not locally Delaunay, from those of the touched tets. Adds the facets
   /// that resisted when they were looked at, 4 * tet + facet.
-  void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unmended,
+  void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unflipped,
                 const Run& run);
   /// The corner opposite of a facet that a tet has for a neighbour; also at the boundary of a
   /// patch.

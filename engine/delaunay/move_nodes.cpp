@@ -43,7 +43,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     old[n + kSuper] = points_[n + kSuper];
   }
   if (moved.empty()) return Moved::Done;
-  std::vector<std::int32_t> again, unmended;
+  std::vector<std::int32_t> again, unflipped;
   std::vector<std::int32_t> going = moved;
   for (int k = 1;; ++k) {
     for (const std::int32_t n : going) {
@@ -58,7 +58,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
       for (const std::int32_t n : moved) points_[n + kSuper] = old[n + kSuper];
       return Moved::TooFar;
     }
-    flip_all(touched, unmended, run);
+    flip_all(touched, unflipped, run);
     for (const std::int32_t n : going)
       if (roles[n + kSuper] == kMoved) roles[n + kSuper] = kStill;
     if (k == kTries || held.size() == going.size() || held.size() * kTetsPerTry < slots_.size()) {
@@ -68,7 +68,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     going = std::move(held);
   }
   // What flips could not mend: the corners of a facet that is not Delaunay come out too.
-  for (const std::int32_t facet : unmended) {
+  for (const std::int32_t facet : unflipped) {
     const Slot& s = slots_[facet >> 2];
     const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];
     if (across < 0 || !conflicts(facet >> 2, points_[slots_[across >> 2].v[across & 3]])) continue;
@@ -174,7 +174,7 @@ void DelaunayMesh::retry(std::span<const std::int32_t> touched, std::span<const 
 }
 
 void DelaunayMesh::flip_all(std::span<const std::int32_t> touched,
-                            std::vector<std::int32_t>& unmended, const Run& run) {
+                            std::vector<std::int32_t>& unflipped, const Run& run) {
   // A facet between two touched tets is looked at from one side.
   scratch_.begin(slots_.size());
   const std::uint32_t mark = 2 * scratch_.epoch;
@@ -201,7 +201,7 @@ void DelaunayMesh::flip_all(std::span<const std::int32_t> touched,
     poll();
     const std::int32_t facet = stack.back();
     stack.pop_back();
-    if (!flip(facet, stack)) unmended.push_back(facet);
+    if (!flip(facet, stack)) unflipped.push_back(facet);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/base/parallel.h"
 #include "engine/extract/common_face.h"
@@ -34,16 +35,124 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
                         nodes.positions[t[3]]));
 }
 
+/// Takes flat tets off the tets that are in the model, and those that were taken off before.
+class Peeling {
+ public:
+  using Known = KnownClassification::Known;
+
+  Peeling(const NodeSet& nodes, const DelaunayMesh& delaunay, const FacesOf& faces,
+          const KnownClassification& known, const PeelOptions& options)
+      : nodes_(nodes), delaunay_(delaunay), faces_(faces), known_(known), options_(options) {}
+
+  /// `in_model`: by slot.
+  PeeledMesh peel(const std::vector<std::uint8_t>& in_model) {
+    gather(in_model);
+    gone_.assign(mesh_.tets.size(), 0);
+    for (std::size_t k = 0; k < mesh_.tets.size(); ++k)
+      if (shows_two(k)) queue_.push_back(static_cast<std::int32_t>(k));
+    work_off();
+    // Those that were peeled before go one by one, so that others show two facets in between.
+    for (std::size_t k = 0; k < mesh_.tets.size(); ++k) {
+      if (gone_[k] || known_of(mesh_.slots[k]) != Known::Outside) continue;
+      peel_off(k);
+      work_off();
+    }
+    keep_the_rest();
+    return std::move(mesh_);
+  }
+
+  [[nodiscard]] Known known_of(std::int32_t slot) const {
+    return known_.tets.empty() ? Known::No : known_.tets[slot];
+  }
+
+ private:
+  /// The tets in the model and, by tet, its neighbours: their tet, kBeyond, or -1 outside.
+  void gather(const std::vector<std::uint8_t>& in_model) {
+    mesh_.tets.reserve(delaunay_.size());
+    mesh_.slots.reserve(delaunay_.size());
+    neighbours_.reserve(delaunay_.size());
+    std::vector<std::int32_t> number(delaunay_.slots(), -1);
+    delaunay_.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
+      if (in_model[slot] == 0) return;
+      number[slot] = static_cast<std::int32_t>(mesh_.tets.size());
+      mesh_.tets.push_back(t);
+      mesh_.slots.push_back(slot);
+      neighbours_.push_back(across);
+    });
+    for (std::size_t k = 0; k < neighbours_.size(); ++k)
+      for (int i = 0; i < 4; ++i) {
+        std::int32_t& across = neighbours_[k][i];
+        const std::int32_t exterior = delaunay_.exterior(mesh_.slots[k], i);
+        if (exterior >= 0)
+          across = known_.exterior[exterior] != 0 ? kBeyond : -1;
+        else
+          across = across < 0 ? -1 : number[across];
+      }
+  }
+
+  [[nodiscard]] bool shows_two(std::size_t k) const {
+    return std::count(neighbours_[k].begin(), neighbours_[k].end(), -1) == 2 &&
+           known_of(mesh_.slots[k]) == Known::No;
+  }
+  [[nodiscard]] bool is_flat(const Tet& t) const {
+    const auto& p = nodes_.positions;
+    return face_of(nodes_, faces_, t) >= 0 &&
+           volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < options_.flat;
+  }
+  void peel_off(std::size_t k) {
+    gone_[k] = 1;
+    for (const std::int32_t n : neighbours_[k]) {
+      if (n < 0 || n == kBeyond) continue;
+      std::ranges::replace(neighbours_[n], static_cast<std::int32_t>(k), -1);
+      if (shows_two(n)) queue_.push_back(n);
+    }
+  }
+  void work_off() {
+    for (; next_ < queue_.size(); ++next_)
+      if (const std::int32_t k = queue_[next_]; !gone_[k] && shows_two(k) && is_flat(mesh_.tets[k]))
+        peel_off(k);
+  }
+
+  /// Closes the gaps and notes nonconforming facets.
+  void keep_the_rest() {
+    std::vector<Tet>& tets = mesh_.tets;
+    const auto& p = nodes_.positions;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < tets.size(); ++k) {
+      if (gone_[k]) continue;
+      for (int i = 0; i < 4; ++i) {
+        if (neighbours_[k][i] >= 0) continue;
+        const auto& f = kTetFacets[i];
+        const Triangle facet{tets[k][f[0]], tets[k][f[1]], tets[k][f[2]]};
+        if (face_of(nodes_, faces_, facet) >= 0) continue;
+        mesh_.nonconforming.push_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3.0);
+      }
+      mesh_.slots[kept] = mesh_.slots[k];
+      tets[kept++] = tets[k];
+    }
+    tets.resize(kept);
+    mesh_.slots.resize(kept);
+  }
+
+  const NodeSet& nodes_;
+  const DelaunayMesh& delaunay_;
+  const FacesOf& faces_;
+  const KnownClassification& known_;
+  const PeelOptions& options_;
+  PeeledMesh mesh_;
+  std::vector<Tet> neighbours_;  ///< by tet
+  std::vector<std::uint8_t> gone_;
+  std::vector<std::int32_t> queue_;  ///< tets that showed two facets
+  std::size_t next_ = 0;             ///< in the queue
+};
+
 }  // namespace
 
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
                 const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run) {
-  using Known = KnownClassification::Known;
-  const auto known_of = [&](std::int32_t slot) {
-    return known.tets.empty() ? Known::No : known.tets[slot];
-  };
   const FacesOf faces(boundary);
+  Peeling peeling(nodes, delaunay, faces, known, options);
   std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
   in_blocks(delaunay.slots(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
@@ -51,85 +160,13 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
          ++slot) {
       const Tet t = delaunay.corners(slot);
       if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
-      in_model[slot] =
-          known_of(slot) == Known::Inside || contributes(nodes, boundary, faces, inside, t) ? 1 : 0;
+      in_model[slot] = peeling.known_of(slot) == KnownClassification::Known::Inside ||
+                               contributes(nodes, boundary, faces, inside, t)
+                           ? 1
+                           : 0;
     }
   });
-  PeeledMesh mesh;
-  std::vector<Tet>& tets = mesh.tets;
-  tets.reserve(delaunay.size());
-  mesh.slots.reserve(delaunay.size());
-  std::vector<Tet> neighbours;  // by tet
-  neighbours.reserve(delaunay.size());
-  std::vector<std::int32_t> number(delaunay.slots(), -1);
-  delaunay.for_each_tet_with_neighbours([&](std::int32_t slot, const Tet& t, const Tet& across) {
-    if (in_model[slot] == 0) return;
-    number[slot] = static_cast<std::int32_t>(tets.size());
-    tets.push_back(t);
-    mesh.slots.push_back(slot);
-    neighbours.push_back(across);
-  });
-  for (std::size_t k = 0; k < neighbours.size(); ++k)
-    for (int i = 0; i < 4; ++i) {
-      std::int32_t& across = neighbours[k][i];
-      const std::int32_t beyond = delaunay.exterior(mesh.slots[k], i);
-      if (beyond >= 0)
-        across = known.exterior[beyond] != 0 ? kBeyond : -1;
-      else
-        across = across < 0 ? -1 : number[across];
-    }
-
-  std::vector<std::uint8_t> gone(tets.size(), 0);
-  std::vector<std::int32_t> queue;
-  const auto shows_two = [&](std::size_t k) {
-    return std::count(neighbours[k].begin(), neighbours[k].end(), -1) == 2 &&
-           known_of(mesh.slots[k]) == Known::No;
-  };
-  for (std::size_t k = 0; k < tets.size(); ++k)
-    if (shows_two(k)) queue.push_back(static_cast<std::int32_t>(k));
-  const auto is_flat = [&](const Tet& t) {
-    return face_of(nodes, faces, t) >= 0 &&
-           volume_length(nodes.positions[t[0]], nodes.positions[t[1]], nodes.positions[t[2]],
-                         nodes.positions[t[3]]) < options.flat;
-  };
-  const auto peel_off = [&](std::size_t k) {
-    gone[k] = 1;
-    for (const std::int32_t n : neighbours[k]) {
-      if (n < 0 || n == kBeyond) continue;
-      std::ranges::replace(neighbours[n], static_cast<std::int32_t>(k), -1);
-      if (shows_two(n)) queue.push_back(n);
-    }
-  };
-  std::size_t next = 0;
-  const auto work_off = [&] {
-    for (; next < queue.size(); ++next)
-      if (const std::int32_t k = queue[next]; !gone[k] && shows_two(k) && is_flat(tets[k]))
-        peel_off(k);
-  };
-  work_off();
-  // Those that were peeled before go one by one, so that others show two facets in between.
-  for (std::size_t k = 0; k < tets.size(); ++k) {
-    if (gone[k] || known_of(mesh.slots[k]) != Known::Outside) continue;
-    peel_off(k);
-    work_off();
-  }
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < tets.size(); ++k) {
-    if (gone[k]) continue;
-    for (int i = 0; i < 4; ++i) {
-      if (neighbours[k][i] >= 0) continue;
-      const auto& f = kTetFacets[i];
-      const Triangle facet{tets[k][f[0]], tets[k][f[1]], tets[k][f[2]]};
-      if (face_of(nodes, faces, facet) >= 0) continue;
-      const auto& p = nodes.positions;
-      mesh.nonconforming.push_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3.0);
-    }
-    mesh.slots[kept] = mesh.slots[k];
-    tets[kept++] = tets[k];
-  }
-  tets.resize(kept);
-  mesh.slots.resize(kept);
-  return mesh;
+  return peeling.peel(in_model);
 }
 
 }  // namespace remeshd

@@ -95,6 +95,43 @@ void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double sc
   throw error::kernel_failure(what, in_model_units(place, scale));
 }
 
+/// Adds the parts' elements of a kind that elements of the result come from, by the builder's
+/// history.
+void trace(const std::vector<PlacedPart>& parts, BOPAlgo_Builder& builder, const Brep& brep,
+           double scale, Element kind, std::vector<std::vector<Source>>& sources) {
+  for (int p = 0; p < static_cast<int>(parts.size()); ++p)
+    for (const int i : parts[p].elements(kind)) {
+      const TopoDS_Shape shape = parts[p].copy_of(kind, i);
+      const auto add = [&](const TopoDS_Shape& image) {
+        const int at = index_of(brep, kind, image);
+        if (at < 0)
+          throw error::kernel_failure("the history names what the result lacks",
+                                      in_model_units(point_on(image), scale));
+        sources[at].push_back({p, i});
+      };
+      // An empty list means unchanged.
+      if (parts.size() > 1 && !builder.Modified(shape).IsEmpty()) {
+        for (const TopoDS_Shape& image : builder.Modified(shape)) add(image);
+      } else {
+        add(shape);
+      }
+    }
+  for (auto& list : sources) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+}
+
+/// Throws Error(KERNEL_FAILURE) where an element of the result comes from nothing.
+void require_owners(const Brep& brep, double scale, Element kind,
+                    const std::vector<std::vector<Source>>& sources, const char* what) {
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (sources[i].empty()) {
+      const TopoDS_Shape& shape = shape_of(brep, kind, static_cast<int>(i));
+      throw error::kernel_failure(what, in_model_units(point_on(shape), scale));
+    }
+}
+
 Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run& run,
                   const std::optional<Vec3>& reference) {
   BOPAlgo_PaveFiller filler;
@@ -116,49 +153,17 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
   }
 
   Fusion fusion;
-  fusion.brep = describe(result, scale, run, reference);
-  fusion.cells.resize(fusion.brep.cells.size());
-  fusion.faces.resize(fusion.brep.faces.size());
-  fusion.edges.resize(fusion.brep.edges.size());
-  fusion.vertices.resize(fusion.brep.vertices.size());
-  for (int p = 0; p < static_cast<int>(parts.size()); ++p) {
-    const auto trace = [&](Element kind, std::vector<std::vector<Source>>& sources) {
-      for (const int i : parts[p].elements(kind)) {
-        const TopoDS_Shape shape = parts[p].copy_of(kind, i);
-        const auto add = [&](const TopoDS_Shape& image) {
-          const int at = index_of(fusion.brep, kind, image);
-          if (at < 0)
-            throw error::kernel_failure("the history names what the result lacks",
-                                        in_model_units(point_on(image), scale));
-          sources[at].push_back({p, i});
-        };
-        // An empty list means unchanged.
-        if (parts.size() > 1 && !builder.Modified(shape).IsEmpty()) {
-          for (const TopoDS_Shape& image : builder.Modified(shape)) add(image);
-        } else {
-          add(shape);
-        }
-      }
-      for (auto& list : sources) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-      }
-    };
-    trace(Element::Cell, fusion.cells);
-    trace(Element::Face, fusion.faces);
-    trace(Element::Edge, fusion.edges);
-    trace(Element::Vertex, fusion.vertices);
-  }
-  const auto require_owners = [&](Element kind, const std::vector<std::vector<Source>>& sources,
-                                  const char* what) {
-    for (std::size_t i = 0; i < sources.size(); ++i)
-      if (sources[i].empty()) {
-        const TopoDS_Shape& shape = shape_of(fusion.brep, kind, static_cast<int>(i));
-        throw error::kernel_failure(what, in_model_units(point_on(shape), scale));
-      }
-  };
-  require_owners(Element::Cell, fusion.cells, "a cell of the result has no owner");
-  require_owners(Element::Face, fusion.faces, "a face of the result has no owner");
+  const Brep& brep = fusion.brep = describe(result, scale, run, reference);
+  fusion.cells.resize(brep.cells.size());
+  fusion.faces.resize(brep.faces.size());
+  fusion.edges.resize(brep.edges.size());
+  fusion.vertices.resize(brep.vertices.size());
+  trace(parts, builder, brep, scale, Element::Cell, fusion.cells);
+  trace(parts, builder, brep, scale, Element::Face, fusion.faces);
+  trace(parts, builder, brep, scale, Element::Edge, fusion.edges);
+  trace(parts, builder, brep, scale, Element::Vertex, fusion.vertices);
+  require_owners(brep, scale, Element::Cell, fusion.cells, "a cell of the result has no owner");
+  require_owners(brep, scale, Element::Face, fusion.faces, "a face of the result has no owner");
   return fusion;
 }
 

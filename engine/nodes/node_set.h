@@ -24,13 +24,16 @@ struct NodeSet {
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
   /// Whether the set is that of a patch, not of a whole mesh.
   [[nodiscard]] bool of_patch() const { return interface_nodes > 0 || elsewhere > 0; }
-  void add_new(const Vec3& p, const Support& support = {}) {
+  /// `from`, `by`: the node that it is a copy of and its transformation, -1 for new ones.
+  void add(const Vec3& p, const Support& support, bool is_free, std::int32_t from,
+           std::int32_t by) {
     positions.push_back(p);
     supports.push_back(support);
-    free.push_back(1);
-    original.push_back(-1);
-    transform.push_back(-1);
+    free.push_back(is_free ? 1 : 0);
+    original.push_back(from);
+    transform.push_back(by);
   }
+  void add_new(const Vec3& p, const Support& support = {}) { add(p, support, true, -1, -1); }
   /// Puts a node in the place of another.
   void move(std::int32_t from, std::int32_t to) {
     positions[to] = positions[from];

@@ -2,30 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "engine/base/union_find.h"
 #include "engine/patch/tet_index.h"
 
 namespace remeshd {
 
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::int32_t find(std::int32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-  void join(std::int32_t a, std::int32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
 
 /// A facet by its two larger nodes; the smallest names the bucket that it stands in.
 struct BucketFacet {

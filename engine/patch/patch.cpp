@@ -43,6 +43,28 @@ std::vector<std::int32_t> slots_at(const DelaunayState& delaunay_state,
   return slots;
 }
 
+/// Takes the nodes of the slots and of the patch's output tets into the patch; returns their
+/// numbers there by node of the original, -1 for the others.
+std::vector<std::int32_t> take_nodes(const DelaunayState& delaunay_state, const PagedMesh& output,
+                                     const std::vector<std::int32_t>& slots,
+                                     const std::vector<std::uint8_t>& inner, MeshPatch& patch) {
+  std::vector<std::int32_t> name(output.nodes.size(), -1);
+  for (const std::int32_t s : slots)
+    for (const std::int32_t n : delaunay_state.mesh.corners(s))
+      if (n >= 0) name[n] = 0;
+  for (const std::int32_t t : patch.output_tet)
+    for (const std::int32_t n : output.tets[t]) name[n] = 0;
+  for (std::int32_t n = 0; n < static_cast<std::int32_t>(name.size()); ++n) {
+    if (name[n] < 0) continue;
+    name[n] = static_cast<std::int32_t>(patch.nodes.size());
+    patch.nodes.push_back(n);
+    patch.inner.push_back(inner[n]);
+    patch.positions.push_back(delaunay_state.positions()[n]);
+    patch.output_nodes.push_back(output.nodes[n]);
+  }
+  return name;
+}
+
 }  // namespace
 
 MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
@@ -72,20 +94,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
     }
   }
 
-  std::vector<std::int32_t> name(output.nodes.size(), -1);
-  for (const std::int32_t s : slots)
-    for (const std::int32_t n : delaunay_state.mesh.corners(s))
-      if (n >= 0) name[n] = 0;
-  for (const std::int32_t t : patch.output_tet)
-    for (const std::int32_t n : output.tets[t]) name[n] = 0;
-  for (std::int32_t n = 0; n < static_cast<std::int32_t>(name.size()); ++n) {
-    if (name[n] < 0) continue;
-    name[n] = static_cast<std::int32_t>(patch.nodes.size());
-    patch.nodes.push_back(n);
-    patch.inner.push_back(inner[n]);
-    patch.positions.push_back(delaunay_state.positions()[n]);
-    patch.output_nodes.push_back(output.nodes[n]);
-  }
+  const std::vector<std::int32_t> name = take_nodes(delaunay_state, output, slots, inner, patch);
   const auto renamed = [&](Tet t) {
     for (std::int32_t& n : t) n = name[n];
     return t;
@@ -123,10 +132,10 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
     return !near.free[n] && near.original[n] >= 0 && near.transform[n] == identity;
   };
   PatchNodes local;
-  std::vector<std::uint8_t> looked(output.nodes.size(), 0);  // 1: gone or changed, 2: stays
-  for (const std::int32_t o : candidates) looked[o] = 1;
+  std::vector<std::uint8_t> state(output.nodes.size(), 0);  // 1: gone or changed, 2: stays
+  for (const std::int32_t o : candidates) state[o] = 1;
   for (std::int32_t n = 0; n < near.size(); ++n)
-    if (stays(n)) looked[near.original[n]] = 2;
+    if (stays(n)) state[near.original[n]] = 2;
   std::vector<std::uint8_t> inner(output.nodes.size(), 1);
   std::optional<Surroundings> changing;
   if (std::isfinite(reach)) {
@@ -134,7 +143,7 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
     for (std::int32_t n = 0; n < near.size(); ++n)
       if (!stays(n)) changed.push_back(near.positions[n]);
     for (const std::int32_t o : candidates)
-      if (looked[o] == 1) changed.push_back(delaunay_state.positions()[o]);
+      if (state[o] == 1) changed.push_back(delaunay_state.positions()[o]);
     changing.emplace(changed, reach, source.modified().bounds());
     for (std::size_t n = 0; n < inner.size(); ++n)
       inner[n] = changing->holds(delaunay_state.positions()[n]) ? 1 : 0;
@@ -143,34 +152,26 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
   const MeshPatch& patch = local.patch;
 
   NodeSet& nodes = local.nodes;
-  const auto add = [&](std::int32_t original, const Vec3& position, const Support& support,
-                       std::uint8_t free, std::int32_t transform) {
-    nodes.positions.push_back(position);
-    nodes.supports.push_back(support);
-    nodes.free.push_back(free);
-    nodes.original.push_back(original);
-    nodes.transform.push_back(transform);
-  };
   const auto add_kept = [&](std::int32_t p) {
     const std::optional<Support> support = (*map)(supports[patch.nodes[p]], patch.positions[p]);
-    if (support) add(p, patch.positions[p], *support, 0, identity);
+    if (support) nodes.add(patch.positions[p], *support, false, p, identity);
     return support.has_value();
   };
   const auto count = static_cast<std::int32_t>(patch.nodes.size());
-  std::vector<std::int32_t> in_part(output.nodes.size(), -1);
+  std::vector<std::int32_t> in_patch(output.nodes.size(), -1);
   for (std::int32_t p = 0; p < count; ++p) {
-    in_part[patch.nodes[p]] = p;
+    in_patch[patch.nodes[p]] = p;
     if (!patch.inner[p] && !add_kept(p)) return std::nullopt;
   }
   nodes.interface_nodes = nodes.size();
   for (std::int32_t p = 0; p < count; ++p)
-    if (patch.inner[p] && looked[patch.nodes[p]] == 0 && !add_kept(p)) return std::nullopt;
+    if (patch.inner[p] && state[patch.nodes[p]] == 0 && !add_kept(p)) return std::nullopt;
   local.placed = nodes.size();
   for (std::int32_t n = 0; n < near.size(); ++n) {
     const std::int32_t o = near.original[n];
-    const std::int32_t p = o < 0 ? -1 : in_part[o];
+    const std::int32_t p = o < 0 ? -1 : in_patch[o];
     if (stays(n) && (p < 0 || !patch.inner[p])) continue;
-    add(p, near.positions[n], near.supports[n], near.free[n], near.transform[n]);
+    nodes.add(near.positions[n], near.supports[n], near.free[n] != 0, p, near.transform[n]);
   }
   nodes.elsewhere = static_cast<std::int32_t>(output.nodes.size()) - count;
   return local;

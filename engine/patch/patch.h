@@ -42,16 +42,16 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
 
 /// The nodes that an edit works on, and the patch of the original that they came from.
 struct PatchNodes {
-  NodeSet nodes;            ///< `original`: nodes of `part`
+  NodeSet nodes;            ///< `original`: nodes of `patch`
   MeshPatch patch;          ///< empty for a first mesh
   std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
 };
 
 /// Cuts the patch out of the original that lies within `reach` (length) of what changes: `near` are
-/// the nodes that the plan made of the original's `looked_at` nodes, by their numbers in the
+/// the nodes that the plan made of the original's `candidates`, by their numbers in the
 /// original, new ones too. With `reach` infinite all of the original is in it.
 ///
-/// Nodes that are looked at keep their supports of the original; others that come along stand
+/// Candidates keep their supports of the original; others that come along stand
 /// before them and get theirs by `map`. Returns nothing where it has none for one.
 std::optional<PatchNodes> extract_patch(const NodeSet& near,
                                         std::span<const std::int32_t> candidates,

@@ -127,7 +127,7 @@ std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
   return result;
 }
 
-/// The patch's mesh, carried over and cleaned up.
+/// The patch's mesh: improved tets reused where nothing changed, the rest cleaned up.
 ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                       bool clean_up) {
   const MeshOptions& options = task.options;

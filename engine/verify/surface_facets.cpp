@@ -22,12 +22,11 @@ constexpr FacetMask kAll = 15;
 /// By a mask of corners: the facets that have no other.
 constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 4, 0, 2, 1, 15};
 
-/// Counts the tets at each facet, adds the tets that clash to `clashes` and marks in `alone`, by
-/// tet, the facets in one tet only. `each`: calls its argument with the tets that take part and
-/// their facets that do, the same each time.
+/// Where the facets of each smallest node end, counted one bucket late: `end[n]` is where those of
+/// node n begin.
 template <class Each>
-void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
-           std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
+std::vector<std::uint32_t> bucket_begins(const CowVector<Tet>& tets, std::size_t node_count,
+                                         const Each& each, Polling& poll) {
   std::vector<std::uint32_t> end(node_count + 1, 0);
   each([&](std::size_t t, FacetMask wanted) {
     poll();
@@ -41,6 +40,16 @@ void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
       if ((wanted >> i & 1) != 0) ++end[(tet[i] == first ? second : first) + 1];
   });
   for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
+  return end;
+}
+
+/// Counts the tets at each facet, adds the tets that clash to `clashes` and marks in `alone`, by
+/// tet, the facets in one tet only. `each`: calls its argument with the tets that take part and
+/// their facets that do, the same each time.
+template <class Each>
+void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
+           std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
+  std::vector<std::uint32_t> end = bucket_begins(tets, node_count, each, poll);
   std::vector<Entry> entries(end[node_count]);
   each([&](std::size_t t, FacetMask wanted) {
     poll();

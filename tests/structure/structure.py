@@ -67,7 +67,7 @@ def stations_include_only_earlier_ones(root):
             yield f"{path}:{number}: {header} is not a full path"
 
 
-TYPE = re.compile(r"^(?:class|struct|enum class|enum|union) (\w+)(?=[^;]*\{)", re.M)
+TYPE = re.compile(r"^(?:class|struct|enum class|enum|union) (\w+)\b(?!::)(?=[^;]*\{)", re.M)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 
 

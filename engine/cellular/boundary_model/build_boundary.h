@@ -11,7 +11,7 @@ namespace remeshd {
 
 /// Joins the boundary's pieces into model faces, edges and vertices.
 ///
-/// Pre: one piece for each face of `brep`; `skeleton` is that of the boundary pieces, the side of
+/// Pre: one piece for each face of `brep`; `unified` is that of the boundary pieces, the side of
 /// each telling whether its outward normal is that of its surface.
 /// Pre: the boundary is manifold (require_manifold).
 /// Source: Sect. 4.1; seams and coplanar splits by DESIGN.

@@ -213,6 +213,61 @@ std::vector<MeshFacet> read_facets(const Reader& read) {
   return facets;
 }
 
+/// The member of a revision that is to share memory with another; null where there is none.
+template <class Of, class T>
+const T* member(const Of* of, T Of::*which) {
+  return of != nullptr ? &(of->*which) : nullptr;
+}
+
+void read_output(const Reader& read, const OutputMesh* alike, OutputMesh& d) {
+  const PagedMesh* mesh = member(alike, &OutputMesh::mesh);
+  const NodeMap* map = member(alike, &OutputMesh::map);
+  read("delivery.nodes", d.mesh.nodes, member(mesh, &PagedMesh::nodes));
+  read("delivery.tets", d.mesh.tets, member(mesh, &PagedMesh::tets));
+  read("delivery.node_ids", d.node_ids, member(alike, &OutputMesh::node_ids));
+  read("delivery.tet_ids", d.tet_ids, member(alike, &OutputMesh::tet_ids));
+  d.groups.facets = read_facets(read);
+  read("delivery.tet_cells", d.groups.tet_cell,
+       member(member(alike, &OutputMesh::groups), &MeshGroups::tet_cell));
+  read("delivery.node_origins", d.map.node_origin, member(map, &NodeMap::node_origin));
+  read("delivery.original_nodes", d.map.original_node, member(map, &NodeMap::original_node));
+  read("delivery.node_transforms", d.map.node_transform, member(map, &NodeMap::node_transform));
+  read("delivery.original_tets", d.map.original_tet, member(map, &NodeMap::original_tet));
+  read("delivery.transforms", d.map.transforms);
+}
+
+void read_delaunay_state(const Reader& read, const DelaunayState* alike, DelaunayState& state) {
+  state.mesh.visit_named([&](const char* name, auto& values) {
+    using Values = std::remove_reference_t<decltype(values)>;
+    if constexpr (requires { typename Values::Iterator; }) {
+      const Values* other = nullptr;
+      if (alike != nullptr)
+        alike->mesh.visit_named([&](const char* its_name, const auto& its) {
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(its)>, Values>)
+            if (std::string_view(its_name) == name) other = &its;
+        });
+      read(name, values, other);
+    } else {
+      read(name, values);
+    }
+  });
+  state.supports = read_supports(read, "master.supports", member(alike, &DelaunayState::supports));
+  read("master.tet_of_slot", state.tet_of_slot, member(alike, &DelaunayState::tet_of_slot));
+  std::vector<std::int32_t> cavities;
+  read("master.clusters", cavities);
+  state.cavities = unflattened(cavities, member(alike, &DelaunayState::cavities));
+}
+
+std::shared_ptr<const Anchor> read_anchor(const Reader& read, const Anchor* alike,
+                                          ModelSource source) {
+  Anchor anchor;
+  anchor.source = std::move(source);
+  read("anchor.nodes", anchor.nodes, member(alike, &Anchor::nodes));
+  anchor.supports = read_supports(read, "anchor.supports", member(alike, &Anchor::supports));
+  anchor.model = evaluate(anchor.source);
+  return std::make_shared<const Anchor>(std::move(anchor));
+}
+
 }  // namespace
 
 StoredArrays image_of(const Revision& revision) {
@@ -249,64 +304,17 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   const Reader read(image);
   Revision revision;
   Documents documents = read_documents(read.bytes(kDocuments), revision);
-
-  const OutputMesh* like = alike ? &alike->output : nullptr;
-  OutputMesh& d = revision.output;
-  const auto pages = [&](const char* name, auto& values, const auto* other) {
-    read(name, values, other);
-  };
-  pages("delivery.nodes", d.mesh.nodes, like ? &like->mesh.nodes : nullptr);
-  pages("delivery.tets", d.mesh.tets, like ? &like->mesh.tets : nullptr);
-  pages("delivery.node_ids", d.node_ids, like ? &like->node_ids : nullptr);
-  pages("delivery.tet_ids", d.tet_ids, like ? &like->tet_ids : nullptr);
-  d.groups.facets = read_facets(read);
-  pages("delivery.tet_cells", d.groups.tet_cell, like ? &like->groups.tet_cell : nullptr);
-  pages("delivery.node_origins", d.map.node_origin, like ? &like->map.node_origin : nullptr);
-  pages("delivery.original_nodes", d.map.original_node, like ? &like->map.original_node : nullptr);
-  pages("delivery.node_transforms", d.map.node_transform,
-        like ? &like->map.node_transform : nullptr);
-  pages("delivery.original_tets", d.map.original_tet, like ? &like->map.original_tet : nullptr);
-  read("delivery.transforms", d.map.transforms);
-
-  const DelaunayState* master_like = alike ? alike->delaunay_state.get() : nullptr;
-  DelaunayState delaunay_state = std::move(documents.delaunay_state);
-  delaunay_state.mesh.visit_named([&](const char* name, auto& values) {
-    using Values = std::remove_reference_t<decltype(values)>;
-    if constexpr (requires { typename Values::Iterator; }) {
-      const Values* other = nullptr;
-      if (master_like)
-        master_like->mesh.visit_named([&](const char* its_name, const auto& its) {
-          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(its)>, Values>)
-            if (std::string_view(its_name) == name) other = &its;
-        });
-      read(name, values, other);
-    } else {
-      read(name, values);
-    }
-  });
-  delaunay_state.supports =
-      read_supports(read, "master.supports", master_like ? &master_like->supports : nullptr);
-  pages("master.tet_of_slot", delaunay_state.tet_of_slot,
-        master_like ? &master_like->tet_of_slot : nullptr);
-  std::vector<std::int32_t> cavities;
-  read("master.clusters", cavities);
-  delaunay_state.cavities = unflattened(cavities, master_like ? &master_like->cavities : nullptr);
-  if (documents.anchored) {
-    Anchor anchor;
-    const Anchor* anchor_like = alike ? alike->anchor.get() : nullptr;
-    anchor.source = std::move(documents.anchor_source);
-    pages("anchor.nodes", anchor.nodes, anchor_like ? &anchor_like->nodes : nullptr);
-    anchor.supports =
-        read_supports(read, "anchor.supports", anchor_like ? &anchor_like->supports : nullptr);
-    anchor.model = evaluate(anchor.source);
-    revision.anchor = std::make_shared<const Anchor>(std::move(anchor));
-  }
-
+  read_output(read, member(alike, &Revision::output), revision.output);
+  DelaunayState state = std::move(documents.delaunay_state);
+  read_delaunay_state(read, alike ? alike->delaunay_state.get() : nullptr, state);
+  if (documents.anchored)
+    revision.anchor = read_anchor(read, alike ? alike->anchor.get() : nullptr,
+                                  std::move(documents.anchor_source));
   revision.model = evaluate(revision.source);
   revision.meshed_model = evaluate(revision.meshed_source);
   check_parts(documents.parts, revision.model);
   revision.cells = restore_cells(revision.model, std::move(documents.parts));
-  revision.delaunay_state = std::make_shared<const DelaunayState>(std::move(delaunay_state));
+  revision.delaunay_state = std::make_shared<const DelaunayState>(std::move(state));
   check_indices(revision);
   revision.boxes = boxes_round(revision.output.mesh);
   revision.measures = measure_tets(revision.output.mesh.nodes, revision.output.mesh.tets, run);

@@ -39,7 +39,7 @@ struct Digested {
 };
 
 TEST(MeshArrays, ComeInTheOrderOfTheirNamesWithTypeRowsAndBytes) {
-  const OutputMesh d = delivery(1000, 7);
+  const OutputMesh d = output(1000, 7);
   const auto arrays = mesh_arrays(d);
   ASSERT_EQ(arrays.size(), kArrayNames);
   for (std::size_t i = 0; i < arrays.size(); ++i)
@@ -63,7 +63,7 @@ TEST(MeshArrays, ComeInTheOrderOfTheirNamesWithTypeRowsAndBytes) {
 }
 
 TEST(MeshArrays, AreReadInPiecesOfAnySizeAsAtOnce) {
-  const OutputMesh d = delivery(2000, 500);
+  const OutputMesh d = output(2000, 500);
   for (const MeshArray& array : mesh_arrays(d)) {
     const std::string all = whole(array);
     ASSERT_EQ(all.size(), array.bytes);
@@ -77,7 +77,7 @@ TEST(MeshArrays, AreReadInPiecesOfAnySizeAsAtOnce) {
 }
 
 TEST(MeshArrays, OfFacetsHoldNodesTetsAndGroupsApart) {
-  const OutputMesh d = delivery(10, 2);
+  const OutputMesh d = output(10, 2);
   const auto numbers = [&](ArrayName name) {
     const std::string bytes = whole(array_named(mesh_arrays(d), name));
     std::vector<std::int32_t> out(bytes.size() / 4);
@@ -91,7 +91,7 @@ TEST(MeshArrays, OfFacetsHoldNodesTetsAndGroupsApart) {
 
 TEST(MeshDigests, AreOverTheDigestsOfBlocksOf16Kibibytes) {
   // 24,000 bytes of nodes are two blocks.
-  const OutputMesh d = delivery(1000, 0);
+  const OutputMesh d = output(1000, 0);
   const auto arrays = mesh_arrays(d);
   const std::string nodes = whole(arrays.front());
   std::string digests;
@@ -105,7 +105,7 @@ TEST(MeshDigests, AreOverTheDigestsOfBlocksOf16Kibibytes) {
 }
 
 TEST(MeshDigests, TakeOverThoseOfTheSameBlocksOfAnotherMesh) {
-  const OutputMesh base = delivery(5000, 3000);
+  const OutputMesh base = output(5000, 3000);
   const Digested other(base);
   const auto changed = [&](auto&& change) {
     OutputMesh d = base;
@@ -120,8 +120,8 @@ TEST(MeshDigests, TakeOverThoseOfTheSameBlocksOfAnotherMesh) {
       }),
       changed([](OutputMesh& d) { d.groups.facets.resize(1500); }),
       changed([](OutputMesh& d) { d.groups.facets.clear(); }),
-      delivery(100, 1),
-      delivery(9000, 4000),
+      output(100, 1),
+      output(9000, 4000),
   };
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const Digested own(meshes[m]);
@@ -134,7 +134,7 @@ TEST(MeshDigests, TakeOverThoseOfTheSameBlocksOfAnotherMesh) {
 }
 
 TEST(MeshDigests, ReadWhatIsSharedWithAnotherMeshNotAtAll) {
-  const OutputMesh base = delivery(5000, 0);
+  const OutputMesh base = output(5000, 0);
   OutputMesh next = base;
   next.mesh.nodes.edit(0).x = 7;
   const MeshArray nodes = mesh_arrays(next).front(), others = mesh_arrays(base).front();
@@ -147,7 +147,7 @@ TEST(MeshDigests, ReadWhatIsSharedWithAnotherMeshNotAtAll) {
 }
 
 TEST(MeshDigests, AreWorkedOutOnceForManyThreads) {
-  const OutputMesh d = delivery(10, 0);
+  const OutputMesh d = output(10, 0);
   std::atomic<int> reads = 0;
   MeshArray counted = mesh_arrays(d).front();
   counted.from = [&, from = counted.from](std::uint64_t at) {
