@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/error.h"
-#include "engine/cellular/cellular_model.h"
+#include "engine/local_fuse/local_fuse.h"
 #include "engine/model/solid.h"
 #include "tests/support/cases.h"
 #include "tests/support/large_models.h"
