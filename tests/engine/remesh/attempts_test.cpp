@@ -101,15 +101,23 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
   const Revision made =
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
-  // Format 10 was the same without the list at the end, empty here, and the word after it.
-  ASSERT_EQ(bytes[1], 11);
-  bytes[1] = 10;
-  ASSERT_TRUE(bytes.ends_with("fused"));
-  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t) - 5);
+  ASSERT_EQ(bytes[1], 12);
+  // Format 11 was the same without the list at the end, empty here.
+  bytes[1] = 11;
+  bytes.resize(bytes.size() - sizeof(std::uint64_t));
   Revision read;
   read_documents(bytes, read);
   EXPECT_EQ(read.source, made.source);
-  EXPECT_THAT(read.report.attempts, IsEmpty());
+  EXPECT_EQ(read.report.geometry, "fused");
+  // Format 10 had neither the word before it nor the list before that, empty too.
+  bytes[1] = 10;
+  ASSERT_TRUE(bytes.ends_with("fused"));
+  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t) - 5);
+  Revision older;
+  read_documents(bytes, older);
+  EXPECT_EQ(older.source, made.source);
+  EXPECT_THAT(older.report.attempts, IsEmpty());
+  EXPECT_EQ(older.report.geometry, "");
 }
 
 }  // namespace
