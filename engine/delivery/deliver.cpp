@@ -38,6 +38,11 @@ CellsBefore cells_before(const Revision& revision, const Revision& original,
                          std::span<const std::int32_t> remade, const CopyPlan& source,
                          const Run& run) {
   const PagedMesh& mesh = revision.output.mesh;
+  CellsBefore before{&original.output.groups, {}};
+  if (remade.size() == mesh.tets.size()) {
+    before.others.assign(remade.begin(), remade.end());
+    return before;
+  }
   const std::vector<std::int32_t> at_change = collect_in_blocks<std::int32_t>(
       mesh.tets.pages(), kBlockPages, run, [&](std::size_t begin, std::size_t end, auto& found) {
         run.poll();
@@ -50,7 +55,6 @@ CellsBefore cells_before(const Revision& revision, const Revision& original,
           }
         }
       });
-  CellsBefore before{&original.output.groups, {}};
   std::ranges::set_union(remade, at_change, std::back_inserter(before.others));
   return before;
 }
@@ -58,6 +62,7 @@ CellsBefore cells_before(const Revision& revision, const Revision& original,
 /// Measures of the output tets; those of tets that were not remade are the original's.
 CowVector<TetMeasure> measures_of(const OutputMesh& d, const Revision& original,
                                   std::span<const std::int32_t> remade, const Run& run) {
+  if (remade.size() == d.mesh.tets.size()) return measure_tets(d.mesh.nodes, d.mesh.tets, run);
   std::vector<TetMeasure> anew(remade.size());
   in_blocks(remade.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
