@@ -9,6 +9,10 @@
 
 namespace remeshd {
 
+/// Elements of a block, by what one of them costs: about 10 ns (a measure), 100 ns (an exact
+/// predicate) or 1 us (a search).
+inline constexpr std::size_t kCheapBlock = 4096, kFairBlock = 1024, kDearBlock = 512;
+
 /// Calls f(begin, end) for blocks of [0, count), each `block` long but for the last, on up to
 /// `run.threads` threads. Blocks do not depend on the number of threads: where none reads what
 /// another one writes, the result does not either.

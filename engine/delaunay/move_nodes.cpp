@@ -21,7 +21,6 @@ constexpr double kManyHeld = 0.25;
 /// there for each that makes it worth while.
 constexpr int kTries = 2;
 constexpr std::size_t kTetsPerTry = 5000;
-constexpr std::size_t kBlock = 2048;
 
 }  // namespace
 
@@ -88,7 +87,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
 std::vector<std::int32_t> DelaunayMesh::tets_at_moved(const std::vector<std::uint8_t>& roles,
                                                       const Run& run) const {
   return collect_in_blocks<std::int32_t>(
-      slots_.size(), kBlock, run,
+      slots_.size(), kCheapBlock, run,
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
         for (std::size_t t = begin; t < end; ++t) {
@@ -109,7 +108,7 @@ std::vector<std::int32_t> DelaunayMesh::revert_inverted(std::span<const std::int
   std::vector<std::uint8_t> fresh(points_.size(), 1);  // put back in the last sweep
   for (bool again = true; again;) {
     const auto back = collect_in_blocks<std::int32_t>(
-        touched.size(), kBlock, run,
+        touched.size(), kCheapBlock, run,
         [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
           run.poll();
           for (const std::int32_t t : touched.subspan(begin, end - begin)) {
@@ -180,12 +179,13 @@ void DelaunayMesh::flip_all(std::span<const std::int32_t> touched,
   const std::uint32_t mark = 2 * scratch_.epoch;
   for (const std::int32_t t : touched) scratch_.seen[t] = mark;
   auto stack = collect_in_blocks<std::int32_t>(
-      touched.size(), kBlock, run,
+      touched.size(), kCheapBlock, run,
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
         for (const std::int32_t t : touched.subspan(begin, end - begin)) {
           const auto& v = slots_[t].v;
-          const kernel::SphereTest sphere(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]);
+          const kernel::SphereTest sphere(points_[v[0]], points_[v[1]], points_[v[2]],
+                                          points_[v[3]]);
           for (int i = 0; i < 4; ++i) {
             const std::int32_t across = slots_[t].n[i];
             const bool mine = across < 0 || across >> 2 > t || scratch_.seen[across >> 2] != mark;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 
 #include "engine/base/parallel.h"
 #include "engine/cellular/boundary_model/sharp_places.h"
 #include "engine/delivery/group_areas.h"
 #include "engine/delivery/groups.h"
 #include "engine/mesh/quality.h"
+#include "engine/mesh/quality_goals.h"
 #include "engine/mesh/tet_boxes.h"
 #include "engine/patch/node_map.h"
 #include "engine/revision/delaunay_state.h"
@@ -17,8 +17,6 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kSharp = 25 * std::numbers::pi / 180;
-constexpr std::size_t kBlock = 4096;
 constexpr std::size_t kBlockPages = 16;
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
@@ -64,7 +62,7 @@ CowVector<TetMeasure> measures_of(const OutputMesh& d, const Revision& original,
                                   std::span<const std::int32_t> remade, const Run& run) {
   if (remade.size() == d.mesh.tets.size()) return measure_tets(d.mesh.nodes, d.mesh.tets, run);
   std::vector<TetMeasure> anew(remade.size());
-  in_blocks(remade.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+  in_blocks(remade.size(), kCheapBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (std::size_t k = begin; k < end; ++k) {
       const Tet& t = d.mesh.tets[remade[k]];
@@ -121,7 +119,7 @@ void measure_away(Revision& revision) {
   report.quality_away = report.quality;
   report.sharp_tets = 0;
   const SharpPlaces sharp =
-      sharp_places(revision.cells.boundary, Membership(revision.model), kSharp);
+      sharp_places(revision.cells.boundary, Membership(revision.model), goals::kLeastDihedral);
   if (!sharp.any()) return;
   const PagedMesh& mesh = revision.output.mesh;
   const CowVector<Support>& supports = revision.supports();

@@ -14,7 +14,6 @@ namespace {
 
 /// Stands for a neighbour in the model that is not in the patch.
 constexpr std::int32_t kBeyond = std::numeric_limits<std::int32_t>::max();
-constexpr std::size_t kBlock = 1024;
 
 template <std::size_t kCorners>
 int face_of(const NodeSet& nodes, const FacesOf& faces,
@@ -154,7 +153,7 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
   const FacesOf faces(boundary);
   Peeling peeling(nodes, delaunay, faces, known, options);
   std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
-  in_blocks(delaunay.slots(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+  in_blocks(delaunay.slots(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (auto slot = static_cast<std::int32_t>(begin); slot < static_cast<std::int32_t>(end);
          ++slot) {

@@ -7,13 +7,14 @@
 
 #include "engine/base/run.h"
 #include "engine/cellular/boundary_model/support.h"
+#include "engine/mesh/quality_goals.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
 
 struct ImproveOptions {
   /// Tets below this volume-length measure are worked on, worst first.
-  double threshold = 0.52;
+  double threshold = goals::kThreshold;
   /// rad; so are tets with a smaller dihedral angle. The few that have one while their measure is
   /// fair cost less here than by a higher threshold for all.
   double min_dihedral = 25.2 * std::numbers::pi / 180;

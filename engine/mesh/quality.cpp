@@ -67,7 +67,6 @@ std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& 
   return {highest, lowest};
 }
 
-constexpr std::size_t kBlock = 4096;
 constexpr int kRanks = 1000;  // of measures, to find a percentile without sorting them all
 
 int rank_of(float measure) {
@@ -193,7 +192,7 @@ TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 CowVector<TetMeasure> measure_tets(const CowVector<Vec3>& nodes, const CowVector<Tet>& tets,
                                    const Run& run) {
   std::vector<TetMeasure> measures(tets.size());
-  in_blocks(tets.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+  in_blocks(tets.size(), kCheapBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (std::size_t k = begin; k < end; ++k) {
       const Tet& t = tets[k];

@@ -9,8 +9,7 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kSpacing = 0.5;   // of the edge length
-constexpr double kGridCell = 0.8;  // of the edge length
+constexpr double kSpacing = 0.5;  // of the edge length
 
 Box transformed(const Box& box, const Transform& t) {
   Box out;

@@ -9,6 +9,10 @@
 
 namespace remeshd {
 
+/// Width of a grid's cells, x edge length: fastest for one-nearest queries among nodes this far
+/// from each other.
+inline constexpr double kGridCell = 0.8;
+
 /// Nearest-node queries over a uniform grid whose cells are about one edge length wide.
 class NearestNode {
  public:

@@ -8,7 +8,6 @@ namespace remeshd {
 
 namespace {
 constexpr std::size_t kMany = 3;  // where one node in so many has moved, no answer is kept
-constexpr std::size_t kBlock = 512;
 }  // namespace
 
 NearestToPoints::NearestToPoints(std::vector<Vec3> points, double cell)
@@ -67,7 +66,7 @@ std::vector<std::int32_t> NearestToPoints::nearest(std::span<const std::uint32_t
                                                    const Run& run) {
   const NearestNode& grid = grid_of_nodes();
   std::vector<std::int32_t> nodes(points.size());
-  in_blocks(points.size(), kBlock, run, [&](std::size_t begin, std::size_t end) {
+  in_blocks(points.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
     run.poll();
     for (std::size_t k = begin; k < end; ++k) {
       Answer& a = answers_[points[k]];

@@ -26,7 +26,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
   }
   if (to_place.empty()) return;
   const std::vector<Vec3> positions = positions_of(samples);
-  const NearestNode grid(positions, 0.8 * edge_length);
+  const NearestNode grid(positions, kGridCell * edge_length);
   Polling poll(run);
   for (const std::int32_t n : to_place) {
     poll();

@@ -11,7 +11,6 @@ namespace remeshd {
 namespace {
 constexpr double kBorder = 0.6;  // of the edge length: the next one or two samples of a face
 constexpr double kReach = 1.5;   // of the edge length: no node is further from a sample
-constexpr std::size_t kBlock = 4096;
 
 }  // namespace
 
@@ -39,7 +38,7 @@ void ActiveSamples::refresh(const NodeSet& nodes, const Run& run) {
   const Region near_free(free, kReach * edge_length_, 1);
   nearest_->follow(nodes.positions);
   const auto near = collect_in_blocks<std::uint32_t>(
-      states_.size(), kBlock, run,
+      states_.size(), kCheapBlock, run,
       [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
         for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s)
           if (states_[s] != State::Active && near_free.holds(nearest_->points()[s]))

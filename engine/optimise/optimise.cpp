@@ -15,7 +15,6 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kGridCell = 0.8;     // of the edge length: fastest for one-nearest queries
 constexpr std::uint32_t kFillAt = 3;  // iteration: by then what is no void has closed
 
 /// `07-optimise-04`.

@@ -16,8 +16,6 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
 
 namespace {
 
-constexpr std::size_t kBlock = 512;
-
 /// What moves a node: sums over its tets.
 struct Pull {
   Vec3 moment;
@@ -58,7 +56,7 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
   std::vector<Vec3> to = nodes.positions;
   std::vector<std::uint8_t> stuck(moves.size(), 0);
   const auto all_stuck = collect_in_blocks<std::int32_t>(
-      moves.size(), kBlock, run,
+      moves.size(), kDearBlock, run,
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
         for (std::size_t n = begin; n < end; ++n) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/base/stopwatch.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
@@ -10,6 +9,7 @@
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
+#include "engine/mesh/quality_goals.h"
 #include "engine/model/solid.h"
 #include "engine/nodes/nearest.h"
 #include "engine/patch/node_map.h"
@@ -32,8 +32,6 @@ constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rou
 constexpr double kCoincident = 0.5;
 constexpr int kSweeps = 24;
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kLeastAngle = 25 * kDegree, kLargestAngle = 145 * kDegree, kLeastMeasure = 0.42;
 constexpr double kNextToNothing = 1e-3;  // rad, and of the measure
 
 /// Where the nodes of the anchor go.
@@ -128,9 +126,9 @@ struct Worst {
   }
   /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
   [[nodiscard]] bool as_good_as(const Worst& then) const {
-    return measure >= std::min(kLeastMeasure, then.measure - kNextToNothing) &&
-           least >= std::min(kLeastAngle, then.least - kNextToNothing) &&
-           largest <= std::max(kLargestAngle, then.largest + kNextToNothing);
+    return measure >= std::min(goals::kLeastMeasure, then.measure - kNextToNothing) &&
+           least >= std::min(goals::kLeastDihedral, then.least - kNextToNothing) &&
+           largest <= std::max(goals::kLargestDihedral, then.largest + kNextToNothing);
   }
 };
 

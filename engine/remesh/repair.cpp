@@ -17,7 +17,7 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          double edge_length) {
   if (nodes.positions.empty()) return 0;  // a patch that nothing is in
-  const NearestNode grid(nodes.positions, 0.8 * edge_length);
+  const NearestNode grid(nodes.positions, kGridCell * edge_length);
   const double around2 = kAround * kAround * edge_length * edge_length;
   const double closest2 = kClosest * kClosest * edge_length * edge_length;
   std::vector<Sample> added;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernel/tetgen.h"
+#include "engine/mesh/quality_goals.h"
 #include "engine/patch/candidate.h"
 #include "engine/plan/copy_plan.h"
 
@@ -11,10 +12,10 @@ struct TetGenInput {
   const FeatureModel& model;
   const CopyPlan& plan;  ///< of whatever parent: its modified model is what counts
   const CellularModel& cells;
-  double edge_length;                ///< target edge length l
-  bool clean_up = true;              ///< as in MeshOptions
-  double threshold = 0.52;           ///< as in MeshOptions
-  kernel::TetGenLimits limits = {};  ///< of TetGen; the time for all attempts
+  double edge_length;                    ///< target edge length l
+  bool clean_up = true;                  ///< as in MeshOptions
+  double threshold = goals::kThreshold;  ///< as in MeshOptions
+  kernel::TetGenLimits limits = {};      ///< of TetGen; the time for all attempts
 };
 
 /// The mesher of last resort: TetGen's mesh of a conforming surface mesh, cleaned up and verified.

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/mesh/quality_goals.h"
+
 namespace remeshd {
 
 /// What decides a mesh beside the model. Part of a revision's name.
@@ -30,10 +32,8 @@ struct MeshOptions {
   /// (Sect. 8), where otherwise it follows the nodes. For comparison.
   bool rebuild = false;
   bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
-  /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time: at
-  /// 15,000 nodes .45 leaves dihedral angles from 20 degrees in 10 ms, .52 from 25 in 20, .6 from
-  /// 27 in 45.
-  double threshold = 0.52;
+  /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
+  double threshold = goals::kThreshold;
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -23,7 +23,6 @@ constexpr std::uint32_t kKeptPerKind = 20;
 constexpr double kFlat = 1e-6;
 /// Share of the model's diagonal within which a node stands on its support.
 constexpr double kOnSupport = 1e-7;
-constexpr std::size_t kBlock = 1024;
 
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
@@ -111,14 +110,14 @@ class Checker {
       double quality;
       bool outside;
     };
-    std::vector<double> volumes((count + kBlock - 1) / kBlock, 0);
+    std::vector<double> volumes((count + kFairBlock - 1) / kFairBlock, 0);
     const auto all_bad = collect_in_blocks<Bad>(
-        count, kBlock, run_, [&](std::size_t begin, std::size_t end, std::vector<Bad>& found) {
+        count, kFairBlock, run_, [&](std::size_t begin, std::size_t end, std::vector<Bad>& found) {
           run_.poll();
           for (std::size_t k = begin; k < end; ++k) {
             const std::int32_t t = tet_of(k);
             const Tet& tet = mesh_.tets[t];
-            volumes[begin / kBlock] += volume_of(tet, mesh_.nodes);
+            volumes[begin / kFairBlock] += volume_of(tet, mesh_.nodes);
             const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
                                                  mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
             const bool outside = options_.material && !in_material(tet);
