@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "engine/base/run.h"
 #include "engine/cellular/boundary_model/boundary_model.h"
@@ -13,6 +15,14 @@ class ComplexOnDemand;
 class Membership;
 struct BoundaryParts;
 
+/// A way to the boundary of an edited model that was tried and given up.
+struct GeometryAttempt {
+  std::string route;   ///< `swept`, `crossed`, `fused in part`, as BoundaryParts::geometry has them
+  std::string reason;  ///< `planar_arrangement: the end of a side nearly touches another side`, or
+                       ///< an Error's message
+  friend bool operator==(const GeometryAttempt&, const GeometryAttempt&) = default;
+};
+
 /// What a mesh is made for. The cells behind it, which only comparisons of models look at, are made
 /// when asked for.
 struct CellularModel {
@@ -22,6 +32,8 @@ struct CellularModel {
   double scale = 1;                            ///< of the CAD kernel; kernel/brep.h
   std::shared_ptr<const BoundaryParts> parts;  ///< of the boundary; boundary_parts.h
   std::shared_ptr<const ComplexOnDemand> on_demand;
+  /// Before the parts were made as they are, in the order tried; of an edit only.
+  std::vector<GeometryAttempt> geometry_attempts;
 
   /// The cells (Sect. 4.1). Any number of threads may ask.
   ///

@@ -12,14 +12,21 @@ CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_mo
   if (!base.parts) return build_cells(model, run);  // the base has no features
   run.poll();
   const Membership membership(model);
-  try {
-    if (auto parts = sew({model, membership}, {base_model, *base.parts}, run))
-      return restore_cells(model, membership, *std::move(parts));
-  } catch (const Error& failure) {
-    // What is wrong with a model is told from all of it.
-    if (failure.info().kind == ErrorKind::Cancelled) throw;
+  Sewn sewn = sew({model, membership}, {base_model, *base.parts}, run);
+  const auto with_attempts = [&](CellularModel cells) {
+    cells.geometry_attempts = std::move(sewn.given_up);
+    return cells;
+  };
+  if (sewn.parts) {
+    const std::string_view route = sewn.parts->geometry;
+    try {
+      return with_attempts(restore_cells(model, membership, *std::move(sewn.parts)));
+    } catch (const Error& failure) {
+      // What is wrong with a model is told from all of it.
+      sewn.given_up.push_back({std::string(route), failure.what()});
+    }
   }
-  return build_cells(model, run);
+  return with_attempts(build_cells(model, run));
 }
 
 }  // namespace remeshd

@@ -23,6 +23,8 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   // The cellular model (Sect. 4.1), of which all is kept that no changed feature touches.
   revision.cells = build_cells(revision.model, parent.model, parent.cells, run);
   report.geometry = revision.cells.parts->geometry;
+  for (const GeometryAttempt& attempt : revision.cells.geometry_attempts)
+    report.geometry_attempts.push_back({attempt.route, attempt.reason});
   const Density density = resolve_density(parent, options, revision.cells, run);
   revision.edge_length = report.edge_length = density.edge_length;
   watch.lap(report.seconds.setup);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/cellular/changes.h"
 
@@ -35,24 +36,31 @@ class Finder {
         same_(clearance.same),
         clear_(clearance.clear) {}
 
-  std::optional<std::vector<IntersectionCurve>> find() {
-    if (patches_.size() > kMaxPatches) return std::nullopt;
+  Tried<std::vector<IntersectionCurve>> find() {
+    if (patches_.size() > kMaxPatches)
+      return GaveUp{"intersection_curves", "the features have too many faces"};
     for (const Patch& patch : patches_) boxes_.push_back(grown(patch.box, clear_));
     for (const PatchEdge& edge : edges_) add_edge(edge);
     for (int i = 0; i < static_cast<int>(patches_.size()); ++i)
       for (int j = i + 1; j < static_cast<int>(patches_.size()); ++j) {
         if (patches_[i].feature != patches_[j].feature && touch(boxes_[i], boxes_[j]))
           cross_patches(i, j);
-        if (doubt_ || out_.size() > kMaxCarriers) return std::nullopt;
+        if (doubt_) return *doubt_;
+        if (out_.size() > kMaxCarriers)
+          return GaveUp{"intersection_curves", "there are too many curves"};
       }
     for (IntersectionCurve& curve : out_)
       for (std::size_t p = 0; p < patches_.size(); ++p)
         curve.round ? split_round(curve, p) : split_line(curve, p);
-    if (doubt_) return std::nullopt;
+    if (doubt_) return *doubt_;
     return std::move(out_);
   }
 
  private:
+  void doubt(const char* why) {
+    if (!doubt_) doubt_ = GaveUp{"intersection_curves", why};
+  }
+
   void add_edge(const PatchEdge& edge) {
     if (edge.wall >= 0) {
       const Patch& wall = patches_[edge.wall];
@@ -172,13 +180,11 @@ class Finder {
     const double sine = norm(c);
     if (sine <= kParallel) {
       const double d = std::fabs(b.distance_to(a.origin));
-      doubt_ = doubt_ || (d > same_ && d < clear_);
+      if (d > same_ && d < clear_)
+        doubt("two parallel planes are neither clearly the same nor clearly apart");
       return;
     }
-    if (sine < kShallow) {
-      doubt_ = true;
-      return;
-    }
+    if (sine < kShallow) return doubt("two planes meet at a very small angle");
     // Near the middle of the box, where it matters.
     const Box box = intersection(boxes_[i], boxes_[j]);
     Vec3 p = 0.5 * (box.lo + box.hi);
@@ -198,7 +204,7 @@ class Finder {
     if (std::fabs(cosine) <= kParallel) {
       const double d = flat.distance_to(centre);
       if (std::fabs(std::fabs(d) - r) < std::max(clear_, kClearChord * r)) {
-        doubt_ = true;
+        doubt("a plane touches or nearly touches a cylinder along its side");
       } else if (std::fabs(d) < r) {
         const Vec3 side = std::sqrt(r * r - d * d) * cross(axis, flat.normal);
         for (const double s : {-1.0, 1.0})
@@ -207,10 +213,10 @@ class Finder {
       return;
     }
     const double sine = norm(cross(flat.normal, axis));
-    if (std::fabs(cosine) < kShallowWall || (sine > kParallel && sine < kShallow)) {
-      doubt_ = true;
-      return;
-    }
+    if (std::fabs(cosine) < kShallowWall)
+      return doubt("a plane meets the axis of a cylinder at a small angle");
+    if (sine > kParallel && sine < kShallow)
+      return doubt("a plane is nearly but not clearly at right angles to the axis of a cylinder");
     const Vec3 at = centre - (flat.distance_to(centre) / cosine) * axis;
     const double z = wall.into.apply(at).z, reach = r * sine / std::fabs(cosine) + clear_;
     if (z < wall.low - reach || z > wall.high + reach) return;
@@ -226,7 +232,8 @@ class Finder {
       const double d =
           distance_of_segments(frame.apply({0, 0, a.low}), frame.apply({0, 0, a.high}),
                                other.apply({0, 0, b.low}), other.apply({0, 0, b.high}));
-      doubt_ = doubt_ || d < a.radius + b.radius + gap;
+      if (d < a.radius + b.radius + gap)
+        doubt("two cylinders meet or nearly meet whose axes are not parallel");
       return;
     }
     const Vec3 c = a.into.apply(other.apply({0, 0, b.low}));
@@ -234,10 +241,8 @@ class Finder {
                  difference = std::fabs(a.radius - b.radius);
     if (d <= same_ && difference <= same_) return;  // they are one
     if (d > sum + gap || d < difference - gap) return;
-    if (d > sum - gap || d < difference + gap) {
-      doubt_ = true;
-      return;
-    }
+    if (d > sum - gap || d < difference + gap)
+      return doubt("two parallel cylinders touch or nearly touch");
     const auto [along, aside] = common_points(a.radius, b.radius, d);
     for (const double s : {-aside, aside})
       add_clipped(frame.apply({(along * c.x - s * c.y) / d, (along * c.y + s * c.x) / d, c.z}),
@@ -260,7 +265,7 @@ class Finder {
     if (own && exactly)
       curve.splits.push_back({t, false});
     else if (!own)
-      doubt_ = true;
+      doubt("a curve touches or nearly touches a face of another feature");
   }
 
   void split_line(IntersectionCurve& line, std::size_t p) {
@@ -270,7 +275,8 @@ class Finder {
       if (std::fabs(slope) <= kParallel) return;
       const double t = -patch.distance_to(line.origin) / slope;
       if (t < line.low - clear_ || t > line.high + clear_) return;
-      if (std::fabs(slope) < kShallow && boxes_[p].contains(line.at(t).p)) doubt_ = true;
+      if (std::fabs(slope) < kShallow && boxes_[p].contains(line.at(t).p))
+        doubt("a line meets a plane at a very small angle");
       return add_split(line, t, p);
     }
     const Vec3 q = patch.into.apply(line.origin), d = patch.into.rotate(line.direction);
@@ -288,7 +294,8 @@ class Finder {
     const double half = std::sqrt(patch.radius * patch.radius - nearest * nearest) / speed;
     for (const double t : {middle - half, middle + half})
       if (t > line.low - clear_ && t < line.high + clear_) {
-        if (speed < kShallow && boxes_[p].contains(line.at(t).p)) doubt_ = true;
+        if (speed < kShallow && boxes_[p].contains(line.at(t).p))
+          doubt("a line meets a cylinder at a very small angle");
         add_split(line, t, p);
       }
   }
@@ -331,7 +338,7 @@ class Finder {
   double same_, clear_;
   std::vector<Box> boxes_;  ///< by patch, a little larger
   std::vector<IntersectionCurve> out_;
-  bool doubt_ = false;
+  std::optional<GaveUp> doubt_;  ///< the first
 };
 
 }  // namespace
@@ -347,8 +354,8 @@ double IntersectionCurve::parameter(const Vec3& p) const {
   return round ? std::atan2(dot(d, y), dot(d, x)) : dot(d, direction);
 }
 
-std::optional<std::vector<IntersectionCurve>> find_intersection_curves(const Patches& patches,
-                                                                       const Clearance& clearance) {
+Tried<std::vector<IntersectionCurve>> find_intersection_curves(const Patches& patches,
+                                                               const Clearance& clearance) {
   return Finder(patches, clearance).find();
 }
 

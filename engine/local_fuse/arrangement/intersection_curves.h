@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/kernel/curve_points.h"
@@ -40,9 +39,9 @@ constexpr double kClearChord = 0.03;
 /// The curves of all edges of patches and of where two features' patches cross, split wherever
 /// another patch may cross them. There are more of them, and more splits, than edges.
 ///
-/// Returns nothing where round walls cross whose axes are not parallel, or patches nearly touch or
+/// Gives up where round walls cross whose axes are not parallel, or patches nearly touch or
 /// coincide, or there are very many.
-std::optional<std::vector<IntersectionCurve>> find_intersection_curves(const Patches& patches,
-                                                                       const Clearance& clearance);
+Tried<std::vector<IntersectionCurve>> find_intersection_curves(const Patches& patches,
+                                                               const Clearance& clearance);
 
 }  // namespace remeshd

@@ -143,13 +143,13 @@ bool Patch::beside(const Vec3& p, double tolerance) const {
   return beyond <= angle + tolerance / radius || beyond >= kTurn - tolerance / radius;
 }
 
-std::optional<Patches> find_patches(const FeatureModel& model, const Membership& membership,
-                                    std::span<const int> features) {
+Tried<Patches> find_patches(const FeatureModel& model, const Membership& membership,
+                            std::span<const int> features) {
   Patches out;
   Collector collector(out);
   for (const int f : features) {
     const auto alone = find_sweeps(model, membership, std::span(&f, 1));
-    if (!alone) return std::nullopt;
+    if (!alone) return alone.why();
     collector.add(alone->sweeps.front(), alone->frame);
   }
   return out;

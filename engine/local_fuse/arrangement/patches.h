@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,11 +47,11 @@ struct Patches {
   std::vector<PatchEdge> edges;
 };
 
-/// The faces of features each of which is swept along a direction of its own; nothing where one is
+/// The faces of features each of which is swept along a direction of its own. Gives up where one is
 /// not swept.
 ///
 /// Pre: the membership is the model's.
-std::optional<Patches> find_patches(const FeatureModel& model, const Membership& membership,
-                                    std::span<const int> features);
+Tried<Patches> find_patches(const FeatureModel& model, const Membership& membership,
+                            std::span<const int> features);
 
 }  // namespace remeshd

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace remeshd {
 namespace {
@@ -46,14 +47,14 @@ class Arrangement {
       for (const SweepSide& side : sweeps.sweeps[k].sides) sides_.push_back({side, k, {}});
   }
 
-  std::optional<PlanarArrangement> arrange() {
-    if (sides_.size() > kMaxSides) return std::nullopt;
+  Tried<PlanarArrangement> arrange() {
+    if (sides_.size() > kMaxSides)
+      return GaveUp{"planar_arrangement", "the outlines have too many sides"};
     for (Placed& p : sides_) p.ends = {node(p.side.from), node(p.side.to)};
-    for (std::size_t i = 0; clear_of_doubt_ && i < sides_.size(); ++i)
-      for (std::size_t j = i + 1; clear_of_doubt_ && j < sides_.size(); ++j)
-        meet(sides_[i], sides_[j]);
+    for (std::size_t i = 0; !doubt_ && i < sides_.size(); ++i)
+      for (std::size_t j = i + 1; !doubt_ && j < sides_.size(); ++j) meet(sides_[i], sides_[j]);
     for (Placed& p : sides_) p.side.round ? add_round(p) : add_line(p);
-    if (!clear_of_doubt_) return std::nullopt;
+    if (doubt_) return *doubt_;
     for (ArrangementEdge& piece : out_.pieces) find_sides(piece);
     return std::move(out_);
   }
@@ -67,12 +68,16 @@ class Arrangement {
     bool doubled = false;      ///< a circle that is there already
   };
 
+  void doubt(const char* why) {
+    if (!doubt_) doubt_ = GaveUp{"planar_arrangement", why};
+  }
+
   int node(const Vec3& p) {
-    if (++searches_ > kMaxSearches) clear_of_doubt_ = false;
+    if (++searches_ > kMaxSearches) doubt("the sides have too many ends and crossings");
     for (int n = 0; n < static_cast<int>(out_.nodes.size()); ++n) {
       const double d = distance(out_.nodes[n], p);
       if (d <= same_) return n;
-      if (d < clear_) clear_of_doubt_ = false;
+      if (d < clear_) doubt("two nodes are neither clearly the same nor clearly apart");
     }
     out_.nodes.push_back(p);
     return static_cast<int>(out_.nodes.size()) - 1;
@@ -89,7 +94,8 @@ class Arrangement {
     }
     const double between = a.side.round ? gap(a.side, b.side) : gap(b.side, a.side);
     const double radius = std::max(a.side.radius, b.side.radius);
-    if (between < std::max(clear_, kClearChords * radius)) clear_of_doubt_ = false;
+    if (between < std::max(clear_, kClearChords * radius))
+      doubt("a round side meets or nearly meets a side of another outline");
   }
 
   void meet_lines(Placed& a, Placed& b) {
@@ -101,7 +107,7 @@ class Arrangement {
         if (d >= clear_) continue;
         touch = true;
         if (d > same_)
-          clear_of_doubt_ = false;
+          doubt("the end of a side nearly touches another side");
         else if (n != other.ends[0] && n != other.ends[1])
           other.on.push_back(n);
       }
@@ -137,7 +143,7 @@ class Arrangement {
       piece.angle = std::atan2(cross(from, to).z, dot(from, to));
       if (piece.angle <= 0) piece.angle += 2 * std::numbers::pi;
     } else if (!s.closed()) {
-      clear_of_doubt_ = false;
+      doubt("the ends of an arc are one node");
     }
     out_.pieces.push_back(std::move(piece));
   }
@@ -186,7 +192,7 @@ class Arrangement {
   const Sweeps& sweeps_;
   const Membership& membership_;
   double same_, clear_;
-  bool clear_of_doubt_ = true;
+  std::optional<GaveUp> doubt_;  ///< the first
   int searches_ = 0;
   std::vector<Placed> sides_;
   std::map<std::array<int, 2>, int> line_;  ///< pieces by nodes
@@ -195,8 +201,8 @@ class Arrangement {
 
 }  // namespace
 
-std::optional<PlanarArrangement> arrange(const Sweeps& sweeps, const Membership& membership,
-                                         double diagonal) {
+Tried<PlanarArrangement> arrange(const Sweeps& sweeps, const Membership& membership,
+                                 double diagonal) {
   return Arrangement(sweeps, membership, diagonal).arrange();
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/local_fuse/arrangement/sweeps.h"
@@ -33,11 +32,11 @@ struct PlanarArrangement {
 
 /// Splits outlines by each other and merges what coincides.
 ///
-/// Returns nothing where round sides meet others but at their ends, which a kernel is for, or
+/// Gives up where round sides meet others but at their ends, which a kernel is for, or
 /// anything comes so near to something else that it is not clear whether they meet, or there are
 /// very many.
-std::optional<PlanarArrangement> arrange(const Sweeps& sweeps, const Membership& membership,
-                                         double diagonal);
+Tried<PlanarArrangement> arrange(const Sweeps& sweeps, const Membership& membership,
+                                 double diagonal);
 
 /// Of the diagonal: what is nearer is the same, and where nothing may lie beyond.
 constexpr double kSameOutline = 1e-11, kClearOutline = 1e-5;

@@ -53,8 +53,8 @@ FeatureSet Sectors::owners(const Vec3& p, FeatureSet candidates) const {
 
 /// The patches that part what lies before a half-face from what lies behind it, one of each
 /// feature.
-bool Sectors::add_covers(HalfFace& half_face, const Vec3& p,
-                         const std::vector<const Patch*>& through) const {
+Tried<void> Sectors::add_covers(HalfFace& half_face, const Vec3& p,
+                                const std::vector<const Patch*>& through) const {
   const Vec3 on = p + step_ * half_face.direction;
   for (FeatureSet left = half_face.before ^ half_face.behind; left != 0; left &= left - 1) {
     const int feature = features_[std::countr_zero(left)];
@@ -62,20 +62,21 @@ bool Sectors::add_covers(HalfFace& half_face, const Vec3& p,
     for (const Patch* patch : through) {
       if (patch->feature != feature || !patch->beside(on, 0.5 * step_)) continue;
       if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kSameAngle) continue;
-      if (cover != nullptr) return false;
+      if (cover != nullptr)
+        return GaveUp{"sectors", "two faces of one feature cover the same half-face"};
       cover = patch;
     }
-    if (cover == nullptr) return false;
+    if (cover == nullptr)
+      return GaveUp{"sectors", "no face of a feature covers a half-face that bounds it"};
     if (!half_face.covers.empty() &&
         !same_patch_surface(*half_face.covers.front(), *cover, p, clearance_.same))
-      return false;
+      return GaveUp{"sectors", "the faces that cover a half-face are not on the same surface"};
     half_face.covers.push_back(cover);
   }
-  return true;
+  return {};
 }
 
-std::optional<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve,
-                                                     double t) const {
+Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, double t) const {
   const auto [p, derivative] = curve.at(t);
   const Vec3 along = normalised(derivative);
   Vec3 u = curve.round ? std::cos(t) * curve.x + std::sin(t) * curve.y : any_perpendicular(along);
@@ -89,7 +90,10 @@ std::optional<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& cu
     const double d = std::fabs(patch.distance_to(p));
     if (d > kNear * step_) continue;
     const Vec3 n = patch.normal_at(p);
-    if (d > clearance_.same || std::fabs(dot(n, along)) > kThrough) return std::nullopt;
+    if (d > clearance_.same)
+      return GaveUp{"sectors", "a face comes near a curve that it does not clearly contain"};
+    if (std::fabs(dot(n, along)) > kThrough)
+      return GaveUp{"sectors", "a face crosses a curve where no edge ends"};
     const Vec3 side = cross(n, along);
     const double angle = std::atan2(dot(side, v), dot(side, u));
     through.push_back(&patch);
@@ -111,7 +115,8 @@ std::optional<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& cu
   std::vector<FeatureSet> between;  // an angle and the next
   for (std::size_t i = 0; i < apart.size(); ++i) {
     const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + 2 * std::numbers::pi;
-    if (next - apart[i] < kClearAngle) return std::nullopt;
+    if (next - apart[i] < kClearAngle)
+      return GaveUp{"sectors", "two faces meet at a curve at a very small angle"};
     between.push_back(owners(p + step_ * towards(0.5 * (apart[i] + next)), candidates));
   }
   std::vector<HalfFace> half_faces;
@@ -123,7 +128,7 @@ std::optional<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& cu
     half_face.ahead = cross(along, half_face.direction);
     half_face.before = before;
     half_face.behind = between[i];
-    if (!add_covers(half_face, p, through)) return std::nullopt;
+    if (const auto covered = add_covers(half_face, p, through); !covered) return covered.why();
   }
   return half_faces;
 }

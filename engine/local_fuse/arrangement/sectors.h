@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,15 +28,15 @@ class Sectors {
           double diagonal, const Clearance& clearance);
 
   /// The half-faces where what lies on both sides differs, as they turn about the curve from the
-  /// same direction in its own frame at every point. Nothing where that is in doubt.
-  std::optional<std::vector<HalfFace>> around(const IntersectionCurve& curve, double t) const;
+  /// same direction in its own frame at every point. Gives up where that is in doubt.
+  Tried<std::vector<HalfFace>> around(const IntersectionCurve& curve, double t) const;
 
   [[nodiscard]] bool material(FeatureSet owners) const;
 
  private:
   [[nodiscard]] FeatureSet owners(const Vec3& p, FeatureSet candidates) const;
-  bool add_covers(HalfFace& half_face, const Vec3& p,
-                  const std::vector<const Patch*>& through) const;
+  Tried<void> add_covers(HalfFace& half_face, const Vec3& p,
+                         const std::vector<const Patch*>& through) const;
 
   const Membership& membership_;
   std::span<const int> features_;

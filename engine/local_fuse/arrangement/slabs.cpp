@@ -9,8 +9,8 @@ constexpr std::size_t kMaxColumns = 50'000;  // more would take longer than the 
 
 }  // namespace
 
-std::optional<Slabs> Slabs::find(const Sweeps& sweeps, const PlanarArrangement& arrangement,
-                                 const Membership& membership, double diagonal) {
+Tried<Slabs> Slabs::find(const Sweeps& sweeps, const PlanarArrangement& arrangement,
+                         const Membership& membership, double diagonal) {
   Slabs out;
   for (const Sweep& sweep : sweeps.sweeps) {
     out.z_.push_back(sweep.low);
@@ -22,10 +22,11 @@ std::optional<Slabs> Slabs::find(const Sweeps& sweeps, const PlanarArrangement& 
     if (apart.empty() || z - apart.back() >= kClearOutline * diagonal)
       apart.push_back(z);
     else if (z - apart.back() > kSameOutline * diagonal)
-      return std::nullopt;
+      return GaveUp{"slabs", "two heights are neither clearly the same nor clearly apart"};
   }
   out.z_ = std::move(apart);
-  if (arrangement.pieces.size() * (out.z_.size() + 1) > kMaxColumns) return std::nullopt;
+  if (arrangement.pieces.size() * (out.z_.size() + 1) > kMaxColumns)
+    return GaveUp{"slabs", "there are too many slabs beside too many edges of the arrangement"};
   const auto height = [&](double z) {
     return static_cast<int>(std::ranges::upper_bound(out.z_, z) - out.z_.begin()) - 1;
   };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "engine/local_fuse/arrangement/planar_arrangement.h"
@@ -19,9 +18,9 @@ class Slabs {
     bool material = false;
   };
 
-  /// Nothing where two heights are not clearly the same or apart, or there are very many.
-  static std::optional<Slabs> find(const Sweeps& sweeps, const PlanarArrangement& arrangement,
-                                   const Membership& membership, double diagonal);
+  /// Gives up where two heights are not clearly the same or apart, or there are very many.
+  static Tried<Slabs> find(const Sweeps& sweeps, const PlanarArrangement& arrangement,
+                           const Membership& membership, double diagonal);
 
   [[nodiscard]] int heights() const { return static_cast<int>(z_.size()); }
   [[nodiscard]] double z(int height) const { return z_[height]; }

@@ -152,22 +152,24 @@ Sweep moved(Sweep sweep, const Transform& to, int axis) {
   return sweep;
 }
 
-/// The directions that all features may have in common.
+/// The directions that all features, one at least, may have in common.
 std::vector<Vec3> candidates(const FeatureModel& model, std::span<const int> features) {
-  const auto fewest = std::ranges::min_element(
+  const int fewest = *std::ranges::min_element(
       features, {}, [&](int f) { return axes_of(model.features[f].shape).size(); });
   std::vector<Vec3> out;
-  if (fewest != features.end())
-    for (const int k : axes_of(model.features[*fewest].shape))
-      out.push_back(column(model.features[*fewest].placement, k));
+  for (const int k : axes_of(model.features[fewest].shape))
+    out.push_back(column(model.features[fewest].placement, k));
   return out;
 }
 
 }  // namespace
 
-std::optional<Sweeps> find_sweeps(const FeatureModel& model, const Membership& membership,
-                                  std::span<const int> features) {
-  for (const Vec3& z : candidates(model, features)) {
+Tried<Sweeps> find_sweeps(const FeatureModel& model, const Membership& membership,
+                          std::span<const int> features) {
+  if (features.empty()) return GaveUp{"sweeps", "there are no features"};
+  const std::vector<Vec3> directions = candidates(model, features);
+  if (directions.empty()) return GaveUp{"sweeps", "a feature is neither a prism nor a cylinder"};
+  for (const Vec3& z : directions) {
     if (std::ranges::any_of(features, [&](int f) { return axis_along(model.features[f], z) < 0; }))
       continue;
     const Vec3 x = any_perpendicular(z);
@@ -183,7 +185,7 @@ std::optional<Sweeps> find_sweeps(const FeatureModel& model, const Membership& m
     }
     return out;
   }
-  return std::nullopt;
+  return GaveUp{"sweeps", "no direction is along an axis of every feature"};
 }
 
 }  // namespace remeshd

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "engine/local_fuse/gave_up.h"
 #include "engine/model/solid.h"
 
 namespace remeshd {
@@ -37,8 +37,10 @@ struct Sweeps {
 /// Takes these features of a model for sweeps, where one direction does for all of them. The faces
 /// are the membership's own.
 ///
+/// Gives up where a feature is no prism or cylinder, or no direction does for all.
+///
 /// Pre: the membership is the model's.
-std::optional<Sweeps> find_sweeps(const FeatureModel& model, const Membership& membership,
-                                  std::span<const int> features);
+Tried<Sweeps> find_sweeps(const FeatureModel& model, const Membership& membership,
+                          std::span<const int> features);
 
 }  // namespace remeshd

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace remeshd {
 namespace {
@@ -40,16 +41,20 @@ class Finder {
          const Clearance& clearance)
       : carriers_(curves), wedges_(sectors), same_(clearance.same), clear_(clearance.clear) {}
 
-  std::optional<PrismEdges> find() {
+  Tried<PrismEdges> find() {
     for (int c = 0; c < static_cast<int>(carriers_.size()); ++c) {
       add_parts(c);
-      if (doubt_) return std::nullopt;
+      if (doubt_) return *doubt_;
     }
     join_parts();
     return std::move(out_);
   }
 
  private:
+  void doubt(const GaveUp& why) {
+    if (!doubt_) doubt_ = why;
+  }
+
   int node(const Vec3& p) {
     // Along a direction in which few nodes lie at the same place.
     const double key = 0.5377 * p.x + 0.6113 * p.y + 0.5806 * p.z;
@@ -57,7 +62,8 @@ class Finder {
          it != by_key_.end() && it->first <= key + clear_; ++it) {
       const double d = distance(out_.nodes[it->second], p);
       if (d <= same_) return it->second;
-      if (d < clear_) doubt_ = true;
+      if (d < clear_)
+        doubt({"crossing_prism_edges", "two nodes are neither clearly the same nor clearly apart"});
     }
     out_.nodes.push_back(p);
     seam_.push_back(0);
@@ -96,12 +102,10 @@ class Finder {
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
       const double from = splits[i].t, to = splits[i + 1].t, middle = 0.5 * (from + to);
       auto half_faces = wedges_.around(curve, middle);
-      if (!half_faces) {
-        doubt_ = true;
-        return;
-      }
+      if (!half_faces) return doubt(half_faces.why());
       if (half_faces->empty() || (passes(*half_faces) && !is_seam(curve, *half_faces))) continue;
-      if ((to - from) * norm(curve.at(middle).derivative) < clear_) doubt_ = true;
+      if ((to - from) * norm(curve.at(middle).derivative) < clear_)
+        doubt({"crossing_prism_edges", "an edge is very short"});
       const int a = node(curve.at(from).p), b = node(curve.at(to).p);
       if (splits[i].seam) seam_[a] = 1;
       if (splits[i + 1].seam) seam_[b] = 1;
@@ -143,7 +147,7 @@ class Finder {
   const std::vector<IntersectionCurve>& carriers_;
   const Sectors& wedges_;
   double same_, clear_;
-  bool doubt_ = false;
+  std::optional<GaveUp> doubt_;        ///< the first
   std::multimap<double, int> by_key_;  ///< nodes
   std::vector<char> seam_;             ///< by node
   PrismEdges out_;
@@ -151,8 +155,8 @@ class Finder {
 
 }  // namespace
 
-std::optional<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
-                                           const Sectors& sectors, const Clearance& clearance) {
+Tried<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
+                                   const Sectors& sectors, const Clearance& clearance) {
   return Finder(curves, sectors, clearance).find();
 }
 

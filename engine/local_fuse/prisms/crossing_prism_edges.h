@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/local_fuse/arrangement/sectors.h"
@@ -24,8 +23,8 @@ struct PrismEdges {
 /// The parts of curves where faces of a general fuse end, seams too, each as long as what lies
 /// round it stays the same and no other edge ends at it.
 ///
-/// Returns nothing where that is in doubt.
-std::optional<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
-                                           const Sectors& sectors, const Clearance& clearance);
+/// Gives up where that is in doubt.
+Tried<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
+                                   const Sectors& sectors, const Clearance& clearance);
 
 }  // namespace remeshd

@@ -26,13 +26,13 @@ class CrossedParts {
     brep_.reference = *frame.reference;
   }
 
-  std::optional<FusedPrisms> build() {
+  Tried<FusedPrisms> build() {
     for (const Vec3& p : edges_.nodes) {
       brep_.vertices.push_back({p});
       brep_.points.push_back(p);
     }
     for (const PrismEdge& edge : edges_.edges) add(edge);
-    if (!add_walls()) return std::nullopt;
+    if (const auto walls = add_walls(); !walls) return walls.why();
     FusedPrisms out;
     for (Family& family : families_) {
       if (family.walled) continue;
@@ -163,12 +163,12 @@ class CrossedParts {
     return edge;
   }
 
-  bool add_walls() {
+  Tried<void> add_walls() {
     for (int k = 0; k < static_cast<int>(families_.size()); ++k) {
       const Family& family = families_[k];
       if (!family.walled) continue;
       auto faces = cylinder_faces(brep_, family.uses, family.piece.surface, family.cut);
-      if (!faces) return false;
+      if (!faces) return faces.why();
       for (BrepFace& face : *faces) {
         if (!family.along) {
           for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
@@ -178,7 +178,7 @@ class CrossedParts {
         walls_.emplace_back(std::move(face), k);
       }
     }
-    return true;
+    return {};
   }
 
   std::span<const int> features_;
@@ -206,20 +206,23 @@ bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clear
 
 }  // namespace
 
-std::optional<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
-                                       std::span<const int> features, const FuseFrame& frame) {
-  if (features.size() > kMaxFeatures) return std::nullopt;
+Tried<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
+                               std::span<const int> features, const FuseFrame& frame) {
+  if (features.size() > kMaxFeatures)
+    return GaveUp{"crossing_prisms", "there are too many features"};
   const auto patches = find_patches(model, membership, features);
-  if (!patches) return std::nullopt;
+  if (!patches) return patches.why();
   Box box;
   for (const int f : features) box.add(membership.solids()[f].bounds());
   const double diagonal = box.diagonal();
   const Clearance clearance{kSameOutline * diagonal, kClearOutline * diagonal};
   const auto curves = find_intersection_curves(*patches, clearance);
-  if (!curves) return std::nullopt;
+  if (!curves) return curves.why();
   const Sectors sectors(membership, features, *patches, diagonal, clearance);
   const auto edges = find_prism_edges(*curves, sectors, clearance);
-  if (!edges || !clear_of_walls(*edges, *patches, clearance)) return std::nullopt;
+  if (!edges) return edges.why();
+  if (!clear_of_walls(*edges, *patches, clearance))
+    return GaveUp{"crossing_prisms", "a vertex lies near a cylinder but not on it"};
   return CrossedParts(features, *curves, *edges, sectors, frame).build();
 }
 

@@ -9,11 +9,11 @@ namespace remeshd {
 /// cut each other and round walls, lines, circles and ellipses, and from which features lie round
 /// these curves.
 ///
-/// Returns nothing where they are no such features, or round walls cross whose axes are not
+/// Gives up where they are no such features, or round walls cross whose axes are not
 /// parallel, or anything comes so near to something else that it is not clear whether they meet.
 ///
 /// Pre: the membership is the model's; features ascend.
-std::optional<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
-                                       std::span<const int> features, const FuseFrame& frame);
+Tried<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
+                               std::span<const int> features, const FuseFrame& frame);
 
 }  // namespace remeshd

@@ -20,8 +20,8 @@ class SweptParts {
         frame_(frame),
         edges_(sweeps, arrangement, slabs) {}
 
-  /// Nothing where a round wall is not as simple as it seemed.
-  std::optional<FusedPrisms> build() {
+  /// Gives up where a round wall is not as simple as it seemed.
+  Tried<FusedPrisms> build() {
     for (int p = 0; p < static_cast<int>(arrangement_.pieces.size()); ++p) {
       for (int slab = 1; slab < slabs_.heights(); ++slab) {
         if (!slabs_.boundary(p, slab)) continue;
@@ -32,7 +32,8 @@ class SweptParts {
       }
       for (int height = 0; height < slabs_.heights(); ++height) add_level_faces(p, height);
     }
-    if (!simple_) return std::nullopt;
+    if (!simple_)
+      return GaveUp{"parallel_prisms", "a vertex lies on the upright side of a round wall"};
     kernel::Brep brep = edges_.finish(std::move(faces_));
     brep.scale = frame_.scale;
     brep.reference = *frame_.reference;
@@ -159,18 +160,16 @@ class SweptParts {
 
 }  // namespace
 
-std::optional<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model,
-                                                const Membership& membership,
-                                                std::span<const int> features,
-                                                const FuseFrame& frame) {
+Tried<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model, const Membership& membership,
+                                        std::span<const int> features, const FuseFrame& frame) {
   const auto sweeps = find_sweeps(model, membership, features);
-  if (!sweeps) return std::nullopt;
+  if (!sweeps) return sweeps.why();
   Box box;
   for (const int f : features) box.add(membership.solids()[f].bounds());
   const auto arrangement = arrange(*sweeps, membership, box.diagonal());
-  if (!arrangement) return std::nullopt;
+  if (!arrangement) return arrangement.why();
   const auto slabs = Slabs::find(*sweeps, *arrangement, membership, box.diagonal());
-  if (!slabs) return std::nullopt;
+  if (!slabs) return slabs.why();
   return SweptParts(*sweeps, *arrangement, *slabs, frame).build();
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/cellular/fuse_features.h"
+#include "engine/local_fuse/gave_up.h"
 
 namespace remeshd {
 
@@ -20,12 +20,10 @@ struct FusedPrisms {
 /// without the CAD kernel: level by level of the arrangement of their outlines. Faces of planes
 /// have their edges only, and one stands for all with the same plane, side and names.
 ///
-/// Returns nothing where they are no such features, or their outlines are not simple enough.
+/// Gives up where they are no such features, or their outlines are not simple enough.
 ///
 /// Pre: the membership is the model's.
-std::optional<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model,
-                                                const Membership& membership,
-                                                std::span<const int> features,
-                                                const FuseFrame& frame);
+Tried<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model, const Membership& membership,
+                                        std::span<const int> features, const FuseFrame& frame);
 
 }  // namespace remeshd

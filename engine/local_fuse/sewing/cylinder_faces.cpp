@@ -38,13 +38,13 @@ class Unrolled {
   Unrolled(const Brep& brep, const Surface& cylinder, double cut)
       : brep_(brep), cylinder_(cylinder), into_(rigid_inverse(cylinder.frame)), cut_(cut) {}
 
-  std::optional<std::vector<BrepFace>> faces(std::span<const CylinderUse> uses) {
+  Tried<std::vector<BrepFace>> faces(std::span<const CylinderUse> uses) {
     flatten(uses);
     for (const CylinderUse& use : uses) add(use);
     std::vector<PlaneEdge> edges;
     for (int e = 0; e < static_cast<int>(source_.size()); ++e) edges.push_back({e, uses_[e]});
     auto faces = plane_faces(flat_, edges, Surface{}, {});
-    if (!faces) return std::nullopt;
+    if (!faces) return faces.why();
     for (BrepFace& face : *faces) roll_up(face);
     return faces;
   }
@@ -172,9 +172,8 @@ class Unrolled {
 
 }  // namespace
 
-std::optional<std::vector<BrepFace>> cylinder_faces(const Brep& brep,
-                                                    std::span<const CylinderUse> uses,
-                                                    const Surface& cylinder, double cut) {
+Tried<std::vector<BrepFace>> cylinder_faces(const Brep& brep, std::span<const CylinderUse> uses,
+                                            const Surface& cylinder, double cut) {
   return Unrolled(brep, cylinder, cut).faces(uses);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/base/surface.h"
 #include "engine/kernel/brep.h"
+#include "engine/local_fuse/gave_up.h"
 
 namespace remeshd {
 
@@ -21,9 +21,9 @@ struct CylinderUse {
 /// centroid, swept volume and triangles of each are filled in as for a face that looks away from
 /// the axis; areas are exact.
 ///
-/// Returns nothing where the edges do not close or their polylines cross.
-std::optional<std::vector<kernel::BrepFace>> cylinder_faces(const kernel::Brep& brep,
-                                                            std::span<const CylinderUse> uses,
-                                                            const Surface& cylinder, double cut);
+/// Gives up where the edges do not close or their polylines cross.
+Tried<std::vector<kernel::BrepFace>> cylinder_faces(const kernel::Brep& brep,
+                                                    std::span<const CylinderUse> uses,
+                                                    const Surface& cylinder, double cut);
 
 }  // namespace remeshd

@@ -163,16 +163,18 @@ class Region {
   }
 
   /// Adds the triangles that are missing.
-  bool fill(const Brep& brep, const Surface& plane) {
+  Tried<void> fill(const Brep& brep, const Surface& plane) {
     HalfEdges left(triangles_.size()), of_segment(segments_.size());
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
       for (int i = 0; i < 3; ++i)
-        if (!left.add(triangles_[t][i], triangles_[t][(i + 1) % 3], t)) return false;
+        if (!left.add(triangles_[t][i], triangles_[t][(i + 1) % 3], t)) return overlap();
     OpenBorder open(brep, plane);
     for (const auto& [a, b, edge, index, uses] : segments_) {
-      if (!of_segment.add(a, b, edge) || !of_segment.add(b, a, edge)) return false;
+      if (!of_segment.add(a, b, edge) || !of_segment.add(b, a, edge))
+        return GaveUp{"plane_face", "two edges share a segment of their polylines"};
       const int missing = uses - (left.find(a, b) >= 0 ? 1 : 0) - (left.find(b, a) >= 0 ? 1 : 0);
-      if (missing < 0) return false;
+      if (missing < 0)
+        return GaveUp{"plane_face", "known triangles lie on both sides of an edge of the border"};
       if (missing > 0) open.add(a, b, missing);
     }
     for (const auto& t : triangles_)
@@ -180,20 +182,21 @@ class Region {
         const int a = t[i], b = t[(i + 1) % 3];
         if (left.find(b, a) < 0 && of_segment.find(a, b) < 0) open.add(a, b, 1);
       }
-    if (open.border().segments.empty()) return true;
+    if (open.border().segments.empty()) return {};
     const auto added = kernel::mesh_border(open.border(), {});
-    if (!added) return false;
+    if (!added)
+      return GaveUp{"plane_face", "the border does not close, or crosses or touches itself"};
     for (const auto& t : *added)
       triangles_.push_back({open.node(t[0]), open.node(t[1]), open.node(t[2])});
-    return true;
+    return {};
   }
 
   /// Parts that only segments part, and for each segment those to its left, from a to b and back.
-  bool divide() {
+  Tried<void> divide() {
     HalfEdges left(triangles_.size()), of_segment(segments_.size());
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
       for (int i = 0; i < 3; ++i)
-        if (!left.add(triangles_[t][i], triangles_[t][(i + 1) % 3], t)) return false;
+        if (!left.add(triangles_[t][i], triangles_[t][(i + 1) % 3], t)) return overlap();
     for (const Segment& s : segments_) {
       of_segment.add(s.a, s.b, s.edge);
       of_segment.add(s.b, s.a, s.edge);
@@ -210,7 +213,7 @@ class Region {
           const int a = t[i], b = t[(i + 1) % 3];
           if (of_segment.find(a, b) >= 0) continue;
           const int next = left.find(b, a);
-          if (next < 0) return false;
+          if (next < 0) return GaveUp{"plane_face", "a triangle has no neighbour where no edge is"};
           if (part_of_[next] >= 0) continue;
           part_of_[next] = parts_;
           todo.push_back(next);
@@ -221,9 +224,10 @@ class Region {
     for (const Segment& s : segments_) {
       const int forward = left.find(s.a, s.b), back = left.find(s.b, s.a);
       sides_.push_back({forward < 0 ? -1 : part_of_[forward], back < 0 ? -1 : part_of_[back]});
-      if ((forward >= 0 ? 1 : 0) + (back >= 0 ? 1 : 0) != s.uses) return false;
+      if ((forward >= 0 ? 1 : 0) + (back >= 0 ? 1 : 0) != s.uses)
+        return GaveUp{"plane_face", "an edge has triangles on fewer or more sides than the region"};
     }
-    return true;
+    return {};
   }
 
   [[nodiscard]] std::vector<BrepFace> faces() const {
@@ -242,6 +246,10 @@ class Region {
   }
 
  private:
+  static GaveUp overlap() {
+    return {"plane_face", "two triangles lie on the same side of a segment"};
+  }
+
   Triangles triangles_;
   std::vector<Segment> segments_;
   std::vector<int> part_of_;  ///< by triangle
@@ -251,11 +259,11 @@ class Region {
 
 }  // namespace
 
-std::optional<std::vector<BrepFace>> plane_faces(const Brep& brep,
-                                                 const std::vector<PlaneEdge>& edges,
-                                                 const Surface& plane, const Triangles& known) {
+Tried<std::vector<BrepFace>> plane_faces(const Brep& brep, const std::vector<PlaneEdge>& edges,
+                                         const Surface& plane, const Triangles& known) {
   Region region(brep, edges, known);
-  if (!region.fill(brep, plane) || !region.divide()) return std::nullopt;
+  if (const auto filled = region.fill(brep, plane); !filled) return filled.why();
+  if (const auto divided = region.divide(); !divided) return divided.why();
   const Vec3 n = plane.frame.rotate({0, 0, 1});
   std::vector<BrepFace> faces = region.faces();
   std::vector<Moments> moments(faces.size());
@@ -271,7 +279,8 @@ std::optional<std::vector<BrepFace>> plane_faces(const Brep& brep,
     for (const auto& [a, b, c] : face.triangles)
       meshed +=
           0.5 * dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]), n);
-    if (!(std::fabs(meshed - moments[r].area) <= kAreaError * meshed)) return std::nullopt;
+    if (!(std::fabs(meshed - moments[r].area) <= kAreaError * meshed))
+      return GaveUp{"plane_face", "the triangles do not have the area that the edges enclose"};
     std::ranges::sort(face.edges);
     face.cells = {0, -1};
     face.area = moments[r].area;

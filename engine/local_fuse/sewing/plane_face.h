@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "engine/base/surface.h"
 #include "engine/kernel/brep.h"
+#include "engine/local_fuse/gave_up.h"
 
 namespace remeshd {
 
@@ -24,10 +24,9 @@ using Triangles = std::vector<std::array<int, 3>>;
 /// `known`: triangles that are right already, counter-clockwise about the normal; the rest of the
 /// region is triangulated.
 ///
-/// Returns nothing where the edges do not close or their polylines cross.
-std::optional<std::vector<kernel::BrepFace>> plane_faces(const kernel::Brep& brep,
-                                                         const std::vector<PlaneEdge>& edges,
-                                                         const Surface& plane,
-                                                         const Triangles& known);
+/// Gives up where the edges do not close or their polylines cross.
+Tried<std::vector<kernel::BrepFace>> plane_faces(const kernel::Brep& brep,
+                                                 const std::vector<PlaneEdge>& edges,
+                                                 const Surface& plane, const Triangles& known);
 
 }  // namespace remeshd

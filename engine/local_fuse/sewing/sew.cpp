@@ -1,52 +1,19 @@
 #include "engine/local_fuse/sewing/sew.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <tuple>
+#include <functional>
 
+#include "engine/base/error.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/changes.h"
 #include "engine/cellular/fuse_features.h"
 #include "engine/local_fuse/prisms/crossing_prisms.h"
-#include "engine/local_fuse/prisms/parallel_prisms.h"
-#include "engine/local_fuse/sewing/plane_face.h"
+#include "engine/local_fuse/sewing/replace_parts.h"
 
 namespace remeshd {
 namespace {
 
-using kernel::Brep;
-using kernel::BrepEdge;
-using kernel::BrepFace;
-
-constexpr double kSamePoint = 20;    // x the kernel's own tolerance, a tenth of kernel_tolerance
 constexpr double kFarReference = 8;  // diagonals: beyond, volumes lose digits
-constexpr double kProbe = 1e-7;      // of the diagonal: off a plane, to where material is felt for
-
-bool is_plane(const BoundaryPiece& piece) { return piece.surface.kind == Surface::Kind::Plane; }
-
-/// What of some boundary parts meets the boxes round what changed.
-struct Meeting {
-  std::vector<char> edges, faces;
-
-  Meeting(const BoundaryParts& parts, const std::vector<Box>& boxes) {
-    for (const BrepEdge& edge : parts.brep.edges) edges.push_back(touches(boxes, edge));
-    for (int f = 0; f < static_cast<int>(parts.pieces.size()); ++f)
-      faces.push_back(face_meets(parts, f, boxes));
-  }
-
- private:
-  /// A round face or a frame may go all round a box: a part of it has to meet one.
-  [[nodiscard]] bool face_meets(const BoundaryParts& parts, int f,
-                                const std::vector<Box>& boxes) const {
-    const BoundaryPiece& piece = parts.pieces[f];
-    const BrepFace& face = parts.brep.faces[f];
-    return touch(boxes, piece.box) &&
-           (std::ranges::any_of(face.edges, [&](int e) { return edges[e] != 0; }) ||
-            touches(boxes, parts.brep, face, piece.surface));
-  }
-};
 
 /// The features, by index in the edited model, that decide inside of the boxes.
 std::vector<int> features_to_fuse(const Membership& membership, const BoundaryParts& base,
@@ -69,12 +36,16 @@ std::vector<int> features_to_fuse(const Membership& membership, const BoundaryPa
   return features;
 }
 
-/// By the CAD kernel.
-FusedPrisms fuse_some(const EditedModel& edited, const std::vector<int>& features,
-                      const FuseFrame& frame, const Run& run) {
+/// By the CAD kernel. Gives up where that would be the whole model.
+///
+/// Throws what fuse_features throws.
+Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& features,
+                             const FuseFrame& frame, const Run& run) {
+  if (features.size() >= edited.model.features.size())
+    return GaveUp{"sew", "every feature is near the change"};
   BoundaryParts out;
   out.brep.scale = frame.scale;
-  if (features.empty()) return {out, {}};
+  if (features.empty()) return FusedPrisms{out, {}};
   FeatureModel some;
   for (const int f : features) some.features.push_back(edited.model.features[f]);
   fuse_features(some, Membership(some), frame, run, [&](const FusedFeatures& fused) {
@@ -86,384 +57,56 @@ FusedPrisms fuse_some(const EditedModel& edited, const std::vector<int>& feature
   std::vector<char> along;
   for (int f = 0; f < static_cast<int>(out.pieces.size()); ++f)
     along.push_back(looks_along(out, f) ? 1 : 0);
-  return {std::move(out), std::move(along)};
+  return FusedPrisms{std::move(out), std::move(along)};
 }
-
-class Sewing {
- public:
-  Sewing(const BoundaryParts& base, const Changes& changes, const FusedPrisms& fused,
-         const Meeting& meeting)
-      : base_(base),
-        changes_(changes),
-        fused_(fused.parts),
-        fused_along_(fused.along),
-        meeting_(meeting) {
-    out_.brep.scale = fused_.brep.scale;
-    out_.brep.reference = base.brep.reference;
-    same_point_ = kSamePoint * 0.1 * kernel_tolerance(fused_.brep);
-  }
-
-  /// Nothing where it does not fit together.
-  std::optional<BoundaryParts> sew(const Membership& membership) {
-    keep_edges();
-    const Meeting fused_meeting(fused_, changes_.boxes);
-    if (!keep_faces() || !take_edges(fused_meeting) || !take_faces(fused_meeting, membership) ||
-        !rebuild_planes(membership) || !closed() || !one_piece())
-      return std::nullopt;
-    put_in_canonical_order(out_);
-    return std::move(out_);
-  }
-
- private:
-  /// Numbers of what has been taken over from one of the two.
-  struct Taken {
-    std::vector<int> vertices, edges, points;
-    explicit Taken(const Brep& brep)
-        : vertices(brep.vertices.size(), -1),
-          edges(brep.edges.size(), -1),
-          points(brep.points.size(), -1) {}
-  };
-
-  int add_vertex(const Vec3& p) {
-    out_.brep.vertices.push_back({p});
-    return static_cast<int>(out_.brep.vertices.size()) - 1;
-  }
-  int take_point(const Brep& from, Taken& taken, int p) {
-    int& number = taken.points[p];
-    if (number < 0) {
-      number = static_cast<int>(out_.brep.points.size());
-      out_.brep.points.push_back(from.points[p]);
-    }
-    return number;
-  }
-
-  /// Edges of the base that no change can have met.
-  void keep_edges() {
-    const Brep& from = base_.brep;
-    for (std::size_t e = 0; e < from.edges.size(); ++e) {
-      if (meeting_.edges[e]) continue;
-      kept_.edges[e] = static_cast<int>(out_.brep.edges.size());
-      BrepEdge edge = from.edges[e];
-      for (int& v : edge.vertices) {
-        int& number = kept_.vertices[v];
-        if (number < 0) number = add_vertex(from.vertices[v].position);
-        v = number;
-      }
-      out_.brep.edges.push_back(std::move(edge));
-    }
-    kept_vertices_ = static_cast<int>(out_.brep.vertices.size());
-    kept_edges_ = static_cast<int>(out_.brep.edges.size());
-  }
-
-  /// The name in the edited model; false where its feature changed.
-  [[nodiscard]] bool rename(BoundaryPiece& piece) const {
-    for (auto* names : {&piece.material_names, &piece.other_names})
-      for (FaceName& name : *names) {
-        name.feature = changes_.kept[name.feature];
-        if (name.feature < 0) return false;
-      }
-    return true;
-  }
-
-  bool keep_faces() {
-    for (std::size_t f = 0; f < base_.pieces.size(); ++f) {
-      if (meeting_.faces[f]) continue;
-      BrepFace face = base_.brep.faces[f];
-      for (int& e : face.edges) {
-        e = kept_.edges[e];
-        if (e < 0) return false;
-      }
-      BoundaryPiece piece = base_.pieces[f];
-      if (!rename(piece)) return false;
-      out_.brep.faces.push_back(std::move(face));
-      out_.pieces.push_back(std::move(piece));
-    }
-    kept_faces_ = static_cast<int>(out_.pieces.size());
-    return true;
-  }
-
-  /// The vertex that is there already, or a new one; -1 where two are near.
-  int take_vertex(int v) {
-    int& number = taken_.vertices[v];
-    if (number >= 0) return number;
-    const Vec3& p = fused_.brep.vertices[v].position;
-    for (int k = 0; k < kept_vertices_; ++k) {
-      if (distance(out_.brep.vertices[k].position, p) > same_point_) continue;
-      if (number >= 0) return number = -1;
-      number = k;
-    }
-    if (number < 0) number = add_vertex(p);
-    return number;
-  }
-
-  /// The edges of the fuse that meet a box are new; then all points can be numbered, vertices
-  /// first.
-  bool take_edges(const Meeting& meeting) {
-    const Brep& from = fused_.brep;
-    std::vector<char> needed(from.edges.size(), 0);
-    for (std::size_t e = 0; e < from.edges.size(); ++e) needed[e] = meeting.edges[e];
-    for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
-      if (meeting.faces[f] && !is_plane(fused_.pieces[f]))
-        for (const int e : from.faces[f].edges) needed[e] = 1;
-    for (std::size_t e = 0; e < from.edges.size(); ++e)
-      if (needed[e])
-        for (const int v : from.edges[e].vertices)
-          if (take_vertex(v) < 0) return false;
-
-    for (const kernel::BrepVertex& v : out_.brep.vertices) out_.brep.points.push_back(v.position);
-    for (std::size_t v = 0; v < kept_.vertices.size(); ++v) kept_.points[v] = kept_.vertices[v];
-    for (std::size_t v = 0; v < taken_.vertices.size(); ++v) taken_.points[v] = taken_.vertices[v];
-    for (int e = 0; e < kept_edges_; ++e)
-      for (int& p : out_.brep.edges[e].chain) p = take_point(base_.brep, kept_, p);
-    for (int f = 0; f < kept_faces_; ++f)
-      for (auto& triangle : out_.brep.faces[f].triangles)
-        for (int& p : triangle) p = take_point(base_.brep, kept_, p);
-
-    for (std::size_t e = 0; e < from.edges.size(); ++e) {
-      if (!needed[e]) continue;
-      if (!meeting.edges[e]) {
-        if (!find_kept(static_cast<int>(e))) return false;
-        continue;
-      }
-      taken_.edges[e] = static_cast<int>(out_.brep.edges.size());
-      BrepEdge edge = from.edges[e];
-      for (int& v : edge.vertices) v = taken_.vertices[v];
-      for (int& p : edge.chain) p = take_point(from, taken_, p);
-      out_.brep.edges.push_back(std::move(edge));
-    }
-    return true;
-  }
-
-  /// The edge of the base that an edge of the fuse is, node by node.
-  bool find_kept(int e) {
-    const BrepEdge& edge = fused_.brep.edges[e];
-    const std::array<int, 2> ends{taken_.vertices[edge.vertices[0]],
-                                  taken_.vertices[edge.vertices[1]]};
-    for (int k = 0; k < kept_edges_; ++k) {
-      const BrepEdge& kept = out_.brep.edges[k];
-      if (kept.vertices != ends || kept.kind != edge.kind || kept.chain.size() != edge.chain.size())
-        continue;
-      bool same = true;
-      for (std::size_t i = 0; same && i < edge.chain.size(); ++i)
-        same = distance(out_.brep.points[kept.chain[i]], fused_.brep.points[edge.chain[i]]) <=
-               same_point_;
-      if (!same) continue;
-      taken_.edges[e] = k;
-      for (std::size_t i = 0; i < edge.chain.size(); ++i)
-        taken_.points[edge.chain[i]] = kept.chain[i];
-      return true;
-    }
-    return false;
-  }
-
-  bool take_faces(const Meeting& meeting, const Membership& membership) {
-    for (std::size_t f = 0; f < fused_.pieces.size(); ++f) {
-      if (!meeting.faces[f] || is_plane(fused_.pieces[f])) continue;
-      BrepFace face = fused_.brep.faces[f];
-      for (int& e : face.edges) e = taken_.edges[e];
-      std::ranges::sort(face.edges);
-      for (auto& triangle : face.triangles)
-        for (int& p : triangle) p = take_point(fused_.brep, taken_, p);
-      if (!parts_material(face, fused_.pieces[f].surface, membership)) return false;
-      out_.brep.faces.push_back(std::move(face));
-      out_.pieces.push_back(fused_.pieces[f]);
-    }
-    return true;
-  }
-
-  /// Faces of one plane that the same features cover on the same sides.
-  struct Family {
-    const BoundaryPiece* piece;
-    bool along;
-    std::map<int, int> uses;  ///< by edge
-    Triangles known;          ///< outward, where nothing changed
-  };
-
-  Family& family_of(const BoundaryPiece& piece, bool along) {
-    const auto it = std::ranges::find_if(families_, [&](const Family& family) {
-      return family.along == along && family.piece->material_names == piece.material_names &&
-             family.piece->other_names == piece.other_names &&
-             family.piece->surface.frame == piece.surface.frame;
-    });
-    if (it != families_.end()) return *it;
-    return families_.emplace_back(Family{&piece, along, {}, {}});
-  }
-
-  bool rebuild_planes(const Membership& membership) {
-    std::vector<BoundaryPiece> renamed;  // families point into it
-    renamed.reserve(base_.pieces.size());
-    const auto gather = [&](const BoundaryParts& parts, std::size_t f, const BoundaryPiece& piece,
-                            bool along, const std::vector<int>& number, int first) {
-      Family* family = nullptr;
-      for (const int e : parts.brep.faces[f].edges) {
-        if (number[e] < first) continue;
-        if (family == nullptr) family = &family_of(piece, along);
-        ++family->uses[number[e]];
-      }
-      return family;
-    };
-    for (std::size_t f = 0; f < base_.pieces.size(); ++f) {
-      if (!meeting_.faces[f] || !is_plane(base_.pieces[f])) continue;
-      BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
-      const bool whole = rename(piece);
-      // What a changed feature covered lies in its box, with all its edges.
-      Family* family =
-          gather(base_, f, piece, looks_along(base_, static_cast<int>(f)), kept_.edges, 0);
-      if (family == nullptr) continue;
-      if (!whole) return false;
-      add_known(base_.brep.faces[f], family->known);
-    }
-    for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
-      if (is_plane(fused_.pieces[f]))
-        gather(fused_, f, fused_.pieces[f], fused_along_[f] != 0, taken_.edges, kept_edges_);
-    for (Family& family : families_)
-      if (!rebuild(family, membership)) return false;
-    return true;
-  }
-
-  /// The triangles of a face of the base that stay: between nodes that do, away from what changed.
-  void add_known(const BrepFace& face, Triangles& known) const {
-    for (std::array<int, 3> triangle : face.triangles) {
-      Box box;
-      bool kept = true;
-      for (int& p : triangle) {
-        box.add(base_.brep.points[p]);
-        p = kept_.points[p];
-        kept = kept && p >= 0;
-      }
-      if (kept && !touch(changes_.boxes, box)) known.push_back(triangle);
-    }
-  }
-
-  bool rebuild(Family& family, const Membership& membership) {
-    std::vector<PlaneEdge> edges;
-    for (const auto& [e, uses] : family.uses) edges.push_back({e, uses});
-    if (!family.along)
-      for (auto& triangle : family.known) std::swap(triangle[1], triangle[2]);
-    auto faces = plane_faces(out_.brep, edges, family.piece->surface, family.known);
-    if (!faces) faces = plane_faces(out_.brep, edges, family.piece->surface, {});
-    if (!faces) return false;
-    for (BrepFace& face : *faces) {
-      if (!family.along) {
-        for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
-        face.swept_volume = -face.swept_volume;
-      }
-      if (!parts_material(face, family.piece->surface, membership)) return false;
-      BoundaryPiece piece = *family.piece;
-      piece.box = box_of(out_.brep, face, piece.surface);
-      out_.brep.faces.push_back(std::move(face));
-      out_.pieces.push_back(std::move(piece));
-    }
-    return true;
-  }
-
-  /// Whether there is material behind the face and none before, at its largest triangle.
-  [[nodiscard]] bool parts_material(const BrepFace& face, const Surface& surface,
-                                    const Membership& membership) const {
-    const auto& points = out_.brep.points;
-    Vec3 largest, at;
-    for (const auto& [a, b, c] : face.triangles) {
-      const Vec3 n = cross(points[b] - points[a], points[c] - points[a]);
-      if (norm2(n) <= norm2(largest)) continue;
-      largest = n;
-      at = project(surface, (points[a] + points[b] + points[c]) / 3);
-    }
-    const Vec3 step = kProbe * membership.bounds().diagonal() * normalised(largest);
-    return membership.inside(at - step) && !membership.inside(at + step);
-  }
-
-  /// Whether two faces meet at every edge, and go along it in opposite directions.
-  [[nodiscard]] bool closed() const {
-    const Brep& brep = out_.brep;
-    std::vector<std::array<int, 2>> directions(brep.edges.size(), {0, 0});
-    std::vector<int> uses(brep.edges.size(), 0);
-    std::vector<char> watched(brep.edges.size(), 0);
-    for (std::size_t f = 0; f < brep.faces.size(); ++f)
-      for (const int e : brep.faces[f].edges) {
-        ++uses[e];
-        if (static_cast<int>(f) >= kept_faces_) watched[e] = 1;
-      }
-    std::vector<std::array<int, 3>> starts;  // first two nodes of watched edges
-    for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
-      if (uses[e] != 0 && uses[e] != 2) return false;
-      if (watched[e]) starts.push_back({brep.edges[e].chain[0], brep.edges[e].chain[1], e});
-    }
-    std::ranges::sort(starts);
-    const auto edge_from = [&](int a, int b) {
-      const auto it = std::ranges::lower_bound(starts, std::array{a, b, -1});
-      return it != starts.end() && (*it)[0] == a && (*it)[1] == b ? (*it)[2] : -1;
-    };
-    for (const BrepFace& face : brep.faces) {
-      if (std::ranges::none_of(face.edges, [&](int e) { return watched[e] != 0; })) continue;
-      for (const auto& t : face.triangles)
-        for (int i = 0; i < 3; ++i) {
-          const int a = t[i], b = t[(i + 1) % 3];
-          if (const int e = edge_from(a, b); e >= 0) ++directions[e][0];
-          if (const int e = edge_from(b, a); e >= 0) ++directions[e][1];
-        }
-    }
-    for (std::size_t e = 0; e < brep.edges.size(); ++e)
-      if (watched[e] && directions[e] != std::array{1, 1}) return false;
-    return true;
-  }
-
-  /// Whether the boundary is that of one body: of its shells one has material inside, the others
-  /// bound cavities.
-  [[nodiscard]] bool one_piece() const {
-    const Brep& brep = out_.brep;
-    std::vector<int> shell(brep.faces.size()), face_at(brep.edges.size(), -1);
-    std::iota(shell.begin(), shell.end(), 0);
-    const auto find = [&](int f) {
-      while (shell[f] != f) f = shell[f] = shell[shell[f]];
-      return f;
-    };
-    for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
-      for (const int e : brep.faces[f].edges) {
-        if (face_at[e] >= 0) shell[find(f)] = find(face_at[e]);
-        face_at[e] = f;
-      }
-    std::vector<double> volume(brep.faces.size(), 0);
-    for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
-      volume[find(f)] += brep.faces[f].swept_volume;
-    return std::ranges::count_if(volume, [](double v) { return v > 0; }) == 1;
-  }
-
-  const BoundaryParts& base_;
-  const Changes& changes_;
-  const BoundaryParts& fused_;
-  const std::vector<char>& fused_along_;
-  const Meeting& meeting_;
-  BoundaryParts out_;
-  Taken kept_{base_.brep}, taken_{fused_.brep};
-  int kept_vertices_ = 0, kept_edges_ = 0, kept_faces_ = 0;
-  double same_point_ = 0;
-  std::vector<Family> families_;
-};
 
 }  // namespace
 
-std::optional<BoundaryParts> sew(const EditedModel& edited, const SewingBase& base,
-                                 const Run& run) {
+Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
   const Changes changes = find_changes(base.model, edited.model, edited.membership);
   const Meeting meeting(base.parts, changes.boxes);
   const std::vector<int> features =
       features_to_fuse(edited.membership, base.parts, meeting, changes.boxes);
   const Box& bounds = edited.membership.bounds();
-  if (distance(base.parts.brep.reference, bounds.lo) > kFarReference * bounds.diagonal())
-    return std::nullopt;
+  const bool far_reference =
+      distance(base.parts.brep.reference, bounds.lo) > kFarReference * bounds.diagonal();
   FuseFrame frame = fuse_frame(edited.membership);
   frame.reference = base.parts.brep.reference;
-  const auto sewn = [&](const FusedPrisms& fused, std::string_view geometry) {
-    auto parts = Sewing(base.parts, changes, fused, meeting).sew(edited.membership);
-    if (parts) parts->geometry = features.empty() ? "kept" : geometry;
-    return parts;
+
+  struct Route {
+    std::string_view name;
+    std::function<Tried<FusedPrisms>()> fuse;
   };
-  if (const auto swept = fuse_parallel_prisms(edited.model, edited.membership, features, frame))
-    if (auto parts = sewn(*swept, "swept")) return parts;
-  if (const auto crossed = fuse_prisms(edited.model, edited.membership, features, frame))
-    if (auto parts = sewn(*crossed, "crossed")) return parts;
-  if (features.size() >= edited.model.features.size()) return std::nullopt;
-  return sewn(fuse_some(edited, features, frame, run), "fused in part");
+  const Route routes[] = {
+      {"swept",
+       [&] { return fuse_parallel_prisms(edited.model, edited.membership, features, frame); }},
+      {"crossed", [&] { return fuse_prisms(edited.model, edited.membership, features, frame); }},
+      {"fused in part", [&] { return fuse_some(edited, features, frame, run); }}};
+  const auto follow = [&](const Route& route) -> Tried<BoundaryParts> {
+    if (far_reference) return GaveUp{"sew", "the base's point of reference is far from the model"};
+    const auto fused = route.fuse();
+    if (!fused) return fused.why();
+    return replace_parts(base.parts, changes, *fused, meeting, edited.membership);
+  };
+  Sewn out;
+  for (const Route& route : routes) {
+    const auto give_up = [&](std::string reason) {
+      out.given_up.push_back({std::string(route.name), std::move(reason)});
+    };
+    try {
+      auto parts = follow(route);
+      if (parts) {
+        out.parts = *std::move(parts);
+        out.parts->geometry = features.empty() ? "kept" : route.name;
+        break;
+      }
+      give_up(text_of(parts.why()));
+    } catch (const Error& failure) {
+      if (failure.info().kind == ErrorKind::Cancelled) throw;
+      give_up(failure.what());
+    }
+  }
+  return out;
 }
 
 }  // namespace remeshd

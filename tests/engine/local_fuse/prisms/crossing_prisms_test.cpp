@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/base/error.h"
 #include "engine/base/random.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/local_fuse/sewing/sew.h"
-#include "tests/support/cases.h"
+#include "tests/support/large_models.h"
+#include "tests/support/local_fuse.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
@@ -22,9 +25,10 @@ using test::feature;
 using test::model_of;
 using test::placed;
 using test::point;
+using test::reason_of;
 using test::turned;
 
-std::optional<FusedPrisms> parts_of(const FeatureModel& model) {
+Tried<FusedPrisms> parts_of(const FeatureModel& model) {
   const Membership membership(model);
   FuseFrame frame = fuse_frame(membership);
   frame.reference = membership.bounds().lo;
@@ -37,7 +41,7 @@ void expect_what_the_kernel_makes(const ModelSource& source, const std::string& 
   for (FeatureSource& f : other.features) f.id += "_before";
   const FeatureModel model = evaluate(source);
   const CellularModel whole = build_cells(model, kRun);
-  const auto parts = sew({model, Membership(model)}, {evaluate(other), *whole.parts}, kRun);
+  const auto parts = sew({model, Membership(model)}, {evaluate(other), *whole.parts}, kRun).parts;
   ASSERT_TRUE(parts) << what;
   EXPECT_EQ(test::difference_of(whole, restore_cells(model, *parts)), "") << what;
 }
@@ -72,17 +76,44 @@ TEST(CrossedPartsTest, PlanesCutRoundWallsInLinesCirclesAndEllipses) {
 
 TEST(CrossedPartsTest, WhatIsInDoubtIsLeftToTheKernel) {
   const auto with = [](const FeatureSource& f) {
-    return parts_of(evaluate(model_of({cylinder("pipe", 4, 10), f}))).has_value();
+    return reason_of(parts_of(evaluate(model_of({cylinder("pipe", 4, 10), f}))));
   };
-  EXPECT_TRUE(with(placed(block("fin", 10, 2, 3), 5, 0, 4)));
-  EXPECT_FALSE(with(placed(block("fin", 10, 2, 3), 5, 3, 4))) << "a side touches the wall";
-  EXPECT_FALSE(with(placed(block("fin", 10, 2, 3), 5, 2.95, 4))) << "a side nearly touches";
-  EXPECT_FALSE(with(placed(block("fin", 10, 2, 3), 8.95, 0, 4))) << "an end nearly inside";
-  EXPECT_FALSE(with(placed(block("fin", 10, 2, 3), 5, 0, 7 - 1e-5))) << "nearly flush";
-  EXPECT_FALSE(with(turned(cylinder("tee", 2, 10), {1, 0, 0}, {0, 1, 0}))) << "round walls cross";
-  EXPECT_FALSE(with(placed(cylinder("beside", 2, 6), 6, 0, 2))) << "round walls touch";
-  EXPECT_FALSE(with(turned(block("fin", 1, 1, 20), {0.05, 0, 1}, {1, 0, -0.05}))) << "shallow";
-  EXPECT_FALSE(with(feature("ball", "sphere", {{"radius", 3.0}})));
+  const std::string side =
+      "intersection_curves: a plane touches or nearly touches a cylinder along its side";
+  EXPECT_EQ(with(placed(block("fin", 10, 2, 3), 5, 0, 4)), "");
+  EXPECT_EQ(with(placed(block("fin", 10, 2, 3), 5, 3, 4)), side) << "a side touches the wall";
+  EXPECT_EQ(with(placed(block("fin", 10, 2, 3), 5, 2.95, 4)), side) << "a side nearly touches";
+  EXPECT_EQ(with(placed(block("fin", 10, 2, 3), 8.95, 0, 4)), side) << "an end nearly inside";
+  EXPECT_EQ(with(placed(block("fin", 10, 2, 3), 5, 0, 7 - 1e-5)),
+            "intersection_curves: two parallel planes are neither clearly the same nor clearly "
+            "apart");
+  EXPECT_EQ(with(turned(cylinder("tee", 2, 10), {1, 0, 0}, {0, 1, 0})),
+            "intersection_curves: two cylinders meet or nearly meet whose axes are not parallel");
+  EXPECT_EQ(with(placed(cylinder("beside", 2, 6), 6, 0, 2)),
+            "intersection_curves: two parallel cylinders touch or nearly touch");
+  EXPECT_EQ(with(turned(block("fin", 1, 1, 20), {0.05, 0, 1}, {1, 0, -0.05})),
+            "intersection_curves: a plane meets the axis of a cylinder at a small angle");
+  EXPECT_EQ(with(feature("ball", "sphere", {{"radius", 3.0}})),
+            "sweeps: a feature is neither a prism nor a cylinder");
+}
+
+TEST(CrossedPartsTest, AVertexNearACylinderIsLeftToTheKernel) {
+  // A corner of the block points to the pipe's axis.
+  const auto with_corner_at = [](double x) {
+    const double half_diagonal = std::sqrt(8.0);
+    return reason_of(parts_of(evaluate(
+        model_of({cylinder("pipe", 4, 10), placed(turned(block("b", 4, 4, 3), {0, 0, 1}, {1, 1, 0}),
+                                                  x + half_diagonal, 0, 4)}))));
+  };
+  EXPECT_EQ(with_corner_at(3), "");
+  for (const double x : {3.95, 4.05})
+    EXPECT_EQ(with_corner_at(x), "crossing_prisms: a vertex lies near a cylinder but not on it")
+        << x;
+}
+
+TEST(CrossedPartsTest, MoreFeaturesThanASetHoldsAreLeftToTheKernel) {
+  EXPECT_EQ(reason_of(parts_of(evaluate(test::row_of_blocks(65)))),
+            "crossing_prisms: there are too many features");
 }
 
 /// A feature with sizes and places on a coarse grid or off it, along one of many directions.

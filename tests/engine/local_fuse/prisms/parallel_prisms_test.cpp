@@ -7,7 +7,7 @@
 #include "engine/base/random.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/local_fuse/sewing/sew.h"
-#include "tests/support/cases.h"
+#include "tests/support/local_fuse.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
@@ -22,13 +22,14 @@ using test::feature;
 using test::model_of;
 using test::placed;
 using test::point;
+using test::reason_of;
 using test::turned;
 
 FeatureSource slot(std::string id, double length, double width, double height) {
   return feature(std::move(id), "slot", {{"length", length}, {"width", width}, {"height", height}});
 }
 
-std::optional<FusedPrisms> parts_of(const ModelSource& source) {
+Tried<FusedPrisms> parts_of(const ModelSource& source) {
   const FeatureModel model = evaluate(source);
   const Membership membership(model);
   FuseFrame frame = fuse_frame(membership);
@@ -40,9 +41,11 @@ TEST(SweptPartsTest, FeaturesAlongOneDirectionNeedNoKernel) {
   for (const char* name : {"simple-a", "tool1-a", "tool1-c", "tool2-a", "tool3-b"})
     EXPECT_TRUE(parts_of(test::case_model(name))) << name;
   // A stiffener that is swept across the pipe.
-  EXPECT_FALSE(parts_of(test::case_model("tool2-d")));
-  EXPECT_FALSE(
-      parts_of(model_of({block("b", 4, 4, 4), feature("s", "sphere", {{"radius", 1.0}})})));
+  EXPECT_EQ(reason_of(parts_of(test::case_model("tool2-d"))),
+            "sweeps: no direction is along an axis of every feature");
+  EXPECT_EQ(reason_of(parts_of(
+                model_of({block("b", 4, 4, 4), feature("s", "sphere", {{"radius", 1.0}})}))),
+            "sweeps: a feature is neither a prism nor a cylinder");
 }
 
 TEST(SweptPartsTest, ABlockGoesWithEveryDirection) {
@@ -55,15 +58,21 @@ TEST(SweptPartsTest, ABlockGoesWithEveryDirection) {
 TEST(SweptPartsTest, WhatIsInDoubtIsLeftToTheKernel) {
   const FeatureSource plate = block("plate", 20, 20, 2);
   const auto with = [&](const FeatureSource& f) {
-    return parts_of(model_of({plate, f})).has_value();
+    return reason_of(parts_of(model_of({plate, f})));
   };
-  EXPECT_TRUE(with(placed(cylinder("pin", 3, 4), 5, 0, 1)));
-  EXPECT_FALSE(with(placed(cylinder("pin", 3, 4), 9, 0, 1))) << "crosses the rim";
-  EXPECT_FALSE(with(placed(cylinder("pin", 3, 4), 7, 0, 1))) << "touches the rim";
-  EXPECT_FALSE(with(placed(cylinder("pin", 3, 4), 6.95, 0, 1))) << "chords nearly touch";
-  EXPECT_TRUE(with(placed(block("step", 20, 4, 4), 0, 0, 2))) << "flush";
-  EXPECT_FALSE(with(placed(block("step", 20, 4, 4), 1e-7, 0, 2))) << "nearly flush";
-  EXPECT_FALSE(with(placed(block("step", 5, 4, 4), 0, 0, 2 - 1e-7))) << "nearly on top";
+  const std::string meets =
+      "planar_arrangement: a round side meets or nearly meets a side of another outline";
+  EXPECT_EQ(with(placed(cylinder("pin", 3, 4), 5, 0, 1)), "");
+  EXPECT_EQ(with(placed(cylinder("pin", 3, 4), 9, 0, 1)), meets) << "crosses the rim";
+  EXPECT_EQ(with(placed(cylinder("pin", 3, 4), 7, 0, 1)), meets) << "touches the rim";
+  EXPECT_EQ(with(placed(cylinder("pin", 3, 4), 6.95, 0, 1)), meets) << "chords nearly touch";
+  EXPECT_EQ(with(placed(block("step", 20, 4, 4), 0, 0, 2)), "") << "flush";
+  EXPECT_EQ(with(placed(block("step", 20, 4, 4), 1e-7, 0, 2)),
+            "planar_arrangement: the end of a side nearly touches another side")
+      << "nearly flush";
+  EXPECT_EQ(with(placed(block("step", 5, 4, 4), 0, 0, 2 - 1e-7)),
+            "slabs: two heights are neither clearly the same nor clearly apart")
+      << "nearly on top";
 }
 
 /// A feature with sizes and places on a coarse grid, so that much is flush.
@@ -119,7 +128,7 @@ TEST(SweptPartsTest, RandomModelsAreWhatTheKernelMakesOfThem) {
       frame.reference = cells.parts->brep.reference;
       if (!fuse_parallel_prisms(model, membership, all_of(model), frame)) continue;
       const CellularModel whole = build_cells(model, kRun);
-      EXPECT_TRUE(sew({model, membership}, {base, *cells.parts}, kRun)) << k;
+      EXPECT_TRUE(sew({model, membership}, {base, *cells.parts}, kRun).parts) << k;
       EXPECT_EQ(test::difference_of(whole, build_cells(model, base, cells, kRun)), "") << k;
       ++compared;
     } catch (const Error&) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/kernel/curve_points.h"
+#include "tests/support/local_fuse.h"
 
 namespace remeshd {
 namespace {
@@ -67,7 +68,8 @@ TEST(WallFacesTest, ATubeThatIsCutOffAskewHasItsMeanHeight) {
 TEST(WallFacesTest, ABorderThatDoesNotCloseHasNoFaces) {
   const Surface cylinder{Surface::Kind::Cylinder, {}, 2, 0};
   const std::vector<CylinderUse> uses{{0}, {2, true}, {2, false}};
-  EXPECT_FALSE(cylinder_faces(Tube(0).brep, uses, cylinder, 0));
+  EXPECT_EQ(test::reason_of(cylinder_faces(Tube(0).brep, uses, cylinder, 0)),
+            "plane_face: the border does not close, or crosses or touches itself");
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct Made {
 bool stitches(const ModelSource& source, const Made& base) {
   const FeatureModel model = evaluate(source);
   const Membership membership(model);
-  return sew({model, membership}, {base.model, *base.cells.parts}, kRun).has_value();
+  return sew({model, membership}, {base.model, *base.cells.parts}, kRun).parts.has_value();
 }
 
 /// From the base, and from a build of its own, the same; returns it.
