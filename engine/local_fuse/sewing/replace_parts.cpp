@@ -23,12 +23,12 @@ constexpr double kProbe = 1e-7;    // of the diagonal: off a plane, to where mat
 class Sewing {
  public:
   Sewing(const BoundaryParts& base, const Changes& changes, const FusedPrisms& fused,
-         const Meeting& meeting)
+         const TouchedParts& touched)
       : base_(base),
         changes_(changes),
         fused_(fused.parts),
         fused_along_(fused.along),
-        meeting_(meeting) {
+        touched_(touched) {
     out_.brep.scale = fused_.brep.scale;
     out_.brep.reference = base.brep.reference;
     same_point_ = kSamePoint * 0.1 * kernel_tolerance(fused_.brep);
@@ -37,7 +37,7 @@ class Sewing {
   /// Gives up where it does not fit together.
   Tried<BoundaryParts> sew(const Membership& membership) {
     keep_edges();
-    const Meeting fused_meeting(fused_, changes_.boxes);
+    const TouchedParts fused_meeting(fused_, changes_.boxes);
     if (const auto kept = keep_faces(); !kept) return kept.why();
     if (const auto taken = take_edges(fused_meeting); !taken) return taken.why();
     if (const auto taken = take_faces(fused_meeting, membership); !taken) return taken.why();
@@ -75,7 +75,7 @@ class Sewing {
   void keep_edges() {
     const Brep& from = base_.brep;
     for (std::size_t e = 0; e < from.edges.size(); ++e) {
-      if (meeting_.edges[e]) continue;
+      if (touched_.edges[e]) continue;
       kept_.edges[e] = static_cast<int>(out_.brep.edges.size());
       BrepEdge edge = from.edges[e];
       for (int& v : edge.vertices) {
@@ -101,7 +101,7 @@ class Sewing {
 
   Tried<void> keep_faces() {
     for (std::size_t f = 0; f < base_.pieces.size(); ++f) {
-      if (meeting_.faces[f]) continue;
+      if (touched_.faces[f]) continue;
       BrepFace face = base_.brep.faces[f];
       for (int& e : face.edges) {
         e = kept_.edges[e];
@@ -132,12 +132,12 @@ class Sewing {
 
   /// The edges of the fuse that meet a box are new; then all points can be numbered, vertices
   /// first.
-  Tried<void> take_edges(const Meeting& meeting) {
+  Tried<void> take_edges(const TouchedParts& touched) {
     const Brep& from = fused_.brep;
     std::vector<char> needed(from.edges.size(), 0);
-    for (std::size_t e = 0; e < from.edges.size(); ++e) needed[e] = meeting.edges[e];
+    for (std::size_t e = 0; e < from.edges.size(); ++e) needed[e] = touched.edges[e];
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
-      if (meeting.faces[f] && !is_plane(fused_.pieces[f]))
+      if (touched.faces[f] && !is_plane(fused_.pieces[f]))
         for (const int e : from.faces[f].edges) needed[e] = 1;
     for (std::size_t e = 0; e < from.edges.size(); ++e)
       if (needed[e])
@@ -156,7 +156,7 @@ class Sewing {
 
     for (std::size_t e = 0; e < from.edges.size(); ++e) {
       if (!needed[e]) continue;
-      if (!meeting.edges[e]) {
+      if (!touched.edges[e]) {
         if (!find_kept(static_cast<int>(e)))
           return GaveUp{"sew", "an edge of a round face is in the fuse but not in the base"};
         continue;
@@ -192,9 +192,9 @@ class Sewing {
     return false;
   }
 
-  Tried<void> take_faces(const Meeting& meeting, const Membership& membership) {
+  Tried<void> take_faces(const TouchedParts& touched, const Membership& membership) {
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f) {
-      if (!meeting.faces[f] || is_plane(fused_.pieces[f])) continue;
+      if (!touched.faces[f] || is_plane(fused_.pieces[f])) continue;
       BrepFace face = fused_.brep.faces[f];
       for (int& e : face.edges) e = taken_.edges[e];
       std::ranges::sort(face.edges);
@@ -240,7 +240,7 @@ class Sewing {
       return family;
     };
     for (std::size_t f = 0; f < base_.pieces.size(); ++f) {
-      if (!meeting_.faces[f] || !is_plane(base_.pieces[f])) continue;
+      if (!touched_.faces[f] || !is_plane(base_.pieces[f])) continue;
       BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
       const bool whole = rename(piece);
       // What a changed feature covered lies in its box, with all its edges.
@@ -368,7 +368,7 @@ class Sewing {
   const Changes& changes_;
   const BoundaryParts& fused_;
   const std::vector<char>& fused_along_;
-  const Meeting& meeting_;
+  const TouchedParts& touched_;
   BoundaryParts out_;
   Taken kept_{base_.brep}, taken_{fused_.brep};
   int kept_vertices_ = 0, kept_edges_ = 0, kept_faces_ = 0;
@@ -379,9 +379,9 @@ class Sewing {
 }  // namespace
 
 Tried<BoundaryParts> replace_parts(const BoundaryParts& base, const Changes& changes,
-                                   const FusedPrisms& fused, const Meeting& meeting,
+                                   const FusedPrisms& fused, const TouchedParts& touched,
                                    const Membership& membership) {
-  return Sewing(base, changes, fused, meeting).sew(membership);
+  return Sewing(base, changes, fused, touched).sew(membership);
 }
 
 }  // namespace remeshd

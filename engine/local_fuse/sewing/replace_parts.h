@@ -11,10 +11,10 @@
 namespace remeshd {
 
 /// What of some boundary parts meets the boxes round what changed.
-struct Meeting {
+struct TouchedParts {
   std::vector<char> edges, faces;
 
-  Meeting(const BoundaryParts& parts, const std::vector<Box>& boxes) {
+  TouchedParts(const BoundaryParts& parts, const std::vector<Box>& boxes) {
     for (const kernel::BrepEdge& edge : parts.brep.edges) edges.push_back(touches(boxes, edge));
     for (int f = 0; f < static_cast<int>(parts.pieces.size()); ++f)
       faces.push_back(face_meets(parts, f, boxes));
@@ -37,11 +37,11 @@ inline bool is_plane(const BoundaryPiece& piece) {
 }
 
 /// The parts of a boundary with those that meet the boxes of the changes replaced by fused ones.
-/// `meeting`: of `base` with these boxes; `membership`: of the edited model.
+/// `touched`: of `base` with these boxes; `membership`: of the edited model.
 ///
 /// Gives up where what comes out does not fit together or the material is in more than one piece.
 Tried<BoundaryParts> replace_parts(const BoundaryParts& base, const Changes& changes,
-                                   const FusedPrisms& fused, const Meeting& meeting,
+                                   const FusedPrisms& fused, const TouchedParts& touched,
                                    const Membership& membership);
 
 }  // namespace remeshd

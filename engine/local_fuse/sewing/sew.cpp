@@ -17,17 +17,17 @@ constexpr double kFarReference = 8;  // diagonals: beyond, volumes lose digits
 
 /// The features, by index in the edited model, that decide inside of the boxes.
 std::vector<int> features_to_fuse(const Membership& membership, const BoundaryParts& base,
-                                  const Meeting& meeting, const std::vector<Box>& boxes) {
+                                  const TouchedParts& touched, const std::vector<Box>& boxes) {
   const double margin = kernel_tolerance(base.brep);
   const auto near = [&](const Box& bounds) {
     const std::vector<Box> feature{grown(bounds, margin)};
     if (touch(boxes, feature.front())) return true;
     for (std::size_t f = 0; f < base.pieces.size(); ++f)
-      if (meeting.faces[f] && !is_plane(base.pieces[f]) && touch(feature, base.pieces[f].box) &&
+      if (touched.faces[f] && !is_plane(base.pieces[f]) && touch(feature, base.pieces[f].box) &&
           touches(feature, base.brep, base.brep.faces[f], base.pieces[f].surface))
         return true;
     for (std::size_t e = 0; e < base.brep.edges.size(); ++e)
-      if (meeting.edges[e] && touches(feature, base.brep.edges[e])) return true;
+      if (touched.edges[e] && touches(feature, base.brep.edges[e])) return true;
     return false;
   };
   std::vector<int> features;
@@ -64,9 +64,9 @@ Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& 
 
 Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
   const Changes changes = find_changes(base.model, edited.model, edited.membership);
-  const Meeting meeting(base.parts, changes.boxes);
+  const TouchedParts touched(base.parts, changes.boxes);
   const std::vector<int> features =
-      features_to_fuse(edited.membership, base.parts, meeting, changes.boxes);
+      features_to_fuse(edited.membership, base.parts, touched, changes.boxes);
   const Box& bounds = edited.membership.bounds();
   const bool far_reference =
       distance(base.parts.brep.reference, bounds.lo) > kFarReference * bounds.diagonal();
@@ -86,7 +86,7 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
     if (far_reference) return GaveUp{"sew", "the base's point of reference is far from the model"};
     const auto fused = route.fuse();
     if (!fused) return fused.why();
-    return replace_parts(base.parts, changes, *fused, meeting, edited.membership);
+    return replace_parts(base.parts, changes, *fused, touched, edited.membership);
   };
   Sewn out;
   for (const Route& route : routes) {
