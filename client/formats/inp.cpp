@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "client/formats/inp_head.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
 #include "remeshd/mesh_file.h"
@@ -108,7 +109,13 @@ void append_faces(std::string& out, const Mesh& mesh) {
 }  // namespace
 
 std::string to_inp(const Mesh& mesh) {
-  std::string out = "*HEADING\ntetrahedral mesh by remeshd\n*NODE\n";
+  std::string out = "*HEADING\ntetrahedral mesh by remeshd\n";
+  // Read back, a file that was cut at the end of a line is told from a whole one by these.
+  out += kInpHead;
+  append(out, mesh.nodes.size());
+  out += ", ";
+  append(out, mesh.tets.size());
+  out += "\n*NODE\n";
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     append(out, n + 1);
     for (const double coordinate : mesh.nodes[n]) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <bit>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -34,12 +35,19 @@ TEST(JsonWriter, AReportHasTheNamesOfTheContractCountsAsNumbersAndZeros) {
 
 TEST(JsonWriter, NumbersReadBackToTheSameBits) {
   v1::Report report;
-  for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, -0.0, 258000.0}) {
+  for (const double value : {0.1, -1.0 / 3, 5e-324, 1.7976931348623157e308, 0.0, 258000.0}) {
     report.set_volume(value);
     const auto json = nlohmann::json::parse(write_json(report));
     const double back = json["volume"];
-    EXPECT_EQ(back, value) << json["volume"];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value))
+        << json["volume"];
   }
+}
+
+TEST(JsonWriter, ZeroHasNoSign) {
+  v1::Report report;
+  report.set_volume(-0.0);
+  EXPECT_THAT(write_json(report), testing::HasSubstr("\"volume\": 0,"));
 }
 
 TEST(JsonWriter, SixtyFourBitIntegersAreNumbers) {

@@ -66,6 +66,19 @@ TEST_F(Cli, OversizedAndWrongDocumentsExit3) {
   EXPECT_EQ(run({"quality", file("no-mesh.vtu")}), kInvalid);
 }
 
+TEST_F(Cli, AMeshCutInItsLastNumberExits3) {
+  std::string nodes = "*NODE\n";
+  for (int n = 1; n <= 12; ++n)
+    nodes += std::to_string(n) + ", " + std::to_string(n) + ", " + std::to_string(n * n) + ", " +
+             std::to_string(n * n * n) + "\n";
+  const std::string tets = nodes + "*ELEMENT, TYPE=C3D4\n1, 2, 5, 4, 1";
+  std::ofstream(folder_ / "whole.inp") << tets << "2";
+  std::ofstream(folder_ / "cut.inp") << tets;
+  EXPECT_EQ(run({"quality", file("whole.inp")}), kFine) << err_.str();
+  EXPECT_EQ(run({"quality", file("cut.inp")}), kInvalid);
+  EXPECT_THAT(err_.str(), HasSubstr("its last line may be cut"));
+}
+
 TEST_F(Cli, FilesThatCannotBeReadExit8) {
   const std::string out = file("m.vtu");
   const std::string edit = kCases + "/simple-ab.edit.json";

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/random.h"
 #include "engine/model/feature_model.h"
+#include "engine/model/solid.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -32,6 +37,140 @@ ModelSource original() {
 
 bool same(const ModelSource& a, const ModelSource& b) {
   return same_geometry(evaluate(a), evaluate(b)) && same_geometry(evaluate(b), evaluate(a));
+}
+
+double bound(const ModelSource& a, const ModelSource& b) {
+  const double motion = motion_bound(evaluate(a), evaluate(b));
+  EXPECT_EQ(motion, motion_bound(evaluate(b), evaluate(a)));
+  return motion;
+}
+
+/// The original with each parameter, each coordinate of a profile and each placement changed in
+/// turn by about 0.1.
+std::vector<ModelSource> changes() {
+  std::vector<ModelSource> all;
+  const auto changed = [&](const auto& change) { change(all.emplace_back(original())); };
+  const std::size_t features = original().features.size();
+  for (std::size_t f = 0; f < features; ++f) {
+    const FeatureSource feature = original().features[f];
+    for (const auto& [name, value] : feature.parameters)
+      for (const double by : {-0.1, 0.1})
+        changed([&](ModelSource& model) {
+          model.features[f].parameters[name] =
+              std::get<double>(value) + (name == "angle" ? 10 * by : by);
+        });
+    for (std::size_t k = 0; feature.profile && k < feature.profile->size(); ++k) {
+      changed([&](ModelSource& m) {
+        (*m.features[f].profile)[k].x = 0.1 + std::get<double>((*feature.profile)[k].x);
+      });
+      changed([&](ModelSource& m) {
+        (*m.features[f].profile)[k].y = 0.1 + std::get<double>((*feature.profile)[k].y);
+      });
+    }
+    changed([&](ModelSource& m) { m.features[f].placement.origin[1] = 0.1; });
+    changed([&](ModelSource& m) {
+      m.features[f].placement.x_axis = std::array<Scalar, 3>{1.0, 0.02, 0.0};
+    });
+    changed([&](ModelSource& m) {
+      m.features[f].placement.z_axis = std::array<Scalar, 3>{0.02, 0.0, 1.0};
+    });
+  }
+  changed([](ModelSource& m) { (*(*m.features[5].profile)[2].through)[1] = 4.1; });
+  return all;
+}
+
+/// From the nearest of the surfaces that the feature's faces lie on.
+double distance_to_surfaces(const Solid& solid, const Vec3& p) {
+  double nearest = HUGE_VAL;
+  for (const SolidFace& face : solid.faces())
+    nearest = std::min(nearest, std::fabs(signed_distance(face.surface, p)));
+  return nearest;
+}
+
+TEST(MotionBound, NoPointThatASurfacePassesIsFurtherFromIt) {
+  Random random(3);
+  const FeatureModel before = evaluate(original());
+  int still = 0;
+  for (const ModelSource& source : changes()) {
+    const FeatureModel after = evaluate(source);
+    const double motion = bound(original(), source);
+    int passed = 0;
+    for (std::size_t f = 0; f < before.features.size(); ++f) {
+      if (after.features[f].shape == before.features[f].shape &&
+          after.features[f].placement.m == before.features[f].placement.m)
+        continue;
+      const Solid then(before.features[f]), now(after.features[f]);
+      Box box = then.bounds();
+      box.add(now.bounds());
+      for (int k = 0; k < 5000; ++k) {
+        const double x = random.uniform(box.lo.x, box.hi.x), y = random.uniform(box.lo.y, box.hi.y);
+        const Vec3 p{x, y, random.uniform(box.lo.z, box.hi.z)};
+        if (then.contains(p) == now.contains(p)) continue;
+        ++passed;
+        ASSERT_LE(distance_to_surfaces(then, p), motion) << before.features[f].id;
+        ASSERT_LE(distance_to_surfaces(now, p), motion) << before.features[f].id;
+      }
+    }
+    still += passed == 0;
+  }
+  EXPECT_EQ(still, 5);  // pin, tip, ball and tyre turned about their axes, the ball tilted
+}
+
+TEST(MotionBound, OfALengthIsItsChange) {
+  const ModelSource model = original();
+  for (std::size_t f = 0; f < model.features.size(); ++f)
+    for (const auto& [name, value] : model.features[f].parameters) {
+      ModelSource changed = model;
+      changed.features[f].parameters[name] = std::get<double>(value) + 0.25;
+      // The corner of the arch's box, 9 x 9 in plan, stands for what a turn moves most.
+      const double most = name == "angle" ? std::hypot(9, 9) * 0.25 * std::acos(-1) / 180 : 0.25;
+      EXPECT_LE(bound(model, changed), most + 1e-12) << model.features[f].id << name;
+      EXPECT_GT(bound(model, changed), 0.5 * most) << model.features[f].id << name;
+    }
+}
+
+TEST(MotionBound, OfAShiftIsItsLength) {
+  ModelSource changed = original();
+  changed.features[4].placement.origin = {3.0, 0.0, -4.0};
+  EXPECT_DOUBLE_EQ(bound(original(), changed), 5);
+}
+
+TEST(MotionBound, IsThatOfTheFeatureThatMovesMost) {
+  ModelSource changed = original();
+  changed.features[1].placement.origin = {1.0, 0.0, 0.0};
+  changed.features[3].placement.origin = {2.0, 0.0, 0.0};
+  changed.features[6].placement.origin = {0.0, 0.5, 0.0};
+  EXPECT_DOUBLE_EQ(bound(original(), changed), 2);
+  EXPECT_EQ(bound(changed, changed), 0);
+}
+
+TEST(MotionBound, IsInfiniteWhereFacesComeOrGo) {
+  ModelSource changed = original();
+  changed.features[2].parameters["radius_top"] = 0.0;  // the tip's top
+  EXPECT_EQ(bound(original(), changed), HUGE_VAL);
+  changed = original();
+  changed.features[2].parameters["radius_bottom"] = 0.0;
+  EXPECT_EQ(bound(original(), changed), HUGE_VAL);
+  changed = original();
+  (*changed.features[5].profile)[2].through.reset();  // an arc becomes a line
+  EXPECT_EQ(bound(original(), changed), HUGE_VAL);
+  changed = original();
+  (*changed.features[5].profile)[2] = arc(9.0, 9.0, 8.0, 4.0);  // it bulges inward
+  EXPECT_EQ(bound(original(), changed), HUGE_VAL);
+}
+
+TEST(MotionBound, IsInfiniteBetweenOtherFeatures) {
+  const auto infinite = [](const auto& change) {
+    ModelSource changed = original();
+    change(changed.features);
+    EXPECT_EQ(bound(original(), changed), HUGE_VAL);
+  };
+  infinite([](auto& features) { features[1].id = "peg"; });
+  infinite([](auto& features) { features[1].nature = Nature::Subtractive; });
+  infinite([](auto& features) { std::swap(features[1], features[2]); });
+  infinite([](auto& features) { features.pop_back(); });
+  infinite([](auto& features) { features[1] = test::feature("pin", "sphere", {{"radius", 4.0}}); });
+  infinite([](auto& features) { features[5].profile->erase(features[5].profile->begin() + 1); });
 }
 
 TEST(SameGeometry, EveryParameterOfEveryTypeCounts) {
