@@ -29,7 +29,7 @@ double volume_with(const Fusion& fusion, const std::vector<int>& parts) {
   double volume = 0;
   for (std::size_t c = 0; c < fusion.cells.size(); ++c) {
     std::vector<int> of;
-    for (const Source& source : fusion.cells[c]) of.push_back(source.patch);
+    for (const Source& source : fusion.cells[c]) of.push_back(source.part);
     if (of == parts) volume += fusion.brep.cells[c].volume;
   }
   return volume;
@@ -88,7 +88,7 @@ TEST(BrepTest, APartIsSomeCellsOfAFuseAndMayBeFusedAgain) {
   const Fusion first = general_fuse(parts, kRun);
   std::vector<int> of_first;
   for (int c = 0; c < 3; ++c)
-    if (first.cells[c].front().patch == 0) of_first.push_back(c);
+    if (first.cells[c].front().part == 0) of_first.push_back(c);
   ASSERT_EQ(of_first.size(), 2u);
   const std::array again{Part{&first.brep, of_first, {}},
                          Part{&first.brep, of_first, Transform::translation({0, 0, 4})}};
