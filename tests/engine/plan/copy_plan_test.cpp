@@ -16,7 +16,7 @@ FeatureModel edited(const std::string& original, const std::string& edit) {
 }
 
 TEST(CopyPlan, WithoutAnOriginalEverythingIsNew) {
-  const CopyPlan source(nullptr, test::case_features("simple-a"), kEdge, kRun);
+  const CopyPlan source({}, test::case_features("simple-a"), kEdge, kRun);
   EXPECT_EQ(source({0, 0, 20}), CopyPlan::kNew);
   EXPECT_EQ(source({0, 0, 70}), CopyPlan::kOutside);
 }
@@ -24,7 +24,7 @@ TEST(CopyPlan, WithoutAnOriginalEverythingIsNew) {
 TEST(CopyPlan, AMovedFeatureBringsItsMaterialAlong) {
   const FeatureModel original = test::case_features("simple-a");
   const FeatureModel modified = edited("simple-a", "simple-ab");
-  const CopyPlan source(&original, modified, kEdge, kRun);
+  const CopyPlan source(original, modified, kEdge, kRun);
   const std::int32_t base = source({0, 0, 20}), top = source({20, 0, 50});
   ASSERT_GE(base, 0);
   ASSERT_GE(top, 0);
@@ -35,7 +35,7 @@ TEST(CopyPlan, AMovedFeatureBringsItsMaterialAlong) {
 
 TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
   const FeatureModel original = test::case_features("tool2-a");
-  const CopyPlan source(&original, edited("tool2-a", "tool2-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("tool2-a", "tool2-ab"), kEdge, kRun);
   ASSERT_FALSE(source.sources().empty());
   EXPECT_EQ(original.features[source.sources().front().original].id, "base");
   for (std::size_t k = 1; k < source.sources().size(); ++k)
@@ -44,7 +44,7 @@ TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
 
 TEST(CopyPlan, WhereAHoleWasAndIsNoMoreTheMaterialIsNew) {
   const FeatureModel original = test::case_features("fig11-a");
-  const CopyPlan source(&original, edited("fig11-a", "fig11-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig11-a", "fig11-ab"), kEdge, kRun);
   EXPECT_EQ(source({-26, 0, 7}), CopyPlan::kNew);      // old hole at x -20, radius 8
   EXPECT_EQ(source({-10, 0, 7}), CopyPlan::kOutside);  // new hole at x -10, radius 6
   EXPECT_GE(source({30, 0, 7}), 0);
@@ -54,7 +54,7 @@ TEST(CopyPlan, WhereAHoleWasAndIsNoMoreTheMaterialIsNew) {
 
 TEST(CopyPlan, ACentredReferenceMovesTheCopyWithTheCentre) {
   const FeatureModel original = test::case_features("fig10-a");
-  const CopyPlan source(&original, edited("fig10-a", "fig10-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig10-a", "fig10-ab"), kEdge, kRun);
   const std::int32_t t = source({0, 0, 19});
   ASSERT_GE(t, 0);
   EXPECT_EQ(source.transforms()[t].apply({0, 0, 16}), (Vec3{0, 0, 19}));
@@ -62,7 +62,7 @@ TEST(CopyPlan, ACentredReferenceMovesTheCopyWithTheCentre) {
 
 TEST(CopyPlan, TheFootOfAMovedRibIsActiveWhereItWasAndWhereItIs) {
   const FeatureModel original = test::case_features("fig6-a");
-  const CopyPlan source(&original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
   const Vec3 up{0, 0, 1};
   EXPECT_TRUE(source.active_face({-20, 0, 10}, up));  // boundary now, was none
   EXPECT_TRUE(source.active_face({10, 0, 10}, up));   // copies of different origin meet
@@ -76,7 +76,7 @@ TEST(CopyPlan, ATinyMoveIsStillAMove) {
   const FeatureModel original = evaluate(document);
   test::parameter(document, "top_x") = -20 + 1e-7;
   const FeatureModel modified = evaluate(document);
-  const CopyPlan source(&original, modified, kEdge, kRun);
+  const CopyPlan source(original, modified, kEdge, kRun);
   const std::int32_t top = source({-20, 0, 50});
   ASSERT_GE(top, 0);
   EXPECT_FALSE(source.transforms()[top].is_identity());
@@ -85,12 +85,12 @@ TEST(CopyPlan, ATinyMoveIsStillAMove) {
 
 TEST(CopyPlan, NothingChangedLeavesNoBox) {
   const FeatureModel model = test::case_features("tool1-a");
-  EXPECT_TRUE(CopyPlan(&model, model, kEdge, kRun).changed().empty());
+  EXPECT_TRUE(CopyPlan(model, model, kEdge, kRun).changed().empty());
 }
 
 TEST(CopyPlan, FeaturesThatMoveTogetherShareATransformation) {
   const FeatureModel original = test::case_features("fig6-a");
-  const CopyPlan source(&original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
   EXPECT_EQ(source.transforms().size(), 2U);
 }
 

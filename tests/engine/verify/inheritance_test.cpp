@@ -152,7 +152,7 @@ TEST(TetCorrespondence, FindsWhatIsBrokenAmongChangedTetsOnTheRimAndAwayFromBoth
       SCOPED_TRACE(name + (" " + std::string(where)));
       Family f = box();
       const std::string at = where;
-      apply(f, at == "rim" ? f.interface_nodes() : f.inner(at == "changed"));
+      apply(f, at == "rim" ? f.rim() : f.inner(at == "changed"));
       f.claim();
       const Verification inherited = f.inherited();
       EXPECT_FALSE(inherited.valid);
