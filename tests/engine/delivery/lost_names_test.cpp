@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "engine/base/error.h"
+#include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {

@@ -11,6 +11,7 @@
 
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/remesh/remesh.h"
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
 #include "tests/support/stored.h"
