@@ -126,10 +126,10 @@ Attempt timed(const Strategy& how, const Problem& problem, const Attempt* failed
 
 std::span<const Strategy> strategies() { return kStrategies; }
 
-Attempt first_taken(const Problem& problem, Report& report) {
+Attempt first_taken(const Problem& problem, Report& report, std::span<const Strategy> of) {
   std::optional<Attempt> failed;
   bool made_nodes = false;
-  for (const Strategy& how : kStrategies) {
+  for (const Strategy& how : of) {
     if (how.reuse != Reuse::Mesh && !std::exchange(made_nodes, true)) {
       problem.run.warn(report.warnings);
       if (problem.run.on_warnings)

@@ -42,8 +42,10 @@ std::span<const Strategy> strategies();
 /// of names that will be lost before there are nodes, and of each fault that another strategy is to
 /// make good.
 ///
-/// Throws Error(BOUNDARY_NOT_RECOVERED) where the last one, TetGen, fails too.
-Attempt first_taken(const Problem& problem, Report& report);
+/// Pre: one of them is taken or throws. Throws Error(BOUNDARY_NOT_RECOVERED) where the last one,
+/// TetGen, fails too.
+Attempt first_taken(const Problem& problem, Report& report,
+                    std::span<const Strategy> of = strategies());
 
 /// A regular mesh in the place of the one taken (`MeshStrategy::Renewed`); maybe not a valid one.
 Attempt regular_mesh(const Problem& problem);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/engine/difference/difference_case.h"
 
 namespace remeshd {
@@ -72,6 +74,37 @@ TEST(CompareTest, SmallMotionsAreComparedByMembershipWithinTheStatedBound) {
   }
 }
 
+TEST(CompareTest, WhatASmallMotionTakesAwayIsNotCountedAsThereStill) {
+  // The rib, 10 wide, loses half of a thousandth on each side.
+  const DifferenceCase c = with_parameters("fig11-a", {{"rib_dx", 10 - 1e-3}});
+  const ModelComparison result = compare_case(c);
+  ASSERT_EQ(result.method, "membership");
+  const FeatureComparison& rib = result.features[2];
+  ASSERT_EQ(rib.id, "rib");
+  const double lost = rib.cells.at("+.");
+  EXPECT_GT(lost, 0);
+  double before = 0;
+  for (const Cell& cell : c.original_cells.complex({}).cells)
+    if (cell.positive && std::ranges::binary_search(cell.owners, 2)) before += cell.volume;
+  EXPECT_NEAR(rib.cells.at("++"), before - lost, 1e-9 * before);
+}
+
+TEST(CompareTest, AnOverlayThatDisagreesWithMembershipIsNotBelieved) {
+  // A ball cut out of a corner of a block, and another ball in its stead, 1e-4 further: the CAD
+  // kernel takes their surfaces for one in part and finds newcells of a negative volume.
+  const auto with_ball = [](const std::string& id, double by) {
+    const FeatureSource ball = test::feature(id, "sphere", {{"radius", 6.0}});
+    return evaluate(
+        test::model_of({test::block("block", 20, 20, 10),
+                        test::placed(ball, 10, 10 + by, 10 + by, Nature::Subtractive)}));
+  };
+  const ModelComparison result =
+      compare(with_ball("ball", 0), with_ball("other", 1e-4), nullptr, nullptr, {});
+  EXPECT_EQ(result.method, "membership");
+  EXPECT_EQ(result.remark, "the overlay's volumes disagree with membership");
+  EXPECT_NEAR(result.newcells, 6 * 6 * 1e-4 * 3.14159265358979 / 2, result.error_bound);
+}
+
 TEST(CompareTest, NothingMovedIsNoDifference) {
   const DifferenceCase c(test::case_model("tool1-a"), ModelEdit{});
   const ModelComparison result = compare_case(c);
@@ -91,6 +124,15 @@ TEST(SmallestMotionTest, IsTheSmallestOfPlacementsAndSizes) {
   EXPECT_NEAR(motion("fig11-a", {{"hole_radius", 8.25}}), 0.25, 1e-12);
   EXPECT_NEAR(motion("fig11-a", {{"rib_dx", 10.5}}), 0.25, 1e-12) << "each side moves by half";
   EXPECT_NEAR(motion("fig11-a", {{"hole_x", -10.0}, {"hole_radius", 8.001}}), 0.001, 1e-12);
+}
+
+TEST(SmallestMotionTest, IsThatOfFeaturesAgainstEachOtherToo) {
+  const auto blocks = [](double first, double second) {
+    return evaluate(test::model_of({test::placed(test::block("a", 1, 1, 1), first, 0, 0),
+                                    test::placed(test::block("b", 1, 1, 1), second, 0, 0)}));
+  };
+  EXPECT_NEAR(smallest_motion(blocks(0, 3), blocks(0.5, 3.5)), 0.5, 1e-12) << "as one";
+  EXPECT_NEAR(smallest_motion(blocks(0, 3), blocks(0.5, 3.501)), 0.001, 1e-12);
 }
 
 }  // namespace

@@ -262,6 +262,28 @@ TEST(Verify, AllowsAsFewNodesRoundACircleAsCloseIt) {
   EXPECT_NEAR(v.chord_error, 10 * (1 - std::sqrt(0.5)), 1e-9);
 }
 
+TEST(Verify, FindsAClosedModelEdgeOfTwoNodes) {
+  // There and back again along a diagonal of the top: a slit, no circle.
+  SolidFixture s = four_sided_cylinder();
+  for (const std::int32_t n : {5, 7}) s.supports[n] = {Support::Kind::Face, 0};
+  const Verification v = check(s);
+  ASSERT_EQ(v.count(MeshFailure::MissingSegment), 1U) << report(v);
+  EXPECT_EQ(first(v, MeshFailure::MissingSegment)->entity, 1);
+}
+
+TEST(Verify, AllowsATetOnAWallToBeOutsideAsFarAsChordsMayBe) {
+  // The cylinder as a hole: what a tet with all nodes on its wall may hide of it.
+  SolidFixture s = four_sided_cylinder();
+  const auto outside_tets = [&](const Tet& tet) {
+    s.mesh.tets = {tet};
+    return verify(s.mesh, s.supports, s.boundary, s.volume, {},
+                  {.material = [](const Vec3& p) { return std::hypot(p.x, p.y) > 10.001; }})
+        .count(MeshFailure::OutsideTet);
+  };
+  EXPECT_EQ(outside_tets({0, 1, 2, 6}), 0U) << "centroid 6.5 off the wall, edges of 20.1";
+  EXPECT_EQ(outside_tets({0, 2, 5, 7}), 1U) << "centroid on the axis, edges of 20";
+}
+
 TEST(Verify, FindsFacetsThatRunStraightAcrossACurvedFace) {
   // One half of the cylinder: its cut has nodes of the wall only.
   SolidFixture s = four_sided_cylinder();
