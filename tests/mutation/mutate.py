@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import operators
+import score
 from compile_check import Compiler, mutated
 from cpp_source import Source
 
@@ -34,11 +35,6 @@ class Mutant:
     place: operators.Place
 
 
-def folder_of(file):
-    """Where a file counts: engine/kernel, server/store; server, of a file right below it."""
-    return "/".join(file.split("/")[:-1][:2])
-
-
 def tracked(root, *folders):
     """The tree's files, but those that git ignores."""
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z", "--", *folders],
@@ -49,12 +45,6 @@ def tracked(root, *folders):
 def sources(root, folders):
     return [f for f in tracked(root, *folders)
             if f.endswith((".cpp", ".h")) and not f.startswith(LEFT_OUT)]
-
-
-def equivalents(file):
-    """(file, before, after) of the faults that are argued to change nothing."""
-    rows = [line.split("\t") for line in file.read_text().splitlines()[1:] if line]
-    return {tuple(row[:3]) for row in rows}
 
 
 def all_places(root, files):
@@ -76,13 +66,13 @@ def pick(root, places, number, seed, refused=frozenset()):
     have places left, then one of its places at random, so that rare operators are tried too."""
     lines = collections.Counter()
     for file in places:
-        lines[folder_of(file)] += (root / file).read_text().count("\n")
+        lines[score.folder_of(file)] += (root / file).read_text().count("\n")
     picked = []
     for folder, share in sorted(shares(number, lines).items()):
         chance = random.Random(f"{seed} {folder}")
         left = collections.defaultdict(list)
         for file in sorted(places):
-            if folder_of(file) == folder:
+            if score.folder_of(file) == folder:
                 for place in places[file]:
                     left[place.operator].append((file, place))
         for found in left.values():
@@ -181,7 +171,7 @@ def main():
         return count(places)
     if not chosen.copy:
         parser.error("give a folder for the copy")
-    known = equivalents(Path(__file__).with_name("equivalent.tsv"))
+    known = score.read_equivalents(Path(__file__).with_name("equivalent.tsv"))
     places = {f: [p for p in inside if (f, p.before, p.after) not in known]
               for f, inside in places.items()}
 
