@@ -106,16 +106,14 @@ class Compiler:
                 units[unit] = [m for m in mutants if m.file in included]
 
         def one(unit):
-            if not self.accepts(unit, units[unit]):
-                if not self.accepts(unit, []):
-                    return unit, units[unit], True
-                return unit, self.refused(unit, units[unit]), False
-            return unit, [], False
+            refused = self.refused(unit, units[unit])
+            alone = len(refused) < len(units[unit]) or self.accepts(unit, [])
+            say(f"{unit}: {len(refused)} of {len(units[unit])} mutants refused")
+            return unit, refused, alone
 
         broken = []
         with ThreadPoolExecutor(jobs) as pool:
-            for k, (unit, refused, alone) in enumerate(pool.map(one, units), 1):
+            for unit, refused, alone in pool.map(one, units):
                 left_out |= {m.number for m in refused}
-                broken += [unit] if alone else []
-                say(f"{k}/{len(units)} {unit}: {len(units[unit])} mutants, {len(refused)} refused")
+                broken += [] if alone else [unit]
         return left_out, broken

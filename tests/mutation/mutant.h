@@ -51,7 +51,5 @@ constexpr bool remeshd_constexpr_mutant(int n) {
 /// `other` in place of `one` where there is a fault. Both have the same type, so that without the
 /// fault nothing is converted.
 template <class T, class U>
-  requires std::same_as<std::remove_const_t<T>, std::remove_const_t<U>>
-constexpr auto& remeshd_either(bool fault, T& one, U& other) {
-  return fault ? other : one;
-}
+requires std::same_as<std::remove_const_t<T>, std::remove_const_t<U>>
+constexpr auto& remeshd_either(bool fault, T& one, U& other) { return fault ? other : one; }
