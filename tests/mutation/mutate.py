@@ -2,6 +2,7 @@
 """Copies the tree and makes faults in the copy, each behind a number in the environment.
 
 mutate.py COPY [--number 200] [--seed 1] [--folders engine server client] [--check BUILD]
+mutate.py COPY --without 17 23            # takes back what a build finds not to compile
 mutate.py --list [--folders ...]          # how many places each operator finds
 
 COPY is a folder outside of the tree: a new one, or one this program made before, whose files are
@@ -115,6 +116,17 @@ def checked(picked_without, compiler, jobs):
     return numbered(kept), tried, failed
 
 
+def made_before(copy, places):
+    """The mutants of a copy's table, of the same tree."""
+    found = {(f, p.line, p.operator, p.before, p.after): p
+             for f, inside in places.items() for p in inside}
+    rows = score.read_mutants(Path(copy) / TABLE)
+    keys = [(r.file, r.line, r.operator, r.before, r.after) for r in rows]
+    if lost := [key[:2] for key in keys if key not in found]:
+        sys.exit(f"the tree has changed since the copy was made: {lost}")
+    return [Mutant(r.number, r.file, found[key]) for r, key in zip(rows, keys)]
+
+
 def write_if_other(file, content):
     if not file.is_file() or file.read_bytes() != content:
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -162,6 +174,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folders", nargs="+", default=["engine", "server", "client"])
     parser.add_argument("--check", metavar="BUILD", help="a build of this tree, for its commands")
+    parser.add_argument("--without", nargs="+", type=int, help="of the copy's faults", metavar="N")
     parser.add_argument("--jobs", type=int, default=1, help="compilers at a time (1)")
     parser.add_argument("--list", action="store_true", help="count the places and make nothing")
     chosen = parser.parse_args()
@@ -171,6 +184,9 @@ def main():
         return count(places)
     if not chosen.copy:
         parser.error("give a folder for the copy")
+    if chosen.without:
+        kept = [m for m in made_before(chosen.copy, places) if m.number not in chosen.without]
+        return write_copy(ROOT, chosen.copy, kept)
     known = score.read_equivalents(Path(__file__).with_name("equivalent.tsv"))
     places = {f: [p for p in inside if (f, p.before, p.after) not in known]
               for f, inside in places.items()}
