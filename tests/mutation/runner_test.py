@@ -87,7 +87,7 @@ class Running(unittest.TestCase):
         self.bench = run.Bench(self.folder, 8)
         self.record = run.Record(self.folder / "record", {"mutants": "x"})
         limits = (run.GRACE, run.TIMES_NORMAL)
-        run.GRACE, run.TIMES_NORMAL = 1.5, 2
+        run.GRACE, run.TIMES_NORMAL = 2, 10
         self.addCleanup(lambda: setattr(run, "GRACE", limits[0]))
         self.addCleanup(lambda: setattr(run, "TIMES_NORMAL", limits[1]))
 
@@ -117,6 +117,15 @@ class Running(unittest.TestCase):
             self.assertEqual(("unseen", "", ""),
                              run.run_mutant(self.bench, mutant(3), tests, unsteady))
         self.assertEqual({("test_fake", "A.Cheap")}, unsteady)
+
+    def test_a_fault_that_was_slow_once_is_not_seen(self):
+        tests = self.measured()
+        program = self.folder / "test_fake"
+        program.write_text(PROGRAM.replace("if fault == 2", "if fault == 3 and "
+                                           "not (once := pathlib.Path(sys.argv[0] + 'once')).exists()")
+                           .replace("time.sleep", "once.touch(), time.sleep"))
+        self.assertEqual(("unseen", "", ""), run.run_mutant(self.bench, mutant(3), tests, set()))
+        self.assertTrue((self.folder / "test_fakeonce").exists())
 
     def test_a_tree_whose_tests_fail_is_not_measured(self):
         program = self.folder / "test_fake"
