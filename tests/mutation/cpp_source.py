@@ -98,8 +98,8 @@ class Source:
         for i, token in enumerate(t):
             if token.text != "<" or token.spaced or i == 0 or self.partner[i] >= 0:
                 continue
-            touches = t[i - 1].end == token.begin and t[i - 1].kind == "word" and t[i - 1].text != "operator"
-            if not touches and t[i - 1].text != "template":
+            named = t[i - 1].kind == "word" and t[i - 1].text != "operator"
+            if not (named and t[i - 1].end == token.begin) and t[i - 1].text != "template":
                 continue
             depth, stack = 0, []
             for j in range(i, min(i + 200, len(t))):
@@ -159,7 +159,7 @@ class Source:
         last, before = words[-1], head[-1]
         if last in ("else", "do", "try"):
             return "code"
-        if words[0] in ("namespace", "enum", "extern") or "namespace" in words or "concept" in words:
+        if words[0] in ("enum", "extern") or "namespace" in words or "concept" in words:
             return "other"
         if last == ":":  # after a case
             return parent

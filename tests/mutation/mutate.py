@@ -202,7 +202,8 @@ def main():
     else:
         mutants = numbered(picked_without(frozenset()))
     write_copy(ROOT, chosen.copy, mutants)
-    print(f"{len(mutants)} mutants in {len({m.file for m in mutants})} files, {chosen.copy}/{TABLE}")
+    files = {m.file for m in mutants}
+    print(f"{len(mutants)} mutants in {len(files)} files, {chosen.copy}/{TABLE}")
 
 
 if __name__ == "__main__":

@@ -37,10 +37,11 @@ ENDS_OF = {
 COMPARISONS = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}
 BOUNDS = {"<": "<=", "<=": "<", ">": ">=", ">=": ">"}
 # What the order of arguments or a call's absence cannot change, but for time.
-SYMMETRIC = {"min", "max", "minmax", "fmin", "fmax", "hypot", "dot", "distance", "distance2", "swap"}
+SYMMETRIC = {"min", "max", "minmax", "fmin", "fmax", "hypot", "dot", "distance", "distance2",
+             "swap"}
 ONLY_FOR_SPEED = {"reserve", "shrink_to_fit"}
-KEYWORDS = {"if", "for", "while", "switch", "return", "catch", "co_return", "throw", "delete", "new",
-            "else", "do", "case", "default", "operator", "goto", "break", "continue", "using",
+KEYWORDS = {"if", "for", "while", "switch", "return", "catch", "co_return", "throw", "delete",
+            "new", "else", "do", "case", "default", "operator", "goto", "break", "continue", "using",
             "typedef", "static_assert", "assert", "co_await", "co_yield", "sizeof", "template"}
 
 
@@ -176,7 +177,8 @@ def condition_dropped(source):
             if side is left and source.is_(left[0] - 1, sign):
                 continue  # the right side of the one before
             dropped, whole = source.slice(*side), (left[0], right[1])
-            neutral = f"({NUMBER} || ({dropped}))" if sign == "&&" else f"(!{NUMBER} && ({dropped}))"
+            neutral = (f"({NUMBER} || ({dropped}))" if sign == "&&"
+                       else f"(!{NUMBER} && ({dropped}))")
             kept = source.slice(*other)
             code = f"({neutral} {sign} {kept})" if side is left else f"({kept} {sign} {neutral})"
             yield place(source, "condition_dropped", *whole, kept, code)
@@ -192,11 +194,14 @@ def arguments(source, opening):
             first = j + 1
 
 
+VALUES = {"this", "true", "false", "nullptr"}
+
+
 def form(source, first, last):
     """The shape of a plain argument, `name`, `name.name` or `name[name]`; None of any other."""
     shape = []
     for token in source.tokens[first:last + 1]:
-        if token.kind == "word" and token.text not in KEYWORDS | {"this", "true", "false", "nullptr"}:
+        if token.kind == "word" and token.text not in KEYWORDS | VALUES:
             shape.append("name")
         elif token.text in (".", "->", "[", "]"):
             shape.append(token.text)
@@ -228,7 +233,8 @@ def arguments_swapped(source):
             a, b = source.slice(*one), source.slice(*other)
             if a != b and form(source, *one) and form(source, *one) == form(source, *other):
                 yield place(source, "arguments_swapped", one[0], other[1], f"{b}, {a}",
-                            f"remeshd_either({NUMBER}, {a}, {b}), remeshd_either({NUMBER}, {b}, {a})")
+                            f"remeshd_either({NUMBER}, {a}, {b}), "
+                            f"remeshd_either({NUMBER}, {b}, {a})")
 
 
 def begins_statement(source, i):

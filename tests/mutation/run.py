@@ -168,8 +168,9 @@ def without_fault(bench, program, name, size):
             reached.truncate(size)
             ending = bench.run(program, [name], FIRST_RUN, reached=reached.name)
             if ending.how == "passed":
-                places = frozenset(i for i, byte in enumerate(Path(reached.name).read_bytes()) if byte)
-                return Test(program, name, round(ending.seconds, 3), places)
+                marks = Path(reached.name).read_bytes()
+                return Test(program, name, round(ending.seconds, 3),
+                            frozenset(n for n, mark in enumerate(marks) if mark))
     return None
 
 

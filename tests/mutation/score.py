@@ -96,8 +96,9 @@ def survivors(mutants, outcomes, equivalents):
         outcome = outcomes.get(m.number)
         if outcome in (UNSEEN, UNREACHED) and (m.file, m.before, m.after) not in equivalents:
             before, after = difference(m.before, m.after)
-            lines.append(f"| {m.file}:{m.line} (mutant {m.number}) | {m.operator} | {cell(before)} | "
-                         f"{cell(after)} | {'no' if outcome == UNREACHED else 'yes'} |")
+            reached = "no" if outcome == UNREACHED else "yes"
+            lines.append(f"| {m.file}:{m.line} (mutant {m.number}) | {m.operator} | "
+                         f"{cell(before)} | {cell(after)} | {reached} |")
     return "\n".join(lines)
 
 
