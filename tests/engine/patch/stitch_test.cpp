@@ -34,7 +34,7 @@ PeeledMesh all_of(const DelaunayMesh& mesh) {
   return peeled;
 }
 
-StitchedMesh stitched(const Revision& original, const Patch& cut, const NodeSet& nodes,
+StitchedMesh stitched(const Revision& original, const MeshPatch& cut, const NodeSet& nodes,
                       const DelaunayMesh& mesh, const CopyPlan& plan) {
   const PeeledMesh peeled = all_of(mesh);
   const TetMesh as_peeled{nodes.positions, peeled.tets};
@@ -76,7 +76,7 @@ class MovedBlocks : public testing::Test {
 
   StitchedMesh edited() const {
     const std::vector<std::uint8_t> inner(original_.output.mesh.nodes.size(), 1);
-    const Patch cut = cut_patch(*original_.delaunay_state, original_.output.mesh, inner, nullptr);
+    const MeshPatch cut = cut_patch(*original_.delaunay_state, original_.output.mesh, inner, nullptr);
     NodeSet nodes;
     std::vector<std::int32_t> moved;
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(cut.nodes.size()); ++n) {
