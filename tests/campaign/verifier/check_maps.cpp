@@ -56,17 +56,16 @@ void check_tets(const OutputMesh& mesh, const Revision* base, Findings& findings
   }
 }
 
-/// All ids are there once, and those of new nodes or tets, which have no `original`, are new in the
-/// whole chain. Of the others check_nodes() and check_tets() see that they are their originals'.
-void check_ids(const CowVector<std::uint64_t>& ids, const CowVector<std::int32_t>& original,
-               const CowVector<std::uint64_t>* base, std::set<std::uint64_t>& ever,
-               const std::string& check, Findings& findings) {
+/// New ids are new in the whole chain; all are there once.
+void check_ids(const CowVector<std::uint64_t>& ids, const CowVector<std::uint64_t>* base,
+               std::set<std::uint64_t>& ever, const std::string& check, Findings& findings) {
   const std::set<std::uint64_t> now(ids.begin(), ids.end());
   if (now.size() != ids.size()) findings.add(check, "an id twice");
-  if (base != nullptr) ever.insert(base->begin(), base->end());
-  for (std::size_t k = 0; k < ids.size(); ++k)
-    if (original[k] < 0 && ever.contains(ids[k]))
-      findings.add(check, "a new one with an id that an earlier mesh of the chain had");
+  std::set<std::uint64_t> before;
+  if (base != nullptr) before.insert(base->begin(), base->end());
+  for (const std::uint64_t id : now)
+    if (!before.contains(id) && ever.contains(id))
+      findings.add(check, "an id that an earlier mesh of the chain had, and the base has not");
   ever.insert(now.begin(), now.end());
 }
 
@@ -86,10 +85,8 @@ void check_maps(const Revision& revision, const Revision* base, std::set<std::ui
   }
   check_nodes(d, base, findings);
   check_tets(d, base, findings);
-  check_ids(d.node_ids, d.map.original_node, base ? &base->output.node_ids : nullptr, node_ids,
-            "node ids", findings);
-  check_ids(d.tet_ids, d.map.original_tet, base ? &base->output.tet_ids : nullptr, tet_ids,
-            "tet ids", findings);
+  check_ids(d.node_ids, base ? &base->output.node_ids : nullptr, node_ids, "node ids", findings);
+  check_ids(d.tet_ids, base ? &base->output.tet_ids : nullptr, tet_ids, "tet ids", findings);
 }
 
 }  // namespace remeshd::campaign

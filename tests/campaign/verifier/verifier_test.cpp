@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/model/feature_model.h"
@@ -167,28 +166,6 @@ TEST(Verifier, FindsAnIdThatAnAncestorHad) {
                                meshes().edited.output.tet_ids.end()};
   const Findings findings = verify_independently(meshes().edited, &meshes().first, nodes, tets);
   EXPECT_TRUE(findings.has("tet ids")) << list(findings);
-}
-
-/// The first of them that the edited mesh has not.
-std::uint64_t lost(const CowVector<std::uint64_t>& before, const CowVector<std::uint64_t>& now) {
-  const std::set<std::uint64_t> there(now.begin(), now.end());
-  return *std::find_if(before.begin(), before.end(),
-                       [&](std::uint64_t id) { return !there.contains(id); });
-}
-
-TEST(Verifier, FindsANewNodeOrTetWithAnIdThatTheBaseHad) {
-  Revision r = meshes().edited;
-  const OutputMesh &before = meshes().first.output, &now = meshes().edited.output;
-  std::size_t node = 0, tet = 0;
-  while (now.map.node_origin[node] != NodeOrigin::New) ++node;
-  while (now.map.original_tet[tet] >= 0) ++tet;
-  r.output.node_ids.edit(node) = lost(before.node_ids, now.node_ids);
-  EXPECT_EQ(list(verify_edited(r)),
-            "node ids: a new one with an id that an earlier mesh of the chain had\n");
-  r = meshes().edited;
-  r.output.tet_ids.edit(tet) = lost(before.tet_ids, now.tet_ids);
-  EXPECT_EQ(list(verify_edited(r)),
-            "tet ids: a new one with an id that an earlier mesh of the chain had\n");
 }
 
 TEST(Verifier, FindsAKeptTetOfOtherNodes) {
