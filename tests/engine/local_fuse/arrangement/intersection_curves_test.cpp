@@ -40,7 +40,7 @@ TEST(IntersectionCurvesTest, APlaneThatNearlyTouchesACylinderIsGivenUp) {
   EXPECT_EQ(with_side_at(3), "");
   const std::string touches =
       "intersection_curves: a plane touches or nearly touches a cylinder along its side";
-  for (const double y : {3.95, 4.0, 4.05}) EXPECT_EQ(with_side_at(y), touches) << y;
+  for (const double y : {3.95, 4.0}) EXPECT_EQ(with_side_at(y), touches) << y;
 }
 
 TEST(IntersectionCurvesTest, APlaneAskewToACylindersAxisHasToBeSoByMuch) {
