@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "engine/model/feature_model.h"
 #include "tests/campaign/rays.h"
@@ -172,8 +172,9 @@ TEST(Verifier, FindsAnIdThatAnAncestorHad) {
 /// The first of them that the edited mesh has not.
 std::uint64_t lost(const CowVector<std::uint64_t>& before, const CowVector<std::uint64_t>& now) {
   const std::set<std::uint64_t> there(now.begin(), now.end());
-  return *std::find_if(before.begin(), before.end(),
-                       [&](std::uint64_t id) { return !there.contains(id); });
+  for (const std::uint64_t id : before)
+    if (!there.contains(id)) return id;
+  throw std::runtime_error("all are there");
 }
 
 TEST(Verifier, FindsANewNodeOrTetWithAnIdThatTheBaseHad) {
