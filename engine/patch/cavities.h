@@ -10,8 +10,8 @@
 
 namespace remeshd {
 
-/// What clean-up made of a peeled Delaunay mesh, as cavities that may be exchanged: a tet that it left
-/// alone stands for itself, all others are in cavities.
+/// What clean-up made of a peeled Delaunay mesh, as cavities that may be exchanged: a tet that it
+/// left alone stands for itself, all others are in cavities.
 struct Cavities {
   std::vector<std::int32_t> same;    ///< by Delaunay tet: the same output tet, or -1
   std::vector<std::int32_t> of_tet;  ///< by Delaunay tet: its cavity, -1 where `same` is not

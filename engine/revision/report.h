@@ -87,7 +87,8 @@ struct Report {
   /// share of those that it keeps.
   double last_resort_share = 0;
   std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
-  std::vector<RejectedAttempt> geometry_attempts;  ///< what was tried for it before, without seconds
+  std::vector<RejectedAttempt>
+      geometry_attempts;  ///< what was tried for it before, without seconds
   std::vector<Warning> warnings;
 };
 

@@ -30,7 +30,7 @@ struct Sample {
   std::uint32_t nodes = 0, tets = 0;
   std::uint32_t iterations = 0;  ///< ours, as many as it took
   double free_share = 0;         ///< ours: phi, mean over the iterations; frozen nodes are free
-  std::string strategy;               ///< ours: how the mesh came about
+  std::string strategy;          ///< ours: how the mesh came about
   double peak_bytes = 0;      ///< most resident memory, above the process before it read anything
   double retained_bytes = 0;  ///< of a chain: memory that stays with each revision
   Quality quality;            ///< but for the histogram

@@ -13,11 +13,11 @@ namespace remeshd::campaign {
 struct Outcome {
   std::size_t step = 0;
   std::string kind;  ///< `valid`, `invalid`, `refused`, `exception`; of a process: `crash`, `hang`
-  std::string reason;   ///< of a refusal; the failed checks of an invalid mesh; a signal
-  std::string message;  ///< one sentence
-  bool placed = true;   ///< a refusal names a feature and says where
-  std::string strategy;      ///< as in Report
-  int inserted = 0;     ///< nodes, to make the boundary complete
+  std::string reason;    ///< of a refusal; the failed checks of an invalid mesh; a signal
+  std::string message;   ///< one sentence
+  bool placed = true;    ///< a refusal names a feature and says where
+  std::string strategy;  ///< as in Report
+  int inserted = 0;      ///< nodes, to make the boundary complete
   double seconds = 0, verifier_seconds = 0;
   double least_angle = 0, least_quality = 0;  ///< degrees; volume-length
   int nodes = 0;

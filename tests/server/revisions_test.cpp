@@ -47,6 +47,8 @@ TEST_F(Revisions, TheSameRequestAgainComputesNothingMakesNoNumberAndGivesTheSame
   EXPECT_EQ(list().revisions_size(), 1);
 }
 
+// Some may join the computation and some find its mesh made; that those who wait for it are
+// answered by it, SessionTest.EightRequestsThatWaitForOneComputationAreAnsweredByIt sees.
 TEST_F(Revisions, IdenticalRequestsAtTheSameTimeComputeOnce) {
   start();
   engine_.close_gate();

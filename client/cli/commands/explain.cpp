@@ -26,8 +26,7 @@ void add_attempts(const google::protobuf::RepeatedPtrField<Report::Attempt>& att
                   const std::string& step, Rows& rows) {
   for (const Report::Attempt& attempt : attempts)
     rows.push_back({step, attempt.strategy(), "given up",
-                    attempt.seconds() > 0 ? rounded(attempt.seconds(), 3) : "-",
-                    attempt.reason()});
+                    attempt.seconds() > 0 ? rounded(attempt.seconds(), 3) : "-", attempt.reason()});
 }
 
 /// The road that a revision took: what made its boundary and its mesh, and what was tried before.

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <numeric>
 
 #include "engine/cellular/cellular_model.h"
@@ -79,20 +83,49 @@ TEST(PullBoundary, PulledNodesStandOnTheirEntityAndTheOthersAreInterior) {
 TEST(PullBoundary, FixedNodesStay) {
   const Scene s("simple-a", 8);
   NodeSet nodes = s.random_nodes(600, 8);
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
   for (std::int32_t n = 0; n < nodes.size(); ++n) nodes.free[n] = nodes.positions[n].x > 0;
   const NodeSet before = nodes;
-  std::vector<std::uint32_t> right;
-  for (const std::uint32_t k : s.everything)
-    if (s.samples.points[k].position.x > 15) right.push_back(k);
-  pull(nodes, s.cells.boundary, s.samples, right, {.edge_length = 8});
-  int moved = 0;
+  const std::span faces_and_edges(s.everything.data(), s.samples.vertices_begin);
+  pull(nodes, s.cells.boundary, s.samples, faces_and_edges, {.edge_length = 8});
+  int fixed = 0, fixed_on_boundary = 0, moved = 0;
   for (std::int32_t n = 0; n < before.size(); ++n) {
-    if (!before.free[n] && nodes.free[n] == 0) {
+    if (!before.free[n]) {
+      ++fixed;
+      fixed_on_boundary += before.supports[n].kind != Support::Kind::Interior;
+      EXPECT_EQ(nodes.free[n], 0);
       EXPECT_EQ(nodes.positions[n], before.positions[n]);
+      EXPECT_EQ(nodes.supports[n], before.supports[n]);
     }
     moved += nodes.positions[n] != before.positions[n];
   }
+  EXPECT_GT(fixed, 200);
+  EXPECT_GT(fixed_on_boundary, 100);
   EXPECT_GT(moved, 50);
+}
+
+TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
+  const Scene s("simple-a", 8);
+  NodeSet nodes = s.random_nodes(600, 8);
+  nodes.free.assign(nodes.free.size(), 0);
+  const NodeSet before = nodes;
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
+  int at_vertices = 0;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (!nodes.free[n]) {
+      EXPECT_EQ(nodes.positions[n], before.positions[n]);
+      EXPECT_EQ(nodes.supports[n], before.supports[n]);
+      continue;
+    }
+    ++at_vertices;
+    ASSERT_EQ(nodes.supports[n].kind, Support::Kind::Vertex);
+    const Vec3& vertex = s.cells.boundary.vertices[nodes.supports[n].entity].position;
+    EXPECT_EQ(nodes.positions[n], vertex);
+    if (n < before.size()) {  // not a new one, where none was near
+      EXPECT_LE(distance(before.positions[n], vertex), PullOptions().vertex_reach * 8);
+    }
+  }
+  EXPECT_EQ(at_vertices, static_cast<int>(s.cells.boundary.vertices.size()));
 }
 
 TEST(PullBoundary, ANodeBetweenTwoFarSidesIsSplit) {
@@ -118,22 +151,96 @@ TEST(PullBoundary, ANodeBetweenTwoFarSidesIsSplit) {
   EXPECT_GE(bottom, 25);
 }
 
-TEST(Adjacency, TellsBluntFromSharpAndFromApart) {
-  // The stiffener of tool2-d: its slope runs into the pipe's wall at 40 degrees.
-  const Scene s("tool2-d", 5);
-  const Adjacency adjacency(s.cells.boundary);
-  int sharp = 0, blunt = 0, apart = 0;
-  const int faces = static_cast<int>(s.cells.boundary.faces.size());
-  for (int a = 0; a < faces; ++a)
-    for (int b = a + 1; b < faces; ++b) {
-      const Meeting m = adjacency.meeting(Support::Kind::Face, a, b);
-      EXPECT_EQ(m, adjacency.meeting(Support::Kind::Face, b, a));
-      (m == Meeting::Sharp ? sharp : m == Meeting::Blunt ? blunt : apart)++;
+/// The first face of the model that the feature's face covers.
+int face_named(const BoundaryModel& boundary, int feature, const std::string& name) {
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (std::ranges::count(boundary.faces[f].names, FaceName{feature, name}) > 0)
+      return static_cast<int>(f);
+  ADD_FAILURE() << "no face is named " << name;
+  return 0;
+}
+
+/// How many pairs of faces or edges meet in each way, which is the same both ways round.
+std::map<Meeting, int> meetings(const BoundaryModel& boundary, Support::Kind kind) {
+  const Adjacency adjacency(boundary);
+  const int all =
+      static_cast<int>(kind == Support::Kind::Face ? boundary.faces.size() : boundary.edges.size());
+  std::map<Meeting, int> counts;
+  for (int a = 0; a < all; ++a)
+    for (int b = a + 1; b < all; ++b) {
+      const Meeting m = adjacency.meeting(kind, a, b);
+      EXPECT_EQ(m, adjacency.meeting(kind, b, a));
+      ++counts[m];
     }
-  EXPECT_GE(sharp, 1);
-  EXPECT_LE(sharp, 3);
-  EXPECT_GT(blunt, 20);
-  EXPECT_GT(apart, blunt);
+  return counts;
+}
+
+// A triangle of angles 40, 70 and 70 degrees in plan: only its first corner is sharp.
+TEST(Adjacency, TellsBluntFromSharpAndFromApart) {
+  const double angle = 40 * std::numbers::pi / 180;
+  const FeatureModel model = evaluate(
+      test::one_feature(test::feature("wedge", "prism",
+                                      {test::point(0.0, 0.0), test::point(20.0, 0.0),
+                                       test::point(20 * std::cos(angle), 20 * std::sin(angle))},
+                                      {{"height", 10.0}})));
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  const Adjacency adjacency(boundary);
+  const auto meeting = [&](const char* a, const char* b) {
+    return adjacency.meeting(Support::Kind::Face, face_named(boundary, 0, a),
+                             face_named(boundary, 0, b));
+  };
+  EXPECT_EQ(meeting("side1", "side3"), Meeting::Sharp);
+  EXPECT_EQ(meeting("side1", "side2"), Meeting::Blunt);
+  EXPECT_EQ(meeting("side2", "side3"), Meeting::Blunt);
+  EXPECT_EQ(meeting("side1", "top"), Meeting::Blunt);
+  EXPECT_EQ(meeting("bottom", "top"), Meeting::Apart);
+  EXPECT_EQ(
+      meetings(boundary, Support::Kind::Face),
+      (std::map<Meeting, int>{{Meeting::Apart, 1}, {Meeting::Blunt, 8}, {Meeting::Sharp, 1}}));
+  // Three edges at each of six corners; those of the sharp corner above and below meet sharply.
+  EXPECT_EQ(
+      meetings(boundary, Support::Kind::Edge),
+      (std::map<Meeting, int>{{Meeting::Apart, 18}, {Meeting::Blunt, 16}, {Meeting::Sharp, 2}}));
+}
+
+TEST(Adjacency, TellsASharpWedgeOfVoid) {
+  // A notch of 40 degrees from the middle of a plate out through its side.
+  const double across = 40 * std::tan(20 * std::numbers::pi / 180);
+  FeatureSource notch =
+      test::feature("notch", "prism",
+                    {test::point(0.0, 0.0), test::point(40.0, -across), test::point(40.0, across)},
+                    {{"height", 10.0}});
+  notch.nature = Nature::Subtractive;
+  const FeatureModel model = evaluate(test::model_of({test::block("plate", 60, 60, 10), notch}));
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  const Adjacency adjacency(boundary);
+  const int below = face_named(boundary, 1, "side1"), above = face_named(boundary, 1, "side3");
+  EXPECT_EQ(adjacency.meeting(Support::Kind::Face, below, above), Meeting::Sharp);
+  EXPECT_EQ(adjacency.meeting(Support::Kind::Face, below, face_named(boundary, 0, "top")),
+            Meeting::Blunt);
+  EXPECT_EQ(meetings(boundary, Support::Kind::Face)[Meeting::Sharp], 1);
+}
+
+TEST(Adjacency, TellsASharpWedgeThatACutLeaves) {
+  // Of a plate only what lies between its side x = 30 and a line from there at 25 degrees is left;
+  // the line meets the side y = 30 at 65.
+  const double angle = 25 * std::numbers::pi / 180;
+  FeatureSource cut = test::feature(
+      "cut", "prism",
+      {test::point(30.0, -20.0),
+       test::point(30 - 100 * std::sin(angle), 100 * std::cos(angle) - 20),
+       test::point(-100.0, 100.0), test::point(-100.0, -100.0), test::point(40.0, -100.0)},
+      {{"height", 10.0}});
+  cut.nature = Nature::Subtractive;
+  const FeatureModel model = evaluate(test::model_of({test::block("plate", 60, 60, 10), cut}));
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  const Adjacency adjacency(boundary);
+  const int slope = face_named(boundary, 1, "side1");
+  EXPECT_EQ(adjacency.meeting(Support::Kind::Face, slope, face_named(boundary, 0, "x_max")),
+            Meeting::Sharp);
+  EXPECT_EQ(adjacency.meeting(Support::Kind::Face, slope, face_named(boundary, 0, "y_max")),
+            Meeting::Blunt);
+  EXPECT_EQ(meetings(boundary, Support::Kind::Face)[Meeting::Sharp], 1);
 }
 
 }  // namespace
