@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/optimise/live_mesh.h"
+
 namespace remeshd {
 namespace {
 
@@ -62,6 +64,47 @@ TEST(CarryOver, LeavesTetsWhoseNodesWentDifferentWays) {
   const ReusedMesh reused = reuse_improved_tets(nodes, kPeeled, original,
                                                 std::vector<Transform>{Transform{}, away}, kRun);
   EXPECT_EQ(reused.mesh.tets, kPeeled.tets);
+}
+
+/// A tet whose fourth node clean-up has moved to (.8, .8, 1), and the Delaunay mesh of an edit that
+/// has it still, with a new node beside it that the moved node is beyond: between them a tet that
+/// is good over the nodes of the Delaunay mesh and inverted over those of the output.
+struct BesideNewNode : testing::Test {
+  BesideNewNode() {
+    original.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 1}};
+    original.output_nodes = original.positions;
+    original.output_nodes[3] = {0.8, 0.8, 1};
+    original.tets = original.output = {{0, 1, 2, 3}};
+    original.cavities = find_cavities(original.tets, original.output, {}, 4, kRun);
+    nodes = copies_of(original, 4);
+    nodes.add_new({0.7, 0.7, 0.9});
+  }
+  ReusedMesh reuse() const {
+    return reuse_improved_tets(nodes, {{{0, 1, 2, 3}, {1, 2, 3, 4}}, {7, 8}, {}}, original,
+                               std::vector<Transform>{Transform{}}, kRun);
+  }
+
+  Original original;
+  NodeSet nodes;
+};
+
+TEST_F(BesideNewNode, WhatWouldBeSpoiltIsGivenBack) {
+  const ReusedMesh reused = reuse();
+  EXPECT_EQ(reused.mesh.nodes, nodes.positions);
+  EXPECT_EQ(reused.mesh.tets, (std::vector<Tet>{{0, 1, 2, 3}, {1, 2, 3, 4}}));
+  EXPECT_EQ(reused.dirty, (std::vector<std::uint8_t>{1, 1}));
+}
+
+TEST_F(BesideNewNode, WhatWouldNotBeSpoiltIsCarried) {
+  nodes.positions[4] = {2, 2, 1};
+  const ReusedMesh reused = reuse();
+  EXPECT_EQ(reused.mesh.nodes[3], original.output_nodes[3]);
+  EXPECT_EQ(reused.dirty, (std::vector<std::uint8_t>{0, 1}));
+}
+
+TEST_F(BesideNewNode, AtTheInterfaceThePatchIsTooSmall) {
+  nodes.interface_nodes = 4;
+  EXPECT_THROW(reuse(), PatchTooSmall);
 }
 
 }  // namespace

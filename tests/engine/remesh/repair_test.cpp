@@ -85,5 +85,21 @@ TEST(Repair, OfAPartThatNothingIsInGoesOnInALargerOne) {
   EXPECT_FALSE(edited.output.mesh.tets.empty());
 }
 
+TEST(Repair, IsFollowedByTheCleanUp) {
+  // So coarse that the boundary is not all there at first.
+  int repaired = 0;
+  for (const std::uint32_t nodes : {60U, 80U, 150U, 200U}) {
+    const Report report =
+        make_revision(Revision::none(), test::case_model("tool1-a"),
+                      {.nodes = nodes, .iterations = 4, .start = MeshOptions::Start::Random}, kRun)
+            .report;
+    ASSERT_EQ(report.strategy, MeshStrategy::Local) << nodes;
+    repaired += report.counts.nodes_inserted > 0 ? 1 : 0;
+    EXPECT_LT(report.quality_before.volume_length_min, 0.1) << nodes << ": slivers before";
+    EXPECT_GT(report.quality.volume_length_min, 0.2) << nodes;
+  }
+  EXPECT_GE(repaired, 2);
+}
+
 }  // namespace
 }  // namespace remeshd
