@@ -211,6 +211,27 @@ def form(source, first, last):
     return " ".join(shape) if plain and source.whole(first, last) else None
 
 
+def declared_type(source, i):
+    """The last word or `>` of the type with which name i was last declared before, as far as it is
+    told by `Type name` and not by auto."""
+    for j in range(i - 1, 0, -1):
+        if source.tokens[j].text == source.tokens[i].text:
+            before = j - 1
+            while source.is_(before, "&", "*", "&&", "const") and not source.tokens[before].spaced:
+                before -= 1
+            type_ = source.tokens[before]
+            if type_.kind == "word" and type_.text not in KEYWORDS | {"auto"}:
+                return type_.text
+            if source.closes(before) and type_.text == ">":
+                return source.slice(source.partner[before] - 1, before)
+    return None
+
+
+def of_other_types(source, one, other):
+    types = {declared_type(source, pair[0]) for pair in (one, other) if pair[0] == pair[1]}
+    return len(types - {None}) == 2
+
+
 def is_call(source, opening):
     """Whether a parenthesis opens the arguments of a call, or of a constructor's."""
     before = source.tokens[opening - 1] if opening > 0 else None
@@ -231,7 +252,8 @@ def arguments_swapped(source):
         given = list(arguments(source, i))
         for one, other in zip(given, given[1:]):
             a, b = source.slice(*one), source.slice(*other)
-            if a != b and form(source, *one) and form(source, *one) == form(source, *other):
+            alike = form(source, *one) and form(source, *one) == form(source, *other)
+            if a != b and alike and not of_other_types(source, one, other):
                 yield place(source, "arguments_swapped", one[0], other[1], f"{b}, {a}",
                             f"remeshd_either({NUMBER}, {a}, {b}), "
                             f"remeshd_either({NUMBER}, {b}, {a})")

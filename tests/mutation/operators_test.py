@@ -161,6 +161,14 @@ class Operators(unittest.TestCase):
             self.leaves(swapped, line)
         self.leaves(swapped, "void f(A, B);", True)
 
+    def test_neighbours_that_are_declared_of_other_types_are_left(self):
+        for line, count in (("double a = 1; int b = 2; g(a, b);", 0),
+                            ("const A& a = x; const A b = y; g(a, b);", 1),
+                            ("std::vector<int> a; const std::vector<A>& b = x; g(a, b);", 0),
+                            ("double a = 1; auto b = x; g(a, b);", 1)):
+            self.assertEqual(count, len(self.made(operators.arguments_swapped, in_function(line))),
+                             line)
+
     def test_a_call_is_left_out(self):
         out = operators.call_left_out
         self.makes(out, "g(x);", "{ if (!remeshd_mutant(7)) g(x); }")
