@@ -6,10 +6,10 @@
 
 namespace remeshd {
 
-/// What a revision's mesh gives for telling wear by.
+/// What quality drift of later edits is measured against, of a revision's mesh.
 QualityReference quality_reference(const Revision& revision);
 
-/// Whether it is the chain's last regular mesh itself: one edit wears nothing out.
+/// Whether it is the chain's last regular mesh itself: one edit lets nothing drift.
 bool is_regular(const Revision& revision);
 
 /// Whether so much is lost against the last regular mesh that another may be worth its time: 0.005

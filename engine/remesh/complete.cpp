@@ -63,7 +63,8 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
   if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference)) return;
   Attempt regular = regular_mesh(problem);
   add(report.seconds, regular.seconds);
-  const RejectedAttempt drifted{remesh, "the mesh had worn: " + describe(now), seconds_of_remesh};
+  const RejectedAttempt drifted{remesh, "the quality had drifted: " + describe(now),
+                                seconds_of_remesh};
   RejectedAttempt rejected{regular.name, regular.reason, regular.seconds.total};
   if (regular.taken()) {
     Revision anew = revision;
@@ -72,14 +73,14 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
     if (has_drifted(now, anew.reference)) {
       anew.report.attempts.push_back(drifted);
       anew.report.warnings.push_back({.code = WarningCode::Renewed,
-                                      .message = "the mesh had worn (" + describe(now) +
+                                      .message = "the quality had drifted (" + describe(now) +
                                                  ") and was made anew (" +
                                                  describe(anew.reference) + ")"});
       anew.report.strategy = MeshStrategy::Renewed;
       revision = std::move(anew);
       return;
     }
-    rejected.reason = "no better than the mesh that had worn: " + describe(anew.reference);
+    rejected.reason = "no better than the mesh that had drifted: " + describe(anew.reference);
   }
   report.attempts.push_back(std::move(rejected));
   revision.reference = now;

@@ -39,7 +39,7 @@ enum class MeshStrategy : std::uint8_t {
   Full,       ///< every node was optimised anew, copied ones included
   Fresh,      ///< a regular mesh from new nodes
   TetGen,     ///< TetGen's mesh of the conforming surface
-  Renewed,    ///< a regular mesh, valid as the remesh was: edits had worn it
+  Renewed,    ///< a regular mesh, the remesh was valid, its quality had drifted
 };
 
 /// A strategy that was tried and not taken, as the report lists it.

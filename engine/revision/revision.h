@@ -24,7 +24,7 @@ struct Anchor {
   CowVector<Support> supports;  ///< of the nodes, in the boundary of the revision's own cells
 };
 
-/// What wear along a chain of edits is told by: the chain's last regular mesh.
+/// What quality drift along a chain of edits is measured against: the chain's last regular mesh.
 struct QualityReference {
   double volume_length_mean = 0;
   double nodes_over_expected = 1;  ///< its nodes over those that its edge length lets one expect

@@ -19,7 +19,7 @@
 
 #include "engine/base/error.h"
 #include "server/service/front_desk.h"
-#include "server/session/guarded.h"
+#include "server/session/catching.h"
 
 namespace remeshd {
 
@@ -92,7 +92,7 @@ grpc::ServerUnaryReactor* refuse(grpc::CallbackServerContext& context, CallRecor
 template <typename Call, typename Work>
 void answering(Call& call, Work&& work) noexcept {
   try {
-    guarded(std::forward<Work>(work), [&](const Error& why) { call.fail(why); });
+    catching(std::forward<Work>(work), [&](const Error& why) { call.fail(why); });
   } catch (...) {
     call.give_up();
   }

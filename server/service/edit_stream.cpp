@@ -107,11 +107,11 @@ void EditStream::OnReadDone(bool ok) {
 void EditStream::take() {
   Request request;
   bool waits = true;
-  guarded([&] { waits = read(request); },
-          [&](const Error& why) {
-            release(request.bytes);
-            request.refused = why;
-          });
+  catching([&] { waits = read(request); },
+           [&](const Error& why) {
+             release(request.bytes);
+             request.refused = why;
+           });
   incoming_.Clear();
   if (!waits) return;
   const std::scoped_lock lock(mutex_);
@@ -167,8 +167,8 @@ void EditStream::begin_next() {
     began_ = std::chrono::steady_clock::now();
   }
   answering(request.turn, [&] {
-    guarded([&] { hand_over(request); },
-            [&](const Error& why) { fail(request.turn, request.id, why); });
+    catching([&] { hand_over(request); },
+             [&](const Error& why) { fail(request.turn, request.id, why); });
   });
 }
 
@@ -227,7 +227,7 @@ Listener EditStream::listener(std::uint64_t turn, const std::string& id, Selecti
           .made =
               [self, turn, id, mesh](const Made& made) {
                 self->answering(turn, [&] {
-                  guarded(
+                  catching(
                       [&] {
                         v1::EditStreamResponse reply;
                         *reply.mutable_result() = encode(made, id);

@@ -7,7 +7,7 @@
 
 #include "proto/document.h"
 #include "server/service/decode.h"
-#include "server/session/guarded.h"
+#include "server/session/catching.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -80,13 +80,13 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
     if (!is_lost(why)) return fail(why);
     // As work of its own: this may be a thread that others wait for, and a chain of ancestors may
     // be longer than a stack is deep.
-    guarded(
+    catching(
         [&] {
           session_.later(
               Lane::Preparation,
               {.run =
                    [self = shared_from_this(), parent] {
-                     guarded(
+                     catching(
                          [&] {
                            self->recipes_.push_back(self->session_.recipe_of_ancestor(parent));
                            self->find_base();
@@ -147,7 +147,7 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
       const std::scoped_lock lock(mutex_);
       ++at_;
     }
-    guarded([&] { next(); }, [&](const Error& why) { fail(why); });
+    catching([&] { next(); }, [&](const Error& why) { fail(why); });
   }
   void fail(const Error& why) {
     end();

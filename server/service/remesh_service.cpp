@@ -234,7 +234,7 @@ class RawRemeshService final : public RawService {
     Session* session = nullptr;
     Admission::TicketPtr ticket;
     Reply* refused = nullptr;
-    guarded(
+    catching(
         [&] {
           record->admit(*context);
           session = &tenants_.of(record->tenant());

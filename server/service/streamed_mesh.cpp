@@ -8,7 +8,7 @@
 #include "server/service/mesh_bytes.h"
 #include "server/service/mesh_messages.h"
 #include "server/service/status.h"
-#include "server/session/guarded.h"
+#include "server/session/catching.h"
 
 namespace remeshd {
 namespace {
@@ -57,7 +57,7 @@ class NoMesh final : public ReplySource {
 ReplySourcePtr streamed_mesh(Session& session, const Made& made, const std::string& request_id,
                              const v1::MeshSelection& selection) {
   ReplySourcePtr replies;
-  guarded(
+  catching(
       [&] {
         const HeldRevisionPtr parent =
             selection.delta() ? session.parent_of(*made.revision, Run{}) : nullptr;

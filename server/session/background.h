@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "server/session/guarded.h"
+#include "server/session/catching.h"
 
 namespace remeshd {
 

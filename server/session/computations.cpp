@@ -39,7 +39,7 @@ void Computations::erase(const ComputationPtr& computation) {
   if (entry != by_id_.end() && entry->second == computation) by_id_.erase(entry);
 }
 
-std::vector<WaitingRequestPtr> Computations::retire(const ComputationPtr& computation) {
+std::vector<WaitingRequestPtr> Computations::remove(const ComputationPtr& computation) {
   const std::scoped_lock lock(mutex_);
   erase(computation);
   return std::exchange(computation->waiting, {});

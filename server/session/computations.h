@@ -51,7 +51,7 @@ class Computations {
   /// The request waits no more. What nobody waits for is stopped.
   void leave(const WaitingRequestPtr& request);
   /// Takes a computation off the list; returns who waited for it.
-  std::vector<WaitingRequestPtr> retire(const ComputationPtr& computation);
+  std::vector<WaitingRequestPtr> remove(const ComputationPtr& computation);
   /// Those who wait for it now.
   [[nodiscard]] std::vector<WaitingRequestPtr> waiting_for(const ComputationPtr& computation) const;
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "server/admission/load_error.h"
-#include "server/session/guarded.h"
+#include "server/session/catching.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -26,7 +26,7 @@ struct Fetcher::Waiter {
 };
 
 void Fetcher::fetch(const std::string& id, const std::stop_token& stop, const Receiver& receiver) {
-  guarded(
+  catching(
       [&] {
         const Run run{.stop = stop, .on_progress = {}, .dumps = {}};
         if (const auto revision = parts_.archive.at_hand(id, run)) {
@@ -81,35 +81,35 @@ void Fetcher::start(const RemakePtr& remake) {
 }
 
 void Fetcher::compute(const RemakePtr& remake) {
-  guarded(
+  catching(
       [&] {
         const auto start = std::chrono::steady_clock::now();
         const HeldRevisionPtr revision = parts_.archive.get(
             remake->id, Run{.stop = remake->stop.get_token(), .on_progress = {}, .dumps = {}});
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         parts_.computation.took(spent.count());
-        for (const WaiterPtr& waiter : retire(remake)) hand_over(waiter->receiver, revision);
+        for (const WaiterPtr& waiter : remove(remake)) hand_over(waiter->receiver, revision);
       },
       [&](const Error& why) { fail(remake, why); });
 }
 
 void Fetcher::hand_over(const Receiver& receiver, const HeldRevisionPtr& revision) {
-  guarded(
+  catching(
       [&] {
         parts_.preparation.submit(
             {.tenant = tenant_,
              .run = [receiver,
-                     revision] { guarded([&] { receiver.got(revision); }, receiver.failed); },
+                     revision] { catching([&] { receiver.got(revision); }, receiver.failed); },
              .refused = receiver.failed});
       },
       receiver.failed);
 }
 
 void Fetcher::fail(const RemakePtr& remake, const Error& why) {
-  for (const WaiterPtr& waiter : retire(remake)) contained([&] { waiter->receiver.failed(why); });
+  for (const WaiterPtr& waiter : remove(remake)) contained([&] { waiter->receiver.failed(why); });
 }
 
-std::vector<Fetcher::WaiterPtr> Fetcher::retire(const RemakePtr& remake) {
+std::vector<Fetcher::WaiterPtr> Fetcher::remove(const RemakePtr& remake) {
   const std::scoped_lock lock(mutex_);
   const auto entry = by_id_.find(remake->id);
   if (entry != by_id_.end() && entry->second == remake) by_id_.erase(entry);

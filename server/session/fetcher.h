@@ -65,7 +65,7 @@ class Fetcher {
   void hand_over(const Receiver& receiver, const HeldRevisionPtr& revision);
   void leave(const WaiterPtr& waiter);
   /// Takes a computation off the list; returns who waited for it.
-  std::vector<WaiterPtr> retire(const RemakePtr& remake);
+  std::vector<WaiterPtr> remove(const RemakePtr& remake);
 
   const std::string tenant_;
   const Parts parts_;

@@ -25,7 +25,7 @@ using MakeRequestPtr = std::shared_ptr<MakeRequest>;
 
 struct Computation;
 
-/// The same as its maker sees it.
+/// The same as the scheduler sees it.
 class WaitingRequest final : public MakeRequest,
                              public std::enable_shared_from_this<WaitingRequest> {
  public:

@@ -29,11 +29,11 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
       archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics()),
       fetcher_(tenant_,
                {archive_, resources.lane(Lane::Preparation), resources.lane(Lane::Computation)}),
-      maker_({engine(), archive_, fetcher_, resources.memory(), resources.lane(Lane::Preparation),
-              resources.lane(Lane::Computation)},
-             {.threads = limits().threads,
-              .max_nodes = limits().max_nodes,
-              .dumps = dumps_of(tenant_, limits().dumps)}) {}
+      scheduler_({engine(), archive_, fetcher_, resources.memory(),
+                  resources.lane(Lane::Preparation), resources.lane(Lane::Computation)},
+                 {.threads = limits().threads,
+                  .max_nodes = limits().max_nodes,
+                  .dumps = dumps_of(tenant_, limits().dumps)}) {}
 
 HeldRevisionPtr Session::get(const std::string& reference, const Run& run) {
   return archive_.get(resolve(reference).id, run);
@@ -167,7 +167,7 @@ Load Session::load() {
   const Pool& computation = resources_.lane(Lane::Computation);
   Load load{.running = computation.running(),
             .queued = computation.queued(),
-            .waiting = maker_.waiting() + fetcher_.waiting(),
+            .waiting = scheduler_.waiting() + fetcher_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
   load.memory_bytes = load.held_bytes + resources_.memory().leased();

@@ -10,8 +10,8 @@
 #include "server/session/commands.h"
 #include "server/session/engine.h"
 #include "server/session/fetcher.h"
-#include "server/session/maker.h"
 #include "server/session/resources.h"
+#include "server/session/revision_scheduler.h"
 #include "server/session/session_error.h"
 #include "server/store/store.h"
 
@@ -57,10 +57,10 @@ class Session {
 
   /// Lets a request in, before anything else is done for it. As Admission::admit.
   Admission::TicketPtr admit() { return resources_.admission().admit(tenant_); }
-  /// As Maker::make.
+  /// As RevisionScheduler::make.
   MakeRequestPtr make(Admission::TicketPtr ticket, std::function<Command()> read,
                       Listener listener) {
-    return maker_.make(std::move(ticket), std::move(read), std::move(listener));
+    return scheduler_.make(std::move(ticket), std::move(read), std::move(listener));
   }
   /// The same of a command that has been read. Throws what `admit` throws.
   MakeRequestPtr make(Command command, Listener listener) {
@@ -157,7 +157,7 @@ class Session {
 
   /// Answers whatever is under way with Unavailable. What still runs comes to its end in the lanes.
   void stop() {
-    maker_.stop();
+    scheduler_.stop();
     fetcher_.stop();
   }
 
@@ -171,7 +171,7 @@ class Session {
   const std::unique_ptr<Store> store_;
   Archive archive_;
   Fetcher fetcher_;
-  Maker maker_;
+  RevisionScheduler scheduler_;
 };
 
 }  // namespace remeshd

@@ -15,7 +15,7 @@ constexpr double kShallow = 1e-3;         // sine of an angle between planes, or
 constexpr double kShallowWall = 0.1;      // sine of an angle between a plane and an axis
 constexpr double kNearTangent = 0.01;     // of a half axis
 constexpr std::size_t kMaxPatches = 250;  // pairs are looked at; more would take as long as a fuse
-constexpr std::size_t kMaxCarriers = 1000;
+constexpr std::size_t kMaxCurves = 1000;
 
 /// Between two segments, at least.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -46,7 +46,7 @@ class Finder {
         if (patches_[i].feature != patches_[j].feature && touch(boxes_[i], boxes_[j]))
           cross_patches(i, j);
         if (doubt_) return *doubt_;
-        if (out_.size() > kMaxCarriers)
+        if (out_.size() > kMaxCurves)
           return GaveUp{"intersection_curves", "there are too many curves"};
       }
     for (IntersectionCurve& curve : out_)

@@ -39,10 +39,10 @@ class Finder {
  public:
   Finder(const std::vector<IntersectionCurve>& curves, const Sectors& sectors,
          const Clearance& clearance)
-      : carriers_(curves), wedges_(sectors), same_(clearance.same), clear_(clearance.clear) {}
+      : curves_(curves), sectors_(sectors), same_(clearance.same), clear_(clearance.clear) {}
 
   Tried<PrismEdges> find() {
-    for (int c = 0; c < static_cast<int>(carriers_.size()); ++c) {
+    for (int c = 0; c < static_cast<int>(curves_.size()); ++c) {
       add_parts(c);
       if (doubt_) return *doubt_;
     }
@@ -97,11 +97,11 @@ class Finder {
   }
 
   void add_parts(int c) {
-    const IntersectionCurve& curve = carriers_[c];
+    const IntersectionCurve& curve = curves_[c];
     const std::vector<IntersectionCurve::Split> splits = splits_of(curve);
     for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
       const double from = splits[i].t, to = splits[i + 1].t, middle = 0.5 * (from + to);
-      auto half_faces = wedges_.around(curve, middle);
+      auto half_faces = sectors_.around(curve, middle);
       if (!half_faces) return doubt(half_faces.why());
       if (half_faces->empty() || (passes(*half_faces) && !is_seam(curve, *half_faces))) continue;
       if ((to - from) * norm(curve.at(middle).derivative) < clear_)
@@ -144,8 +144,8 @@ class Finder {
     out_.edges = std::move(kept);
   }
 
-  const std::vector<IntersectionCurve>& carriers_;
-  const Sectors& wedges_;
+  const std::vector<IntersectionCurve>& curves_;
+  const Sectors& sectors_;
   double same_, clear_;
   std::optional<GaveUp> doubt_;        ///< the first
   std::multimap<double, int> by_key_;  ///< nodes

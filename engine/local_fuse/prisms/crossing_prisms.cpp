@@ -21,7 +21,7 @@ class CrossedParts {
  public:
   CrossedParts(std::span<const int> features, const std::vector<IntersectionCurve>& curves,
                const PrismEdges& edges, const Sectors& sectors, const FuseFrame& frame)
-      : features_(features), carriers_(curves), edges_(edges), wedges_(sectors) {
+      : features_(features), curves_(curves), edges_(edges), sectors_(sectors) {
     brep_.scale = frame.scale;
     brep_.reference = *frame.reference;
   }
@@ -65,11 +65,11 @@ class CrossedParts {
   };
 
   void add(const PrismEdge& crossed) {
-    const IntersectionCurve& curve = carriers_[crossed.curve];
+    const IntersectionCurve& curve = curves_[crossed.curve];
     int number = -1;
     for (const HalfFace& half_face : crossed.half_faces) {
-      const bool before = wedges_.material(half_face.before);
-      if (before == wedges_.material(half_face.behind)) continue;
+      const bool before = sectors_.material(half_face.before);
+      if (before == sectors_.material(half_face.behind)) continue;
       if (number < 0) {
         number = static_cast<int>(brep_.edges.size());
         brep_.edges.push_back(curve.round ? arc(curve, crossed) : line(crossed));
@@ -182,9 +182,9 @@ class CrossedParts {
   }
 
   std::span<const int> features_;
-  const std::vector<IntersectionCurve>& carriers_;
+  const std::vector<IntersectionCurve>& curves_;
   const PrismEdges& edges_;
-  const Sectors& wedges_;
+  const Sectors& sectors_;
   Brep brep_;
   std::vector<Family> families_;
   std::vector<std::pair<BrepFace, int>> walls_;  ///< with their families

@@ -41,7 +41,7 @@ Revision mesh_of_a_ledge() {
 
 /// An edit of a mesh that was made in one iteration from random nodes, in a chain that is said to
 /// have begun with a mean volume-length of .87.
-Revision edit_of_a_worn_mesh(const MeshOptions& options) {
+Revision edit_of_a_drifted_mesh(const MeshOptions& options) {
   Revision base =
       make_revision(Revision::none(), test::case_model("simple-a"),
                     {.nodes = 2500, .iterations = 1, .start = MeshOptions::Start::Random}, kRun);
@@ -68,18 +68,19 @@ TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
 }
 
 TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
-  const Revision made = edit_of_a_worn_mesh({});
+  const Revision made = edit_of_a_drifted_mesh({});
   ASSERT_EQ(made.report.strategy, MeshStrategy::Renewed);
   EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "local, 6 edge lengths",
                                                    "local, 8 edge lengths"));
   expect_told(made.report);
   EXPECT_EQ(made.report.attempts[0].reason,
             "the part cut out of the base did not suffice for carrying tets over");
-  EXPECT_THAT(made.report.attempts.back().reason, StartsWith("the mesh had worn: "));
+  EXPECT_THAT(made.report.attempts.back().reason, StartsWith("the quality had drifted: "));
 }
 
 TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
-  const Revision made = edit_of_a_worn_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
+  const Revision made =
+      edit_of_a_drifted_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
   ASSERT_EQ(made.report.strategy, MeshStrategy::Local);
   EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "renewed"));
   expect_told(made.report);
@@ -87,7 +88,7 @@ TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
 }
 
 TEST(Attempts, AreStoredButForTheirSeconds) {
-  const Revision made = edit_of_a_worn_mesh({});
+  const Revision made = edit_of_a_drifted_mesh({});
   const Report loaded = test::stored_and_loaded(made).report;
   EXPECT_THAT(strategies(loaded), testing::SizeIs(3));
   EXPECT_EQ(strategies(loaded), strategies(made.report));

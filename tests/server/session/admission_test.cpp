@@ -36,7 +36,7 @@ class SessionAdmission : public testing::Test {
                            .options = {.nodes = nodes}};
     };
     const Listener listener = answer.listener();
-    guarded([&] { session.make(session.admit(), read, listener); }, listener.failed);
+    catching([&] { session.make(session.admit(), read, listener); }, listener.failed);
     return answer;
   }
 

@@ -25,7 +25,7 @@ namespace remeshd {
 /// found) in the lane of preparations; a revision that exists is handed out, one on its way is
 /// waited for together, and any other is computed in the lane of computations, with a share of the
 /// memory budget for as long.
-class Maker {
+class RevisionScheduler {
  public:
   struct Limits {
     int threads = 1;                             ///< at most, for one computation
@@ -44,11 +44,11 @@ class Maker {
     Pool& computation;
   };
 
-  Maker(Parts parts, Limits limits);
+  RevisionScheduler(Parts parts, Limits limits);
   /// As `stop`.
-  ~Maker();
-  Maker(const Maker&) = delete;
-  Maker& operator=(const Maker&) = delete;
+  ~RevisionScheduler();
+  RevisionScheduler(const RevisionScheduler&) = delete;
+  RevisionScheduler& operator=(const RevisionScheduler&) = delete;
 
   /// `read` gives the command; it is called in the lane of preparations and may throw Error.
   ///
@@ -75,7 +75,7 @@ class Maker {
   void compute(const ComputationPtr& computation);
   HeldRevisionPtr make_revision(const ComputationPtr& computation);
   void check_waiting(const ComputationPtr& computation, std::span<const Warning> warnings);
-  void hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& revision, bool cached);
+  void complete(const WaitingRequestPtr& request, const HeldRevisionPtr& revision, bool cached);
   bool close(const WaitingRequestPtr& request);
   void fail(const WaitingRequestPtr& request, const Error& why);
 

@@ -11,7 +11,7 @@ namespace remeshd {
 
 /// Calls `work`; its Error, or what stands for any other exception, goes to `failed`.
 template <typename Work, typename Failed>
-void guarded(Work&& work, Failed&& failed) {
+void catching(Work&& work, Failed&& failed) {
   try {
     work();
   } catch (const Error& failure) {

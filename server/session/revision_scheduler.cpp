@@ -1,12 +1,12 @@
-#include "server/session/maker.h"
+#include "server/session/revision_scheduler.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "server/limits.h"
+#include "server/session/catching.h"
 #include "server/session/clock.h"
 #include "server/session/fail_on.h"
-#include "server/session/guarded.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -21,7 +21,7 @@ std::uint64_t working_memory(const Prepared& prepared) {
 
 }  // namespace
 
-Maker::Maker(Parts parts, Limits limits)
+RevisionScheduler::RevisionScheduler(Parts parts, Limits limits)
     : parts_(parts),
       limits_(std::move(limits)),
       preparation_(parts.engine, parts.archive, limits_.threads, limits_.max_nodes),
@@ -30,21 +30,21 @@ Maker::Maker(Parts parts, Limits limits)
           {.compute = [this](const ComputationPtr& work) { compute(work); },
            .failed =
                [this](const ComputationPtr& work, const Error& why) {
-                 for (const auto& request : computations_.retire(work)) fail(request, why);
+                 for (const auto& request : computations_.remove(work)) fail(request, why);
                },
            .is_made =
                [this](const std::string& id) { return parts_.archive.held().contains(id); }}) {}
 
-Maker::~Maker() { stop(); }
+RevisionScheduler::~RevisionScheduler() { stop(); }
 
-MakeRequestPtr Maker::make(Admission::TicketPtr ticket, std::function<Command()> read,
-                           Listener listener) {
+MakeRequestPtr RevisionScheduler::make(Admission::TicketPtr ticket, std::function<Command()> read,
+                                       Listener listener) {
   const auto cancel = [this](const WaitingRequestPtr& request) {
     request->stop().request_stop();
     fail(request, error::cancelled());
   };
   auto request = std::make_shared<WaitingRequest>(ticket->tenant(), std::move(listener), cancel);
-  guarded(
+  catching(
       [&] {
         {
           const std::scoped_lock lock(mutex_);
@@ -62,9 +62,9 @@ MakeRequestPtr Maker::make(Admission::TicketPtr ticket, std::function<Command()>
 }
 
 /// The ticket is held until the request is prepared, also while its base is made again.
-void Maker::begin(const WaitingRequestPtr& request, const Admission::TicketPtr& ticket,
-                  const std::function<Command()>& read) {
-  guarded(
+void RevisionScheduler::begin(const WaitingRequestPtr& request, const Admission::TicketPtr& ticket,
+                              const std::function<Command()>& read) {
+  catching(
       [&] {
         if (request->answered()) return;  // cancelled while it waited
         const auto command = std::make_shared<const Command>(read());
@@ -81,8 +81,9 @@ void Maker::begin(const WaitingRequestPtr& request, const Admission::TicketPtr& 
       [&](const Error& why) { fail(request, why); });
 }
 
-void Maker::prepare(const WaitingRequestPtr& request, const Command& command,
-                    const std::optional<EditBase>& base, const HeldRevisionPtr& revision) {
+void RevisionScheduler::prepare(const WaitingRequestPtr& request, const Command& command,
+                                const std::optional<EditBase>& base,
+                                const HeldRevisionPtr& revision) {
   const Prepared prepared =
       preparation_.prepare(command, base, revision, request->stop().get_token());
   request->design = prepared.design;
@@ -95,7 +96,8 @@ void Maker::prepare(const WaitingRequestPtr& request, const Command& command,
   proceed(request, prepared);
 }
 
-HeldRevisionPtr Maker::find_intact(const std::string& id, const std::stop_token& stop) const {
+HeldRevisionPtr RevisionScheduler::find_intact(const std::string& id,
+                                               const std::stop_token& stop) const {
   try {
     return parts_.archive.find(id, Run{.stop = stop, .on_progress = {}, .dumps = {}});
   } catch (const Error& failure) {
@@ -105,10 +107,10 @@ HeldRevisionPtr Maker::find_intact(const std::string& id, const std::stop_token&
   }
 }
 
-void Maker::proceed(const WaitingRequestPtr& request, const Prepared& prepared) {
+void RevisionScheduler::proceed(const WaitingRequestPtr& request, const Prepared& prepared) {
   while (!request->answered()) {
     if (const auto revision = find_intact(prepared.id, request->stop().get_token()))
-      return hand_out(request, revision, true);
+      return complete(request, revision, true);
     parts_.archive.check_room(working_memory(prepared));
     request->report({.stage = "queued"});
     // It may have been finished, and dropped again, between this look into the archive and the
@@ -117,7 +119,7 @@ void Maker::proceed(const WaitingRequestPtr& request, const Prepared& prepared) 
   }
 }
 
-HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
+HeldRevisionPtr RevisionScheduler::make_revision(const ComputationPtr& computation) {
   const Prepared& prepared = computation->prepared;
   const Run run{.stop = computation->stop.get_token(),
                 .on_progress =
@@ -150,14 +152,15 @@ HeldRevisionPtr Maker::make_revision(const ComputationPtr& computation) {
 
 /// Ends the requests that take one of these warnings for an error. The computation goes on as long
 /// as others wait for it.
-void Maker::check_waiting(const ComputationPtr& computation, std::span<const Warning> warnings) {
+void RevisionScheduler::check_waiting(const ComputationPtr& computation,
+                                      std::span<const Warning> warnings) {
   for (const auto& request : computations_.waiting_for(computation))
-    guarded([&] { check_warnings(warnings, request->fail_on); },
-            [&](const Error& why) { fail(request, why); });
+    catching([&] { check_warnings(warnings, request->fail_on); },
+             [&](const Error& why) { fail(request, why); });
 }
 
-void Maker::compute(const ComputationPtr& computation) {
-  guarded(
+void RevisionScheduler::compute(const ComputationPtr& computation) {
+  catching(
       [&] {
         // Until it is filed: what it is written from takes memory too.
         const auto share =
@@ -167,21 +170,21 @@ void Maker::compute(const ComputationPtr& computation) {
         // In memory before it leaves the list, so that no moment is left to compute it twice.
         parts_.archive.hold(made);
         bool first = true;
-        for (const auto& request : computations_.retire(computation)) {
-          hand_out(request, made, !first);
+        for (const auto& request : computations_.remove(computation)) {
+          complete(request, made, !first);
           first = false;
         }
         parts_.archive.drop_unfiled(made->record.id);
       },
       [&](const Error& why) {
-        for (const auto& request : computations_.retire(computation)) fail(request, why);
+        for (const auto& request : computations_.remove(computation)) fail(request, why);
       });
 }
 
-void Maker::hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& revision,
-                     bool cached) {
+void RevisionScheduler::complete(const WaitingRequestPtr& request, const HeldRevisionPtr& revision,
+                                 bool cached) {
   if (request->answered()) return;
-  guarded(
+  catching(
       [&] {
         check_warnings(revision->revision.report.warnings, request->fail_on);
         Made made{.revision = revision, .cached = cached};
@@ -191,14 +194,14 @@ void Maker::hand_out(const WaitingRequestPtr& request, const HeldRevisionPtr& re
         if (!close(request)) return;
         const Listener& listener = request->listener();
         // It is answered: `fail` would do nothing any more.
-        guarded([&] { listener.made(made); },
-                [&](const Error& why) { contained([&] { listener.failed(why); }); });
+        catching([&] { listener.made(made); },
+                 [&](const Error& why) { contained([&] { listener.failed(why); }); });
       },
       [&](const Error& why) { fail(request, why); });
 }
 
 /// Marks a request as answered; false if it was.
-bool Maker::close(const WaitingRequestPtr& request) {
+bool RevisionScheduler::close(const WaitingRequestPtr& request) {
   if (!request->close()) return false;
   {
     const std::scoped_lock lock(mutex_);
@@ -208,11 +211,11 @@ bool Maker::close(const WaitingRequestPtr& request) {
   return true;
 }
 
-void Maker::fail(const WaitingRequestPtr& request, const Error& why) {
+void RevisionScheduler::fail(const WaitingRequestPtr& request, const Error& why) {
   if (close(request)) contained([&] { request->listener().failed(why); });
 }
 
-void Maker::stop() {
+void RevisionScheduler::stop() {
   std::set<WaitingRequestPtr> requests;
   {
     const std::scoped_lock lock(mutex_);
