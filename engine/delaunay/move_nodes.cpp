@@ -1,5 +1,5 @@
 // Moving nodes: Delaunay again by bistellar flips, and by taking out and putting in what flips
-// cannot mend.
+// cannot restore.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -66,7 +66,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     }
     going = std::move(held);
   }
-  // What flips could not mend: the corners of a facet that is not Delaunay come out too.
+  // What flips could not restore: the corners of a facet that is not Delaunay come out too.
   for (const std::int32_t facet : unflipped) {
     const Slot& s = slots_[facet >> 2];
     const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];

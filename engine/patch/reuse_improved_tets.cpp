@@ -10,7 +10,7 @@ namespace remeshd {
 
 namespace {
 
-/// A tet this bad next to carried ones is not for the clean-up to mend.
+/// A tet of a lower measure next to reused ones is beyond the clean-up.
 constexpr double kSpoilt = 0.02;
 
 /// The new mesh seen through the original's cavities.
@@ -126,7 +126,7 @@ class TetReuse {
     return image_[k] < 0 || cavities_.of_tet[image_[k]] < 0;
   }
 
-  /// Delivered position where a carried tet holds the node, else that of the Delaunay mesh.
+  /// Output position where a reused tet holds the node, else that of the Delaunay mesh.
   [[nodiscard]] std::vector<Vec3> positions() const {
     std::vector<Vec3> p = nodes_.positions;
     for (std::int32_t n = 0; n < nodes_.size(); ++n)
@@ -147,7 +147,7 @@ class TetReuse {
           for (const std::int32_t n : t) held_[n] = 1;
   }
 
-  /// Gives back what was carried at the nodes of tets that the output positions have spoilt.
+  /// Takes back what was reused at the nodes of tets that the output positions have spoilt.
   /// Returns whether anything was.
   bool give_back_spoilt() {
     hold_nodes();
@@ -167,7 +167,7 @@ class TetReuse {
       bool released = false;
       for (const std::int32_t n : t)
         if (n >= nodes_.interface_nodes && spoils(n)) release[n] = 1, released = true;
-      if (!released && std::ranges::any_of(t, spoils)) throw PatchTooSmall{"carrying tets over"};
+      if (!released && std::ranges::any_of(t, spoils)) throw PatchTooSmall{"reusing improved tets"};
       any |= released;
     }
     if (!any) return false;
@@ -221,7 +221,7 @@ class TetReuse {
   Polling poll_;
   const Cavities& cavities_;
   std::vector<std::uint8_t> unmoved_;  ///< by node: still the exact copy of its original
-  std::vector<std::uint8_t> held_;     ///< by node: a carried tet holds it
+  std::vector<std::uint8_t> held_;     ///< by node: a reused tet holds it
   std::vector<std::int32_t> image_;    ///< by tet: the same Delaunay tet of the original, or -1
   std::vector<std::uint8_t> reused_;   ///< by tet
   std::vector<std::uint8_t> reused_cavity_;    ///< by cavity

@@ -25,17 +25,17 @@ struct ReusedMesh {
   SameTets same;
 };
 
-/// Carries the original's cleaned-up mesh over to where the new Delaunay mesh has the same tets.
+/// Reuses the parent's improved tets wherever the new Delaunay mesh has the same Delaunay tets.
 ///
 /// Clean-up replaces cavities of Delaunay tets by cavities of others with the same hull. A cavity
 /// whose Delaunay tets are all in the new mesh, copied with one transformation, is replaced again;
-/// a Delaunay tet that clean-up left alone stands for itself. Nodes of carried tets take their
-/// output position; where that would spoil a tet next to them, what was carried round them is
-/// given back.
+/// a Delaunay tet that clean-up left alone stands for itself. Nodes of reused tets take their
+/// output position; where that would spoil a tet next to them, the tets round them are not
+/// reused.
 ///
 /// `peeled`: the new peeled Delaunay mesh over `nodes`, made out of that of `original`: a tet that
 /// was left alone stands in the same slot. `transforms`: as in CopyPlan. Interface nodes keep
-/// their output position; throws PatchTooSmall where one of them would have to be given back.
+/// their output position; throws PatchTooSmall where one of them would have to move.
 ReusedMesh reuse_improved_tets(const NodeSet& nodes, const PeeledMesh& peeled,
                                const MeshPatch& original, std::span<const Transform> transforms,
                                const Run& run);

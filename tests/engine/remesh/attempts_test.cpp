@@ -74,7 +74,7 @@ TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
                                                    "local, 8 edge lengths"));
   expect_told(made.report);
   EXPECT_EQ(made.report.attempts[0].reason,
-            "the part cut out of the base did not suffice for carrying tets over");
+            "the part cut out of the base did not suffice for reusing improved tets");
   EXPECT_THAT(made.report.attempts.back().reason, StartsWith("the quality had drifted: "));
 }
 
