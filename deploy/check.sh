@@ -2,7 +2,7 @@
 # What a developer runs before a commit, some ten minutes on two cores from a warm build:
 #
 #   check.sh          # format, rules of the tree, protocol, lint of what changed, tests with asserts
-#   check.sh --all    # lint of everything, all tests, and again under AddressSanitizer and UBSan
+#   check.sh --all    # lint of everything, all tests, again as released, and under ASan and UBSan
 #
 # What changed is told against the upstream branch, or the last commit where there is none. Stops at
 # the first step that fails.
@@ -55,6 +55,8 @@ fi
 step "tests"
 if [ -n "$all" ]; then
   ctest --preset dev --parallel "$(nproc)"
+  step "tests as released"
+  "$here/test.sh" release
   step "tests under ASan and UBSan"
   "$here/test.sh" asan
 else

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs every test: test.sh [PRESET] (default `release`).
+# Installs what is missing, builds and runs every test: test.sh [PRESET] (default `dev`: optimised,
+# asserts on, warnings are errors).
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$here/.."
 
-preset=${1:-release}
+preset=${1:-dev}
 "$here/build.sh" "$preset"
 ctest --preset "$preset" --parallel "$(nproc)"

@@ -18,7 +18,7 @@ class StoreFolder {
   StoreFolder()
       : path_(std::filesystem::temp_directory_path() /
               ("remeshd-session-test-" + std::to_string(::getpid()) + "-" +
-               std::to_string(++count_))) {}
+               std::to_string(++count))) {}
   ~StoreFolder() { std::filesystem::remove_all(path_); }
   StoreFolder(const StoreFolder&) = delete;
   StoreFolder& operator=(const StoreFolder&) = delete;
@@ -39,7 +39,7 @@ class StoreFolder {
   }
 
  private:
-  static inline std::atomic<int> count_ = 0;
+  static inline std::atomic<int> count = 0;
   std::filesystem::path path_;
 };
 
