@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/model/feature_model.h"
@@ -22,15 +23,16 @@ ModelSource plate(double radius) {
 }
 
 struct Meshes {
-  Revision first, edited;
+  Revision first, edited, morphed;
 };
 
-/// Of the plate and of an edit of its hole.
+/// Of the plate and of edits of its hole, by much and by so little that the connectivity is kept.
 const Meshes& meshes() {
   static const Meshes made = [] {
     Meshes m;
     m.first = make_revision(Revision::none(), plate(2), {.nodes = 700}, Run{});
     m.edited = make_revision(m.first, plate(2.2), {}, Run{});
+    m.morphed = make_revision(m.first, plate(2.002), {}, Run{});
     return m;
   }();
   return made;
@@ -59,7 +61,10 @@ std::size_t some_node(const Revision& r, bool boundary) {
 TEST(Verifier, FindsNothingInGoodMeshes) {
   std::set<std::uint64_t> nodes, tets;
   EXPECT_EQ(list(verify_independently(meshes().first, nullptr, nodes, tets)), "");
-  EXPECT_EQ(list(verify_independently(meshes().edited, &meshes().first, nodes, tets)), "");
+  for (const Revision* edited : {&meshes().edited, &meshes().morphed}) {
+    std::set<std::uint64_t> nodes_then = nodes, tets_then = tets;
+    EXPECT_EQ(list(verify_independently(*edited, &meshes().first, nodes_then, tets_then)), "");
+  }
 }
 
 TEST(Verifier, FindsAnInvertedTet) {
@@ -166,6 +171,58 @@ TEST(Verifier, FindsAnIdThatAnAncestorHad) {
                                meshes().edited.output.tet_ids.end()};
   const Findings findings = verify_independently(meshes().edited, &meshes().first, nodes, tets);
   EXPECT_TRUE(findings.has("tet ids")) << list(findings);
+}
+
+/// The first id of some that others have not.
+std::uint64_t lost(const CowVector<std::uint64_t>& before, const CowVector<std::uint64_t>& now) {
+  const std::set<std::uint64_t> there(now.begin(), now.end());
+  return *std::ranges::find_if(before, [&](std::uint64_t id) { return !there.contains(id); });
+}
+
+TEST(Verifier, FindsANewNodeWithAnIdThatTheBaseHad) {
+  Revision r = meshes().edited;
+  OutputMesh& mesh = r.output;
+  std::size_t node = 0;
+  while (mesh.map.node_origin[node] != NodeOrigin::New) ++node;
+  mesh.node_ids.edit(node) = lost(meshes().first.output.node_ids, mesh.node_ids);
+  EXPECT_EQ(list(verify_edited(r)),
+            "node ids: a new one with an id that an earlier mesh of the chain had\n");
+}
+
+constexpr const char* kOldTetId =
+    "tet ids: a new one with an id that an earlier mesh of the chain had\n";
+
+TEST(Verifier, FindsANewTetWithAnIdThatTheBaseHad) {
+  Revision r = meshes().edited;
+  OutputMesh& mesh = r.output;
+  std::size_t tet = 0;
+  while (mesh.map.original_tet[tet] >= 0) ++tet;
+  mesh.tet_ids.edit(tet) = lost(meshes().first.output.tet_ids, mesh.tet_ids);
+  EXPECT_EQ(list(verify_edited(r)), kOldTetId);
+}
+
+TEST(Verifier, AllowsADeformedTetTheIdThatItHadAndNoOther) {
+  Revision r = meshes().morphed;
+  ASSERT_EQ(r.report.strategy, MeshStrategy::Morphed);
+  CowVector<std::uint64_t>& ids = r.output.tet_ids;
+  const CowVector<std::int32_t>& original = r.output.map.original_tet;
+  ASSERT_GT(std::ranges::count(original.flat(), -1), 10);
+  std::size_t a = 0;
+  while (original[a] >= 0) ++a;
+  std::size_t b = a + 1;
+  while (original[b] >= 0) ++b;
+  ASSERT_EQ(ids[a], meshes().first.output.tet_ids[a]);
+  std::swap(ids.edit(a), ids.edit(b));
+  EXPECT_EQ(list(verify_edited(r)), kOldTetId);
+}
+
+TEST(Verifier, FindsATetThatIsToldAsNewThoughNothingOfItMoved) {
+  Revision r = meshes().morphed;
+  CowVector<std::int32_t>& original = r.output.map.original_tet;
+  std::size_t kept = 0;
+  while (original[kept] < 0) ++kept;
+  original.edit(kept) = -1;
+  EXPECT_EQ(list(verify_edited(r)), kOldTetId);
 }
 
 TEST(Verifier, FindsAKeptTetOfOtherNodes) {

@@ -128,6 +128,45 @@ TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
   EXPECT_EQ(at_vertices, static_cast<int>(s.cells.boundary.vertices.size()));
 }
 
+/// What becomes of a fixed node beside or on a vertex when the vertices of the model pull alone.
+NodeSet pulled_by_vertices(const Scene& s, NodeSet nodes, double l) {
+  nodes.free.assign(nodes.free.size(), 0);
+  const std::span vertices = std::span(s.everything).subspan(s.samples.vertices_begin);
+  pull(nodes, s.cells.boundary, s.samples, vertices, {.edge_length = l});
+  return nodes;
+}
+
+TEST(PullBoundary, NodesAtTheInterfaceOfAPatchAreNotTakenForVertices) {
+  const Scene s("simple-a", 8);
+  const std::size_t vertices = s.cells.boundary.vertices.size();
+  const Vec3 beside = s.cells.boundary.vertices[0].position + Vec3{0.5, 0.5, 0.5};
+  NodeSet nodes;
+  nodes.add_new(beside);
+  const NodeSet of_model = pulled_by_vertices(s, nodes, 8);
+  EXPECT_EQ(of_model.positions[0], s.cells.boundary.vertices[0].position);
+  EXPECT_EQ(of_model.positions.size(), vertices);
+  nodes.interface_nodes = 1;
+  const NodeSet of_patch = pulled_by_vertices(s, nodes, 8);
+  EXPECT_EQ(of_patch.positions[0], beside);
+  EXPECT_FALSE(of_patch.free[0]);
+  EXPECT_EQ(of_patch.positions.size(), vertices + 1);
+}
+
+TEST(PullBoundary, ANodeOnAVertexIsNotTakenForAnotherVertexNearby) {
+  const Scene s("simple-a", 8);
+  const auto& vertices = s.cells.boundary.vertices;
+  NodeSet nodes;
+  nodes.add_new(vertices[0].position, {Support::Kind::Vertex, 0});
+  double nearest = HUGE_VAL;
+  for (std::size_t v = 1; v < vertices.size(); ++v)
+    nearest = std::min(nearest, distance(vertices[v].position, vertices[0].position));
+  const double l = 2 * nearest;  // so that other vertices reach for it
+  const NodeSet pulled = pulled_by_vertices(s, nodes, l);
+  EXPECT_EQ(pulled.positions[0], vertices[0].position);
+  EXPECT_EQ(pulled.supports[0], nodes.supports[0]);
+  EXPECT_EQ(pulled.positions.size(), vertices.size());
+}
+
 TEST(PullBoundary, ANodeBetweenTwoFarSidesIsSplit) {
   // A plate thinner than the edge length: one node in the middle serves neither of its sides.
   FeatureModel model = evaluate(test::one_feature(

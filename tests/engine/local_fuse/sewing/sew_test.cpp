@@ -1,6 +1,7 @@
 #include "engine/local_fuse/sewing/sew.h"
 #include "engine/local_fuse/local_fuse.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/base/error.h"
@@ -20,6 +21,7 @@ using test::block;
 using test::cylinder;
 using test::difference_of;
 using test::placed;
+using testing::ElementsAre;
 
 /// A model with its cells, however they were made.
 struct Made {
@@ -177,6 +179,62 @@ TEST(StitchTest, ChainsOfEditsStayExact) {
   // And back: nothing of the way is left.
   EXPECT_EQ(difference_of(Made(start).cells, Made(start, made).cells), "");
   EXPECT_NEAR(Made(start, made).cells.volume, Made(start).cells.volume, 1e-8);
+}
+
+/// How parts came about, and why not otherwise.
+std::vector<std::string> told(const ModelSource& edited, const ModelSource& base) {
+  const FeatureModel model = evaluate(edited), before = evaluate(base);
+  const Membership membership(model);
+  const CellularModel cells = build_cells(before, kRun);
+  const Sewn sewn = sew({model, membership}, {before, *cells.parts}, kRun);
+  std::vector<std::string> all;
+  for (const GeometryAttempt& attempt : sewn.given_up)
+    all.push_back(attempt.route + ": " + attempt.reason);
+  all.emplace_back(sewn.parts ? sewn.parts->geometry : "none");
+  // The cells that are made of it tell the same.
+  const CellularModel from_base = build_cells(model, before, cells, kRun);
+  EXPECT_EQ(from_base.geometry_attempts, sewn.given_up);
+  EXPECT_EQ(from_base.parts->geometry, sewn.parts ? sewn.parts->geometry : "fused");
+  return all;
+}
+
+TEST(StitchTest, TellsHowPartsCameAboutAndWhyNotOtherwise) {
+  const auto pin_at = [](double x) {
+    return test::model_of({block("plate", 40, 40, 5), placed(cylinder("pin", 3, 6), x, 0, 2)});
+  };
+  EXPECT_EQ(told(pin_at(0), pin_at(0)).back(), "kept");
+  EXPECT_THAT(told(pin_at(0), pin_at(1)), ElementsAre("swept"));
+
+  const auto pipe_with_fin_at = [](double x) {
+    return test::model_of({cylinder("pipe", 4, 10), placed(block("fin", 10, 2, 3), x, 0, 4)});
+  };
+  EXPECT_THAT(told(pipe_with_fin_at(5), pipe_with_fin_at(6)),
+              ElementsAre("swept: planar_arrangement: a round side meets or nearly meets a side of "
+                          "another outline",
+                          "crossed"));
+
+  const auto ball_at = [](double x, bool boss_too) {
+    const FeatureSource ball = test::feature("ball", "sphere", {{"radius", 6.0}});
+    std::vector<FeatureSource> all{block("plate", 40, 40, 5), placed(ball, x, 0, 5)};
+    if (boss_too) all.push_back(placed(block("boss", 4, 4, 4), -15, -15, 5));
+    return test::model_of(all);
+  };
+  const std::string no_prism = "sweeps: a feature is neither a prism nor a cylinder";
+  EXPECT_THAT(told(ball_at(0, true), ball_at(1, true)),
+              ElementsAre("swept: " + no_prism, "crossed: " + no_prism, "fused in part"));
+  EXPECT_THAT(told(ball_at(0, false), ball_at(1, false)),
+              ElementsAre("swept: " + no_prism, "crossed: " + no_prism,
+                          "fused in part: sew: every feature is near the change", "none"));
+}
+
+TEST(StitchTest, FarFromTheBasesPointOfReferenceAllIsFused) {
+  const auto block_at = [](double x) {
+    return test::model_of({placed(block("b", 1, 1, 1), x, 0, 0)});
+  };
+  EXPECT_THAT(told(block_at(5), block_at(0)), ElementsAre("swept"));
+  const std::string far = ": sew: the base's point of reference is far from the model";
+  EXPECT_THAT(told(block_at(20), block_at(0)),
+              ElementsAre("swept" + far, "crossed" + far, "fused in part" + far, "none"));
 }
 
 TEST(StitchTest, CellsAreThereWhenAskedFor) {
