@@ -34,9 +34,11 @@ class DelaunayMesh {
   /// Whether nodes anywhere in the box are well within the super vertices.
   [[nodiscard]] bool encloses(const Box& box) const;
 
-  /// A mesh without nodes inside the same super vertices.
+  /// A mesh without nodes inside the same super vertices. A patch is too small for that.
   [[nodiscard]] DelaunayMesh emptied() const {
-    return DelaunayMesh(std::span<const Vec3>(points_));
+    DelaunayMesh mesh{std::span<const Vec3>(points_)};
+    mesh.patch_too_small_ = !exterior_.empty();
+    return mesh;
   }
 
   /// Inserts nodes at `positions[node]`, in an order along a space-filling curve of its own choice.

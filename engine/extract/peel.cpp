@@ -60,9 +60,7 @@ class Peeling {
     return std::move(mesh_);
   }
 
-  [[nodiscard]] Known known_of(std::int32_t slot) const {
-    return known_.tets.empty() ? Known::No : known_.tets[slot];
-  }
+  [[nodiscard]] Known known_of(std::int32_t slot) const { return known_.tets[slot]; }
 
  private:
   /// The tets in the model and, by tet, its neighbours: their tet, kBeyond, or -1 outside.

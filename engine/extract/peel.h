@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/inside_test.h"
@@ -16,9 +17,14 @@ struct PeelOptions {
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 
-/// What is known of a patch's tets from before; nothing of a whole mesh.
+/// What is known of a mesh's tets from before.
 struct KnownClassification {
   enum class Known : std::uint8_t { No, Inside, Outside };
+  /// Nothing; `exterior`: of a patch.
+  static KnownClassification nothing(const DelaunayMesh& mesh,
+                                     std::vector<std::uint8_t> exterior = {}) {
+    return {std::vector(mesh.slots(), Known::No), std::move(exterior)};
+  }
   std::vector<Known> tets;             ///< by slot: whether it is in the model
   std::vector<std::uint8_t> exterior;  ///< by number of PagedDelaunay::Cut::exterior: 1 if it is
 };
@@ -36,7 +42,7 @@ struct PeeledMesh {
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
 /// they show two facets and are of low quality.
 ///
-/// `known`: of a patch.
+/// `known`: of all slots.
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
                 const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run);

@@ -73,7 +73,6 @@ void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_le
   FaceVisitor visitor(nodes, source, edge_length, run);
   for (const Solid& solid : source.modified().solids())
     visitor.visit(solid, {}, {}, source.changed());
-  if (!source.original()) return;
   for (std::size_t t = 0; t < source.transforms().size(); ++t) {
     // Copies made by this transformation end up within its features' new extent.
     std::vector<Box> where;
@@ -84,13 +83,13 @@ void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_le
         if (s.transform == static_cast<std::int32_t>(t) && s.volume > 0)
           where.push_back(source.modified().solids()[s.modified].bounds());
     }
-    for (std::size_t o = 0; o < source.original()->solids().size(); ++o) {
+    for (std::size_t o = 0; o < source.original().solids().size(); ++o) {
       const auto visited = [&](const SourceFeature& s) {  // as one of the modified model
         return s.same_shape && s.original == static_cast<int>(o) &&
                s.transform == static_cast<std::int32_t>(t);
       };
       if (std::ranges::none_of(source.sources(), visited))
-        visitor.visit(source.original()->solids()[o], source.transforms()[t], source.inverses()[t],
+        visitor.visit(source.original().solids()[o], source.transforms()[t], source.inverses()[t],
                       where);
     }
   }

@@ -54,7 +54,7 @@ class Copier {
         at_(tets_at_nodes(original)),
         extent_(source.transforms().size()) {
     for (const SourceFeature& s : source.sources())
-      extent_[s.transform].push_back(source.original()->solids()[s.original].bounds());
+      extent_[s.transform].push_back(source.original().solids()[s.original].bounds());
   }
 
   /// Whether the node may belong to material that this transformation moves.

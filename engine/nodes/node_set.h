@@ -22,8 +22,6 @@ struct NodeSet {
   std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
-  /// Whether the set is that of a patch, not of a whole mesh.
-  [[nodiscard]] bool of_patch() const { return interface_nodes > 0 || elsewhere > 0; }
   /// `from`, `by`: the node that it is a copy of and its transformation, -1 for new ones.
   void add(const Vec3& p, const Support& support, bool is_free, std::int32_t from,
            std::int32_t by) {

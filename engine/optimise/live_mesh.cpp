@@ -54,8 +54,6 @@ void LiveMesh::restart(const NodeSet& nodes) {
     if (in_base_[n] && base_.position(n) != nodes.positions[n]) gone.push_back(n);
   if (base_.remove(gone, run_)) {
     for (const std::int32_t n : gone) in_base_[n] = 0;
-  } else if (nodes.of_patch()) {
-    throw PatchTooSmall{"starting again from the fixed nodes"};
   } else {
     base_ = base_.emptied();
     in_base_.assign(in_base_.size(), 0);

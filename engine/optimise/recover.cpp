@@ -129,8 +129,8 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
       // Between two interface nodes there may be others that are not in the patch.
       const auto at_rim = [&](const OnEdge& on) { return on.node < nodes.interface_nodes; };
       const bool elsewhere =
-          nodes.of_patch() && (chain[e].empty() ? !std::ranges::binary_search(options.wanted, e)
-                                                : std::ranges::any_of(chain[e], at_rim));
+          chain[e].empty() ? nodes.elsewhere > 0 && !std::ranges::binary_search(options.wanted, e)
+                           : std::ranges::any_of(chain[e], at_rim);
       if (edge.closed() && nodes_on < 3 && !elsewhere) {
         const double from = chain[e].empty() ? 0 : chain[e].front().at;
         for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);

@@ -44,12 +44,11 @@ bool same_shape(const Feature& a, const Feature& b) {
 
 CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
                    const Run& run)
-    : modified_(modified), probe_(kProbe * modified_.bounds().diagonal()) {
-  if (original.features.empty()) {
+    : modified_(modified), original_(original), probe_(kProbe * modified_.bounds().diagonal()) {
+  if (!copies()) {
     changed_.push_back(modified_.bounds());
     return;
   }
-  original_.emplace(original);
   match(original, modified);
   measure(edge_length, run);
 }
@@ -87,10 +86,10 @@ void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified)
     last = std::max(last, o);
     if (transform == identity_ && in_order && then.nature == now.nature && same) continue;
     changed_.push_back(box);
-    changed_.push_back(original_->solids()[o].bounds());
+    changed_.push_back(original_.solids()[o].bounds());
   }
   for (std::size_t o = 0; o < matched.size(); ++o)
-    if (!matched[o]) changed_.push_back(original_->solids()[o].bounds());
+    if (!matched[o]) changed_.push_back(original_.solids()[o].bounds());
   for (Box& box : changed_) {  // a box's own rounding must not decide
     const Vec3 margin{probe_ * 10, probe_ * 10, probe_ * 10};
     box.lo -= margin;
@@ -113,7 +112,7 @@ void CopyPlan::measure(double edge_length, const Run& run) {
         for (SourceFeature& s : sources_) {
           if (!modified_.contains(s.modified, p)) continue;
           const Vec3 q = s.to_original.apply(p);
-          if (original_->contains(s.original, q) && original_->inside(q)) s.volume += h * h * h;
+          if (original_.contains(s.original, q) && original_.inside(q)) s.volume += h * h * h;
         }
       }
   }
@@ -134,12 +133,11 @@ bool CopyPlan::meets_changed(const Box& box) const {
 
 std::int32_t CopyPlan::operator()(const Vec3& p) const {
   if (!modified_.inside(p)) return kOutside;
-  if (!original_) return kNew;
   if (!in_changed(p)) return identity_;
   for (const SourceFeature& s : sources_) {
     if (!modified_.contains(s.modified, p)) continue;
     const Vec3 q = s.to_original.apply(p);
-    if (original_->contains(s.original, q) && original_->inside(q)) return s.transform;
+    if (original_.contains(s.original, q) && original_.inside(q)) return s.transform;
   }
   return kNew;
 }
@@ -153,8 +151,8 @@ bool CopyPlan::active_face(const Vec3& p, const Vec3& n) const {
   const bool boundary_now = inside0 != inside1;
   const std::int32_t t = inside0 ? source[0] : source[1];
   if (t == kNew) return false;
-  const bool then0 = original_->inside(inverses_[t].apply(side[0]));
-  const bool then1 = original_->inside(inverses_[t].apply(side[1]));
+  const bool then0 = original_.inside(inverses_[t].apply(side[0]));
+  const bool then1 = original_.inside(inverses_[t].apply(side[1]));
   return boundary_now != (then0 != then1);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -68,8 +67,9 @@ class CopyPlan {
   [[nodiscard]] bool meets_changed(const Box& box) const;
 
   [[nodiscard]] const Membership& modified() const { return modified_; }
-  /// Null where the original model has no features.
-  [[nodiscard]] const Membership* original() const { return original_ ? &*original_ : nullptr; }
+  [[nodiscard]] const Membership& original() const { return original_; }
+  /// Whether the original model has features, which may supply nodes.
+  [[nodiscard]] bool copies() const { return !original_.solids().empty(); }
   [[nodiscard]] double probe() const { return probe_; }
 
  private:
@@ -78,7 +78,7 @@ class CopyPlan {
   std::int32_t find_transform(const Feature& original, const Feature& modified);
 
   Membership modified_;
-  std::optional<Membership> original_;
+  Membership original_;
   std::vector<Transform> transforms_, inverses_;
   std::vector<SourceFeature> sources_;
   std::vector<Box> changed_;

@@ -36,7 +36,7 @@ class Problem {
   /// Where the entities of the parent's boundary are in the modified one.
   [[nodiscard]] const EntityMap& entities() const;
   /// Whether there are features that nodes may be copied of.
-  [[nodiscard]] bool copies() const { return plan().original() != nullptr; }
+  [[nodiscard]] bool copies() const { return plan().copies(); }
 
  private:
   mutable std::unique_ptr<const CopyPlan> plan_;

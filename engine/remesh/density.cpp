@@ -23,15 +23,16 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
   if (options.size && !(std::isfinite(*options.size) && *options.size > 0))
     throw error::options_invalid("size", "the edge length has to be a positive number");
   const double volume = cells.volume, area = cells.area;
+  const bool first = parent.output.mesh.tets.empty();
   Density density;
   if (options.size) {
     density.edge_length = *options.size;
     density.nodes_per_volume = expected_nodes(volume, area, density.edge_length) / volume;
-  } else if (options.nodes || parent.output.mesh.tets.empty()) {
+  } else if (first || options.nodes) {
     const std::uint32_t nodes = options.nodes.value_or(kDefaultNodes);
     density.edge_length = edge_length_for(volume, area, nodes);
     density.nodes_per_volume = nodes / volume;
-    if (parent.output.mesh.tets.empty()) density.count = nodes;
+    if (first) density.count = nodes;
   } else {
     density.edge_length = parent.edge_length;
     // What the edge length says, not what the parent has: small errors of many edits would add

@@ -85,14 +85,10 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
   const MeshPatch& patch = local.patch;
   StartMesh start{DelaunayMesh(bounds), std::vector<std::uint8_t>(nodes.positions.size(), 0)};
   const auto without = [&] {
-    if (nodes.of_patch()) throw PatchTooSmall{"taking out the free nodes"};
+    if (patch.mesh.emptied().patch_too_small()) throw PatchTooSmall{"taking out the free nodes"};
     return start;
   };
-  if (patch.nodes.empty() && nodes.of_patch()) {  // nothing changes
-    start.mesh = patch.mesh;
-    return start;
-  }
-  if (patch.nodes.empty() || !patch.mesh.encloses(bounds)) return without();
+  if (!patch.mesh.encloses(bounds)) return without();
   std::vector<std::int32_t> name(patch.nodes.size(), -1);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.original[n] >= 0 && !nodes.free[n] &&
@@ -132,8 +128,10 @@ std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) 
   return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
 }
 
-/// All that the density says, as a number of nodes, where it is not asked for by an edge length.
+/// For a mesh of new nodes alone: all that the density says, as a number of nodes, where it is not
+/// asked for by an edge length.
 Density counted(Density density, const Revision& modified) {
+  density.inherited = false;
   if (!modified.options.size)
     density.count = std::lround(density.nodes_per_volume * modified.cells.volume);
   return density;
@@ -194,7 +192,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
            .seed = task.seed},
            run)))
     near.add_new(p);
-  if (plan.original() != nullptr) {  // new nodes alone are free, and spread evenly
+  if (plan.copies()) {  // new nodes alone are free, and spread evenly
     free_at_active_faces(near, plan, l, run);
     decimate_close_nodes(near, l);
   }
@@ -245,8 +243,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                sampled.inside, sampled.samples,
                {.edge_length = task.density.edge_length,
                 .iterations = task.options.iterations,
-                .insert_at_circumcentres =
-                    task.plan.original() != nullptr && !task.all_free && task.density.inherited,
+                .insert_at_circumcentres = !task.all_free && task.density.inherited,
                 .rebuild = task.options.rebuild},
                task.run);
   Counts& counts = attempt.counts;

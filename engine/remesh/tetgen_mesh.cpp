@@ -163,7 +163,8 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
   c.nodes.positions = mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   const auto inside = [&](const Vec3& p) { return input.plan.modified().inside(p); };
-  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside, {}, {}, run);
+  c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside,
+                    KnownClassification::nothing(c.loop.mesh), {}, run);
   c.whole = stitch(Revision::none(), {}, {}, {c.nodes, c.loop.mesh, c.delaunay, mesh, {}},
                    input.plan, run);
   for (SurfaceFacet& facet : c.verification.surface) facet.tet = c.whole.new_tets[facet.tet];

@@ -45,8 +45,6 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
     for (std::int32_t& n : t) n = number[n];
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
-  } else if (nodes.of_patch()) {
-    throw PatchTooSmall{"leaving out nodes"};
   } else {
     mesh = mesh.emptied();
     std::vector<std::int32_t> all(next);
@@ -60,10 +58,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
 /// as they were and meet no changed box.
 KnownClassification known_classification(const NodeSet& nodes, const DelaunayMesh& mesh,
                                          const MeshPatch& patch, const CopyPlan& plan) {
-  KnownClassification known;
-  if (!nodes.of_patch()) return known;
-  known.exterior = patch.exterior;
-  known.tets.assign(mesh.slots(), KnownClassification::Known::No);
+  KnownClassification known = KnownClassification::nothing(mesh, patch.exterior);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(patch.mesh.slots()); ++s) {
     if (!mesh.in_use(s)) continue;
     const Tet then = patch.mesh.corners(s), now = mesh.corners(s);
@@ -131,10 +126,9 @@ std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
 ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                       bool clean_up) {
   const MeshOptions& options = task.options;
-  const bool copied = task.plan.original() && options.clean_up;
-  ReusedMesh reused =
-      copied ? reuse_improved_tets(c.nodes, c.delaunay, patch, task.plan.transforms(), task.run)
-             : all_new(c);
+  ReusedMesh reused = options.clean_up ? reuse_improved_tets(c.nodes, c.delaunay, patch,
+                                                             task.plan.transforms(), task.run)
+                                       : all_new(c);
   task.run.report("improve", 0.85);
   c.bad_at_interface = 0;
   if (!clean_up) return reused;
@@ -142,13 +136,10 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
       improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
               {.threshold = options.threshold, .locked = c.nodes.interface_nodes}, task.run);
   c.bad_at_interface = improved.bad_at_interface;
-  SameTets same;
-  if (copied)
-    same = {looked_up(reused.same.peeled, improved.was),
-            looked_up(reused.same.output, improved.was)};
-  else
-    same.peeled = std::move(improved.was);  // which was cleaned up as it is
-  return {std::move(improved.mesh), {}, std::move(same)};
+  return {
+      std::move(improved.mesh),
+      {},
+      {looked_up(reused.same.peeled, improved.was), looked_up(reused.same.output, improved.was)}};
 }
 
 StitchedMesh put_together(Candidate& c, const MeshingTask& task, const MeshPatch& patch,

@@ -28,7 +28,8 @@ PeeledMesh peeled_cube(int missing) {
   std::iota(all.begin(), all.end(), 0);
   delaunay.insert(nodes.positions, all, kRun);
   return peel(
-      nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); }, {}, {}, kRun);
+      nodes, delaunay, boundary, [&](const Vec3& p) { return membership.inside(p); },
+      KnownClassification::nothing(delaunay), {}, kRun);
 }
 
 TEST(Peel, OfACubeLeavesTwoTetsOnEachSide) {
