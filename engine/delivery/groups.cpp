@@ -4,7 +4,7 @@
 #include <map>
 
 #include "engine/delivery/facet_names.h"
-#include "engine/improve/boundary_rules.h"
+#include "engine/boundary/facet_faces.h"
 
 namespace remeshd {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
-#include "engine/extract/common_face.h"
+#include "engine/boundary/facet_faces.h"
 #include "engine/mesh/quality.h"
 
 namespace remeshd {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/boundary/face_distance.h"
-#include "engine/improve/edge_chains.h"
+#include "engine/boundary/edge_chains.h"
 
 namespace remeshd {
 namespace {
@@ -12,65 +11,12 @@ namespace {
 /// A facet is upright on its face while the normals differ by less than 60 degrees; meshes that
 /// resolve a curved face at all stay far below.
 constexpr double kUprightCosine = 0.5;
-/// Normals that fit a facet this evenly do not tell whose it is: faces that cross at less than 18
-/// degrees.
-constexpr double kSameFit = 0.05;
 
 std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
   return a < b ? std::pair{a, b} : std::pair{b, a};
 }
 
 }  // namespace
-
-FacetFaces::FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports)
-    : boundary_(boundary), supports_(supports), faces_(boundary) {}
-
-int FacetFaces::face_of(const Triangle& facet, const Vec3& a, const Vec3& b, const Vec3& c) const {
-  const auto at_b = faces_of(facet[1]);
-  const auto at_c = faces_of(facet[2]);
-  int best = -1;
-  double best_fit = 0;
-  Vec3 centroid;
-  Vec3 normal;
-  for (const int f : faces_of(facet[0])) {
-    if (std::find(at_b.begin(), at_b.end(), f) == at_b.end()) continue;
-    if (std::find(at_c.begin(), at_c.end(), f) == at_c.end()) continue;
-    if (best < 0) {
-      best = f;
-      continue;
-    }
-    if (norm2(normal) == 0) {
-      centroid = (a + b + c) / 3.0;
-      normal = cross(b - a, c - a);
-      best_fit = dot(normal, outward(best, centroid));
-    }
-    const double fit = dot(normal, outward(f, centroid));
-    const bool better = std::fabs(fit - best_fit) > kSameFit * norm(normal)
-                            ? fit > best_fit
-                            : face_distance2(f, centroid) < face_distance2(best, centroid);
-    if (!better) continue;
-    best_fit = fit;
-    best = f;
-  }
-  return best;
-}
-
-double FacetFaces::face_distance2(int face, const Vec3& p) const {
-  const BoundaryFace& f = boundary_.faces[face];
-  return remeshd::face_distance2(f, project(f.surface, p));
-}
-
-Vec3 FacetFaces::outward(int face, const Vec3& p) const {
-  const BoundaryFace& f = boundary_.faces[face];
-  const Vec3 n = normal(f.surface, p);
-  return f.reversed ? -n : n;
-}
-
-double FacetFaces::height(int face, const Vec3& p) const {
-  const BoundaryFace& f = boundary_.faces[face];
-  const double d = signed_distance(f.surface, p);
-  return f.reversed ? -d : d;
-}
 
 BoundaryRules::BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,
                              const LocalMesh& mesh, double chord_tolerance)
@@ -81,7 +27,7 @@ BoundaryRules::BoundaryRules(const BoundaryModel& boundary, std::span<const Supp
       faces_(boundary, supports) {
   for (const auto& chain : edge_chains(boundary, supports, mesh.nodes()))
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      segments_.push_back(ordered(chain[i], chain[i + 1]));
+      segments_.push_back(ordered(chain[i].node, chain[i + 1].node));
   std::sort(segments_.begin(), segments_.end());
 }
 

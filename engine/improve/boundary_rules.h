@@ -1,50 +1,15 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "engine/cellular/boundary_model/support.h"
-#include "engine/extract/common_face.h"
+#include "engine/boundary/facet_faces.h"
 #include "engine/improve/local_mesh.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
-
-/// Which model faces a node with a support stands on, and which one a boundary facet represents.
-class FacetFaces {
- public:
-  /// Keeps references to both arguments.
-  FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports);
-
-  /// Faces that a node stands on, ascending; none in the interior.
-  [[nodiscard]] std::span<const int> faces_of(std::int32_t node) const {
-    return faces_(supports_[node]);
-  }
-  /// The common face of the three nodes, which are at a, b and c, -1 if there is none. Where they
-  /// share several (nodes on an edge curve), the one whose outward normal the facet's fits best; of
-  /// those that it fits evenly, as on a strip of a wall that stands out of another by little, the
-  /// one that lies there.
-  [[nodiscard]] int face_of(const Triangle& facet, const Vec3& a, const Vec3& b,
-                            const Vec3& c) const;
-  /// Unit normal of the face out of the material.
-  [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
-  /// Signed distance of p from the face's surface, positive outside of the material.
-  [[nodiscard]] double height(int face, const Vec3& p) const;
-  [[nodiscard]] double deviation(int face, const Vec3& p) const {
-    return std::fabs(height(face, p));
-  }
-
- private:
-  /// Of p, brought onto the face's surface, from the face.
-  [[nodiscard]] double face_distance2(int face, const Vec3& p) const;
-
-  const BoundaryModel& boundary_;
-  std::span<const Support> supports_;
-  FacesOf faces_;
-};
 
 /// What the clean-up may do to the boundary of a mesh: the surface stays a manifold, its facets
 /// stay on their model faces and the chains along model edges stay.

@@ -4,82 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/boundary/edge_chains.h"
+
 namespace remeshd {
 
 namespace {
 
 using Link = std::pair<std::int32_t, std::int32_t>;
 
-struct OnEdge {
-  double at;  ///< length along the edge
-  std::int32_t node;
-};
-
-/// Length along the edge's polyline to the point of it nearest to p.
-double length_to(const BoundaryEdge& edge, const Vec3& p) {
-  double best = HUGE_VAL, best_at = 0, passed = 0;
-  for (std::size_t k = 1; k < edge.points.size(); ++k) {
-    const Vec3 d = edge.points[k] - edge.points[k - 1];
-    const double length2 = norm2(d);
-    const double t =
-        length2 > 0 ? std::clamp(dot(p - edge.points[k - 1], d) / length2, 0.0, 1.0) : 0.0;
-    const double off = norm2(p - (edge.points[k - 1] + t * d));
-    if (off < best) {
-      best = off;
-      best_at = passed + t * std::sqrt(length2);
-    }
-    passed += std::sqrt(length2);
-  }
-  return best_at;
-}
-
-Vec3 point_at(const BoundaryEdge& edge, double at) {
-  for (std::size_t k = 1; k < edge.points.size(); ++k) {
-    const double chord = distance(edge.points[k - 1], edge.points[k]);
-    if (at <= chord || k + 1 == edge.points.size())
-      return edge.points[k - 1] +
-             (chord > 0 ? std::fmin(at / chord, 1.0) : 0.0) * (edge.points[k] - edge.points[k - 1]);
-    at -= chord;
-  }
-  return edge.points.back();
-}
-
-double polyline_length(const BoundaryEdge& edge) {
-  double length = 0;
-  for (std::size_t k = 1; k < edge.points.size(); ++k)
-    length += distance(edge.points[k - 1], edge.points[k]);
-  return length;
-}
-
-/// The nodes of each model edge in order along it, its vertices' included.
-std::vector<std::vector<OnEdge>> chains(const NodeSet& nodes, const BoundaryModel& boundary) {
-  std::vector<std::vector<OnEdge>> chain(boundary.edges.size());
-  std::vector<std::int32_t> at_vertex(boundary.vertices.size(), -1);
-  for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    const Support& s = nodes.supports[n];
-    if (s.kind == Support::Kind::Vertex) at_vertex[s.entity] = n;
-    if (s.kind == Support::Kind::Edge)
-      chain[s.entity].push_back({length_to(boundary.edges[s.entity], nodes.positions[n]), n});
-  }
-  for (std::size_t e = 0; e < chain.size(); ++e) {
-    const BoundaryEdge& edge = boundary.edges[e];
-    std::sort(chain[e].begin(), chain[e].end(), [](const OnEdge& a, const OnEdge& b) {
-      return a.at != b.at ? a.at < b.at : a.node < b.node;
-    });
-    const double length = polyline_length(edge);
-    if (edge.start >= 0 && at_vertex[edge.start] >= 0)
-      chain[e].insert(chain[e].begin(), {0, at_vertex[edge.start]});
-    if (edge.end >= 0 && at_vertex[edge.end] >= 0)
-      chain[e].push_back({length, at_vertex[edge.end]});
-    if (edge.closed() && edge.start < 0 && !chain[e].empty())
-      chain[e].push_back({length + chain[e].front().at, chain[e].front().node});
-  }
-  return chain;
-}
-
 /// Where to split the link from a to b: in the middle, or on the shell nearest to it round the one
 /// end that is a model vertex.
-double split_at(const NodeSet& nodes, const OnEdge& a, const OnEdge& b, double edge_length) {
+double split_at(const NodeSet& nodes, const NodeOnEdge& a, const NodeOnEdge& b,
+                double edge_length) {
   const double length = b.at - a.at;
   const bool from_a = nodes.supports[a.node].kind == Support::Kind::Vertex;
   const bool from_b = nodes.supports[b.node].kind == Support::Kind::Vertex;
@@ -114,7 +50,8 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
   for (int round = 0; round < options.rounds; ++round) {
     live.follow(nodes);
     const std::vector<Link> links = links_between_edge_nodes(nodes, live.mesh());
-    const std::vector<std::vector<OnEdge>> chain = chains(nodes, boundary);
+    const std::vector<std::vector<NodeOnEdge>> chain =
+        edge_chains(boundary, nodes.supports, nodes.positions);
     const int before = inserted;
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
       const BoundaryEdge& edge = boundary.edges[e];
@@ -127,7 +64,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
       // A closed edge needs three nodes to be a chain at all.
       const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
       // Between two interface nodes there may be others that are not in the patch.
-      const auto at_rim = [&](const OnEdge& on) { return on.node < nodes.interface_nodes; };
+      const auto at_rim = [&](const NodeOnEdge& on) { return on.node < nodes.interface_nodes; };
       const bool elsewhere =
           chain[e].empty() ? nodes.elsewhere > 0 && !std::ranges::binary_search(options.wanted, e)
                            : std::ranges::any_of(chain[e], at_rim);
@@ -137,7 +74,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
         continue;
       }
       for (std::size_t k = 1; k < chain[e].size(); ++k) {
-        const OnEdge &a = chain[e][k - 1], &b = chain[e][k];
+        const NodeOnEdge &a = chain[e][k - 1], &b = chain[e][k];
         if (at_rim(a) && at_rim(b)) continue;
         if (!std::binary_search(links.begin(), links.end(),
                                 Link(std::min(a.node, b.node), std::max(a.node, b.node))))

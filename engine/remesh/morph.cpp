@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "engine/base/stopwatch.h"
+#include "engine/boundary/facet_faces.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/cellular/boundary_model/match_boundary.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
-#include "engine/extract/common_face.h"
 #include "engine/mesh/quality.h"
 #include "engine/mesh/quality_goals.h"
 #include "engine/model/solid.h"

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
-#include "engine/improve/boundary_rules.h"
-#include "engine/improve/edge_chains.h"
+#include "engine/boundary/edge_chains.h"
+#include "engine/boundary/facet_faces.h"
 #include "engine/mesh/quality.h"
 #include "engine/verify/surface_facets.h"
 
@@ -270,9 +270,9 @@ class Checker {
         continue;
       }
       for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-        if (!boundary_edge(chain[i], chain[i + 1]))
+        if (!boundary_edge(chain[i].node, chain[i + 1].node))
           fail(MeshFailure::MissingSegment, index,
-               0.5 * (mesh_.nodes[chain[i]] + mesh_.nodes[chain[i + 1]]),
+               0.5 * (mesh_.nodes[chain[i].node] + mesh_.nodes[chain[i + 1].node]),
                "a model edge whose chain of boundary edges is broken");
     }
   }
@@ -319,8 +319,8 @@ class Checker {
     for (std::size_t e = 0; e < chains_.size(); ++e) {
       if (boundary_.edges[e].curve.kind == Curve::Kind::Line) continue;
       for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
-        const Vec3& a = mesh_.nodes[chains_[e][i]];
-        const Vec3& b = mesh_.nodes[chains_[e][i + 1]];
+        const Vec3& a = mesh_.nodes[chains_[e][i].node];
+        const Vec3& b = mesh_.nodes[chains_[e][i + 1].node];
         const Vec3 middle = 0.5 * (a + b);
         const double sagitta = distance(middle, project(boundary_, boundary_.edges[e], middle));
         result_.chord_error = std::max(result_.chord_error, sagitta);
@@ -362,7 +362,7 @@ class Checker {
   std::vector<SurfaceFacet> surface_;
   std::vector<std::uint32_t> spokes_begin_;  ///< by node: its first spoke
   std::vector<Spoke> spokes_;
-  std::vector<std::vector<std::int32_t>> chains_;
+  std::vector<std::vector<NodeOnEdge>> chains_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/improve/edge_chains.h"
+#include "engine/boundary/edge_chains.h"
 #include "engine/improve/improve.h"
 #include "tests/support/solid_fixture.h"
 
@@ -24,7 +24,8 @@ SolidFixture crowded(SolidFixture s) {
   const auto chains = edge_chains(s.boundary, s.supports, s.mesh.nodes);
   for (std::size_t e = 0; e < chains.size(); ++e)
     for (std::size_t i = 0; i + 1 < chains[e].size(); ++i) {
-      const Vec3 middle = 0.5 * (s.mesh.nodes[chains[e][i]] + s.mesh.nodes[chains[e][i + 1]]);
+      const Vec3 middle =
+          0.5 * (s.mesh.nodes[chains[e][i].node] + s.mesh.nodes[chains[e][i + 1].node]);
       s.add(project(s.boundary, s.boundary.edges[e], middle), Support::Kind::Edge,
             static_cast<int>(e));
     }

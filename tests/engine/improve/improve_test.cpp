@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/base/error.h"
-#include "engine/improve/edge_chains.h"
+#include "engine/boundary/edge_chains.h"
 #include "engine/mesh/quality.h"
 #include "tests/support/solid_fixture.h"
 #include "tests/support/tet_neighbours.h"
@@ -97,7 +97,7 @@ TEST_P(ImproveSeeds, LeavesACylinderClosedWithItsCirclesAndNearlyItsVolume) {
   EXPECT_TRUE(shell(result.mesh).closed);
   for (const auto& chain : edge_chains(s.boundary, s.supports, result.mesh.nodes))
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      EXPECT_TRUE(has_edge(result.mesh, chain[i], chain[i + 1]));
+      EXPECT_TRUE(has_edge(result.mesh, chain[i].node, chain[i + 1].node));
 }
 
 TEST(Improve, KeepsModelVerticesInPlaceAndModelEdgesChainsOfMeshEdges) {
@@ -111,7 +111,7 @@ TEST(Improve, KeepsModelVerticesInPlaceAndModelEdgesChainsOfMeshEdges) {
   for (const auto& chain : edge_chains(s.boundary, s.supports, result.mesh.nodes)) {
     EXPECT_EQ(chain.size(), 9U);
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      EXPECT_TRUE(has_edge(result.mesh, chain[i], chain[i + 1]));
+      EXPECT_TRUE(has_edge(result.mesh, chain[i].node, chain[i + 1].node));
   }
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/improve/edge_chains.h"
 #include "engine/mesh/quality.h"
 #include "tests/support/solid_fixture.h"
 
@@ -279,30 +278,6 @@ TEST(LocalMesh, KeepsUntouchedTetsInPlaceThroughAnOperation) {
   for (std::int32_t n = 0; n < 27; ++n)
     for (const std::int32_t t : mesh.tets_of(n))
       EXPECT_NE(std::find(mesh.tet(t).begin(), mesh.tet(t).end(), n), mesh.tet(t).end());
-}
-
-TEST(EdgeChains, RunAlongTheCurveFromStartToEnd) {
-  const auto s = test::make_box({3, 1, 1}, 9, 4);
-  const auto chains = edge_chains(s.boundary, s.supports, s.mesh.nodes);
-  ASSERT_EQ(chains.size(), 12U);
-  for (std::size_t e = 0; e < chains.size(); ++e) {
-    const BoundaryEdge& edge = s.boundary.edges[e];
-    EXPECT_EQ(s.mesh.nodes[chains[e].front()], edge.points.front());
-    EXPECT_EQ(s.mesh.nodes[chains[e].back()], edge.points.back());
-    EXPECT_EQ(chains[e].size(), edge.length > 2 ? 10U : 4U);
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < chains[e].size(); ++i)
-      length += distance(s.mesh.nodes[chains[e][i]], s.mesh.nodes[chains[e][i + 1]]);
-    EXPECT_NEAR(length, edge.length, 1e-12) << "no step goes back";
-  }
-}
-
-TEST(EdgeChains, OfAClosedEdgeWithoutVertexComeBackToTheirFirstNode) {
-  const auto s = test::make_cylinder(2, 1, 20, 4);
-  for (const auto& chain : edge_chains(s.boundary, s.supports, s.mesh.nodes)) {
-    EXPECT_EQ(chain.size(), 21U);
-    EXPECT_EQ(chain.front(), chain.back());
-  }
 }
 
 }  // namespace

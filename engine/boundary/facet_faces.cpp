@@ -1,9 +1,19 @@
-#include "engine/extract/common_face.h"
+#include "engine/boundary/facet_faces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "engine/boundary/face_distance.h"
+
 namespace remeshd {
+namespace {
+
+/// Normals that fit a facet this evenly do not tell whose it is: faces that cross at less than 18
+/// degrees.
+constexpr double kSameFit = 0.05;
+
+}  // namespace
 
 FacesOf::FacesOf(const BoundaryModel& boundary)
     : face_(boundary.faces.size()),
@@ -54,6 +64,56 @@ int FacesOf::common(std::span<const Support> supports) const {
     if (first < 0) first = face;
   }
   return first;
+}
+
+FacetFaces::FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports)
+    : boundary_(boundary), supports_(supports), faces_(boundary) {}
+
+int FacetFaces::face_of(const Triangle& facet, const Vec3& a, const Vec3& b, const Vec3& c) const {
+  const auto at_b = faces_of(facet[1]);
+  const auto at_c = faces_of(facet[2]);
+  int best = -1;
+  double best_fit = 0;
+  Vec3 centroid;
+  Vec3 normal;
+  for (const int f : faces_of(facet[0])) {
+    if (std::find(at_b.begin(), at_b.end(), f) == at_b.end()) continue;
+    if (std::find(at_c.begin(), at_c.end(), f) == at_c.end()) continue;
+    if (best < 0) {
+      best = f;
+      continue;
+    }
+    if (norm2(normal) == 0) {
+      centroid = (a + b + c) / 3.0;
+      normal = cross(b - a, c - a);
+      best_fit = dot(normal, outward(best, centroid));
+    }
+    const double fit = dot(normal, outward(f, centroid));
+    const bool better = std::fabs(fit - best_fit) > kSameFit * norm(normal)
+                            ? fit > best_fit
+                            : face_distance2(f, centroid) < face_distance2(best, centroid);
+    if (!better) continue;
+    best_fit = fit;
+    best = f;
+  }
+  return best;
+}
+
+double FacetFaces::face_distance2(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  return remeshd::face_distance2(f, project(f.surface, p));
+}
+
+Vec3 FacetFaces::outward(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  const Vec3 n = normal(f.surface, p);
+  return f.reversed ? -n : n;
+}
+
+double FacetFaces::height(int face, const Vec3& p) const {
+  const BoundaryFace& f = boundary_.faces[face];
+  const double d = signed_distance(f.surface, p);
+  return f.reversed ? -d : d;
 }
 
 }  // namespace remeshd

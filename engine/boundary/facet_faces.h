@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/cellular/boundary_model/support.h"
+#include "engine/mesh/tet_mesh.h"
+
+namespace remeshd {
+
+/// The model faces that a node with a given support lies on, looked up fast.
+class FacesOf {
+ public:
+  explicit FacesOf(const BoundaryModel& boundary);
+
+  /// Ascending face indices: the face itself, those of the edge, those round the vertex; none in
+  /// the interior.
+  [[nodiscard]] std::span<const int> operator()(const Support& support) const;
+
+  /// The first plane that all these supports share, else the lowest face, -1 if there is none.
+  [[nodiscard]] int common(std::span<const Support> supports) const;
+
+ private:
+  std::vector<int> face_;  ///< identity, so that a face gives a span too
+  std::vector<std::vector<int>> edge_, vertex_;
+  std::vector<std::uint8_t> plane_;  ///< by face: whether it is one
+};
+
+/// Which model faces a node with a support stands on, and which one a boundary facet represents.
+class FacetFaces {
+ public:
+  /// Keeps references to both arguments.
+  FacetFaces(const BoundaryModel& boundary, std::span<const Support> supports);
+
+  /// Faces that a node stands on, ascending; none in the interior.
+  [[nodiscard]] std::span<const int> faces_of(std::int32_t node) const {
+    return faces_(supports_[node]);
+  }
+  /// The common face of the three nodes, which are at a, b and c, -1 if there is none. Where they
+  /// share several (nodes on an edge curve), the one whose outward normal the facet's fits best; of
+  /// those that it fits evenly, as on a strip of a wall that stands out of another by little, the
+  /// one that lies there.
+  [[nodiscard]] int face_of(const Triangle& facet, const Vec3& a, const Vec3& b,
+                            const Vec3& c) const;
+  /// Unit normal of the face out of the material.
+  [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
+  /// Signed distance of p from the face's surface, positive outside of the material.
+  [[nodiscard]] double height(int face, const Vec3& p) const;
+  [[nodiscard]] double deviation(int face, const Vec3& p) const {
+    return std::fabs(height(face, p));
+  }
+
+ private:
+  /// Of p, brought onto the face's surface, from the face.
+  [[nodiscard]] double face_distance2(int face, const Vec3& p) const;
+
+  const BoundaryModel& boundary_;
+  std::span<const Support> supports_;
+  FacesOf faces_;
+};
+
+}  // namespace remeshd
