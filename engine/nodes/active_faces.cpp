@@ -56,7 +56,7 @@ class FaceVisitor {
     if (solid.contains(back.apply(p + off)) == solid.contains(back.apply(p - off))) return;
     if (!source_.active_face(p, n)) return;
     const std::int32_t node = grid_.nearest(p);
-    if (node >= 0) nodes_.free[node] = 1;
+    if (node >= 0) nodes_.state[node] = NodeState::Free;
   }
 
   NodeSet& nodes_;

@@ -124,7 +124,7 @@ NodeSet copy_nodes(const CopyPlan& source, const OriginalNodes& original, double
   const Copier copier(source, original, edge_length);
   const std::vector<std::int32_t> order = copying_order(source);
   const auto add = [&](std::int32_t n, std::int32_t t, const Vec3& place, bool free) {
-    nodes.add(place, original.supports[n], free, n, t);
+    nodes.add(place, original.supports[n], free ? NodeState::Free : NodeState::Fixed, n, t);
   };
   Polling poll(run);
   for (const std::int32_t n : original.near) {

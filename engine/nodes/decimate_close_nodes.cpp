@@ -15,7 +15,7 @@ void decimate_close_nodes(NodeSet& nodes, double edge_length) {
   const NearestNode grid(nodes.positions, kGridCell * edge_length);
   std::vector<std::uint8_t> stays(nodes.positions.size());
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    stays[n] = !nodes.free[n] || nodes.supports[n].kind == Support::Kind::Vertex;
+    stays[n] = !nodes.is_free(n) || nodes.supports[n].kind == Support::Kind::Vertex;
   using Kind = Support::Kind;
   const auto too_close = [&](std::int32_t n, std::int32_t other, double distance2) {
     const Support &s = nodes.supports[n], &o = nodes.supports[other];

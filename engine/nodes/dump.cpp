@@ -43,7 +43,7 @@ void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
       << "<Piece NumberOfPoints=\"" << count << "\" NumberOfCells=\"" << cells << "\">\n"
       << "<PointData>\n";
   array(out, "Int32", "new", 1, count, [&](std::size_t n) { out << (nodes.original[n] < 0); });
-  array(out, "Int32", "free", 1, count, [&](std::size_t n) { out << int{nodes.free[n]}; });
+  array(out, "Int32", "free", 1, count, [&](std::size_t n) { out << (nodes.is_free(n) ? 1 : 0); });
   array(out, "Int32", "boundary", 1, count,
         [&](std::size_t n) { out << (nodes.supports[n].kind != Support::Kind::Interior); });
   out << "</PointData>\n<Points>\n";

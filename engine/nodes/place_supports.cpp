@@ -21,7 +21,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
                     double edge_length, double tolerance, std::int32_t first, const Run& run) {
   std::vector<std::int32_t> to_place;
   for (std::int32_t n = first; n < nodes.size(); ++n) {
-    if (nodes.free[n]) nodes.supports[n] = {};
+    if (nodes.is_free(n)) nodes.supports[n] = {};
     if (nodes.supports[n].kind != Support::Kind::Interior) to_place.push_back(n);
   }
   if (to_place.empty()) return;
@@ -45,7 +45,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
       best_d = d;
     });
     nodes.supports[n] = best;
-    if (best.kind == Support::Kind::Interior) nodes.free[n] = 1;
+    if (best.kind == Support::Kind::Interior) nodes.state[n] = NodeState::Free;
   }
 }
 

@@ -34,7 +34,7 @@ void ActiveSamples::refresh(const NodeSet& nodes, const Run& run) {
   // Samples far from every free node cannot have one nearest.
   std::vector<Vec3> free;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    if (nodes.free[n]) free.push_back(nodes.positions[n]);
+    if (nodes.is_free(n)) free.push_back(nodes.positions[n]);
   const Region near_free(free, kReach * edge_length_, 1);
   nearest_->follow(nodes.positions);
   const auto near = collect_in_blocks<std::uint32_t>(
@@ -46,7 +46,7 @@ void ActiveSamples::refresh(const NodeSet& nodes, const Run& run) {
       });
   const std::vector<std::int32_t> node = nearest_->nearest(near, run);
   for (std::size_t k = 0; k < near.size(); ++k)
-    if (node[k] >= 0 && nodes.free[node[k]]) activate(near[k]);
+    if (node[k] >= 0 && nodes.is_free(node[k])) activate(near[k]);
   collect();
 }
 

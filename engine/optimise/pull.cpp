@@ -58,7 +58,7 @@ std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
     const std::uint32_t index = active[k];
     const Sample& s = samples.points[index];
     const std::int32_t node = nearest_node[k];
-    if (node < 0 || !nodes.free[node]) continue;
+    if (node < 0 || !nodes.is_free(node)) continue;
     pulling.push_back(index);
     pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});
   }
@@ -116,14 +116,14 @@ void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std:
   const double reach = options.vertex_reach * options.edge_length;
   std::vector<std::uint8_t> taken(nodes.size(), 0);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    taken[n] = !nodes.free[n] && nodes.supports[n].kind == Support::Kind::Vertex;
+    taken[n] = !nodes.is_free(n) && nodes.supports[n].kind == Support::Kind::Vertex;
   for (const std::uint32_t index : active) {
     const Sample& s = samples.points[index];
     std::int32_t best = -1;
     double best_d = HUGE_VAL;
     bool done = false;
     grid.for_each_within(s.position, reach, [&](std::int32_t n, double d) {
-      if (nodes.supports[n] == s.support && !nodes.free[n]) done = true;
+      if (nodes.supports[n] == s.support && !nodes.is_free(n)) done = true;
       if (taken[n] || n < nodes.interface_nodes) return;
       if (d < best_d || (d == best_d && n < best)) {
         best_d = d;
@@ -136,7 +136,7 @@ void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std:
       continue;
     }
     taken[best] = 1;
-    nodes.free[best] = 1;
+    nodes.state[best] = NodeState::Free;
     nodes.positions[best] = s.position;
     nodes.supports[best] = s.support;
   }
@@ -185,7 +185,7 @@ std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& bo
   const auto vertices = std::lower_bound(edges, active.end(), samples.vertices_begin);
   std::vector<std::uint32_t> pulling;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    if (nodes.free[n]) nodes.supports[n] = {};
+    if (nodes.is_free(n)) nodes.supports[n] = {};
   {
     nearest.follow(nodes.positions);
     const auto pulls = gather(nodes, samples, {active.begin(), edges}, nearest, pulling, run);

@@ -10,7 +10,7 @@ namespace remeshd {
 std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
   std::vector<std::uint8_t> moves(nodes.positions.size());
   for (std::size_t n = 0; n < moves.size(); ++n)
-    moves[n] = nodes.free[n] && nodes.supports[n].kind == Support::Kind::Interior ? 1 : 0;
+    moves[n] = nodes.is_free(n) && nodes.supports[n].kind == Support::Kind::Interior ? 1 : 0;
   return moves;
 }
 

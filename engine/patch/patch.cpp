@@ -129,7 +129,7 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
                                         double reach) {
   const std::int32_t identity = source.identity();
   const auto stays = [&](std::int32_t n) {
-    return !near.free[n] && near.original[n] >= 0 && near.transform[n] == identity;
+    return !near.is_free(n) && near.original[n] >= 0 && near.transform[n] == identity;
   };
   PatchNodes local;
   std::vector<std::uint8_t> state(output.nodes.size(), 0);  // 1: gone or changed, 2: stays
@@ -154,7 +154,7 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
   NodeSet& nodes = local.nodes;
   const auto add_kept = [&](std::int32_t p) {
     const std::optional<Support> support = (*map)(supports[patch.nodes[p]], patch.positions[p]);
-    if (support) nodes.add(patch.positions[p], *support, false, p, identity);
+    if (support) nodes.add(patch.positions[p], *support, NodeState::Fixed, p, identity);
     return support.has_value();
   };
   const auto count = static_cast<std::int32_t>(patch.nodes.size());
@@ -171,7 +171,7 @@ std::optional<PatchNodes> extract_patch(const NodeSet& near,
     const std::int32_t o = near.original[n];
     const std::int32_t p = o < 0 ? -1 : in_patch[o];
     if (stays(n) && (p < 0 || !patch.inner[p])) continue;
-    nodes.add(near.positions[n], near.supports[n], near.free[n] != 0, p, near.transform[n]);
+    nodes.add(near.positions[n], near.supports[n], near.state[n], p, near.transform[n]);
   }
   nodes.elsewhere = static_cast<std::int32_t>(output.nodes.size()) - count;
   return local;

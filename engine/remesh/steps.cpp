@@ -59,7 +59,7 @@ std::vector<Region> sampled_places(const PatchNodes& local, double edge_length, 
   const NodeSet& nodes = local.nodes;
   std::vector<Vec3> free, to_place;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    if (nodes.free[n])
+    if (nodes.is_free(n))
       free.push_back(nodes.positions[n]);
     else if (n >= local.placed && nodes.supports[n].kind != Support::Kind::Interior)
       to_place.push_back(nodes.positions[n]);
@@ -91,7 +91,7 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
   if (!patch.mesh.encloses(bounds)) return without();
   std::vector<std::int32_t> name(patch.nodes.size(), -1);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    if (nodes.original[n] >= 0 && !nodes.free[n] &&
+    if (nodes.original[n] >= 0 && !nodes.is_free(n) &&
         plan.transforms()[nodes.transform[n]].is_identity())
       name[nodes.original[n]] = n;
   std::vector<std::int32_t> others;
@@ -105,7 +105,7 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
     if (plan.transforms()[t].is_identity()) continue;
     std::vector<std::int32_t> moved(patch.nodes.size(), -1);
     for (std::int32_t n = 0; n < nodes.size(); ++n)
-      if (nodes.transform[n] == t && !nodes.free[n]) moved[nodes.original[n]] = n;
+      if (nodes.transform[n] == t && !nodes.is_free(n)) moved[nodes.original[n]] = n;
     mesh.insert_moved(patch.mesh, moved, nodes.positions, run);
     for (const std::int32_t n : moved)
       if (n >= 0) start.holds[n] = 1;
@@ -122,10 +122,6 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   double sum = 0;
   for (const std::uint32_t f : loop.free_per_iteration) sum += f;
   return std::fmin(1.0, sum / static_cast<double>(loop.free_per_iteration.size()) / nodes);
-}
-
-std::uint32_t count(const std::vector<std::uint8_t>& flags, std::uint8_t value) {
-  return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), value));
 }
 
 /// For a mesh of new nodes alone: all that the density says, as a number of nodes, where it is not
@@ -205,7 +201,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   }
   NodeSet& nodes = local->nodes;
   dump_nodes(run, "05-nodes", nodes);
-  if (task.all_free) std::fill(nodes.free.begin(), nodes.free.end(), 1);
+  if (task.all_free) std::ranges::fill(nodes.state, NodeState::Free);
   Counts& counts = attempt.counts;
   counts.nodes_new =
       static_cast<std::uint32_t>(std::count(nodes.original.begin(), nodes.original.end(), -1));
@@ -227,7 +223,7 @@ SampledBoundary sample(const MeshingTask& task, PatchNodes& local, Attempt& atte
   place_supports(local.nodes, boundary, sampled.samples, l, kOnEntity * boundary.bounds.diagonal(),
                  local.placed, task.run);
   attempt.counts.samples = static_cast<std::uint32_t>(sampled.samples.points.size());
-  attempt.counts.free_at_start = count(local.nodes.free, 1);
+  attempt.counts.free_at_start = local.nodes.count(NodeState::Free);
   watch.lap(attempt.seconds.setup);
   return sampled;
 }
@@ -237,7 +233,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
   Stopwatch watch;
   const BoundaryModel& boundary = task.cells.boundary;
   NodeSet& nodes = local.nodes;
-  const bool all_free = nodes.elsewhere == 0 && count(nodes.free, 0) == 0;
+  const bool all_free = nodes.elsewhere == 0 && nodes.count(NodeState::Fixed) == 0;
   OptimiseResult loop =
       optimise(nodes, start_mesh(local, task.plan, boundary.bounds, task.run), boundary,
                sampled.inside, sampled.samples,
@@ -247,7 +243,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                 .rebuild = task.options.rebuild},
                task.run);
   Counts& counts = attempt.counts;
-  counts.free_at_end = count(nodes.free, 1);
+  counts.free_at_end = nodes.count(NodeState::Free);
   counts.free_per_iteration = loop.free_per_iteration;
   counts.iterations = static_cast<std::uint32_t>(loop.free_per_iteration.size());
   counts.active_samples = loop.samples_active;

@@ -34,7 +34,7 @@ WorkedCase work() {
   SampledBoundary boundary = sample(task, nodes, attempt);
   OptimiseResult loop = optimise(task, nodes, boundary, attempt);
   w.nodes = nodes.nodes;
-  std::ranges::fill(w.nodes.free, 1);
+  std::ranges::fill(w.nodes.state, NodeState::Free);
   loop.mesh.for_each_tet([&](const Tet& tet) { w.delaunay.push_back(tet); });
   Candidate mesh = extract_verified(task, std::move(nodes), std::move(loop), boundary, attempt);
   w.mesh_nodes = std::move(mesh.nodes);

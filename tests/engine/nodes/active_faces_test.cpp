@@ -23,7 +23,7 @@ NodeSet under_the_boss(double z) {
   // What the boss' other faces are nearest to.
   for (const Vec3& p : {Vec3{-11, 0, 10}, {11, 0, 10}, {0, -11, 10}, {0, 11, 10}, {0, 0, 20}})
     nodes.add_new(p);
-  std::fill(nodes.free.begin(), nodes.free.end(), 0);
+  std::ranges::fill(nodes.state, NodeState::Fixed);
   free_at_active_faces(nodes, CopyPlan(original, modified, kEdgeLength, kRun), kEdgeLength, kRun);
   nodes.resize(nodes.size() - 5);
   return nodes;
@@ -32,7 +32,7 @@ NodeSet under_the_boss(double z) {
 TEST(ActiveFaces, FreeNodesThatAreLittleMoreThanHalfAnEdgeLengthApart) {
   const NodeSet nodes = under_the_boss(10);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
-    EXPECT_TRUE(nodes.free[n]) << nodes.positions[n].x << ' ' << nodes.positions[n].y;
+    EXPECT_TRUE(nodes.is_free(n)) << nodes.positions[n].x << ' ' << nodes.positions[n].y;
 }
 
 }  // namespace

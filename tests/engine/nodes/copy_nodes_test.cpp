@@ -53,7 +53,7 @@ TEST(CopyNodes, AFixedCopyIsTheTransformedOriginalToTheBit) {
   const Copied c("simple-a", test::case_edit("simple-ab"));
   int stayed = 0, moved = 0;
   for (std::int32_t n = 0; n < c.nodes.size(); ++n) {
-    if (c.nodes.free[n]) continue;
+    if (c.nodes.is_free(n)) continue;
     const Vec3& original = c.original.delaunay_state->positions()[c.nodes.original[n]];
     EXPECT_EQ(c.nodes.positions[n], c.source.transforms()[c.nodes.transform[n]].apply(original));
     (c.nodes.positions[n] == original ? stayed : moved)++;
@@ -98,8 +98,8 @@ TEST(CopyNodes, NodesOnTheWallOfAHoleThatGrewALittleAreSetBackInProportion) {
     on_wall += std::fabs(std::hypot(p.x + 20, p.y) - 8) < 1e-6;
   }
   for (std::int32_t n = 0; n < c.nodes.size(); ++n) {
-    set_back += c.nodes.free[n];
-    EXPECT_TRUE(c.source.modified().inside(c.nodes.positions[n]) || !c.nodes.free[n]);
+    set_back += c.nodes.is_free(n) ? 1 : 0;
+    EXPECT_TRUE(c.source.modified().inside(c.nodes.positions[n]) || !c.nodes.is_free(n));
   }
   EXPECT_GT(on_wall, 50);
   EXPECT_NEAR(set_back, (1 - 0.2 * 1.22) * on_wall, 0.15 * on_wall);
@@ -111,7 +111,7 @@ TEST(ActiveFaces, FreeTheNodesAtOldAndNewFootAndNoOthers) {
   free_at_active_faces(c.nodes, c.source, l, kRun);
   int freed = 0;
   for (std::int32_t n = 0; n < c.nodes.size(); ++n) {
-    if (!c.nodes.free[n]) continue;
+    if (!c.nodes.is_free(n)) continue;
     ++freed;
     const Vec3& p = c.nodes.positions[n];
     const bool at_a_foot = std::fabs(p.z - 10) < 1.2 * l && std::fabs(p.y) < 15 + 1.2 * l &&

@@ -52,7 +52,7 @@ TEST(ThinOut, ACrowdOnOneEdgeLosesEveryOther) {
 TEST(ThinOut, FixedNodesAndVerticesStay) {
   NodeSet nodes = on_a_line(
       {{0, {}}, {0.1, {}}, {0.2, {Support::Kind::Vertex, 0}}, {0.3, {Support::Kind::Vertex, 1}}});
-  nodes.free[0] = nodes.free[1] = 0;
+  nodes.state[0] = nodes.state[1] = NodeState::Fixed;
   decimate_close_nodes(nodes, 1);
   EXPECT_EQ(nodes.size(), 4);
 }

@@ -25,7 +25,7 @@ NodeSet one_copied_and_one_new_node() {
   nodes.add_new({0.1, 0, 0});
   nodes.add_new({0, 1, 0});
   nodes.original[0] = 7;
-  nodes.free[0] = 0;
+  nodes.state[0] = NodeState::Fixed;
   return nodes;
 }
 

@@ -19,7 +19,7 @@ struct Line {
     samples.edges_begin = samples.vertices_begin = samples.points.size();
     for (int n = 0; n <= 20; ++n) {
       nodes.add_new({1.0 * n, 0, 0}, {Support::Kind::Face, 0});
-      nodes.free.back() = 0;
+      nodes.state.back() = NodeState::Fixed;
     }
     nearest = NearestToPoints(samples.positions(), 0.8);
   }
@@ -42,7 +42,7 @@ TEST(ActiveSamples, OfAFirstMeshAreAll) {
 
 TEST(ActiveSamples, HaveAFreeNodeNearestAndTheirNeighboursAreBorderActive) {
   Line line;
-  line.nodes.free[10] = 1;
+  line.nodes.state[10] = NodeState::Free;
   const ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   // Nearest to node 10: from 9.75 to 10.25; at 9.5 and 10.5 the lower index wins, 9 and 10.
   EXPECT_EQ(active.active_count(), 4U);
@@ -58,7 +58,7 @@ TEST(ActiveSamples, RestWhereNoNodeIsFree) {
 
 TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
   Line line;
-  line.nodes.free[10] = 1;
+  line.nodes.state[10] = NodeState::Free;
   ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
   active.promote(std::vector<std::uint32_t>{44});  // at 11, border-active
   EXPECT_EQ(active.active_count(), 5U);
@@ -67,9 +67,9 @@ TEST(ActiveSamples, ThatPullOnAFreeNodeBecomeActiveWithTheirNeighbours) {
 
 TEST(ActiveSamples, GrowWithTheFreeNodes) {
   Line line;
-  line.nodes.free[10] = 1;
+  line.nodes.state[10] = NodeState::Free;
   ActiveSamples active(line.nodes, 1, line.nearest, remeshd::Run{});
-  line.nodes.free[9] = line.nodes.free[11] = 1;
+  line.nodes.state[9] = line.nodes.state[11] = NodeState::Free;
   active.refresh(line.nodes, remeshd::Run{});
   EXPECT_EQ(active.active_count(), 12U);
   EXPECT_TRUE(line.takes_part(active, 8.75 - 0.6, 11.5 + 0.6));

@@ -24,7 +24,7 @@ TEST(FillVoids, ALargeBallGetsANodeAtItsCentre) {
   insert_at_circumcentres(nodes, kTet, everywhere, 1);
   ASSERT_EQ(nodes.size(), 5);
   EXPECT_LT(norm(nodes.positions[4]), 1e-12);
-  EXPECT_EQ(nodes.free[4], 1);
+  EXPECT_TRUE(nodes.is_free(4));
 }
 
 TEST(FillVoids, ABallOfTheUsualSizeDoesNot) {

@@ -18,7 +18,7 @@ NodeSet cloud(int count, int fixed) {
   NodeSet nodes;
   for (int k = 0; k < count; ++k) {
     nodes.add_new({random.uniform(), random.uniform(), random.uniform()});
-    nodes.free.back() = k >= fixed;
+    nodes.state.back() = k >= fixed ? NodeState::Free : NodeState::Fixed;
   }
   return nodes;
 }
@@ -54,7 +54,7 @@ std::vector<Tet> anew(const NodeSet& nodes) {
 /// nodes would meet.
 void stir(NodeSet& nodes, double step, Random& random, int each = 1) {
   for (std::int32_t n = 0; n < nodes.size(); n += each) {
-    if (!nodes.free[n]) continue;
+    if (!nodes.is_free(n)) continue;
     Vec3& p = nodes.positions[n];
     for (double* v : {&p.x, &p.y, &p.z}) {
       const double to = *v + step * random.uniform(-1, 1);
@@ -85,7 +85,7 @@ TEST(LiveMesh, IsTheMeshOfTheNodesHoweverFarTheyMove) {
       live.follow(nodes);
       ASSERT_EQ(sorted(live.tets()), anew(nodes)) << "steps of " << step;
       // A fixed node is freed, and goes.
-      nodes.free[static_cast<std::int32_t>(1000 * step) % 150] = 1;
+      nodes.state[static_cast<std::int32_t>(1000 * step) % 150] = NodeState::Free;
     }
   }
 }

@@ -84,16 +84,17 @@ TEST(PullBoundary, FixedNodesStay) {
   const Scene s("simple-a", 8);
   NodeSet nodes = s.random_nodes(600, 8);
   pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
-  for (std::int32_t n = 0; n < nodes.size(); ++n) nodes.free[n] = nodes.positions[n].x > 0;
+  for (std::int32_t n = 0; n < nodes.size(); ++n)
+    nodes.state[n] = nodes.positions[n].x > 0 ? NodeState::Free : NodeState::Fixed;
   const NodeSet before = nodes;
   const std::span faces_and_edges(s.everything.data(), s.samples.vertices_begin);
   pull(nodes, s.cells.boundary, s.samples, faces_and_edges, {.edge_length = 8});
   int fixed = 0, fixed_on_boundary = 0, moved = 0;
   for (std::int32_t n = 0; n < before.size(); ++n) {
-    if (!before.free[n]) {
+    if (!before.is_free(n)) {
       ++fixed;
       fixed_on_boundary += before.supports[n].kind != Support::Kind::Interior;
-      EXPECT_EQ(nodes.free[n], 0);
+      EXPECT_FALSE(nodes.is_free(n));
       EXPECT_EQ(nodes.positions[n], before.positions[n]);
       EXPECT_EQ(nodes.supports[n], before.supports[n]);
     }
@@ -107,12 +108,12 @@ TEST(PullBoundary, FixedNodesStay) {
 TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
   const Scene s("simple-a", 8);
   NodeSet nodes = s.random_nodes(600, 8);
-  nodes.free.assign(nodes.free.size(), 0);
+  std::ranges::fill(nodes.state, NodeState::Fixed);
   const NodeSet before = nodes;
   pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
   int at_vertices = 0;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
-    if (!nodes.free[n]) {
+    if (!nodes.is_free(n)) {
       EXPECT_EQ(nodes.positions[n], before.positions[n]);
       EXPECT_EQ(nodes.supports[n], before.supports[n]);
       continue;
@@ -130,7 +131,7 @@ TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
 
 /// What becomes of a fixed node beside or on a vertex when the vertices of the model pull alone.
 NodeSet pulled_by_vertices(const Scene& s, NodeSet nodes, double l) {
-  nodes.free.assign(nodes.free.size(), 0);
+  std::ranges::fill(nodes.state, NodeState::Fixed);
   const std::span vertices = std::span(s.everything).subspan(s.samples.vertices_begin);
   pull(nodes, s.cells.boundary, s.samples, vertices, {.edge_length = l});
   return nodes;
@@ -148,7 +149,7 @@ TEST(PullBoundary, NodesAtTheInterfaceOfAPatchAreNotTakenForVertices) {
   nodes.interface_nodes = 1;
   const NodeSet of_patch = pulled_by_vertices(s, nodes, 8);
   EXPECT_EQ(of_patch.positions[0], beside);
-  EXPECT_FALSE(of_patch.free[0]);
+  EXPECT_FALSE(of_patch.is_free(0));
   EXPECT_EQ(of_patch.positions.size(), vertices + 1);
 }
 

@@ -21,7 +21,7 @@ struct Octahedron {
     for (const Vec3& p : {Vec3{1, 0, 2}, Vec3{-1, 0, 2}, Vec3{0, 1, 2}, Vec3{0, -1, 2},
                           Vec3{0, 0, 3}, Vec3{0, 0, 1}}) {
       nodes.add_new(p);
-      nodes.free.back() = 0;
+      nodes.state.back() = NodeState::Fixed;
     }
     nodes.add_new(middle);
     for (const std::int32_t x : {0, 1})
@@ -62,7 +62,7 @@ TEST(Relocate, TheCentreOfASymmetricRingStays) {
 
 TEST(Relocate, FixedAndBoundaryNodesStay) {
   Octahedron fixed({0.2, 0, 2});
-  fixed.nodes.free[6] = 0;
+  fixed.nodes.state[6] = NodeState::Fixed;
   relocate(fixed.nodes, fixed.tets, cube(), {});
   EXPECT_EQ(fixed.nodes.positions[6], (Vec3{0.2, 0, 2}));
   Octahedron boundary({0.2, 0, 2});
