@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "engine/kernel/brep.h"
 #include "engine/local_fuse/arrangement/intersection_curves.h"
 #include "engine/local_fuse/arrangement/planar_arrangement.h"
 #include "engine/local_fuse/gave_up.h"
@@ -32,5 +36,17 @@ struct FuseInput {
     clearance = {kSameOutline * diagonal, kClearOutline * diagonal};
   }
 };
+
+/// The largest angle between two points of a circle or arc that follow each other, in degrees;
+/// points that are not on it count as a whole turn.
+inline double largest_turning(const kernel::BrepEdge& circle) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < circle.points.size(); ++i) {
+    const Vec3 a = circle.points[i] - circle.centre, b = circle.points[i + 1] - circle.centre;
+    const bool on = std::fabs(norm(a) - circle.radius) < 1e-9 && dot(cross(a, b), circle.axis) > 0;
+    largest = std::max(largest, on ? std::acos(dot(a, b) / dot(a, a)) : 2 * std::numbers::pi);
+  }
+  return largest * 180 / std::numbers::pi;
+}
 
 }  // namespace remeshd::test

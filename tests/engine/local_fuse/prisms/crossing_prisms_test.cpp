@@ -74,6 +74,18 @@ TEST(CrossedPartsTest, PlanesCutRoundWallsInLinesCirclesAndEllipses) {
         4);
 }
 
+TEST(CrossedPartsTest, PointsOfCirclesAndArcsTurnByAtMostSixDegrees) {
+  const auto parts = parts_of(
+      evaluate(model_of({cylinder("pipe", 4, 10), placed(block("across", 20, 2, 3), 0, 0, 4)})));
+  int circles = 0;
+  for (const kernel::BrepEdge& edge : parts->parts.brep.edges) {
+    if (edge.kind != kernel::BrepEdge::Kind::Circle) continue;
+    ++circles;
+    EXPECT_LT(test::largest_turning(edge), 6.01) << edge.length;
+  }
+  EXPECT_GE(circles, 6) << "two ends of the pipe, and four arcs where the block comes out";
+}
+
 TEST(CrossedPartsTest, WhatIsInDoubtIsLeftToTheKernel) {
   const auto with = [](const FeatureSource& f) {
     return reason_of(parts_of(evaluate(model_of({cylinder("pipe", 4, 10), f}))));

@@ -75,10 +75,14 @@ TEST(ParallelPrismEdges, AnEdgeStandsAsHighAsNothingChangesBesideIt) {
 }
 
 TEST(ParallelPrismEdges, NoneStandsWhereAWallGoesOnStraight) {
-  Prisms p = block_with_a_flush_one();
-  EXPECT_EQ(p.upright(2, -5, 1, 1), std::vector<double>{});
-  EXPECT_EQ(p.upright(2, -5, 2, 2), (std::vector{2.0}));
-  EXPECT_EQ(p.upright(5, -5, 1, 1), (std::vector{4.0}));
+  // Another block first, whose walls are those of nothing else.
+  Prisms p({block("beside", 1, 1, 4), placed(block("below", 10, 10, 4), 10, 0, 0),
+            placed(block("above", 4, 4, 2), 10, -3, 4)});
+  for (const double x : {8.0, 12.0}) {
+    EXPECT_EQ(p.upright(x, -5, 1, 1), std::vector<double>{}) << x;
+    EXPECT_EQ(p.upright(x, -5, 2, 2), (std::vector{2.0})) << x;
+  }
+  EXPECT_EQ(p.upright(15, -5, 1, 1), (std::vector{4.0}));
 }
 
 TEST(ParallelPrismEdges, OneStandsWhereAWallGoesOnUnderAnotherName) {
@@ -114,7 +118,7 @@ TEST(ParallelPrismEdges, LinesAreJoinedWhereNothingElseEndsBetweenThem) {
   }
 }
 
-TEST(ParallelPrismEdges, NodesOfACircleAreOnIt) {
+TEST(ParallelPrismEdges, NodesAndPointsOfACircleAreOnIt) {
   Prisms p({cylinder("c", 2, 3)});
   const int circle = p.edges.level(0, 1);
   BrepFace face;
@@ -129,6 +133,9 @@ TEST(ParallelPrismEdges, NodesOfACircleAreOnIt) {
     EXPECT_NEAR(std::hypot(brep.points.at(n).x, brep.points.at(n).y), 2, 1e-12);
     EXPECT_NEAR(brep.points.at(n).z, 3, 1e-12);
   }
+  EXPECT_LT(test::largest_turning(edge), 6.01);
+  EXPECT_EQ(edge.points.front(), brep.vertices[edge.vertices[0]].position);
+  EXPECT_EQ(edge.points.back(), edge.points.front());
 }
 
 }  // namespace
