@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/base/circumball.h"
 #include "engine/base/hilbert.h"
 #include "engine/kernel/predicates.h"
+#include "engine/mesh/circumball.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
