@@ -5,11 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/angle.h"
+
 namespace remeshd {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Points go up to sqrt(3) spacings beyond the box and are jittered by half of one.
 constexpr double kMargin = 2.5;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/parallel.h"
+#include "engine/base/tolerance.h"
 #include "engine/boundary/face_distance.h"
 #include "engine/boundary/lattice.h"
 
@@ -11,8 +12,6 @@ namespace remeshd {
 
 namespace {
 
-/// Share of the model's diagonal by which a point is moved off a face to see what lies there.
-constexpr double kProbe = 1e-9;
 constexpr std::size_t kFewSamples = 3;  // below this a face is sampled at its triangles instead
 
 Box face_box(const BoundaryFace& face) {
@@ -77,7 +76,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
                  Random random, const Run& run, std::vector<Sample>& out) {
   const BoundaryFace& face = boundary.faces[index];
   const Support support{Support::Kind::Face, index};
-  const double probe = kProbe * boundary.bounds.diagonal();
+  const double probe = tolerance::kProbe * boundary.bounds.diagonal();
   const Box box = face_box(face);
   const std::size_t begin = out.size();
   bool reached = false;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "engine/base/angle.h"
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/check_cells.h"
@@ -68,7 +68,7 @@ struct Fused {
 /// Whether the CAD kernel begins and ends the feature's faces at a seam in its xz plane.
 bool has_seam(const Shape& shape) {
   if (const auto* revolution = std::get_if<Revolution>(&shape))
-    return revolution->angle > 2 * std::numbers::pi - 1e-12;
+    return revolution->angle > kTurn - 1e-12;
   return !std::holds_alternative<Block>(shape) && !std::holds_alternative<Prism>(shape) &&
          !std::holds_alternative<Slot>(shape);
 }

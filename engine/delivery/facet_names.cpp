@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace remeshd {
+#include "engine/base/tolerance.h"
 
-namespace {
-constexpr double kOnSurface = 1e-7;  // of the model's diagonal
-}
+namespace remeshd {
 
 FacetNames::FacetNames(const FeatureModel& model, const Membership& membership,
                        const BoundaryModel& boundary)
     : model_(model),
       membership_(membership),
       boundary_(boundary),
-      tolerance_(kOnSurface * boundary.bounds.diagonal()) {}
+      tolerance_(tolerance::kOnSurface * boundary.bounds.diagonal()) {}
 
 std::vector<std::string> FacetNames::operator()(int face_index, const Vec3& p) const {
   const BoundaryFace& face = boundary_.faces[face_index];

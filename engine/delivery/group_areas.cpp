@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/delivery/facet_names.h"
 
 namespace remeshd {
 
 namespace {
-
-constexpr double kOnSurface = 1e-6;  // of the model's diagonal: chords of the triangulation apart
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * norm(cross(b - a, c - a)); }
 
@@ -26,7 +25,8 @@ Vec3 point_on(const kernel::Brep& brep, const kernel::BrepFace& face) {
 
 /// The plane faces of the merged boundary with several names, -1 for a point on none of them.
 int shared_plane(const BoundaryModel& boundary, const Membership& membership, const Vec3& p) {
-  const double tolerance = kOnSurface * boundary.bounds.diagonal();
+  // Wider than for nodes: the middle of a triangle may be off by what the chords are.
+  const double tolerance = 10 * tolerance::kOnSurface * boundary.bounds.diagonal();
   for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
     const BoundaryFace& face = boundary.faces[f];
     if (face.names.size() < 2 || face.surface.kind != Surface::Kind::Plane ||

@@ -12,6 +12,14 @@ namespace remeshd::kernel {
 /// rad: at most between points of an edge, 6 degrees are promised, and between the chords of a
 /// circle that triangles stand on.
 constexpr double kPointTurning = 0.1, kChordTurning = 0.12;
+/// Of a radius: polylines stay further from other edges than they stand off their own, and
+/// triangles between them are no slivers.
+constexpr double kClearChord = 0.03;
+/// rad: about as much, between nodes on a round face. Faces with straight lines are flattened to
+/// what such an angle spans: so triangles stand along the lines and cut nothing short.
+constexpr double kFaceTurning = 0.14;
+/// Of a face's area: what chords may take from it; where more lacks, it was not covered.
+constexpr double kAreaError = 0.05;
 /// Kernel units: below, a chord says nothing of a direction.
 constexpr double kShortestChord = 1e-3;
 

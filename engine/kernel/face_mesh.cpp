@@ -25,12 +25,13 @@ namespace {
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point2 = K::Point_2;
 
-constexpr double kStep = 0.14;        // rad between nodes, about that of the polylines
-constexpr double kSameCorner = 1e-3;  // kernel units: images of one node this near are one corner
-constexpr double kShortest = 1e-6;    // kernel units: segments are not split below
-constexpr int kRounds = 40;
-constexpr std::size_t kMaxInterior = 20'000;
-constexpr double kAreaError = 0.05;  // of the face; more means that it was not covered
+struct FaceMeshLimits {
+  double same_corner = 1e-3;  ///< kernel units: images of one node this near are one corner
+  double shortest = 1e-6;     ///< kernel units: segments are not split below
+  int rounds = 40;            ///< of splitting segments that cross
+  std::size_t most_interior = 20'000;  ///< nodes inside of a face that is round both ways
+};
+constexpr FaceMeshLimits kLimits;
 
 Point2 point2(const std::array<double, 2>& p) { return {p[0], p[1]}; }
 
@@ -66,7 +67,7 @@ class FaceMesher {
       for (const int f : faces)
         if (!find_cuts(border_of(f), cuts)) return false;
       if (cuts.empty()) break;
-      if (round == kRounds) return false;
+      if (round == kLimits.rounds) return false;
       for (auto it = cuts.rbegin(); it != cuts.rend(); ++it) {  // the highest index first
         split(*it);
         faces.insert(faces_at_[it->edge].begin(), faces_at_[it->edge].end());
@@ -143,7 +144,8 @@ class FaceMesher {
       low = std::min(low, corner.p[1]);
       high = std::max(high, corner.p[1]);
     }
-    const double factor = std::min(1.0, kStep * stretch_[0] / std::max(high - low, kShortest));
+    const double factor =
+        std::min(1.0, kFaceTurning * stretch_[0] / std::max(high - low, kLimits.shortest));
     for (Border::Corner& corner : border.corners) corner.p[1] *= factor;
   }
 
@@ -193,7 +195,7 @@ class FaceMesher {
       const auto [begin, end] = of_node.equal_range(node);
       for (auto it = begin; it != end; ++it)
         if (std::hypot(border.corners[it->second].p[0] - p[0],
-                       border.corners[it->second].p[1] - p[1]) < kSameCorner)
+                       border.corners[it->second].p[1] - p[1]) < kLimits.same_corner)
           return it->second;
       border.corners.push_back({p, node});
       of_node.emplace(node, static_cast<int>(border.corners.size()) - 1);
@@ -218,7 +220,7 @@ class FaceMesher {
       if (e < 0) {
         const int v = index_of(brep_, Element::Vertex, TopExp::FirstVertex(edge));
         const gp_Pnt2d begin = curve->Value(first), end = curve->Value(last);
-        const int n = std::max(1, static_cast<int>(std::ceil(begin.Distance(end) / kStep)));
+        const int n = std::max(1, static_cast<int>(std::ceil(begin.Distance(end) / kFaceTurning)));
         for (int i = 0; i < n; ++i)
           add(corner(v, curve->Value(first + (last - first) * i / n)),
               corner(v, curve->Value(first + (last - first) * (i + 1) / n)), -1,
@@ -244,7 +246,8 @@ class FaceMesher {
                     brep_.points[chains_[s.edge][s.index + 1].node]);
   }
   [[nodiscard]] bool can_split(const Border::Segment& s) const {
-    return s.edge >= 0 && brep_.edges[s.edge].kind != BrepEdge::Kind::Line && length(s) > kShortest;
+    return s.edge >= 0 && brep_.edges[s.edge].kind != BrepEdge::Kind::Line &&
+           length(s) > kLimits.shortest;
   }
 
   static bool clash(const Border& border, const Border::Segment& s, const Border::Segment& t) {
@@ -313,10 +316,10 @@ class FaceMesher {
     if (surface.GetType() == GeomAbs_Plane || is_ruled(surface)) return {};
     CGAL::Bbox_2 box;
     for (const Border::Corner& corner : border.corners) box += point2(corner.p).bbox();
-    const double step_u = kStep * stretch_[0], step_v = kStep * stretch_[1];
+    const double step_u = kFaceTurning * stretch_[0], step_v = kFaceTurning * stretch_[1];
     const double reach = 0.4 * std::min(step_u, step_v);
     const double nu = (box.xmax() - box.xmin()) / step_u, nv = (box.ymax() - box.ymin()) / step_v;
-    if (!(nu * nv < kMaxInterior)) return {};
+    if (!(nu * nv < kLimits.most_interior)) return {};
     std::vector<std::array<double, 2>> points;
     for (int i = 0; i < nu; ++i)
       for (int j = 0; j < nv; ++j) {

@@ -25,8 +25,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Circ.hxx>
-#include <numbers>
 
+#include "engine/base/angle.h"
 #include "engine/base/error.h"
 #include "engine/kernel/brep_shapes.h"
 
@@ -146,14 +146,14 @@ Brep make_prism(std::span<const ProfileCurve> profile, double height, double sca
 Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double scale) {
   return built([&] {
     const ProfileFace base = make_face(profile, {gp::DX(), gp::DZ()}, scale);
-    const bool full = angle >= 2 * std::numbers::pi - 1e-12;
+    const bool full = angle >= kTurn - 1e-12;
     const gp_Ax1 axis(gp_Pnt(0, 0, 0), gp::DZ());
     BRepPrimAPI_MakeRevol sweep = full ? BRepPrimAPI_MakeRevol(base.face, axis)
                                        : BRepPrimAPI_MakeRevol(base.face, axis, angle);
     Labels labels;
     if (!full) labels = {{sweep.FirstShape(), "start"}, {sweep.LastShape(), "end"}};
     gp_Trsf half_way;
-    half_way.SetRotation(axis, 0.5 * (full ? 2 * std::numbers::pi : angle));
+    half_way.SetRotation(axis, 0.5 * (full ? kTurn : angle));
     for (std::size_t i = 0; i < profile.size(); ++i) {
       if (on_axis(profile[i])) continue;  // sweeps no face
       bool found = false;

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "engine/base/error.h"
+#include "engine/base/tolerance.h"
 #include "engine/model/expression.h"
 #include "engine/model/limits.h"
 
 namespace remeshd {
 namespace {
-
-/// Sine of the angle below which two axes count as parallel.
-constexpr double kParallel = 1e-9;
 
 Vec3 evaluate_triple(const std::array<Scalar, 3>& triple, const Scope& scope,
                      const std::string& feature, const std::string& name) {
@@ -42,9 +40,9 @@ Transform evaluate_placement(const PlacementSource& source, const Scope& scope,
   Vec3 x{1, 0, 0};
   if (source.x_axis) {
     x = evaluate_axis(*source.x_axis, scope, feature, "placement.xAxis");
-    if (norm(cross(z, x)) <= kParallel)
+    if (norm(cross(z, x)) <= tolerance::kSameDirection)
       throw error::degenerate_frame(feature, "placement.xAxis", "is parallel to zAxis");
-  } else if (norm(cross(z, x)) <= kParallel) {
+  } else if (norm(cross(z, x)) <= tolerance::kSameDirection) {
     x = {0, 1, 0};
   }
   Vec3 y = normalised(cross(z, x));

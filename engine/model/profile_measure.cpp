@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "engine/base/angle.h"
 #include "engine/model/profile.h"
 
 namespace remeshd {
@@ -46,8 +46,8 @@ double sweep(const ProfileSide& arc) {
   const double ux = arc.from[0] - arc.centre[0], uy = arc.from[1] - arc.centre[1];
   const double vx = arc.to[0] - arc.centre[0], vy = arc.to[1] - arc.centre[1];
   const double turn = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
-  if (arc.counter_clockwise) return turn < 0 ? turn + 2 * std::numbers::pi : turn;
-  return turn > 0 ? turn - 2 * std::numbers::pi : turn;
+  if (arc.counter_clockwise) return turn < 0 ? turn + kTurn : turn;
+  return turn > 0 ? turn - kTurn : turn;
 }
 
 Box2 side_bounds(const ProfileSide& side) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/angle.h"
 #include "engine/base/error.h"
 #include "engine/model/expression.h"
 #include "engine/model/feature_types.h"
@@ -67,7 +68,7 @@ Shape read_prism(const Reader& r) {
 }
 
 Shape read_revolution(const Reader& r) {
-  double angle = 2 * std::numbers::pi;
+  double angle = kTurn;
   if (r.has("angle")) {
     const double degrees = r.value("angle");
     // 2*180 and 720*cos(60*deg) both mean a full turn.
@@ -76,7 +77,7 @@ Shape read_revolution(const Reader& r) {
     if (degrees < kMinSize) r.degenerate("angle", degrees, "must be positive");
     if (!full) angle = degrees * (std::numbers::pi / 180);
   }
-  const bool full_turn = angle == 2 * std::numbers::pi;
+  const bool full_turn = angle == kTurn;
   return Revolution{evaluate_half_profile(*r.source().profile, full_turn, r.scope(), r.source().id),
                     angle};
 }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/angle.h"
+
 namespace remeshd {
 namespace {
 
@@ -38,7 +40,7 @@ void Solid::prepare(const Shape& shape) {
     profile = &s5->profile, c_ = s5->height;
   } else if (const auto* s6 = std::get_if<Revolution>(&shape)) {
     profile = &s6->profile;
-    full_turn_ = s6->angle >= 2 * std::numbers::pi;
+    full_turn_ = s6->angle >= kTurn;
     reflex_ = s6->angle > std::numbers::pi;
     end_cos_ = std::cos(s6->angle), end_sin_ = std::sin(s6->angle);
   } else if (const auto* s7 = std::get_if<Slot>(&shape)) {

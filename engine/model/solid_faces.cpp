@@ -1,7 +1,7 @@
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "engine/base/angle.h"
 #include "engine/model/profile.h"
 #include "engine/model/solid.h"
 
@@ -96,7 +96,7 @@ struct LocalFaces {
       faces.push_back(
           {side_name(k), side.arc ? turned_arc(side) : turned_segment(side, counter_clockwise)});
     }
-    if (s.angle < 2 * std::numbers::pi) {
+    if (s.angle < kTurn) {
       faces.push_back({"start", plane({0, 0, 0}, {0, -1, 0})});
       faces.push_back({"end", plane({0, 0, 0}, {-std::sin(s.angle), std::cos(s.angle), 0})});
     }

@@ -6,15 +6,18 @@
 namespace remeshd {
 
 namespace {
-constexpr int kSteps = 4;        // cubes to the reach
-constexpr double kCell = 0.4;    // of the reach
-constexpr double kSlack = 1e-9;  // of a radius or the reach: more than rounding
+struct SurroundingsGrid {
+  int steps = 4;        ///< of the region's cubes to the reach
+  double cell = 0.4;    ///< width of the grid's cells, x the reach
+  double slack = 1e-9;  ///< of a radius or the reach: more than rounding
+};
+constexpr SurroundingsGrid kGrid;
 }  // namespace
 
 Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box& within)
-    : reach_(reach), region_(points, reach, kSteps), grid_(points, kCell * reach) {
+    : reach_(reach), region_(points, reach, kGrid.steps), grid_(points, kGrid.cell * reach) {
   for (const Box& part : region_.boxes()) {
-    parts_.push_back(grown(part, kSlack * reach));
+    parts_.push_back(grown(part, kGrid.slack * reach));
     const Box box = intersection(part, within);
     if (box.empty()) continue;
     boxes_.push_back(box);
@@ -35,7 +38,7 @@ bool Surroundings::may_hold_some_of(const Box& box) const {
 bool Surroundings::meets(const Vec3& centre, double radius) const {
   if (box_.empty()) return false;
   if (!std::isfinite(radius)) return true;
-  const double reached2 = radius * radius * (1 + kSlack);
+  const double reached2 = radius * radius * (1 + kGrid.slack);
   const auto near = [&](const Box& box) {
     const Vec3 nearest{std::clamp(centre.x, box.lo.x, box.hi.x),
                        std::clamp(centre.y, box.lo.y, box.hi.y),

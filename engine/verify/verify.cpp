@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
+#include "engine/base/tolerance.h"
 #include "engine/improve/boundary_rules.h"
 #include "engine/improve/edge_chains.h"
 #include "engine/mesh/quality.h"
@@ -21,8 +22,6 @@ constexpr std::uint32_t kKeptPerKind = 20;
 /// A volume-length measure at which a tet counts as flat: its height is within rounding of zero
 /// for any use of the mesh.
 constexpr double kFlat = 1e-6;
-/// Share of the model's diagonal within which a node stands on its support.
-constexpr double kOnSupport = 1e-7;
 
 std::string text(const Vec3& p) {
   std::array<char, 96> buffer{};
@@ -39,7 +38,7 @@ class Checker {
         boundary_(boundary),
         options_(options),
         faces_(boundary, supports_),
-        tolerance_(kOnSupport * boundary.bounds.diagonal()),
+        tolerance_(tolerance::kOnSurface * boundary.bounds.diagonal()),
         run_(run),
         poll_(run) {
     if (options.parent) inherited_ = correspond(mesh, *options.parent, poll_);

@@ -15,8 +15,7 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-constexpr double kBulge = 0.05;   // of a chord: more than an edge of 6 degrees stands off it
-constexpr double kOrderGap = 10;  // x the kernel's tolerance
+constexpr double kBulge = 0.05;  // of a chord: more than an edge of 6 degrees stands off it
 
 /// Puts `values` into this order and returns for each old index the new one, -1 where left out.
 template <typename T>

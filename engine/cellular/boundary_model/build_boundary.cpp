@@ -13,8 +13,6 @@ namespace {
 using kernel::Brep;
 using kernel::BrepEdge;
 
-constexpr double kOrderGap = 10;  // x the kernel's tolerance: positions nearer are equal
-
 /// Sorts `values` by `keys` and returns for each old index the new one.
 template <typename T, typename Key>
 std::vector<int> sort_by(std::vector<T>& values, const std::vector<Key>& keys) {

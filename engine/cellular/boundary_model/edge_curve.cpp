@@ -1,13 +1,12 @@
 #include "engine/cellular/boundary_model/edge_curve.h"
 
 #include <algorithm>
-#include <numbers>
 #include <tuple>
+
+#include "engine/kernel/curve_points.h"
 
 namespace remeshd {
 namespace {
-
-constexpr double kTurning = 0.1;  // rad between points of a circle; 6 degrees are promised
 
 bool positive(const Vec3& axis) {
   for (const double c : {axis.x, axis.y, axis.z})
@@ -33,7 +32,7 @@ void sample_circle(BoundaryEdge& edge) {
   u = normalised(u - dot(u, axis) * axis);
   const Vec3 v = cross(axis, u);
   const double angle = edge.length / circle.radius;
-  const int n = std::max(2, static_cast<int>(std::ceil(angle / kTurning)));
+  const int n = kernel::steps_of(angle, kernel::kPointTurning);
   const Vec3 first = edge.points.front(), last = edge.points.back();
   edge.points.clear();
   for (int i = 0; i <= n; ++i) {

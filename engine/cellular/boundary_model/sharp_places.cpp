@@ -5,13 +5,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/angle.h"
+
 namespace remeshd {
 
 namespace {
 
-constexpr double kProbe = 1e-6;  // of the diagonal: radius of the circle that material is felt on
-constexpr int kPlaces = 5;       // along an edge
-constexpr int kFeelers = 64;     // round it
+/// Where material is looked for round an edge.
+struct EdgeProbes {
+  double radius = 1e-6;  ///< of their circle, x the model's diagonal
+  int places = 5;        ///< along an edge
+  int per_circle = 64;
+};
+constexpr EdgeProbes kProbes;
 
 Vec3 outward(const BoundaryFace& face, const Vec3& p) {
   const Vec3 n = normal(face.surface, p);
@@ -24,22 +30,22 @@ double material_angle(const Vec3& p, const Vec3& along, double radius,
   const Vec3 helper = std::fabs(along.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 u = normalised(cross(along, helper)), v = cross(along, u);
   int inside = 0;
-  for (int k = 0; k < kFeelers; ++k) {
-    const double a = 2 * std::numbers::pi * (k + 0.5) / kFeelers;
+  for (int k = 0; k < kProbes.per_circle; ++k) {
+    const double a = kTurn * (k + 0.5) / kProbes.per_circle;
     inside += membership.inside(p + radius * (std::cos(a) * u + std::sin(a) * v)) ? 1 : 0;
   }
-  return 2 * std::numbers::pi * inside / kFeelers;
+  return kTurn * inside / kProbes.per_circle;
 }
 
 bool sharp_edge(const BoundaryModel& boundary, const BoundaryEdge& edge,
                 const Membership& membership, double angle) {
   if (edge.faces.size() != 2 || edge.points.size() < 2) return false;
   const BoundaryFace &a = boundary.faces[edge.faces[0]], &b = boundary.faces[edge.faces[1]];
-  const double radius = kProbe * boundary.bounds.diagonal();
+  const double radius = kProbes.radius * boundary.bounds.diagonal();
   const std::size_t last = edge.points.size() - 1;
-  for (int k = 0; k < kPlaces; ++k) {
+  for (int k = 0; k < kProbes.places; ++k) {
     // Places between two points of the polyline, the ends' neighbourhoods included.
-    const std::size_t i = std::min(last - 1, last * k / (kPlaces - 1));
+    const std::size_t i = std::min(last - 1, last * k / (kProbes.places - 1));
     const Vec3 p = project(boundary, edge, 0.5 * (edge.points[i] + edge.points[i + 1]));
     const Vec3 along = edge.points[i + 1] - edge.points[i];
     // Normals that point away from each other: a wedge of material, or a slit in it.

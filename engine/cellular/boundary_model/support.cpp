@@ -1,8 +1,8 @@
 #include "engine/cellular/boundary_model/support.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "engine/base/angle.h"
 #include "engine/cellular/boundary_model/edge_curve.h"
 
 namespace remeshd {
@@ -29,10 +29,10 @@ Vec3 nearest_on_circle(const BoundaryEdge& edge, const Vec3& p) {
   if (edge.closed() && edge.start < 0) return circle.origin + circle.radius * normalised(out);
   const Vec3 u = normalised(start - dot(start, axis) * axis);
   double angle = std::atan2(dot(out, cross(axis, u)), dot(out, u));
-  if (angle < 0) angle += 2 * std::numbers::pi;
+  if (angle < 0) angle += kTurn;
   const double whole = edge.length / circle.radius;
   if (angle <= whole) return circle.origin + circle.radius * normalised(out);
-  return angle - whole < 2 * std::numbers::pi - angle ? edge.points.back() : edge.points.front();
+  return angle - whole < kTurn - angle ? edge.points.back() : edge.points.front();
 }
 
 Vec3 nearest_on_polyline(const BoundaryModel& boundary, const BoundaryEdge& edge, const Vec3& p) {

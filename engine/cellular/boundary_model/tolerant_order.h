@@ -5,6 +5,9 @@
 
 namespace remeshd {
 
+/// The gap for places of a B-rep, x the kernel's tolerance.
+inline constexpr double kOrderGap = 10;
+
 /// Numbers by rank, equal for values that are no further apart than `gap` or are linked by others
 /// that are not: an order of these is an order of the values that noise below the gap leaves alone.
 std::vector<int> tolerant_ranks(const std::vector<double>& values, double gap);

@@ -10,12 +10,16 @@
 namespace remeshd {
 namespace {
 
-constexpr double kParallel = 1e-11;       // sine of an angle: none
-constexpr double kShallow = 1e-3;         // sine of an angle between planes, or a line and a plane
-constexpr double kShallowWall = 0.1;      // sine of an angle between a plane and an axis
-constexpr double kNearTangent = 0.01;     // of a half axis
-constexpr std::size_t kMaxPatches = 250;  // pairs are looked at; more would take as long as a fuse
-constexpr std::size_t kMaxCurves = 1000;
+/// Sines of angles that are in doubt, and counts beyond which a fuse takes no longer.
+struct CrossingLimits {
+  double parallel = 1e-11;     ///< no angle
+  double shallow = 1e-3;       ///< between planes, or a line and a plane
+  double wall_to_plane = 0.1;  ///< between a plane and a round wall's axis
+  double near_tangent = 0.01;  ///< x half axis
+  std::size_t patches = 250;   ///< pairs of them are looked at
+  std::size_t curves = 1000;
+};
+constexpr CrossingLimits kLimits;
 
 /// Between two segments, at least.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -37,7 +41,7 @@ class Finder {
         clear_(clearance.clear) {}
 
   Tried<std::vector<IntersectionCurve>> find() {
-    if (patches_.size() > kMaxPatches)
+    if (patches_.size() > kLimits.patches)
       return GaveUp{"intersection_curves", "the features have too many faces"};
     for (const Patch& patch : patches_) boxes_.push_back(grown(patch.box, clear_));
     for (const PatchEdge& edge : edges_) add_edge(edge);
@@ -46,7 +50,7 @@ class Finder {
         if (patches_[i].feature != patches_[j].feature && touch(boxes_[i], boxes_[j]))
           cross_patches(i, j);
         if (doubt_) return *doubt_;
-        if (out_.size() > kMaxCurves)
+        if (out_.size() > kLimits.curves)
           return GaveUp{"intersection_curves", "there are too many curves"};
       }
     for (IntersectionCurve& curve : out_)
@@ -88,7 +92,7 @@ class Finder {
     };
     auto it = std::ranges::find_if(out_, [&](const IntersectionCurve& c) {
       return !c.round && off(c, from) <= same_ && off(c, to) <= same_ &&
-             norm(cross(c.direction, direction)) < kShallow;
+             norm(cross(c.direction, direction)) < kLimits.shallow;
     });
     if (it == out_.end()) {
       IntersectionCurve curve;
@@ -110,13 +114,14 @@ class Finder {
     const Vec3 axis = wall.axis();
     auto it = std::ranges::find_if(out_, [&](const IntersectionCurve& c) {
       return c.round && distance(c.origin, centre) <= same_ &&
-             std::fabs(c.radius - wall.radius) <= same_ && norm(cross(c.axis, axis)) < kParallel &&
-             norm(cross(normalised(cross(c.u, c.v)), plane)) < kParallel;
+             std::fabs(c.radius - wall.radius) <= same_ &&
+             norm(cross(c.axis, axis)) < kLimits.parallel &&
+             norm(cross(normalised(cross(c.u, c.v)), plane)) < kLimits.parallel;
     });
     if (it == out_.end()) {
       IntersectionCurve c;
       c.round = true;
-      c.circle = norm(cross(axis, plane)) < kParallel;
+      c.circle = norm(cross(axis, plane)) < kLimits.parallel;
       c.origin = centre;
       c.x = {wall.into.m[0], wall.into.m[1], wall.into.m[2]};
       c.y = {wall.into.m[4], wall.into.m[5], wall.into.m[6]};
@@ -162,7 +167,7 @@ class Finder {
     for (const auto& [o, d, l, h] : {std::array{p.x, direction.x, box.lo.x, box.hi.x},
                                      std::array{p.y, direction.y, box.lo.y, box.hi.y},
                                      std::array{p.z, direction.z, box.lo.z, box.hi.z}}) {
-      if (std::fabs(d) < kParallel) {
+      if (std::fabs(d) < kLimits.parallel) {
         if (o < l || o > h) return;
         continue;
       }
@@ -178,13 +183,13 @@ class Finder {
     const Patch &a = patches_[i], &b = patches_[j];
     const Vec3 c = cross(a.normal, b.normal);
     const double sine = norm(c);
-    if (sine <= kParallel) {
+    if (sine <= kLimits.parallel) {
       const double d = std::fabs(b.distance_to(a.origin));
       if (d > same_ && d < clear_)
         doubt("two parallel planes are neither clearly the same nor clearly apart");
       return;
     }
-    if (sine < kShallow) return doubt("two planes meet at a very small angle");
+    if (sine < kLimits.shallow) return doubt("two planes meet at a very small angle");
     // Near the middle of the box, where it matters.
     const Box box = intersection(boxes_[i], boxes_[j]);
     Vec3 p = 0.5 * (box.lo + box.hi);
@@ -201,9 +206,9 @@ class Finder {
     const Transform frame = rigid_inverse(wall.into);
     const Vec3 axis = wall.axis(), centre = frame.apply({0, 0, 0.5 * (wall.low + wall.high)});
     const double cosine = dot(flat.normal, axis), r = wall.radius;
-    if (std::fabs(cosine) <= kParallel) {
+    if (std::fabs(cosine) <= kLimits.parallel) {
       const double d = flat.distance_to(centre);
-      if (std::fabs(std::fabs(d) - r) < std::max(clear_, kClearChord * r)) {
+      if (std::fabs(std::fabs(d) - r) < std::max(clear_, kernel::kClearChord * r)) {
         doubt("a plane touches or nearly touches a cylinder along its side");
       } else if (std::fabs(d) < r) {
         const Vec3 side = std::sqrt(r * r - d * d) * cross(axis, flat.normal);
@@ -213,9 +218,9 @@ class Finder {
       return;
     }
     const double sine = norm(cross(flat.normal, axis));
-    if (std::fabs(cosine) < kShallowWall)
+    if (std::fabs(cosine) < kLimits.wall_to_plane)
       return doubt("a plane meets the axis of a cylinder at a small angle");
-    if (sine > kParallel && sine < kShallow)
+    if (sine > kLimits.parallel && sine < kLimits.shallow)
       return doubt("a plane is nearly but not clearly at right angles to the axis of a cylinder");
     const Vec3 at = centre - (flat.distance_to(centre) / cosine) * axis;
     const double z = wall.into.apply(at).z, reach = r * sine / std::fabs(cosine) + clear_;
@@ -227,8 +232,8 @@ class Finder {
   void cross_walls(int i, int j) {
     const Patch &a = patches_[i], &b = patches_[j];
     const Transform frame = rigid_inverse(a.into), other = rigid_inverse(b.into);
-    const double gap = std::max(clear_, kClearChord * std::max(a.radius, b.radius));
-    if (norm(cross(a.axis(), b.axis())) > kParallel) {
+    const double gap = std::max(clear_, kernel::kClearChord * std::max(a.radius, b.radius));
+    if (norm(cross(a.axis(), b.axis())) > kLimits.parallel) {
       const double d =
           distance_of_segments(frame.apply({0, 0, a.low}), frame.apply({0, 0, a.high}),
                                other.apply({0, 0, b.low}), other.apply({0, 0, b.high}));
@@ -272,20 +277,20 @@ class Finder {
     const Patch& patch = patches_[p];
     if (!patch.round) {
       const double slope = dot(line.direction, patch.normal);
-      if (std::fabs(slope) <= kParallel) return;
+      if (std::fabs(slope) <= kLimits.parallel) return;
       const double t = -patch.distance_to(line.origin) / slope;
       if (t < line.low - clear_ || t > line.high + clear_) return;
-      if (std::fabs(slope) < kShallow && boxes_[p].contains(line.at(t).p))
+      if (std::fabs(slope) < kLimits.shallow && boxes_[p].contains(line.at(t).p))
         doubt("a line meets a plane at a very small angle");
       return add_split(line, t, p);
     }
     const Vec3 q = patch.into.apply(line.origin), d = patch.into.rotate(line.direction);
     const double speed = std::hypot(d.x, d.y);
-    if (speed <= kParallel) return;
+    if (speed <= kLimits.parallel) return;
     const double nearest = std::fabs(q.x * d.y - q.y * d.x) / speed;
     const double middle = -(q.x * d.x + q.y * d.y) / (speed * speed);
     const double gap = std::fabs(nearest - patch.radius);
-    if (gap < std::max(clear_, kClearChord * patch.radius) && middle > line.low - clear_ &&
+    if (gap < std::max(clear_, kernel::kClearChord * patch.radius) && middle > line.low - clear_ &&
         middle < line.high + clear_) {
       touch_at(line, middle, p, gap <= same_);
       if (gap <= same_) return;
@@ -294,7 +299,7 @@ class Finder {
     const double half = std::sqrt(patch.radius * patch.radius - nearest * nearest) / speed;
     for (const double t : {middle - half, middle + half})
       if (t > line.low - clear_ && t < line.high + clear_) {
-        if (speed < kShallow && boxes_[p].contains(line.at(t).p))
+        if (speed < kLimits.shallow && boxes_[p].contains(line.at(t).p))
           doubt("a line meets a cylinder at a very small angle");
         add_split(line, t, p);
       }
@@ -308,7 +313,7 @@ class Finder {
     if (reach <= same_) return;
     const double middle = std::atan2(b, a) + (d < 0 ? std::numbers::pi : 0);
     const double gap = std::fabs(std::fabs(d) - reach);
-    if (gap < kNearTangent * reach) {
+    if (gap < kLimits.near_tangent * reach) {
       touch_at(curve, middle, p, gap <= same_);
       if (gap <= same_) return;
     }
@@ -321,9 +326,10 @@ class Finder {
   /// where it ends.
   void split_by_wall(IntersectionCurve& curve, std::size_t p) {
     const Patch& wall = patches_[p];
-    if (norm(cross(wall.axis(), curve.axis)) > kParallel) return;
+    if (norm(cross(wall.axis(), curve.axis)) > kLimits.parallel) return;
     const Vec3 c = wall.into.apply(curve.origin);
-    const double d = std::hypot(c.x, c.y), gap = kClearChord * std::max(wall.radius, curve.radius);
+    const double d = std::hypot(c.x, c.y),
+                 gap = kernel::kClearChord * std::max(wall.radius, curve.radius);
     if (d > wall.radius + curve.radius - gap || d < std::fabs(wall.radius - curve.radius) + gap)
       return;
     const Vec3 towards = rigid_inverse(wall.into).rotate({-c.x / d, -c.y / d, 0});

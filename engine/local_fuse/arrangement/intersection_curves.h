@@ -33,8 +33,6 @@ struct IntersectionCurve {
 struct Clearance {
   double same = 0, clear = 0;
 };
-/// Of a radius: polylines stay further from walls than they stand off them.
-constexpr double kClearChord = 0.03;
 
 /// The curves of all edges of patches and of where two features' patches cross, split wherever
 /// another patch may cross them. There are more of them, and more splits, than edges.

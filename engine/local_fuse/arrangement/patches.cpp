@@ -1,17 +1,11 @@
 #include "engine/local_fuse/arrangement/patches.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "engine/base/angle.h"
 
 namespace remeshd {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-double wrapped(double angle) {
-  const double a = std::fmod(angle, kTurn);
-  return a < 0 ? a + kTurn : a;
-}
 
 /// Of a circle about a unit axis.
 void add_circle(Box& box, const Vec3& centre, const Vec3& axis, double radius) {

@@ -3,18 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
+
+#include "engine/base/angle.h"
+#include "engine/kernel/curve_points.h"
 
 namespace remeshd {
 namespace {
 
 // More would take longer than the kernel.
-constexpr std::size_t kMaxSides = 1500;  // pairs of sides are looked at
-constexpr int kMaxSearches = 10'000;     // for a node
-// Of a radius: chords stay further apart than they stand off their circles, and triangles between
-// them are no slivers.
-constexpr double kClearChords = 0.03;
+struct ArrangementLimits {
+  std::size_t sides = 1500;  ///< pairs of them are looked at
+  int searches = 10'000;     ///< for a node
+};
+constexpr ArrangementLimits kMost;
 
 double distance_to_segment(const Vec3& p, const SweepSide& s) {
   const Vec3 d = s.to - s.from;
@@ -48,7 +50,7 @@ class Arrangement {
   }
 
   Tried<PlanarArrangement> arrange() {
-    if (sides_.size() > kMaxSides)
+    if (sides_.size() > kMost.sides)
       return GaveUp{"planar_arrangement", "the outlines have too many sides"};
     for (Placed& p : sides_) p.ends = {node(p.side.from), node(p.side.to)};
     for (std::size_t i = 0; !doubt_ && i < sides_.size(); ++i)
@@ -73,7 +75,7 @@ class Arrangement {
   }
 
   int node(const Vec3& p) {
-    if (++searches_ > kMaxSearches) doubt("the sides have too many ends and crossings");
+    if (++searches_ > kMost.searches) doubt("the sides have too many ends and crossings");
     for (int n = 0; n < static_cast<int>(out_.nodes.size()); ++n) {
       const double d = distance(out_.nodes[n], p);
       if (d <= same_) return n;
@@ -94,7 +96,7 @@ class Arrangement {
     }
     const double between = a.side.round ? gap(a.side, b.side) : gap(b.side, a.side);
     const double radius = std::max(a.side.radius, b.side.radius);
-    if (between < std::max(clear_, kClearChords * radius))
+    if (between < std::max(clear_, kernel::kClearChord * radius))
       doubt("a round side meets or nearly meets a side of another outline");
   }
 
@@ -135,13 +137,12 @@ class Arrangement {
       it->covers.push_back(cover);
       return;
     }
-    ArrangementEdge piece{p.ends[0], p.ends[1], true, s.centre, s.radius, 2 * std::numbers::pi,
-                          {cover},   {},        {}};
+    ArrangementEdge piece{p.ends[0], p.ends[1], true, s.centre, s.radius, kTurn, {cover}, {}, {}};
     if (!s.left_turn) std::swap(piece.a, piece.b);
     if (piece.a != piece.b) {
       const Vec3 from = out_.nodes[piece.a] - s.centre, to = out_.nodes[piece.b] - s.centre;
       piece.angle = std::atan2(cross(from, to).z, dot(from, to));
-      if (piece.angle <= 0) piece.angle += 2 * std::numbers::pi;
+      if (piece.angle <= 0) piece.angle += kTurn;
     } else if (!s.closed()) {
       doubt("the ends of an arc are one node");
     }

@@ -5,23 +5,26 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/angle.h"
+#include "engine/base/tolerance.h"
 #include "engine/cellular/changes.h"
 
 namespace remeshd {
 namespace {
 
-constexpr double kStep = 1e-7;        // of the diagonal
-constexpr double kNear = 10;          // steps: nothing else may be nearer
-constexpr double kSameAngle = 1e-7;   // rad
-constexpr double kClearAngle = 0.02;  // rad: between half-faces
-constexpr double kThrough = 1e-9;     // sine of the angle between a curve and a patch it lies on
+struct SectorLimits {
+  double near = 10;           ///< steps: nothing else may be nearer
+  double same_angle = 1e-7;   ///< rad
+  double clear_angle = 0.02;  ///< rad: between half-faces
+};
+constexpr SectorLimits kLimits;
 
 /// Of patches with the same normal at a point of both.
 bool same_patch_surface(const Patch& a, const Patch& b, const Vec3& p, double same) {
   if (a.round != b.round) return false;
   if (!a.round) return true;
   return std::fabs(a.radius - b.radius) <= same && dot(a.normal_at(p), b.normal_at(p)) > 0 &&
-         norm(cross(a.axis(), b.axis())) <= kThrough;
+         norm(cross(a.axis(), b.axis())) <= tolerance::kSameDirection;
 }
 
 }  // namespace
@@ -32,9 +35,9 @@ Sectors::Sectors(const Membership& membership, std::span<const int> features,
       features_(features),
       patches_(patches),
       clearance_(clearance),
-      step_(kStep * diagonal) {
+      step_(tolerance::kWideProbe * diagonal) {
   for (const int f : features)
-    boxes_.push_back(grown(membership.solids()[f].bounds(), kNear * step_));
+    boxes_.push_back(grown(membership.solids()[f].bounds(), kLimits.near * step_));
 }
 
 bool Sectors::material(FeatureSet owners) const {
@@ -61,7 +64,7 @@ Tried<void> Sectors::add_covers(HalfFace& half_face, const Vec3& p,
     const Patch* cover = nullptr;
     for (const Patch* patch : through) {
       if (patch->feature != feature || !patch->beside(on, 0.5 * step_)) continue;
-      if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kSameAngle) continue;
+      if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kLimits.same_angle) continue;
       if (cover != nullptr)
         return GaveUp{"sectors", "two faces of one feature cover the same half-face"};
       cover = patch;
@@ -86,26 +89,26 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
   std::vector<const Patch*> through;
   std::vector<double> angles;
   for (const Patch& patch : patches_.patches) {
-    if (!patch.box.contains(p, kNear * step_)) continue;
+    if (!patch.box.contains(p, kLimits.near * step_)) continue;
     const double d = std::fabs(patch.distance_to(p));
-    if (d > kNear * step_) continue;
+    if (d > kLimits.near * step_) continue;
     const Vec3 n = patch.normal_at(p);
     if (d > clearance_.same)
       return GaveUp{"sectors", "a face comes near a curve that it does not clearly contain"};
-    if (std::fabs(dot(n, along)) > kThrough)
+    if (std::fabs(dot(n, along)) > tolerance::kSameDirection)
       return GaveUp{"sectors", "a face crosses a curve where no edge ends"};
     const Vec3 side = cross(n, along);
     const double angle = std::atan2(dot(side, v), dot(side, u));
     through.push_back(&patch);
     for (const double turn : {0.0, std::numbers::pi}) {
-      const double a = std::fmod(angle + turn + 2 * std::numbers::pi, 2 * std::numbers::pi);
-      angles.push_back(a > 2 * std::numbers::pi - kSameAngle ? 0 : a);
+      const double a = std::fmod(angle + turn + kTurn, kTurn);
+      angles.push_back(a > kTurn - kLimits.same_angle ? 0 : a);
     }
   }
   std::ranges::sort(angles);
   std::vector<double> apart;
   for (const double a : angles)
-    if (apart.empty() || a - apart.back() > kSameAngle) apart.push_back(a);
+    if (apart.empty() || a - apart.back() > kLimits.same_angle) apart.push_back(a);
   if (apart.size() < 2) return std::vector<HalfFace>{};
 
   FeatureSet candidates = 0;
@@ -114,8 +117,8 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
   const auto towards = [&](double a) { return std::cos(a) * u + std::sin(a) * v; };
   std::vector<FeatureSet> between;  // an angle and the next
   for (std::size_t i = 0; i < apart.size(); ++i) {
-    const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + 2 * std::numbers::pi;
-    if (next - apart[i] < kClearAngle)
+    const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + kTurn;
+    if (next - apart[i] < kLimits.clear_angle)
       return GaveUp{"sectors", "two faces meet at a curve at a very small angle"};
     between.push_back(owners(p + step_ * towards(0.5 * (apart[i] + next)), candidates));
   }

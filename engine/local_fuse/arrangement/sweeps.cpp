@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/base/angle.h"
+#include "engine/base/tolerance.h"
 
 namespace remeshd {
 namespace {
 
-constexpr double kParallel = 1e-12;  // rad
-
 Vec3 column(const Transform& t, int k) { return {t.m[k], t.m[4 + k], t.m[8 + k]}; }
 
-bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) <= kParallel; }
+bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) <= tolerance::kRounding; }
 
 /// The axes of a feature that it is swept along: all three of a block, none of what is no sweep.
 std::vector<int> axes_of(const Shape& shape) {
@@ -114,8 +114,8 @@ double turning(const std::vector<SweepSide>& sides) {
     // The area between an arc and its chord, or all of a circle.
     const Vec3 a = side.from - side.centre, b = side.to - side.centre;
     double angle = std::atan2(cross(a, b).z, dot(a, b));
-    if (side.left_turn && angle <= 0) angle += 2 * std::numbers::pi;
-    if (!side.left_turn && angle >= 0) angle -= 2 * std::numbers::pi;
+    if (side.left_turn && angle <= 0) angle += kTurn;
+    if (!side.left_turn && angle >= 0) angle -= kTurn;
     area += side.radius * side.radius * (angle - std::sin(angle));
   }
   return area;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
+
+#include "engine/base/angle.h"
+#include "engine/base/tolerance.h"
 
 namespace remeshd {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kStraight = 1e-9;  // rad
 
 /// Whether the same lies round two points of a curve.
 bool alike(const std::vector<HalfFace>& a, const std::vector<HalfFace>& b) {
@@ -32,7 +31,7 @@ bool alike(const std::vector<HalfFace>& a, const std::vector<HalfFace>& b) {
 bool passes(const std::vector<HalfFace>& half_faces) {
   return half_faces.size() == 2 && half_faces[0].covers == half_faces[1].covers &&
          half_faces[0].before == half_faces[1].behind &&
-         norm(half_faces[0].direction + half_faces[1].direction) < kStraight;
+         norm(half_faces[0].direction + half_faces[1].direction) < tolerance::kSameDirection;
 }
 
 class Finder {
@@ -76,10 +75,7 @@ class Finder {
       const IntersectionCurve& curve) const {
     std::vector<IntersectionCurve::Split> all = curve.splits, out;
     if (curve.round)
-      for (IntersectionCurve::Split& split : all) {
-        split.t = std::fmod(split.t, kTurn);
-        if (split.t < 0) split.t += kTurn;
-      }
+      for (IntersectionCurve::Split& split : all) split.t = wrapped(split.t);
     std::ranges::sort(all, {}, &IntersectionCurve::Split::t);
     for (const IntersectionCurve::Split& split : all) {
       if (!out.empty() && distance(curve.at(out.back().t).p, curve.at(split.t).p) <= same_)

@@ -194,7 +194,7 @@ class CrossedParts {
 bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clearance& clearance) {
   for (const Patch& patch : patches.patches) {
     if (!patch.round) continue;
-    const double clear = std::max(clearance.clear, kClearChord * patch.radius);
+    const double clear = std::max(clearance.clear, kernel::kClearChord * patch.radius);
     for (const Vec3& p : edges.nodes) {
       if (!patch.box.contains(p, clear)) continue;
       const double d = std::fabs(patch.distance_to(p));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/tolerance.h"
 #include "engine/kernel/curve_points.h"
 
 namespace remeshd {
@@ -10,8 +11,6 @@ namespace {
 
 using kernel::BrepEdge;
 using kernel::BrepFace;
-
-constexpr double kStraight = 1e-9;  // rad
 
 }  // namespace
 
@@ -108,7 +107,7 @@ bool ParallelPrismEdges::straight(int node, int p, int q, int slab) const {
     return normalised(arrangement_.nodes[piece.a == node ? piece.b : piece.a] -
                       arrangement_.nodes[node]);
   };
-  if (norm(out(a) + out(b)) > kStraight) return false;
+  if (norm(out(a) + out(b)) > tolerance::kSameDirection) return false;
   const bool turned = (a.a == node) == (b.a == node);
   const auto covers = [&](const ArrangementEdge& piece, bool turn) {
     std::vector<ArrangementCover> active;
@@ -167,7 +166,7 @@ void ParallelPrismEdges::join_lines() {
     const int to = b.vertices[b.vertices[0] == v ? 1 : 0];
     const Vec3& p = brep_.vertices[v].position;
     if (norm(normalised(brep_.vertices[from].position - p) +
-             normalised(brep_.vertices[to].position - p)) > kStraight)
+             normalised(brep_.vertices[to].position - p)) > tolerance::kSameDirection)
       continue;
     set_line(a, from, to);
     std::ranges::replace(edges_at[to], drop, keep);

@@ -5,6 +5,9 @@
 #include <map>
 #include <numbers>
 
+#include "engine/base/angle.h"
+#include "engine/base/tolerance.h"
+#include "engine/kernel/curve_points.h"
 #include "engine/local_fuse/sewing/plane_face.h"
 
 namespace remeshd {
@@ -13,10 +16,6 @@ namespace {
 using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
-
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kAtCut = 1e-9;    // rad
-constexpr double kTallest = 0.14;  // rad: heights are flattened to what lies in such an angle
 
 /// Integrals over a region of the cylinder, in its frame.
 struct WallMoments {
@@ -51,8 +50,7 @@ class Unrolled {
 
  private:
   [[nodiscard]] double angle_at(const Vec3& q) const {
-    const double a = std::fmod(std::atan2(q.y, q.x) - cut_, kTurn);
-    return a < 0 ? a + kTurn : a;
+    return wrapped(std::atan2(q.y, q.x) - cut_);
   }
 
   /// Straight lines count little: so triangles stand along them and cut nothing short.
@@ -64,14 +62,15 @@ class Unrolled {
         low = std::min(low, z);
         high = std::max(high, z);
       }
-    flat_height_ = std::min(1.0, kTallest * cylinder_.r1 / (high - low));
+    flat_height_ = std::min(1.0, kernel::kFaceTurning * cylinder_.r1 / (high - low));
   }
 
   /// A node where it is seen from an angle.
   int point(int node, double from) {
     const Vec3 q = into_.apply(brep_.points[node]);
     double angle = angle_at(q);
-    const bool at_cut = angle < kAtCut || angle > kTurn - kAtCut;
+    const bool at_cut =
+        angle < tolerance::kSameDirection || angle > kTurn - tolerance::kSameDirection;
     if (at_cut) angle = from < std::numbers::pi ? 0 : kTurn;
     const auto [it, fresh] = point_.try_emplace(std::pair(node, at_cut && angle > 0),
                                                 static_cast<int>(flat_.points.size()));

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "engine/kernel/border_mesh.h"
+#include "engine/kernel/curve_points.h"
 
 namespace remeshd {
 namespace {
@@ -17,8 +18,7 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-constexpr double kAreaError = 0.05;  // of a face, by chords
-constexpr double kArc = 0.5;         // rad, of a circle: one part of an integral
+constexpr double kArc = 0.5;  // rad, of a circle: one part of an integral
 
 /// Sums over a border about a point of the plane: the fans' areas, and these times their centroids.
 struct Moments {
@@ -279,7 +279,7 @@ Tried<std::vector<BrepFace>> plane_faces(const Brep& brep, const std::vector<Pla
     for (const auto& [a, b, c] : face.triangles)
       meshed +=
           0.5 * dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]), n);
-    if (!(std::fabs(meshed - moments[r].area) <= kAreaError * meshed))
+    if (!(std::fabs(meshed - moments[r].area) <= kernel::kAreaError * meshed))
       return GaveUp{"plane_face", "the triangles do not have the area that the edges enclose"};
     std::ranges::sort(face.edges);
     face.cells = {0, -1};

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "engine/base/tolerance.h"
 #include "engine/base/union_find.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/local_fuse/sewing/plane_face.h"
@@ -18,7 +19,6 @@ using kernel::BrepEdge;
 using kernel::BrepFace;
 
 constexpr double kSamePoint = 20;  // x the kernel's own tolerance, a tenth of kernel_tolerance
-constexpr double kProbe = 1e-7;    // of the diagonal: off a plane, to where material is looked for
 
 class Sewing {
  public:
@@ -306,7 +306,7 @@ class Sewing {
       largest = n;
       at = project(surface, (points[a] + points[b] + points[c]) / 3);
     }
-    const Vec3 step = kProbe * membership.bounds().diagonal() * normalised(largest);
+    const Vec3 step = tolerance::kWideProbe * membership.bounds().diagonal() * normalised(largest);
     return membership.inside(at - step) && !membership.inside(at + step);
   }
 
