@@ -11,12 +11,15 @@
 namespace remeshd {
 namespace {
 
-constexpr int kDepth = 5;  // 32 finest cells along each axis: deeper gains 20 ns, costs 10 ms
-constexpr std::size_t kFewTets = 4;  // a list so short is faster than another level
-constexpr int kSteps = 1 << kDepth;
+struct Octree {
+  int depth = 5;             ///< deeper gains 20 ns, costs 10 ms
+  int steps = 1 << depth;    ///< finest cells along each axis
+  std::size_t few_tets = 4;  ///< a list so short is faster than another level
+};
+constexpr Octree kOctree;
 // TetGen takes triangles within 0.1 degree of one plane for flat: 2.6e-7 of tool2-d.
 constexpr double kVolumeTolerance = 1e-5;
-constexpr std::int32_t kOutside = -1, kInside = -2;
+enum CellState : std::int32_t { kOutside = -1, kInside = -2 };  // lists of tets come below
 
 double tet_volume(const TetMesh& mesh, const Tet& t) {
   const Vec3& a = mesh.nodes[t[0]];
@@ -143,7 +146,7 @@ ControlMesh ControlMesh::build(const BoundaryModel& boundary, const Run& run,
   std::iota(tets.begin(), tets.end(), 0);
   std::iota(facet_numbers.begin(), facet_numbers.end(), 0);
   const Vec3 size = out.bounds_.hi - out.bounds_.lo;
-  out.steps_per_length_ = {kSteps / size.x, kSteps / size.y, kSteps / size.z};
+  out.steps_per_length_ = {kOctree.steps / size.x, kOctree.steps / size.y, kOctree.steps / size.z};
   out.nodes_.push_back(kOutside);
   out.leaf_first_.push_back(0);
   run.poll();
@@ -189,7 +192,7 @@ void ControlMesh::divide(const Scene& scene, std::size_t node, const Vec3& centr
     nodes_[node] = in ? kInside : kOutside;
     return;
   }
-  if (tets.size() <= kFewTets || depth == kDepth) {
+  if (tets.size() <= kOctree.few_tets || depth == kOctree.depth) {
     if (tets.empty()) return;  // outside, touched by the surface
     leaf_tets_.insert(leaf_tets_.end(), tets.begin(), tets.end());
     nodes_[node] = kInside - static_cast<std::int32_t>(leaf_first_.size());
@@ -217,13 +220,13 @@ void ControlMesh::divide(const Scene& scene, std::size_t node, const Vec3& centr
 bool ControlMesh::inside(const Vec3& p) const {
   if (!bounds_.contains(p, tolerance_)) return false;
   const auto step = [](double place) {
-    return static_cast<unsigned>(std::clamp(place, 0.0, kSteps - 0.5));
+    return static_cast<unsigned>(std::clamp(place, 0.0, kOctree.steps - 0.5));
   };
   const unsigned x = step((p.x - bounds_.lo.x) * steps_per_length_.x);
   const unsigned y = step((p.y - bounds_.lo.y) * steps_per_length_.y);
   const unsigned z = step((p.z - bounds_.lo.z) * steps_per_length_.z);
   std::int32_t node = nodes_[0];
-  for (int bit = kDepth - 1; node >= 0; --bit)
+  for (int bit = kOctree.depth - 1; node >= 0; --bit)
     node = nodes_[static_cast<std::size_t>(node) + (x >> bit & 1U) + 2 * (y >> bit & 1U) +
                   4 * (z >> bit & 1U)];
   if (node == kOutside) return false;

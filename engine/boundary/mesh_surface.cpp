@@ -13,11 +13,14 @@
 namespace remeshd {
 namespace {
 
-constexpr int kRounds = 6;  // of splitting, collapsing, flipping and evening out
-constexpr int kRoundsPerCrossing = 2;
-constexpr double kPerWidth = 2.0;   // longest sides beside a thin face, in widths of it
-constexpr double kPerRadius = 1.0;  // longest sides on a curve, in its radii: a hexagon
-constexpr int kLeastSegments = 6;   // of a closed edge of another kind
+struct SurfaceMeshing {
+  int rounds = 6;               ///< of splitting, collapsing, flipping and evening out
+  int rounds_per_crossing = 2;  ///< after each
+  double per_width = 2.0;       ///< longest sides beside a thin face, in widths of it
+  double per_radius = 1.0;      ///< longest sides on a curve, in its radii: a hexagon
+  int least_segments = 6;       ///< of a closed edge of another kind
+};
+constexpr SurfaceMeshing kMesh;
 
 /// Smallest radius of curvature; of a cone at least `least`, for at its apex there is none.
 double radius_of(const Surface& surface, const Vec3& p, double least) {
@@ -29,14 +32,14 @@ double radius_of(const Surface& surface, const Vec3& p, double least) {
 double longest_on_curve(const BoundaryModel& boundary, const Support& support, const Vec3& p,
                         double least) {
   if (support.kind == Support::Kind::Face)
-    return kPerRadius * radius_of(boundary.faces[support.entity].surface, p, least);
+    return kMesh.per_radius * radius_of(boundary.faces[support.entity].surface, p, least);
   if (support.kind != Support::Kind::Edge) return HUGE_VAL;
   const BoundaryEdge& edge = boundary.edges[support.entity];
-  double length = edge.closed() ? edge.length / kLeastSegments : HUGE_VAL;
+  double length = edge.closed() ? edge.length / kMesh.least_segments : HUGE_VAL;
   if (edge.curve.kind == Curve::Kind::Circle)
-    length = std::min(length, kPerRadius * edge.curve.radius);
+    length = std::min(length, kMesh.per_radius * edge.curve.radius);
   for (const int f : edge.faces)
-    length = std::min(length, kPerRadius * radius_of(boundary.faces[f].surface, p, least));
+    length = std::min(length, kMesh.per_radius * radius_of(boundary.faces[f].surface, p, least));
   return length;
 }
 
@@ -52,7 +55,8 @@ void heed_thin_faces(SurfaceRemesher& remesher, double least) {
       if (mesh.supports[a].kind < rigid || mesh.supports[b].kind < rigid) continue;
       if (rigid == Kind::Edge && mesh.supports[a] == mesh.supports[b]) continue;  // cuts a bend
       const double width = distance(mesh.nodes[a], mesh.nodes[b]);
-      for (const std::int32_t n : {a, b}) remesher.shorten(n, std::max(kPerWidth * width, least));
+      for (const std::int32_t n : {a, b})
+        remesher.shorten(n, std::max(kMesh.per_width * width, least));
     }
   remesher.grade();
 }
@@ -109,10 +113,10 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
     remesher.flip();
     remesher.collapse_short();
   }
-  remesh(remesher, kRounds, least, options.most_facets);
+  remesh(remesher, kMesh.rounds, least, options.most_facets);
   for (int round = 0; round < options.crossing_rounds; ++round) {
     if (!heed_crossings(remesher, run)) break;
-    remesh(remesher, kRoundsPerCrossing, least, options.most_facets);
+    remesh(remesher, kMesh.rounds_per_crossing, least, options.most_facets);
   }
   return remesher.mesh();
 }

@@ -9,13 +9,17 @@
 namespace remeshd {
 namespace {
 
-constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;  // between them a split is not undone at once
-constexpr double kLonger = 1.05;                     // of a long side, by a collapse at its end
-constexpr double kUpright = 0.64;     // cosine of 50 degrees: a hexagon for a circle passes
-constexpr double kLeastShape = 0.01;  // of a facet that a step makes
-constexpr double kFairShape = 0.6;    // above this a facet may lose shape when a node moves
-constexpr double kFlipGain = 1.01;    // of the worse facet's shape
-constexpr double kGrowth = 0.5;       // of the length asked for, per distance
+/// Lengths of sides are x the length asked for.
+struct SurfaceRemeshing {
+  double most = 4.0 / 3, least = 4.0 / 5;  ///< between them a split is not undone at once
+  double lengthening = 1.05;               ///< of a long side, by a collapse at its end
+  double upright = 0.64;                   ///< cosine of 50 degrees: a hexagon for a circle passes
+  double least_shape = 0.01;               ///< of a facet that a step makes
+  double fair_shape = 0.6;                 ///< above this a facet may lose shape when a node moves
+  double flip_gain = 1.01;                 ///< of the worse facet's shape
+  double growth = 0.5;                     ///< of the length asked for, per distance
+};
+constexpr SurfaceRemeshing kRemesh;
 
 bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
 
@@ -51,7 +55,7 @@ void SurfaceRemesher::grade() {
     if (length > lengths_[n]) continue;
     for (const std::int32_t k : at_[n])
       for (const std::int32_t m : mesh_.facets[k].nodes) {
-        const double most = length + kGrowth * distance(mesh_.nodes[n], mesh_.nodes[m]);
+        const double most = length + kRemesh.growth * distance(mesh_.nodes[n], mesh_.nodes[m]);
         if (most >= lengths_[m]) continue;
         lengths_[m] = most;
         queue.emplace(most, m);
@@ -101,7 +105,7 @@ double SurfaceRemesher::shape(int face, const Vec3& a, const Vec3& b, const Vec3
   if (f.surface.kind == Surface::Kind::Plane)
     return sign * dot(n, normal(f.surface, a)) > 0 ? shape : -1;
   for (const Vec3& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
-    if (sign * dot(n, normal(f.surface, p)) < kUpright * twice_area) return -1;
+    if (sign * dot(n, normal(f.surface, p)) < kRemesh.upright * twice_area) return -1;
   return shape;
 }
 
@@ -179,13 +183,14 @@ bool SurfaceRemesher::split(const Side& s) {
   if (std::min(norm2(p - a), norm2(p - b)) < 0.04 * norm2(b - a)) return false;
   for (const FaceFacet* f : {&left, &right})
     for (const std::int32_t gone : {s.a, s.b})
-      if (shape_with(*f, gone, p) < std::min(kLeastShape, 0.3 * shape_with(*f, s.a, a)))
+      if (shape_with(*f, gone, p) < std::min(kRemesh.least_shape, 0.3 * shape_with(*f, s.a, a)))
         return false;
   const auto m = static_cast<std::int32_t>(mesh_.nodes.size());
   mesh_.nodes.push_back(p);
   mesh_.supports.push_back(support);
-  lengths_.push_back(std::min({longest_(support, p), lengths_[s.a] + kGrowth * distance(a, p),
-                               lengths_[s.b] + kGrowth * distance(b, p)}));
+  lengths_.push_back(
+      std::min({longest_(support, p), lengths_[s.a] + kRemesh.growth * distance(a, p),
+                lengths_[s.b] + kRemesh.growth * distance(b, p)}));
   at_.emplace_back();
   const std::int32_t c = s.apex_left, d = s.apex_right;
   const std::int32_t bc = edge_between(s.left, s.b, c), ca = edge_between(s.left, c, s.a);
@@ -200,7 +205,7 @@ bool SurfaceRemesher::split(const Side& s) {
 }
 
 void SurfaceRemesher::collapse_short() {
-  std::vector<Job> jobs = sides_beyond(kShort, false);
+  std::vector<Job> jobs = sides_beyond(kRemesh.least, false);
   std::ranges::stable_sort(jobs, [](const Job& x, const Job& y) {
     return x.key != y.key ? x.key > y.key : std::pair{x.a, x.b} < std::pair{y.a, y.b};
   });
@@ -208,7 +213,7 @@ void SurfaceRemesher::collapse_short() {
   for (const Job& job : jobs) {
     poll();
     const std::optional<Side> s = side(job.a, job.b);
-    if (!s || ratio(job.a, job.b) >= kShort) continue;
+    if (!s || ratio(job.a, job.b) >= kRemesh.least) continue;
     if (may_collapse(*s, s->b, s->a))
       collapse(*s, s->b, s->a);
     else if (may_collapse(*s, s->a, s->b))
@@ -232,11 +237,12 @@ bool SurfaceRemesher::may_collapse(const Side& s, std::int32_t from, std::int32_
   for (const std::int32_t k : at_[from])
     before = std::min(before, shape_with(mesh_.facets[k], from, mesh_.nodes[from]));
   for (const std::int32_t n : at_from)
-    if (n != to && ratio(n, to) > std::max(kLong, kLonger * ratio(n, from))) return false;
+    if (n != to && ratio(n, to) > std::max(kRemesh.most, kRemesh.lengthening * ratio(n, from)))
+      return false;
   for (const std::int32_t k : at_[from]) {
     if (k == s.left || k == s.right) continue;
     const double after = shape_with(mesh_.facets[k], from, mesh_.nodes[to]);
-    if (after < kLeastShape || (after < 0.3 && after < 0.5 * before)) return false;
+    if (after < kRemesh.least_shape || (after < 0.3 && after < 0.5 * before)) return false;
   }
   return true;
 }
@@ -293,7 +299,7 @@ bool SurfaceRemesher::try_flip(const Side& s) {
   const Vec3 &c = mesh_.nodes[s.apex_left], &d = mesh_.nodes[s.apex_right];
   const double before = std::min(shape(left.face, a, b, c), shape(left.face, b, a, d));
   const double after = std::min(shape(left.face, a, d, c), shape(left.face, d, b, c));
-  if (after <= 0 || after < kFlipGain * before) return false;
+  if (after <= 0 || after < kRemesh.flip_gain * before) return false;
   const std::int32_t bc = edge_between(s.left, s.b, s.apex_left);
   const std::int32_t ca = edge_between(s.left, s.apex_left, s.a);
   const std::int32_t ad = edge_between(s.right, s.a, s.apex_right);
@@ -332,7 +338,7 @@ void SurfaceRemesher::even_out() {
       before = std::min(before, shape_with(mesh_.facets[k], n, mesh_.nodes[n]));
       after = std::min(after, shape_with(mesh_.facets[k], n, *place));
     }
-    if (after >= std::min(before, kFairShape) && after > 0) mesh_.nodes[n] = *place;
+    if (after >= std::min(before, kRemesh.fair_shape) && after > 0) mesh_.nodes[n] = *place;
   }
 }
 

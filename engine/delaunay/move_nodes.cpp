@@ -15,12 +15,12 @@ namespace {
 
 enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kUnflippable = 3 };
 
-/// Share of the moved nodes that may have to be held back before flips do not pay any more.
-constexpr double kManyHeld = 0.25;
-/// Held nodes try again once the others have made room; more than once helps few. So many tets are
-/// there for each that makes it worth while.
-constexpr int kTries = 2;
-constexpr std::size_t kTetsPerTry = 5000;
+struct MotionLimits {
+  double most_held = 0.25;          ///< share of the moved nodes, before flips do not pay any more
+  int tries = 2;                    ///< of held nodes, once others have made room; more help few
+  std::size_t tets_per_try = 5000;  ///< that a held node makes worth while
+};
+constexpr MotionLimits kLimits;
 
 }  // namespace
 
@@ -53,14 +53,15 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     std::vector<std::int32_t> held = revert_inverted(touched, roles, old, run);
     retry(touched, positions, roles, held, run);
     if (k == 1 &&
-        static_cast<double>(held.size()) > kManyHeld * static_cast<double>(moved.size())) {
+        static_cast<double>(held.size()) > kLimits.most_held * static_cast<double>(moved.size())) {
       for (const std::int32_t n : moved) points_[n + kSuper] = old[n + kSuper];
       return Moved::TooFar;
     }
     flip_all(touched, unflipped, run);
     for (const std::int32_t n : going)
       if (roles[n + kSuper] == kMoved) roles[n + kSuper] = kStill;
-    if (k == kTries || held.size() == going.size() || held.size() * kTetsPerTry < slots_.size()) {
+    if (k == kLimits.tries || held.size() == going.size() ||
+        held.size() * kLimits.tets_per_try < slots_.size()) {
       again = std::move(held);
       break;
     }

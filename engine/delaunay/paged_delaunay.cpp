@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/base/circumball.h"
+#include "engine/mesh/circumball.h"
 
 namespace remeshd {
 

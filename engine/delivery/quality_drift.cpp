@@ -9,7 +9,7 @@
 namespace remeshd {
 namespace {
 
-constexpr double kWornQuality = 0.005, kWornDensity = 0.1;
+constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_expected = 0.1};
 
 }  // namespace
 
@@ -24,8 +24,9 @@ bool is_regular(const Revision& revision) {
 }
 
 bool has_drifted(const QualityReference& now, const QualityReference& then) {
-  return now.volume_length_mean < then.volume_length_mean - kWornQuality ||
-         std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) > kWornDensity;
+  return now.volume_length_mean < then.volume_length_mean - kMostDrift.volume_length_mean ||
+         std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) >
+             kMostDrift.nodes_over_expected;
 }
 
 std::string describe(const QualityReference& reference) {

@@ -8,12 +8,14 @@
 namespace remeshd {
 namespace {
 
-constexpr double kFarFromTarget = 0.1;  // of the nodes asked for
-// Of the aim: what lacks less is not worth a word.
-constexpr double kNearlyReached = 0.98;
-// x edge length. A circle of six edges is 0.13 of one from them, one of four 0.21, one of three
-// 0.29; facets have edges half as long again.
-constexpr double kCoarseChord = 0.25;
+struct WarningLimits {
+  double off_target = 0.1;      ///< of the nodes asked for
+  double least_reached = 0.98;  ///< of the aim: what lacks less is not worth a word
+  /// x edge length. A circle of six edges is 0.13 of one from them, one of four 0.21, one of three
+  /// 0.29; facets have edges half as long again.
+  double coarse_chord = 0.25;
+};
+constexpr WarningLimits kLimits;
 
 std::string digits(double value, int count) {
   std::array<char, 40> text{};
@@ -32,20 +34,20 @@ std::vector<Warning> shortfalls(const Revision& made) {
   const Report& report = made.report;
   if (made.options.nodes) {
     const double asked = *made.options.nodes;
-    if (std::fabs(report.counts.nodes - asked) > kFarFromTarget * asked)
+    if (std::fabs(report.counts.nodes - asked) > kLimits.off_target * asked)
       warnings.push_back(warning(WarningCode::NodesFarFromTarget,
                                  "the mesh has " + std::to_string(report.counts.nodes) +
                                      " nodes where " + std::to_string(*made.options.nodes) +
                                      " were asked for"));
   }
   const double least = report.quality_away.volume_length_min;
-  if (made.options.clean_up && least < kNearlyReached * made.options.threshold)
+  if (made.options.clean_up && least < kLimits.least_reached * made.options.threshold)
     warnings.push_back(warning(WarningCode::QualityLow,
                                "the least volume-length away from sharp places of the model is " +
                                    digits(least, 3) + ", where the clean-up aims at " +
                                    digits(made.options.threshold, 3)));
   const double chord = report.verification.chord_error;
-  if (chord > kCoarseChord * made.edge_length)
+  if (chord > kLimits.coarse_chord * made.edge_length)
     warnings.push_back(
         warning(WarningCode::ChordsCoarse, "chords lie up to " + digits(chord, 3) +
                                                " off their curved faces, at an edge length of " +

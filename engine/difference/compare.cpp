@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/base/error.h"
+#include "engine/base/tolerance.h"
 #include "engine/difference/combined_model.h"
 #include "engine/difference/feature_difference.h"
 #include "engine/difference/line_volumes.h"
@@ -14,11 +15,13 @@
 namespace remeshd {
 namespace {
 
-constexpr double kBrepMotion = 1e-2;  // kernel units; DESIGN measured 1e-2 right, 1e-4 wrong
-constexpr double kBrepError = 1e-7;   // of the larger model's volume
-constexpr int kCheckLines = 1024;     // a lost or doubled cell shows in a few hundred
-constexpr int kMeasureLines = 65536;
-constexpr int kAreaSamples = 20000;
+struct ComparisonLimits {
+  double brep_motion = 1e-2;  ///< kernel units; DESIGN measured 1e-2 right, 1e-4 wrong
+  double brep_error = 1e-7;   ///< of the larger model's volume
+  int check_lines = 1024;     ///< a lost or doubled cell shows in a few hundred
+  int measure_lines = 65536, area_samples = 20000;
+};
+constexpr ComparisonLimits kLimits;
 
 using NameOf = std::string_view (*)(DifferenceClass);
 
@@ -59,7 +62,7 @@ std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelV
   try {
     for (const FeatureDifference& difference : difference_model(original, modified, run)) {
       volumes.features.push_back(difference.cell_volumes);
-      const double rounding = 1e-12 * volume;
+      const double rounding = tolerance::kRounding * volume;
       out.features.push_back({difference.id,
                               named(difference.cell_volumes, cell_class_name, rounding),
                               named(difference.face_areas, geometry_class_name, 0),
@@ -74,12 +77,13 @@ std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelV
     remark = failure.info().message;
     return std::nullopt;
   }
-  if (!agree(volumes, estimate_volumes(classes, {kCheckLines, 1}, run), kBrepError * volume)) {
+  if (!agree(volumes, estimate_volumes(classes, {kLimits.check_lines, 1}, run),
+             kLimits.brep_error * volume)) {
     remark = "the overlay's volumes disagree with membership";
     return std::nullopt;
   }
   out.method = "brep";
-  out.error_bound = kBrepError * volume;
+  out.error_bound = kLimits.brep_error * volume;
   return out;
 }
 
@@ -117,11 +121,11 @@ void balance(ClassTotals& totals, ClassTotals& errors, const FeaturePair& pair,
 ModelComparison by_membership(const PointClasses& classes, const ModelView& original,
                               const ModelView& modified, const Run& run) {
   using enum DifferenceClass;
-  VolumeEstimate estimate = estimate_volumes(classes, {kMeasureLines, 1}, run);
+  VolumeEstimate estimate = estimate_volumes(classes, {kLimits.measure_lines, 1}, run);
   const std::vector<ClassTotals> areas =
-      estimate_areas(classes, original, modified, kAreaSamples, run);
+      estimate_areas(classes, original, modified, kLimits.area_samples, run);
   const double diagonal = classes.modified().bounds().diagonal();
-  const double rounding = 1e-12 * diagonal * diagonal * diagonal;
+  const double rounding = tolerance::kRounding * diagonal * diagonal * diagonal;
 
   ModelComparison out;
   out.method = "membership";
@@ -162,7 +166,7 @@ ModelComparison compare(const FeatureModel& original, const FeatureModel& modifi
 
   std::string remark;
   const double motion = smallest_motion(original, modified) * modified_cells->scale;
-  if (motion < kBrepMotion) {
+  if (motion < kLimits.brep_motion) {
     remark = "features moved by less than the overlay resolves";
   } else if (auto answer = by_brep(classes, original_view, modified_view, run, remark)) {
     return *std::move(answer);

@@ -5,22 +5,18 @@
 namespace remeshd {
 namespace {
 
-/// Least gain of a score for which a change is worth while; it also bounds the number of changes.
-constexpr double kGain = 1e-3;
-/// More tets than this do not surround a tet: about 500 do.
-constexpr std::size_t kCrowd = 2000;
-/// Rounds of energy descent over the nodes at a residual tet's neighbours.
-constexpr int kRelaxRounds = 12;
-constexpr int kClimbRounds = 4;
-constexpr double kLeastGain =
-    1e-4;  // of the score, for a step of the compass search: it bounds their number
-constexpr double kClimbStep = 0.1, kLeastClimb = 0.004;  // of the local edge length
+struct AggressiveLimits {
+  std::size_t crowd = 2000;    ///< tets; more do not surround a tet: about 500 do
+  int descent_rounds = 12;     ///< over the nodes at a residual tet's neighbours
+  int compass_rounds = 4;      ///< over the nodes of a tet
+  double compass_gain = 1e-4;  ///< of the score, for a step: it bounds their number
+  double compass_start = 0.1, compass_end = 0.004;  ///< steps, x local edge length
+  double start_score = 0.2;  ///< of perturbed tets; motion seldom saves worse ones
+};
+constexpr AggressiveLimits kLimits;
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
-constexpr int kMendSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
-
-/// Edges and facets of a tet.
-constexpr int kWaysOut = 10;
-constexpr double kWorstStart = 0.2;  // score; from worse tets motion seldom recovers
+constexpr int kSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
+constexpr int kPerturbations = 10;  // edges and facets of a tet, each of which is taken out
 
 void sort_unique(std::vector<std::int32_t>& values) {
   std::sort(values.begin(), values.end());
@@ -30,9 +26,9 @@ void sort_unique(std::vector<std::int32_t>& values) {
 }  // namespace
 
 bool AggressiveImprovement::Rank::better_than(const Rank& other) const {
-  if (worst > other.worst + kGain) return true;
+  if (worst > other.worst + kLeastGain) return true;
   const bool meets_goals = deficit == 0 && other.deficit > 0;
-  return worst >= other.worst && (meets_goals || deficit < other.deficit - kGain);
+  return worst >= other.worst && (meets_goals || deficit < other.deficit - kLeastGain);
 }
 
 std::vector<std::int32_t> AggressiveImprovement::nodes_round(std::int32_t t) const {
@@ -71,7 +67,7 @@ AggressiveImprovement::Neighbourhood AggressiveImprovement::neighbourhood(std::i
 }
 
 bool AggressiveImprovement::is_crowded(const Neighbourhood& neighbourhood) {
-  return neighbourhood.size() > kCrowd;
+  return neighbourhood.size() > kLimits.crowd;
 }
 
 bool AggressiveImprovement::descend(std::int32_t t) {
@@ -80,14 +76,18 @@ bool AggressiveImprovement::descend(std::int32_t t) {
   const Rank before = rank(tets);
   Rank after = before;
   mesh_.begin_trial();
-  for (int round = 0; round < kRelaxRounds && after.deficit > 0; ++round) {
+  for (int round = 0; round < kLimits.descent_rounds && after.deficit > 0; ++round) {
     for (const std::int32_t node : nodes) {
       Vec3 position;
       if (smoother_.energy_descent_step(node, position)) mesh_.move(node, position);
     }
     after = rank(tets);
   }
-  if (after.worst < before.worst || !after.better_than(before)) {
+  return end_trial(!(after.worst < before.worst) && after.better_than(before), std::move(tets));
+}
+
+bool AggressiveImprovement::end_trial(bool helped, std::vector<std::int32_t> tets) {
+  if (!helped) {
     mesh_.undo_trial();
     return false;
   }
@@ -96,10 +96,9 @@ bool AggressiveImprovement::descend(std::int32_t t) {
   return true;
 }
 
-bool AggressiveImprovement::reconnect(std::int32_t t) {
+bool AggressiveImprovement::reconnect(std::int32_t t, const TetQuality& quality) {
   const Tet tet = mesh_.tet(t);
-  const TetQuality quality(score_);
-  double floor = score_(mesh_, t) + kGain;
+  double floor = quality(mesh_, t) + kLeastGain;
   bool found = false;
   const auto take = [&] {
     std::swap(trial_, best_);
@@ -120,7 +119,7 @@ bool AggressiveImprovement::reconnect(std::int32_t t) {
 bool AggressiveImprovement::compass_search(std::int32_t t) {
   const Tet tet = mesh_.tet(t);
   bool changed = false;
-  for (int round = 0; round < kClimbRounds && !good(t); ++round) {
+  for (int round = 0; round < kLimits.compass_rounds && !good(t); ++round) {
     bool moved = false;
     for (const std::int32_t node : tet) moved |= compass_search_node(node);
     if (!moved) break;
@@ -149,14 +148,16 @@ bool AggressiveImprovement::compass_search_node(std::int32_t node) {
   Vec3 place = mesh_.node(node);
   double reached = worst_at(node, place, -1);
   const double before = reached;
-  for (double step = kClimbStep * length; step > kLeastClimb * length && reached < 1;) {
+  for (double step = kLimits.compass_start * length;
+       step > kLimits.compass_end * length && reached < 1;) {
     Vec3 best = place;
     for (int k = 0; k < 6; ++k) {
       Vec3 towards{};
       (k / 2 == 0 ? towards.x : k / 2 == 1 ? towards.y : towards.z) = k % 2 ? -step : step;
       const Vec3 p = rules_.settle(node, place + towards);
-      const double s = worst_at(node, p, reached + kLeastGain);
-      if (s <= reached + kLeastGain || (!facets_.empty() && !rules_.may_move(node, p, facets_)))
+      const double s = worst_at(node, p, reached + kLimits.compass_gain);
+      if (s <= reached + kLimits.compass_gain ||
+          (!facets_.empty() && !rules_.may_move(node, p, facets_)))
         continue;
       reached = s;
       best = p;
@@ -166,7 +167,7 @@ bool AggressiveImprovement::compass_search_node(std::int32_t node) {
     else
       place = best;
   }
-  if (reached < before + kGain) return false;
+  if (reached < before + kLeastGain) return false;
   mesh_.move(node, place);
   return true;
 }
@@ -178,7 +179,7 @@ bool AggressiveImprovement::optimise_neighbourhood(std::int32_t t) {
 bool AggressiveImprovement::perturb_and_optimise(std::int32_t t) {
   const std::vector<std::int32_t> nodes = nodes_round(t);
   Reconnection start;
-  for (int way = 0; way < kWaysOut; ++way)
+  for (int way = 0; way < kPerturbations; ++way)
     if (take_out(t, way, start) && optimise_from(start, nodes)) return true;
   return false;
 }
@@ -186,10 +187,10 @@ bool AggressiveImprovement::perturb_and_optimise(std::int32_t t) {
 bool AggressiveImprovement::take_out(std::int32_t t, int way, Reconnection& out) const {
   constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   const TetQuality quality(score_, 0);
-  if (way >= 6) return remove_faces(mesh_, t, way - 6, kWorstStart, out, quality);
+  if (way >= 6) return remove_faces(mesh_, t, way - 6, kLimits.start_score, out, quality);
   const Tet& tet = mesh_.tet(t);
   return remove_edge(mesh_, rules_, tet[kEdges[way][0]], tet[kEdges[way][1]], max_ring_,
-                     kWorstStart, out, quality);
+                     kLimits.start_score, out, quality);
 }
 
 bool AggressiveImprovement::optimise_from(const Reconnection& start,
@@ -201,7 +202,7 @@ bool AggressiveImprovement::optimise_from(const Reconnection& start,
     touched_.clear();
     mesh_.replace(start.old_tets, start.fresh, touched_);
   }
-  for (const int steepness : kMendSteepness) {
+  for (const int steepness : kSteepness) {
     optimise_round(nodes, steepness);
     after = rank(tets_at(nodes));
     if (after.deficit <= 0) break;
@@ -211,13 +212,7 @@ bool AggressiveImprovement::optimise_from(const Reconnection& start,
     compass_search_all(tets);
     after = rank(tets);
   }
-  if (!after.better_than(before)) {
-    mesh_.undo_trial();
-    return false;
-  }
-  mesh_.keep_trial();
-  touched_ = std::move(tets);
-  return true;
+  return end_trial(after.better_than(before), std::move(tets));
 }
 
 void AggressiveImprovement::optimise_round(const std::vector<std::int32_t>& nodes, int steepness) {

@@ -33,8 +33,9 @@ class AggressiveImprovement {
   /// back unless all tets that they touch get better taken together, and the worst no worse.
   bool descend(std::int32_t t);
 
-  /// Applies the reconnection that takes the tet out and has the best worst score.
-  bool reconnect(std::int32_t t);
+  /// Applies the reconnection that takes the tet out and has the best worst score, or measure.
+  bool reconnect(std::int32_t t) { return reconnect(t, TetQuality(score_)); }
+  bool reconnect(std::int32_t t, const TetQuality& quality);
 
   /// Moves the tet's nodes, one after the other, in shrinking steps along the axes wherever the
   /// worst score of the node's tets gets better.
@@ -73,6 +74,8 @@ class AggressiveImprovement {
   bool take_out(std::int32_t t, int way, Reconnection& out) const;
   bool optimise_from(const Reconnection& start, const std::vector<std::int32_t>& nodes);
   void optimise_round(const std::vector<std::int32_t>& nodes, int steepness);
+  /// Keeps what was tried, where it helped; else takes it back.
+  bool end_trial(bool helped, std::vector<std::int32_t> tets);
   void compass_search_all(const std::vector<std::int32_t>& tets);
 
   LocalMesh& mesh_;

@@ -15,23 +15,19 @@
 namespace remeshd {
 namespace {
 
-/// Least gain of the worst quality for which a reconnection or a move is worth while; it also
-/// bounds the number of operations.
-constexpr double kGain = 1e-3;
-/// By how much a move tries to raise a tet at least; a sharp one may be above the threshold
-/// already.
-constexpr double kSharpGain = 0.02;
-/// So many residual tets per pass are worked on at most, and one more per thousand: a VTM mesh of
-/// 15,000 nodes has fewer than ten, only a threshold out of reach has more.
-constexpr std::size_t kMostResidual = 40;
-/// The same for those whose whole neighbourhood is optimised.
-constexpr std::size_t kMostNeighbourhoods = 12;
-/// And for those that are perturbed first, which costs ten times as much.
-constexpr std::size_t kMostPerturbed = 3;
-/// A node in more tets than this, as only a broken mesh has, stays: it would be tried for each.
-constexpr std::size_t kMostAtNode = 300;
-constexpr double kBadAtInterface = 0.9;  // score
-constexpr int kPollEvery = 64;
+struct CleanUpLimits {
+  double sharp_gain = 0.02;  ///< tried at least: a sharp tet may be above the threshold already
+  /// Residual tets worked on in a pass, and one more per thousand: a VTM mesh of 15,000 nodes has
+  /// fewer than ten, only a threshold out of reach has more.
+  std::size_t residual = 40;
+  std::size_t neighbourhoods = 12;  ///< of those that are optimised, in a pass
+  std::size_t perturbed = 3;        ///< which costs ten times as much
+  /// A node in more tets, as only a broken mesh has, stays: it would be tried for each.
+  std::size_t tets_at_node = 300;
+  double bad_at_interface = 0.9;  ///< score
+  int jobs_per_poll = 64;
+};
+constexpr CleanUpLimits kLimits;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
 struct Job {
@@ -74,7 +70,8 @@ class CleanUp {
     ImproveResult result;
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
-      if (std::ranges::min(mesh_.tet(t)) < options_.locked && score_(mesh_, t) < kBadAtInterface)
+      if (std::ranges::min(mesh_.tet(t)) < options_.locked &&
+          score_(mesh_, t) < kLimits.bad_at_interface)
         ++result.bad_at_interface;
     }
     result.mesh = mesh_.result();
@@ -153,7 +150,7 @@ class CleanUp {
   }
 
   [[nodiscard]] std::size_t most_residual() const {
-    return kMostResidual + static_cast<std::size_t>(mesh_.slots()) / 1000;
+    return kLimits.residual + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
   /// Works on the few tets that are left; where there are many the goals are out of reach.
@@ -161,9 +158,10 @@ class CleanUp {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_residual_tets(kMostNeighbourhoods, Spare::NeighboursInVain, in_vain, optimise)) break;
+      if (!on_residual_tets(kLimits.neighbourhoods, Spare::NeighboursInVain, in_vain, optimise))
+        break;
     in_vain.clear();
-    on_residual_tets(kMostPerturbed, Spare::NeighboursInVain, in_vain,
+    on_residual_tets(kLimits.perturbed, Spare::NeighboursInVain, in_vain,
                      [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
   }
 
@@ -181,7 +179,7 @@ class CleanUp {
   bool drain() {
     bool changed = false;
     for (int count = 0; !jobs_.empty(); ++count) {
-      if (count % kPollEvery == 0) run_.poll();
+      if (count % kLimits.jobs_per_poll == 0) run_.poll();
       const Job job = jobs_.top();
       jobs_.pop();
       if (!mesh_.used(job.tet) || mesh_.stamp(job.tet) != job.stamp) continue;
@@ -192,39 +190,16 @@ class CleanUp {
 
   /// Applies the best reconnection that takes the tet out, by measure.
   bool reconnect(std::int32_t t) {
-    const Tet tet = mesh_.tet(t);
-    const double quality = mesh_.quality(t);
-    double floor = quality + kGain;
-    bool found = false;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = i + 1; j < 4; ++j) {
-        if (!remove_edge(mesh_, rules_, tet[i], tet[j], max_ring_, floor, trial_)) continue;
-        std::swap(trial_, best_);
-        floor = best_.quality;
-        found = true;
-      }
-    }
-    for (int i = 0; i < 4; ++i) {
-      if (!remove_faces(mesh_, t, i, floor, trial_)) continue;
-      std::swap(trial_, best_);
-      floor = best_.quality;
-      found = true;
-    }
-    if (found) apply_best();
-    return found;
-  }
-
-  void apply_best() {
-    slots_.clear();
-    mesh_.replace(best_.old_tets, best_.fresh, slots_);
-    touch(slots_);
+    if (!aggressive_.reconnect(t, TetQuality())) return false;
+    touch(aggressive_.touched());
+    return true;
   }
 
   bool smooth(std::int32_t t) {
     bool changed = false;
-    const double enough = std::max(options_.threshold, mesh_.quality(t) + kSharpGain);
+    const double enough = std::max(options_.threshold, mesh_.quality(t) + kLimits.sharp_gain);
     for (const std::int32_t node : mesh_.tet(t)) {
-      if (mesh_.tets_of(node).size() > kMostAtNode || !smooth_node(node, enough)) continue;
+      if (mesh_.tets_of(node).size() > kLimits.tets_at_node || !smooth_node(node, enough)) continue;
       changed = true;
       if (!bad(t)) break;
     }
@@ -233,7 +208,7 @@ class CleanUp {
 
   bool smooth_node(std::int32_t node, double enough) {
     Vec3 position;
-    if (!smoother_.smooth(node, enough, kGain, position)) return false;
+    if (!smoother_.smooth(node, enough, kLeastGain, position)) return false;
     mesh_.move(node, position);
     touch(mesh_.tets_of(node));
     return true;
@@ -259,8 +234,6 @@ class CleanUp {
   AggressiveImprovement aggressive_;
   std::vector<std::uint8_t> dirty_;
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;
-  Reconnection trial_, best_;
-  std::vector<std::int32_t> slots_;
 };
 
 }  // namespace

@@ -11,8 +11,6 @@ namespace {
 
 /// Tets of this measure and above have no dihedral angle that one asks to remove.
 constexpr double kNeverSharp = 0.7;
-/// Tets of this measure and below have infinite energy.
-constexpr double kFlat = 0.05;
 
 /// 1 - cosine of the six dihedral angles of a positive tet.
 std::array<double, 6> versines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -57,7 +55,7 @@ double Score::operator()(const LocalMesh& mesh, std::int32_t t) const {
 
 double Score::energy(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, int k) const {
   const double measure = volume_length(a, b, c, d);
-  if (!(measure > kFlat)) return HUGE_VAL;
+  if (!(measure > kNearlyFlat)) return HUGE_VAL;
   double sum = squared(least_measure_ / measure, k);
   for (const double v : versines(a, b, c, d)) sum += squared(least_versine_ / v, k);
   return sum;

@@ -4,6 +4,12 @@
 
 namespace remeshd {
 
+/// Least gain of a score or measure for which a change is worth while; it also bounds the number of
+/// changes.
+inline constexpr double kLeastGain = 1e-3;
+/// Tets of this measure and below have infinite energy.
+inline constexpr double kNearlyFlat = 0.05;
+
 /// How near a tet comes to being good enough in its volume-length measure and in its smallest
 /// dihedral angle: 1 where it just is, more where it is better, 0 or less where it is flat or
 /// inverted.

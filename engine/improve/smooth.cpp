@@ -9,21 +9,20 @@
 namespace remeshd {
 namespace {
 
-constexpr int kMaxSteps = 8;
-constexpr int kMaxHalvings = 5;
-/// Tets this close to the worst take part in the choice of a direction.
-constexpr double kBand = 0.06;
-/// A step may be at most this share of the mean edge length at the node.
-constexpr double kMaxStep = 0.3;
-/// The same for one easing step, which is repeated.
-constexpr double kEaseStep = 0.1;
-/// Span of the differences that give a score's energy its slope; of the same length.
-constexpr double kProbe = 1e-6;
-/// Least energy by a score for which a step is worth its while: that of one tet that just lacks
-/// nothing. Where a tenth of it did, mending took half as long again and helped no more.
-constexpr double kLeastEnergy = 1;
-/// Easing keeps away from tets of this measure and below.
-constexpr double kLeastEased = 0.05;
+/// Lengths x the mean edge length at the node.
+struct SmoothingLimits {
+  int steps = 8;              ///< of one node
+  int halvings = 5;           ///< of a step that does not help
+  int walks = 12;             ///< of Gilbert's algorithm
+  double band = 0.06;         ///< tets this close to the worst take part in choosing a direction
+  double step = 0.3;          ///< length, at most
+  double descent_step = 0.1;  ///< the same of an energy descent step, which is repeated
+  double difference = 1e-6;   ///< length of those that give a score's energy its slope
+  /// Least energy by a score for which a step is worth its while: that of one tet that just lacks
+  /// nothing. Where a tenth of it did, clean-up took half as long again and helped no more.
+  double energy = 1;
+};
+constexpr SmoothingLimits kLimits;
 
 }  // namespace
 
@@ -86,8 +85,7 @@ Vec3 Smoother::ascent(double worst, double band) const {
     break;
   }
   if (first) return v;
-  constexpr int kMaxWalks = 12;
-  for (int walk = 0; walk < kMaxWalks; ++walk) {
+  for (int walk = 0; walk < kLimits.walks; ++walk) {
     const Slope* back = nullptr;
     double least = norm2(v) * (1 - 1e-3);
     for (const Slope& s : slopes_) {
@@ -120,7 +118,7 @@ double Smoother::energy(const Vec3& p, double limit) const {
   double sum = 0;
   for (const Opposite& o : star_) {
     const double q = volume_length(p, o.b, o.c, o.d);
-    if (!(q > kLeastEased)) return HUGE_VAL;
+    if (!(q > kNearlyFlat)) return HUGE_VAL;
     const double q4 = q * q * q * q;
     sum += 1 / (q4 * q4);
     if (sum >= limit) break;
@@ -131,7 +129,7 @@ double Smoother::energy(const Vec3& p, double limit) const {
 bool Smoother::energy_descent_step(std::int32_t node, Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
-  if (!(slopes(mesh_.node(node)) > kLeastEased)) return false;
+  if (!(slopes(mesh_.node(node)) > kNearlyFlat)) return false;
   Vec3 direction;
   for (const Slope& s : slopes_) direction += std::pow(s.quality, -9) * s.gradient;
   const auto by_measure = [&](const Vec3& x, double limit) { return energy(x, limit); };
@@ -152,8 +150,8 @@ bool Smoother::energy_descent_step(std::int32_t node, const Score& score, int st
   };
   const Vec3& p = mesh_.node(node);
   const double now = energy(p, HUGE_VAL);
-  if (now < kLeastEnergy) return false;
-  const double h = kProbe * length_;
+  if (now < kLimits.energy) return false;
+  const double h = kLimits.difference * length_;
   const auto fall = [&](const Vec3& by) { return now - energy(p + by, HUGE_VAL); };
   const Vec3 direction{fall({h, 0, 0}), fall({0, h, 0}), fall({0, 0, h})};
   return std::isfinite(norm2(direction)) && step_down(node, direction, now, energy, position);
@@ -166,8 +164,8 @@ bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const En
   const bool slides = !facets_.empty();
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
   const Vec3 unit = normalised(direction);
-  double reach = kEaseStep * length_;
-  for (int halving = 0; halving < kMaxHalvings; ++halving, reach *= 0.5) {
+  double reach = kLimits.descent_step * length_;
+  for (int halving = 0; halving < kLimits.halvings; ++halving, reach *= 0.5) {
     const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
     if (!(energy(candidate, now) < now)) continue;
     if (slides && !rules_.may_move(node, candidate, facets_)) continue;
@@ -185,9 +183,9 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
   Vec3 p = start;
   double q = slopes(p);
   const double q_start = q;
-  for (int step = 0; step < kMaxSteps && q < enough; ++step) {
+  for (int step = 0; step < kLimits.steps && q < enough; ++step) {
     if (step > 0) q = slopes(p);
-    Vec3 direction = ascent(q, kBand);
+    Vec3 direction = ascent(q, kLimits.band);
     double steepness = norm(direction);
     if (steepness * length_ < 1e-3) break;
     if (slides) {
@@ -197,7 +195,7 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
     }
     const Vec3 unit = direction / steepness;
     // First-order guess of where another tet becomes the worst.
-    double reach = kMaxStep * length_;
+    double reach = kLimits.step * length_;
     const double rise = [&] {
       double least = steepness;
       for (const Slope& s : slopes_)
@@ -210,7 +208,7 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
     }
     reach = std::max(reach, 0.01 * length_);
     bool moved = false;
-    for (int halving = 0; halving < kMaxHalvings; ++halving, reach *= 0.5) {
+    for (int halving = 0; halving < kLimits.halvings; ++halving, reach *= 0.5) {
       const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
       const double reached = worst(candidate, q);
       if (reached <= q) continue;

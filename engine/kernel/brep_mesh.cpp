@@ -27,15 +27,18 @@ namespace {
 // rad; facets of a round face turn by half of this. The second is for where the first fails; a
 // third and finer one would take seconds on a torus.
 constexpr std::array<double, 2> kMeshAngles{0.24, 0.1};
-constexpr double kMeshDeflection = 0.5;  // far above what the angle asks for
-constexpr double kNear = 0.1;            // of a chord, which stands off its curve by .015
-constexpr double kMeshMinimum = 1e-3;    // else small holes are meshed as triangles
+struct BrepMeshing {
+  double deflection = 0.5;  ///< far above what the angle asks for
+  double near = 0.1;        ///< of a chord, which stands off its curve by .015
+  double minimum = 1e-3;    ///< else small holes are meshed as triangles
+};
+constexpr BrepMeshing kMesh;
 
 void mesh(const TopoDS_Shape& shape, double angle, const Message_ProgressRange& range) {
   IMeshTools_Parameters parameters;
   parameters.Angle = angle;
-  parameters.Deflection = kMeshDeflection;
-  parameters.MinSize = kMeshMinimum;
+  parameters.Deflection = kMesh.deflection;
+  parameters.MinSize = kMesh.minimum;
   parameters.InParallel = false;
   BRepMesh_IncrementalMesh(shape, parameters, range);
 }
@@ -158,7 +161,8 @@ bool nearly_touch(const Brep& brep, const EdgeChains& chains) {
           continue;
         const Vec3& p = brep.points[side[0]];
         const Vec3 along = brep.points[side[1]] - p;
-        if (norm(cross(along, brep.points[t[(i + 2) % 3]] - p)) < kNear * norm2(along)) return true;
+        if (norm(cross(along, brep.points[t[(i + 2) % 3]] - p)) < kMesh.near * norm2(along))
+          return true;
       }
   return false;
 }

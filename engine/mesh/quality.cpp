@@ -183,7 +183,7 @@ void for_each_measure(const MeasuredTets& tets, F&& f) {
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const auto [highest, lowest] = extreme_cosines(a, b, c, d);
   const auto rounded = [](double cosine) {
-    constexpr double kUnits = 32767;
+    constexpr double kUnits = std::numeric_limits<std::int16_t>::max();
     return static_cast<std::int16_t>(std::lround(std::clamp(cosine, -1.0, 1.0) * kUnits));
   };
   return {static_cast<float>(volume_length(a, b, c, d)), rounded(highest), rounded(lowest)};

@@ -10,12 +10,14 @@ namespace remeshd {
 
 namespace {
 
-/// How far into a tet, as a share of the way to its centroid, the material next to a node is tried.
-constexpr double kInto = 0.01;
-/// Nodes of a regular mesh in a layer as thick as the edge length, over the nodes on its wall:
-/// sqrt(2) / l^3 in the volume, 2 / (sqrt(3) l^2) on the wall.
-constexpr double kLayer = 1.2247;
-constexpr int kBisections = 12;
+struct CopyLimits {
+  double into_tet = 0.01;  ///< x the way to its centroid, where material next to a node is tried
+  /// Nodes of a regular mesh in a layer as thick as the edge length, over the nodes on its wall:
+  /// sqrt(2) / l^3 in the volume, 2 / (sqrt(3) l^2) on the wall.
+  double nodes_per_layer = 1.2247;
+  int bisections = 12;  ///< to find the wall
+};
+constexpr CopyLimits kLimits;
 
 /// For each node its tets, by node.
 struct Incidence {
@@ -70,7 +72,7 @@ class Copier {
     const Vec3& q = original_.positions[n];
     if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
     for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k)
-      if (source_(x.apply(q + kInto * (centroid(at_.tets[k]) - q))) == t) return true;
+      if (source_(x.apply(q + kLimits.into_tet * (centroid(at_.tets[k]) - q))) == t) return true;
     return false;
   }
 
@@ -91,12 +93,12 @@ class Copier {
     middle = middle / count;
     if (source_(middle) != t) return std::nullopt;
     double outside = 0, inside = 1;
-    for (int k = 0; k < kBisections; ++k) {
+    for (int k = 0; k < kLimits.bisections; ++k) {
       const double half = 0.5 * (outside + inside);
       (source_(p + half * (middle - p)) == t ? inside : outside) = half;
     }
     const Vec3 place = p + inside * (middle - p);
-    const double lost = kLayer * distance(p, place) / edge_length_;
+    const double lost = kLimits.nodes_per_layer * distance(p, place) / edge_length_;
     Random draw(static_cast<std::uint64_t>(n) ^ std::bit_cast<std::uint64_t>(lost));
     if (draw.uniform() < lost) return std::nullopt;
     return place;

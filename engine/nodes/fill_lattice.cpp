@@ -10,13 +10,16 @@ namespace remeshd {
 
 namespace {
 
-/// Share of the lattice constant by which a node may be off its place along each axis. From .02 to
-/// .1 the meshes are equally good; without it cospherical nodes leave worse ones.
-constexpr double kJitter = 0.05;
-/// The lattice of a count may hold so many times more nodes, which are then left out evenly.
-constexpr double kSurplus = 1.004;
-constexpr int kTries = 12;      // to find the lattice constant for a count
-constexpr int kEmptyTries = 3;  // of these with no node at all, each at half the constant
+struct LatticeFilling {
+  /// Share of the lattice constant by which a node may be off its place along each axis. From .02
+  /// to .1 the meshes are equally good; without it cospherical nodes leave worse ones.
+  double jitter = 0.05;
+  /// The lattice of a count may hold so many times more nodes, which are then left out evenly.
+  double surplus = 1.004;
+  int tries = 12;       ///< to find the lattice constant for a count
+  int empty_tries = 3;  ///< of these with no node at all, each at half the constant
+};
+constexpr LatticeFilling kFill;
 
 /// One lattice through all of space.
 class Lattice {
@@ -71,7 +74,7 @@ class Lattice {
     Random random(seed_ ^ (mix(2 * x + centre, 0x9E3779B97F4A7C15ULL) +
                            mix(y, 0xC2B2AE3D27D4EB4FULL) + mix(z, 0x165667B19E3779F9ULL)));
     const auto along = [&](long v) {
-      return static_cast<double>(v) + 0.5 * centre + random.uniform(-kJitter, kJitter);
+      return static_cast<double>(v) + 0.5 * centre + random.uniform(-kFill.jitter, kFill.jitter);
     };
     const double u = along(x), v = along(y), w = along(z);
     return offset_ + a_ * (u * axes_[0] + v * axes_[1] + w * axes_[2]);
@@ -126,12 +129,12 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes,
   const double count = *options.count;
   double constant = options.edge_length;
   std::vector<Vec3> nodes;
-  for (int k = 0; k < kTries; ++k) {
+  for (int k = 0; k < kFill.tries; ++k) {
     nodes = nodes_inside(Lattice(constant, options.seed), boxes, inside, run);
     const auto found = static_cast<double>(nodes.size());
-    if (found >= count && found <= kSurplus * count) break;
-    if (found == 0 && k >= kEmptyTries) break;
-    constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kSurplus) * count)) : 0.5;
+    if (found >= count && found <= kFill.surplus * count) break;
+    if (found == 0 && k >= kFill.empty_tries) break;
+    constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kFill.surplus) * count)) : 0.5;
   }
   decimate_close_nodes(nodes, *options.count);
   return nodes;

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/tolerance.h"
+
 namespace remeshd {
 
 namespace {
-constexpr double kCellsPerNode = 64;  // bound on memory where nodes are few and far between
-constexpr double kDrift = 0.15;  // of a cell's width: further outside of its cell a node strays
-constexpr std::size_t kMostStrays = 12;  // each query looks at all of them
-constexpr double kAlittle = 1 + 1e-12;   // more than a distance, for rounding
+struct GridLimits {
+  double per_node = 64;          ///< cells: bound on memory where nodes are few and far between
+  double drift = 0.15;           ///< x width of a cell: further outside of its cell a node strays
+  std::size_t most_strays = 12;  ///< each query looks at all of them
+};
+constexpr GridLimits kLimits;
 constexpr Vec3 kAway{1e150, 1e150, 1e150};
 }  // namespace
 
@@ -28,7 +32,7 @@ void NearestNode::build(std::span<const Vec3> positions) {
   const auto cells = [&] {
     return (extent.x / cell_ + 1) * (extent.y / cell_ + 1) * (extent.z / cell_ + 1);
   };
-  while (cells() > kCellsPerNode * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
+  while (cells() > kLimits.per_node * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
   size_ = {static_cast<int>(extent.x / cell_) + 1, static_cast<int>(extent.y / cell_) + 1,
            static_cast<int>(extent.z / cell_) + 1};
   where_.resize(positions.size());
@@ -69,7 +73,7 @@ void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::i
     const Vec3& p = positions[n];
     const bool known = static_cast<std::size_t>(n) < entry_.size();
     const double off = known ? beyond(where_[n], p) : HUGE_VAL;
-    if (known && off <= kDrift * cell_ && points_[entry_[n]] != kAway) {
+    if (known && off <= kLimits.drift * cell_ && points_[entry_[n]] != kAway) {
       points_[entry_[n]] = p;
       drift_ = std::max(drift_, off);
       continue;
@@ -79,7 +83,7 @@ void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::i
       at->at = p;
       continue;
     }
-    if (strays_.size() == kMostStrays) {
+    if (strays_.size() == kLimits.most_strays) {
       build(positions);
       return;
     }
@@ -147,7 +151,7 @@ std::int32_t NearestNode::nearest(const Vec3& p, std::int32_t guess) const {
   };
   if (guess >= 0) look(guess, place_of(guess));
   if (best_d <= cell_ * cell_)
-    look_within(p, kAlittle * std::sqrt(best_d), look);
+    look_within(p, (1 + tolerance::kRounding) * std::sqrt(best_d), look);
   else
     look_round(p, look, [&](double seen) {
       return best >= 0 && (seen == HUGE_VAL || (seen > 0 && seen * seen > best_d));

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/base/circumball.h"
+#include "engine/mesh/circumball.h"
 
 namespace remeshd {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/base/stopwatch.h"
+#include "engine/base/tolerance.h"
 #include "engine/boundary/facet_faces.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/cellular/boundary_model/match_boundary.h"
@@ -19,20 +20,21 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kLargestMotion = 0.01;  // x edge length, of surfaces
-/// The bound on feature surfaces' motion adds up what placement and sizes may do; true motions are
-/// measured where it is below this.
-constexpr double kLargestBound = 0.05;  // x edge length
-constexpr double kReach = 0.1;          // x edge length: how far entities look for their partners
-constexpr double kInfluence = 2.9;      // x edge length: interior nodes this near may move
-constexpr double kLeverage = 5;         // node motion over surface motion
-constexpr double kNone = 1e-12;         // of the diagonal: a motion that is rounding
-/// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
-/// that an edge may move by this together with a hidden face, though no face of the boundary does.
-constexpr double kCoincident = 0.5;
-constexpr int kSweeps = 24;
-
-constexpr double kNextToNothing = 1e-3;  // rad, and of the measure
+struct MorphLimits {
+  double surface_motion = 0.01;  ///< x edge length
+  /// x edge length: the bound on it adds up what placement and sizes may do; true motions are
+  /// measured where it is below this.
+  double motion_bound = 0.05;
+  double partner_reach = 0.1;  ///< x edge length: how far entities look for their partners
+  double influence = 2.9;      ///< x edge length: interior nodes this near may move
+  double leverage = 5;         ///< node motion over surface motion
+  /// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
+  /// that an edge may move by this with a hidden face, though no face of the boundary does.
+  double coincident = 0.5;
+  int sweeps = 24;             ///< of the harmonic extension, there and back
+  double quality_loss = 1e-3;  ///< rad, and of the measure: as good as none
+};
+constexpr MorphLimits kLimits;
 
 /// Where the nodes of the anchor go.
 class Motion {
@@ -43,7 +45,7 @@ class Motion {
   /// Boundary nodes to their entities. Post: false where a surface moved too far.
   bool follow(const BoundaryModel& boundary) {
     const FacesOf faces(boundary);
-    none_ = kNone * boundary.bounds.diagonal();
+    none_ = tolerance::kRounding * boundary.bounds.diagonal();
     for (std::size_t n = 0; n < anchor_.size(); ++n) {
       if (supports_[n].kind == Support::Kind::Interior) continue;
       for (const int f : faces(supports_[n]))
@@ -55,12 +57,12 @@ class Motion {
       moved_.push_back(anchor_[n]);
       node_ = std::max(node_, norm(d));
     }
-    return surface_ < kLargestMotion * l_;
+    return surface_ < kLimits.surface_motion * l_;
   }
 
   /// Whether no node moved out of proportion. `hidden`: what hidden faces may have moved edges by.
   [[nodiscard]] bool in_proportion(double hidden) const {
-    return node_ <= std::max(kLeverage * surface_, hidden) + none_;
+    return node_ <= std::max(kLimits.leverage * surface_, hidden) + none_;
   }
 
   /// Interior nodes near moved ones by harmonic extension, nought further away.
@@ -73,7 +75,7 @@ class Motion {
       poll();
       if (supports_[n].kind != Support::Kind::Interior) continue;
       const Vec3& nearest = moved_[grid.nearest(anchor_[n])];
-      if (norm2(nearest - anchor_[n]) > kInfluence * kInfluence * l_ * l_) continue;
+      if (norm2(nearest - anchor_[n]) > kLimits.influence * kLimits.influence * l_ * l_) continue;
       row[n] = static_cast<std::int32_t>(inner.size());
       inner.push_back(static_cast<std::int32_t>(n));
     }
@@ -91,7 +93,7 @@ class Motion {
       for (const std::int32_t b : neighbours[k]) sum += by_[b];
       by_[inner[k]] = sum / static_cast<double>(neighbours[k].size());
     };
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kLimits.sweeps; ++sweep) {
       for (std::size_t k = 0; k < inner.size(); ++k, poll()) descend(k);
       for (std::size_t k = inner.size(); k-- > 0; poll()) descend(k);
     }
@@ -126,9 +128,9 @@ struct Worst {
   }
   /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
   [[nodiscard]] bool as_good_as(const Worst& then) const {
-    return measure >= std::min(goals::kLeastMeasure, then.measure - kNextToNothing) &&
-           least >= std::min(goals::kLeastDihedral, then.least - kNextToNothing) &&
-           largest <= std::max(goals::kLargestDihedral, then.largest + kNextToNothing);
+    return measure >= std::min(goals::kLeastMeasure, then.measure - kLimits.quality_loss) &&
+           least >= std::min(goals::kLeastDihedral, then.least - kLimits.quality_loss) &&
+           largest <= std::max(goals::kLargestDihedral, then.largest + kLimits.quality_loss);
   }
 };
 
@@ -139,8 +141,8 @@ std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const
   const double l = original.edge_length;
   const BoundaryModel& boundary = modified.cells.boundary;
   const double bound = motion_bound(original.delaunay_model(), modified.model);
-  if (bound > kLargestBound * l) return NotMorphed{};
-  const auto match = match_boundaries(original.cells.boundary, boundary, kReach * l);
+  if (bound > kLimits.motion_bound * l) return NotMorphed{};
+  const auto match = match_boundaries(original.cells.boundary, boundary, kLimits.partner_reach * l);
   if (!match) return NotMorphed{};
 
   MorphedMesh c;
@@ -149,7 +151,7 @@ std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const
   const CowVector<Vec3>& anchor = original.delaunay_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotMorphed{};
-  const double coincident = kCoincident * kernel_tolerance(modified.cells.parts->brep);
+  const double coincident = kLimits.coincident * kernel_tolerance(modified.cells.parts->brep);
   if (!motion.in_proportion(std::min(bound, coincident)))
     return NotMorphed("a node would have moved more than five times as far as any surface");
   Polling poll(run);

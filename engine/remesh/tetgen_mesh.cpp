@@ -37,10 +37,12 @@ constexpr std::array kQuestions{
     Question{"TetGen, facets of 1 edge length, points added on them", 1, true},
     Question{"TetGen, facets of 0.5 edge lengths", 0.5, false},
     Question{"TetGen, facets of 0.5 edge lengths, points added on them", 0.5, true}};
-// Facets and nodes inside: so many times what a regular mesh has, and some more.
-constexpr double kMostTimes = 10;
-constexpr std::uint32_t kMostMore = 10'000;
-constexpr double kMaxVolume = 0.2;  // x edge length^3; a regular tet has 0.118
+struct TetGenBounds {
+  double most_times = 10;            ///< facets and nodes inside, x what a regular mesh has,
+  std::uint32_t most_more = 10'000;  ///< and some more
+  double max_volume = 0.2;           ///< x edge length^3; a regular tet has 0.118
+};
+constexpr TetGenBounds kBounds;
 // Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
 constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
 
@@ -117,13 +119,15 @@ bool sound(const Mesh& mesh, const Verification& verification) {
 std::uint32_t most_nodes_inside(const TetGenInput& input) {
   const CellularModel& cells = input.cells;
   const double expected = expected_nodes(cells.volume, cells.area, input.edge_length);
-  return kMostMore + static_cast<std::uint32_t>(kMostTimes * std::fmin(expected, 1e7));
+  return kBounds.most_more +
+         static_cast<std::uint32_t>(kBounds.most_times * std::fmin(expected, 1e7));
 }
 
 std::size_t most_facets(const TetGenInput& input) {
   const double l = input.edge_length;
   const double expected = 4 / std::numbers::sqrt3 * input.cells.area / (l * l);
-  return kMostMore + static_cast<std::size_t>(kMostTimes * std::fmin(expected, 1e7));
+  return kBounds.most_more +
+         static_cast<std::size_t>(kBounds.most_times * std::fmin(expected, 1e7));
 }
 
 /// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
@@ -133,7 +137,7 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
   const CellularModel& cells = input.cells;
   const kernel::MarkedSurface marked = mark(surface);
   const kernel::QualityMesh out = kernel::run_tetgen(marked,
-                                                     {.max_volume = kMaxVolume * l * l * l,
+                                                     {.max_volume = kBounds.max_volume * l * l * l,
                                                       .split_surface = split_surface,
                                                       .most_added = most_nodes_inside(input)},
                                                      limits, run);

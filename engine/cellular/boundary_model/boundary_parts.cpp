@@ -17,20 +17,6 @@ using kernel::BrepFace;
 
 constexpr double kBulge = 0.05;  // of a chord: more than an edge of 6 degrees stands off it
 
-/// Puts `values` into this order and returns for each old index the new one, -1 where left out.
-template <typename T>
-std::vector<int> rearrange(std::vector<T>& values, const std::vector<int>& order) {
-  std::vector<int> renumber(values.size(), -1);
-  std::vector<T> sorted;
-  sorted.reserve(order.size());
-  for (const int i : order) {
-    renumber[i] = static_cast<int>(sorted.size());
-    sorted.push_back(std::move(values[i]));
-  }
-  values = std::move(sorted);
-  return renumber;
-}
-
 /// The indices that are used, by rank.
 template <typename Ranks>
 std::vector<int> order_of(const std::vector<char>& used, const Ranks& ranks) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <numeric>
 
 #include "engine/cellular/boundary_model/edge_curve.h"
 #include "engine/cellular/boundary_model/tolerant_order.h"
@@ -17,17 +17,9 @@ using kernel::BrepEdge;
 template <typename T, typename Key>
 std::vector<int> sort_by(std::vector<T>& values, const std::vector<Key>& keys) {
   std::vector<int> order(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return keys[a] < keys[b]; });
-  std::vector<T> sorted;
-  sorted.reserve(values.size());
-  std::vector<int> renumber(values.size());
-  for (const int i : order) {
-    renumber[i] = static_cast<int>(sorted.size());
-    sorted.push_back(std::move(values[i]));
-  }
-  values = std::move(sorted);
-  return renumber;
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int i) -> const Key& { return keys[i]; });
+  return rearrange(values, order);
 }
 
 /// One use of a B-rep edge in a chain.

@@ -26,4 +26,18 @@ std::vector<std::array<int, N>> tolerant_ranks(const std::vector<std::array<doub
   return out;
 }
 
+/// Puts `values` into this order and returns for each old index the new one, -1 where left out.
+template <typename T>
+std::vector<int> rearrange(std::vector<T>& values, const std::vector<int>& order) {
+  std::vector<int> renumber(values.size(), -1);
+  std::vector<T> sorted;
+  sorted.reserve(order.size());
+  for (const int i : order) {
+    renumber[i] = static_cast<int>(sorted.size());
+    sorted.push_back(std::move(values[i]));
+  }
+  values = std::move(sorted);
+  return renumber;
+}
+
 }  // namespace remeshd

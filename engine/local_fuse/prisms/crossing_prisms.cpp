@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/local_fuse/arrangement/planar_arrangement.h"
@@ -14,8 +15,6 @@ namespace {
 using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
-
-constexpr std::size_t kMaxFeatures = 64;  // of a FeatureSet
 
 class CrossedParts {
  public:
@@ -208,7 +207,7 @@ bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clear
 
 Tried<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
                                std::span<const int> features, const FuseFrame& frame) {
-  if (features.size() > kMaxFeatures)
+  if (features.size() > std::numeric_limits<FeatureSet>::digits)
     return GaveUp{"crossing_prisms", "there are too many features"};
   const auto patches = find_patches(model, membership, features);
   if (!patches) return patches.why();

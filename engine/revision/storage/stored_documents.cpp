@@ -31,21 +31,14 @@ struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> 
 
 namespace remeshd {
 
-template <class A>
-void serialize(A& a, ModelSource& m) {
-  a(m.name, m.unit, m.parameters, m.features);
-}
+void serialize(auto& a, ModelSource& m) { a(m.name, m.unit, m.parameters, m.features); }
 /// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry's.
-template <class A>
-void serialize(A& a, Report& r) {
+void serialize(auto& a, Report& r) {
   a(r.strategy, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
     r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
     r.warnings);
 }
-template <class A>
-void serialize(A& a, RejectedAttempt& t) {
-  a(t.strategy, t.reason);
-}
+void serialize(auto& a, RejectedAttempt& t) { a(t.strategy, t.reason); }
 
 std::string write_documents(const Revision& revision) {
   std::ostringstream out(std::ios::binary);
