@@ -33,7 +33,9 @@ Error crashed(const std::string& how) {
 template <typename T>
 void put(std::vector<std::byte>& bytes, std::span<const T> values) {
   const auto raw = std::as_bytes(values);
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
+  const std::size_t end = bytes.size();
+  bytes.resize(end + raw.size());
+  std::ranges::copy(raw, bytes.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 /// Takes `count` values off the front; false where there are fewer.

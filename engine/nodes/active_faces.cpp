@@ -22,7 +22,7 @@ Box transformed(const Box& box, const Transform& t) {
 /// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
 class FaceVisitor {
  public:
-  FaceVisitor(NodeSet& nodes, const CopyPlan& source, double edge_length, const Run& run)
+  FaceVisitor(CopiedNodes& nodes, const CopyPlan& source, double edge_length, const Run& run)
       : nodes_(nodes),
         source_(source),
         grid_(nodes.positions, kGridCell * edge_length),
@@ -59,7 +59,7 @@ class FaceVisitor {
     if (node >= 0) nodes_.state[node] = NodeState::Free;
   }
 
-  NodeSet& nodes_;
+  CopiedNodes& nodes_;
   const CopyPlan& source_;
   const NearestNode grid_;
   const double spacing_;
@@ -68,7 +68,7 @@ class FaceVisitor {
 
 }  // namespace
 
-void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_length,
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, double edge_length,
                           const Run& run) {
   FaceVisitor visitor(nodes, source, edge_length, run);
   for (const Solid& solid : source.modified().solids())

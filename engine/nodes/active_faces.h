@@ -11,7 +11,7 @@ namespace remeshd {
 /// Regularly spaced points on each free their nearest node.
 ///
 /// `edge_length`: target edge length; the points are half of it apart.
-void free_at_active_faces(NodeSet& nodes, const CopyPlan& source, double edge_length,
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, double edge_length,
                           const Run& run);
 
 }  // namespace remeshd

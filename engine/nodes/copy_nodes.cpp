@@ -120,9 +120,9 @@ class Copier {
 
 }  // namespace
 
-NodeSet copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
-                   const Run& run) {
-  NodeSet nodes;
+CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
+                       const Run& run) {
+  CopiedNodes nodes;
   const Copier copier(source, original, edge_length);
   const std::vector<std::int32_t> order = copying_order(source);
   const auto add = [&](std::int32_t n, std::int32_t t, const Vec3& place, bool free) {

@@ -32,7 +32,7 @@ struct OriginalNodes {
 /// `edge_length`: target edge length of the original mesh.
 /// Post: every node is the copy of one near the change, fixed but for those set back; supports are
 /// interior or, for nodes that were on the boundary, still those of the original.
-NodeSet copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
-                   const Run& run);
+CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
+                       const Run& run);
 
 }  // namespace remeshd

@@ -11,7 +11,7 @@ constexpr double kCrowded = 0.46, kCrowdedOnEdge = 0.3;
 
 }  // namespace
 
-void decimate_close_nodes(NodeSet& nodes, double edge_length) {
+void decimate_close_nodes(CopiedNodes& nodes, double edge_length) {
   const NearestNode grid(nodes.positions, kGridCell * edge_length);
   std::vector<std::uint8_t> stays(nodes.positions.size());
   for (std::int32_t n = 0; n < nodes.size(); ++n)

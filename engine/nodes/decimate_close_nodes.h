@@ -15,6 +15,6 @@ namespace remeshd {
 /// faces, or of two edges, do not crowd each other: both sides of a thin wall keep theirs. Supports
 /// are those of the original boundary. `edge_length`: target edge length. Post: the nodes that are
 /// left are in the order they were in; fixed ones and those at vertices are all there.
-void decimate_close_nodes(NodeSet& nodes, double edge_length);
+void decimate_close_nodes(CopiedNodes& nodes, double edge_length);
 
 }  // namespace remeshd

@@ -12,15 +12,19 @@ namespace remeshd {
 /// rest.
 enum class NodeState : std::uint8_t { Fixed, Free, Frozen };
 
-/// The nodes that the optimisation works on.
+/// Which mesh nodes are copied from: that of the parent, or the patch that was cut out of it.
+enum class CopiedFrom { Parent, Patch };
+
+/// Nodes of a mesh to be, new ones and copies, with numbers of the mesh that they are copied from.
 ///
 /// Inv: all arrays are equally long; a fixed node never moves; `original` and `transform` are -1
 /// both for new nodes.
-struct NodeSet {
+template <CopiedFrom>
+struct Nodes {
   std::vector<Vec3> positions;
   std::vector<Support> supports;
   std::vector<NodeState> state;
-  std::vector<std::int32_t> original;   ///< index in the Patch's nodes of what it copies
+  std::vector<std::int32_t> original;   ///< number of the node that it copies
   std::vector<std::int32_t> transform;  ///< index into CopyPlan::transforms
   /// Interface nodes of a patch come first: fixed, some of their tets are not in it. Their number.
   std::int32_t interface_nodes = 0;
@@ -59,5 +63,10 @@ struct NodeSet {
     transform.resize(count);
   }
 };
+
+/// What the plan makes of the parent's nodes, with new ones (Sects. 6 and 7).
+using CopiedNodes = Nodes<CopiedFrom::Parent>;
+/// The nodes that the optimisation works on (Sect. 8).
+using NodeSet = Nodes<CopiedFrom::Patch>;
 
 }  // namespace remeshd

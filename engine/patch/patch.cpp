@@ -121,7 +121,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
   return patch;
 }
 
-std::optional<PatchNodes> extract_patch(const NodeSet& near,
+std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
                                         const DelaunayState& delaunay_state,
                                         const CowVector<Support>& supports, const PagedMesh& output,

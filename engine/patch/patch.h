@@ -42,7 +42,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
 
 /// The nodes that an edit works on, and the patch of the original that they came from.
 struct PatchNodes {
-  NodeSet nodes;            ///< `original`: nodes of `patch`
+  NodeSet nodes;
   MeshPatch patch;          ///< empty for a first mesh
   std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
 };
@@ -53,7 +53,7 @@ struct PatchNodes {
 ///
 /// Candidates keep their supports of the original; others that come along stand
 /// before them and get theirs by `map`. Returns nothing where it has none for one.
-std::optional<PatchNodes> extract_patch(const NodeSet& near,
+std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
                                         const DelaunayState& delaunay_state,
                                         const CowVector<Support>& supports, const PagedMesh& output,

@@ -176,7 +176,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   const std::vector<Tet> tets = tets_at(state, candidates, [&](const Box& box) {
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });
-  NodeSet near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
+  CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
                             parent.edge_length, run);
   const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
   // What is near in space is to be near in memory: revisions share pages.

@@ -27,28 +27,22 @@ bool is_same_model(const Problem& problem, const Attempt* failed) {
 
 bool takes_few_nodes(const Attempt* failed) { return failed == nullptr || !failed->too_fine; }
 
+/// A boundary with details far finer than the edge length is lost by any nodes.
+bool may_place_nodes(const Problem&, const Attempt* failed) { return takes_few_nodes(failed); }
+
 /// Whether what changes may be cut out of the parent's mesh.
 bool has_patches(const Problem& problem, const Attempt* failed) {
   return takes_few_nodes(failed) && problem.plan().identity() >= 0 &&
          problem.modified.options.clean_up == problem.parent.options.clean_up;
 }
 
-bool is_edit(const Problem& problem, const Attempt* failed) {
-  return takes_few_nodes(failed) && problem.copies();
-}
-
-bool is_first(const Problem& problem, const Attempt*) { return !problem.copies(); }
-
 /// New places for all nodes would lose the boundary again that the parent has by its many nodes.
 bool may_free_nodes(const Problem& problem, const Attempt* failed) {
   const Revision& parent = problem.parent;
-  if (!is_edit(problem, failed)) return false;
+  if (!takes_few_nodes(failed) || !problem.copies()) return false;
   const double regular = expected_nodes(parent.cells.volume, parent.cells.area, parent.edge_length);
   return static_cast<double>(parent.output.mesh.nodes.size()) <= regular + few_more_nodes(regular);
 }
-
-/// A boundary with details far finer than the edge length is lost by any nodes.
-bool may_place_nodes_anew(const Problem&, const Attempt* failed) { return takes_few_nodes(failed); }
 
 bool always(const Problem&, const Attempt*) { return true; }
 
@@ -100,13 +94,12 @@ constexpr std::array kStrategies{
              6},
     Strategy{MeshStrategy::Local, "local, 8 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              8, true},
-    Strategy{MeshStrategy::Local, "local, everywhere", is_edit, remesh_nodes, Reuse::Nodes,
+    Strategy{MeshStrategy::Local, "local, everywhere", may_place_nodes, remesh_nodes, Reuse::Nodes,
              HUGE_VAL},
-    Strategy{MeshStrategy::Local, "local", is_first, remesh_nodes, Reuse::Nodes, HUGE_VAL},
     Strategy{MeshStrategy::Full, "full", may_free_nodes, remesh_nodes, Reuse::FreedNodes, HUGE_VAL,
              false, 0, "all nodes were optimised anew"},
-    Strategy{MeshStrategy::Fresh, "fresh", may_place_nodes_anew, remesh_nodes, Reuse::Nothing,
-             HUGE_VAL, false, kOtherSeed, "meshed from another seed"},
+    Strategy{MeshStrategy::Fresh, "fresh", may_place_nodes, remesh_nodes, Reuse::Nothing, HUGE_VAL,
+             false, kOtherSeed, "meshed from another seed"},
     Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
              "meshed by TetGen"}};
 

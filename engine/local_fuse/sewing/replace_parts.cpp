@@ -43,7 +43,7 @@ class Sewing {
     if (const auto taken = take_faces(fused_meeting, membership); !taken) return taken.why();
     if (const auto rebuilt = rebuild_planes(membership); !rebuilt) return rebuilt.why();
     if (const auto closed = check_closed(); !closed) return closed.why();
-    if (!one_piece()) return GaveUp{"sew", "the material is not in one piece"};
+    if (!one_piece()) return GaveUp{"replace_parts", "the material is not in one piece"};
     put_in_canonical_order(out_);
     return std::move(out_);
   }
@@ -105,10 +105,10 @@ class Sewing {
       BrepFace face = base_.brep.faces[f];
       for (int& e : face.edges) {
         e = kept_.edges[e];
-        if (e < 0) return GaveUp{"sew", "a kept face has an edge that the change meets"};
+        if (e < 0) return GaveUp{"replace_parts", "a kept face has an edge that the change meets"};
       }
       BoundaryPiece piece = base_.pieces[f];
-      if (!rename(piece)) return GaveUp{"sew", "a kept face is one of a changed feature"};
+      if (!rename(piece)) return GaveUp{"replace_parts", "a kept face is one of a changed feature"};
       out_.brep.faces.push_back(std::move(face));
       out_.pieces.push_back(std::move(piece));
     }
@@ -143,7 +143,7 @@ class Sewing {
       if (needed[e])
         for (const int v : from.edges[e].vertices)
           if (take_vertex(v) < 0)
-            return GaveUp{"sew", "a vertex of the fuse is near two of the base"};
+            return GaveUp{"replace_parts", "a vertex of the fuse is near two of the base"};
 
     for (const kernel::BrepVertex& v : out_.brep.vertices) out_.brep.points.push_back(v.position);
     for (std::size_t v = 0; v < kept_.vertices.size(); ++v) kept_.points[v] = kept_.vertices[v];
@@ -158,7 +158,8 @@ class Sewing {
       if (!needed[e]) continue;
       if (!touched.edges[e]) {
         if (!find_kept(static_cast<int>(e)))
-          return GaveUp{"sew", "an edge of a round face is in the fuse but not in the base"};
+          return GaveUp{"replace_parts",
+                        "an edge of a round face is in the fuse but not in the base"};
         continue;
       }
       taken_.edges[e] = static_cast<int>(out_.brep.edges.size());
@@ -201,7 +202,8 @@ class Sewing {
       for (auto& triangle : face.triangles)
         for (int& p : triangle) p = take_point(fused_.brep, taken_, p);
       if (!parts_material(face, fused_.pieces[f].surface, membership))
-        return GaveUp{"sew", "a round face does not have material on its inner side only"};
+        return GaveUp{"replace_parts",
+                      "a round face does not have material on its inner side only"};
       out_.brep.faces.push_back(std::move(face));
       out_.pieces.push_back(fused_.pieces[f]);
     }
@@ -247,7 +249,8 @@ class Sewing {
       Family* family =
           gather(base_, f, piece, looks_along(base_, static_cast<int>(f)), kept_.edges, 0);
       if (family == nullptr) continue;
-      if (!whole) return GaveUp{"sew", "a plane face of a changed feature has a kept edge"};
+      if (!whole)
+        return GaveUp{"replace_parts", "a plane face of a changed feature has a kept edge"};
       add_known(base_.brep.faces[f], family->known);
     }
     for (std::size_t f = 0; f < fused_.pieces.size(); ++f)
@@ -286,7 +289,8 @@ class Sewing {
         face.swept_volume = -face.swept_volume;
       }
       if (!parts_material(face, family.piece->surface, membership))
-        return GaveUp{"sew", "a plane face does not have material on its inner side only"};
+        return GaveUp{"replace_parts",
+                      "a plane face does not have material on its inner side only"};
       BoundaryPiece piece = *family.piece;
       piece.box = box_of(out_.brep, face, piece.surface);
       out_.brep.faces.push_back(std::move(face));
@@ -324,7 +328,7 @@ class Sewing {
     std::vector<std::array<int, 3>> starts;  // first two nodes of watched edges
     for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
       if (uses[e] != 0 && uses[e] != 2)
-        return GaveUp{"sew", "an edge bounds one face or more than two"};
+        return GaveUp{"replace_parts", "an edge bounds one face or more than two"};
       if (watched[e]) starts.push_back({brep.edges[e].chain[0], brep.edges[e].chain[1], e});
     }
     std::ranges::sort(starts);
@@ -343,7 +347,8 @@ class Sewing {
     }
     for (std::size_t e = 0; e < brep.edges.size(); ++e)
       if (watched[e] && directions[e] != std::array{1, 1})
-        return GaveUp{"sew", "two faces do not go along their edge in opposite directions"};
+        return GaveUp{"replace_parts",
+                      "two faces do not go along their edge in opposite directions"};
     return {};
   }
 

@@ -45,7 +45,6 @@ Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& 
     return GaveUp{"sew", "every feature is near the change"};
   BoundaryParts out;
   out.brep.scale = frame.scale;
-  if (features.empty()) return FusedPrisms{out, {}};
   FeatureModel some;
   for (const int f : features) some.features.push_back(edited.model.features[f]);
   fuse_features(some, Membership(some), frame, run, [&](const FusedFeatures& fused) {
@@ -58,6 +57,13 @@ Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& 
   for (int f = 0; f < static_cast<int>(out.pieces.size()); ++f)
     along.push_back(looks_along(out, f) ? 1 : 0);
   return FusedPrisms{std::move(out), std::move(along)};
+}
+
+/// Of no features.
+FusedPrisms nothing(const FuseFrame& frame) {
+  FusedPrisms fused;
+  fused.parts.brep.scale = frame.scale;
+  return fused;
 }
 
 }  // namespace
@@ -77,11 +83,12 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
     std::string_view name;
     std::function<Tried<FusedPrisms>()> fuse;
   };
-  const Route routes[] = {
+  std::vector<Route> routes{
       {"swept",
        [&] { return fuse_parallel_prisms(edited.model, edited.membership, features, frame); }},
       {"crossed", [&] { return fuse_prisms(edited.model, edited.membership, features, frame); }},
       {"fused in part", [&] { return fuse_some(edited, features, frame, run); }}};
+  if (features.empty()) routes = {{"kept", [&] { return nothing(frame); }}};
   const auto follow = [&](const Route& route) -> Tried<BoundaryParts> {
     if (far_reference) return GaveUp{"sew", "the base's point of reference is far from the model"};
     const auto fused = route.fuse();
@@ -97,7 +104,7 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
       auto parts = follow(route);
       if (parts) {
         out.parts = *std::move(parts);
-        out.parts->geometry = features.empty() ? "kept" : route.name;
+        out.parts->geometry = route.name;
         break;
       }
       give_up(text_of(parts.why()));

@@ -13,7 +13,7 @@ namespace {
 
 /// The strategy of a first mesh.
 const Strategy& first_mesh() {
-  return *std::ranges::find(strategies(), std::string_view("local"),
+  return *std::ranges::find(strategies(), std::string_view("local, everywhere"),
                             [](const Strategy& s) { return std::string_view(s.name); });
 }
 

@@ -12,12 +12,12 @@ constexpr double kEdgeLength = 2;
 
 /// A block, 40 x 40 x 10, that gets another of 20 x 20 x 10 on its middle: the face between them is
 /// active. Nodes that were fixed at this height, 0.6 edge lengths apart.
-NodeSet under_the_boss(double z) {
+CopiedNodes under_the_boss(double z) {
   const FeatureSource base = test::block("base", 40, 40, 10);
   const FeatureModel original = evaluate(test::model_of({base}));
   const FeatureModel modified =
       evaluate(test::model_of({base, test::placed(test::block("boss", 20, 20, 10), 0, 0, 10)}));
-  NodeSet nodes;
+  CopiedNodes nodes;
   for (double x = -9; x < 9; x += 0.6 * kEdgeLength)
     for (double y = -9; y < 9; y += 0.6 * kEdgeLength) nodes.add_new({x, y, z});
   // What the boss' other faces are nearest to.
@@ -30,7 +30,7 @@ NodeSet under_the_boss(double z) {
 }
 
 TEST(ActiveFaces, FreeNodesThatAreLittleMoreThanHalfAnEdgeLengthApart) {
-  const NodeSet nodes = under_the_boss(10);
+  const CopiedNodes nodes = under_the_boss(10);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     EXPECT_TRUE(nodes.is_free(n)) << nodes.positions[n].x << ' ' << nodes.positions[n].y;
 }

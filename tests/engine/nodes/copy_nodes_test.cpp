@@ -19,7 +19,7 @@ struct Copied {
   Revision original;
   FeatureModel modified;
   CopyPlan source;
-  NodeSet nodes;
+  CopiedNodes nodes;
 
   Copied(const std::string& name, const ModelEdit& edit)
       : original(make_revision(Revision::none(), test::case_model(name),
@@ -28,7 +28,7 @@ struct Copied {
         source(original.model, modified, original.edge_length, kRun),
         nodes(copy_all()) {}
 
-  NodeSet copy_all() const {
+  CopiedNodes copy_all() const {
     const DelaunayState& delaunay_state = *original.delaunay_state;
     std::vector<Tet> tets;
     for (std::int32_t s = 0; s < static_cast<std::int32_t>(delaunay_state.mesh.slots()); ++s)

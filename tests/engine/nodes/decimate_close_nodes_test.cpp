@@ -9,8 +9,8 @@ constexpr Support kFace{Support::Kind::Face, 3}, kOtherFace{Support::Kind::Face,
 constexpr Support kEdge{Support::Kind::Edge, 1};
 
 /// Nodes on a line, free, with their supports.
-NodeSet on_a_line(const std::vector<std::pair<double, Support>>& places) {
-  NodeSet nodes;
+CopiedNodes on_a_line(const std::vector<std::pair<double, Support>>& places) {
+  CopiedNodes nodes;
   for (const auto& [x, support] : places) {
     nodes.add_new({x, 0, 0}, support);
     nodes.original.back() = nodes.transform.back() = 0;
@@ -18,39 +18,39 @@ NodeSet on_a_line(const std::vector<std::pair<double, Support>>& places) {
   return nodes;
 }
 
-std::vector<double> left(const NodeSet& nodes) {
+std::vector<double> left(const CopiedNodes& nodes) {
   std::vector<double> x;
   for (const Vec3& p : nodes.positions) x.push_back(p.x);
   return x;
 }
 
 TEST(ThinOut, NewNodesGoBeforeCopies) {
-  NodeSet nodes = on_a_line({{0, {}}, {1, {}}});
+  CopiedNodes nodes = on_a_line({{0, {}}, {1, {}}});
   nodes.add_new({0.3, 0, 0});
   decimate_close_nodes(nodes, 1);
   EXPECT_EQ(left(nodes), (std::vector<double>{0, 1}));
 }
 
 TEST(ThinOut, NodesInsideGoBeforeThoseOfABoundary) {
-  NodeSet nodes = on_a_line({{0, {}}, {0.3, kFace}});
+  CopiedNodes nodes = on_a_line({{0, {}}, {0.3, kFace}});
   decimate_close_nodes(nodes, 1);
   EXPECT_EQ(left(nodes), (std::vector<double>{0.3}));
 }
 
 TEST(ThinOut, BothSidesOfAThinWallKeepTheirNodes) {
-  NodeSet nodes = on_a_line({{0, kFace}, {0.2, kOtherFace}});
+  CopiedNodes nodes = on_a_line({{0, kFace}, {0.2, kOtherFace}});
   decimate_close_nodes(nodes, 1);
   EXPECT_EQ(nodes.size(), 2);
 }
 
 TEST(ThinOut, ACrowdOnOneEdgeLosesEveryOther) {
-  NodeSet nodes = on_a_line({{0, kEdge}, {0.2, kEdge}, {0.4, kEdge}, {0.6, kEdge}, {1, kEdge}});
+  CopiedNodes nodes = on_a_line({{0, kEdge}, {0.2, kEdge}, {0.4, kEdge}, {0.6, kEdge}, {1, kEdge}});
   decimate_close_nodes(nodes, 1);
   EXPECT_EQ(left(nodes), (std::vector<double>{0, 0.4, 1}));
 }
 
 TEST(ThinOut, FixedNodesAndVerticesStay) {
-  NodeSet nodes = on_a_line(
+  CopiedNodes nodes = on_a_line(
       {{0, {}}, {0.1, {}}, {0.2, {Support::Kind::Vertex, 0}}, {0.3, {Support::Kind::Vertex, 1}}});
   nodes.state[0] = nodes.state[1] = NodeState::Fixed;
   decimate_close_nodes(nodes, 1);

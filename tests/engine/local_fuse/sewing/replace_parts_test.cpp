@@ -131,19 +131,20 @@ TEST(ReplaceParts, AVertexThatIsNearTwoOfTheBaseIsGivenUp) {
       v = static_cast<int>(brep.vertices.size());
   brep.vertices.push_back({corner});
   brep.points.push_back(corner);
-  EXPECT_EQ(edit.reason(), "sew: a vertex of the fuse is near two of the base");
+  EXPECT_EQ(edit.reason(), "replace_parts: a vertex of the fuse is near two of the base");
 }
 
 TEST(ReplaceParts, FacesHaveToMeetAlongEdgesInOppositeDirections) {
   Replacement edit = higher_step();
   // Beside the top of the plate, which is made anew; itself it stays.
   turn_over(edit.base_face("plate.y_min"));
-  EXPECT_EQ(edit.reason(), "sew: two faces do not go along their edge in opposite directions");
+  EXPECT_EQ(edit.reason(),
+            "replace_parts: two faces do not go along their edge in opposite directions");
 }
 
 TEST(ReplaceParts, TwoFacesHaveToMeetAtEveryEdge) {
   Replacement less = higher_step(), more = higher_step();
-  const std::string reason = "sew: an edge bounds one face or more than two";
+  const std::string reason = "replace_parts: an edge bounds one face or more than two";
   less.base_face("plate.y_min").edges.pop_back();
   EXPECT_EQ(less.reason(), reason);
   more.base_face("plate.y_min").edges.push_back(edge_at(more.base.brep, {0, 10, 0}));
@@ -153,16 +154,17 @@ TEST(ReplaceParts, TwoFacesHaveToMeetAtEveryEdge) {
 TEST(ReplaceParts, AFaceThatStaysHasEdgesThatStayAndAFeatureThatDoes) {
   Replacement edit = higher_step();
   edit.touched.faces[edit.index_of(edit.base, "plate.top")] = 0;
-  EXPECT_EQ(edit.reason(), "sew: a kept face has an edge that the change meets");
+  EXPECT_EQ(edit.reason(), "replace_parts: a kept face has an edge that the change meets");
   edit = higher_step();
   edit.changes.kept[0] = -1;
-  EXPECT_EQ(edit.reason(), "sew: a kept face is one of a changed feature");
+  EXPECT_EQ(edit.reason(), "replace_parts: a kept face is one of a changed feature");
   std::ranges::fill(edit.touched.faces, 1);
-  EXPECT_EQ(edit.reason(), "sew: a plane face of a changed feature has a kept edge");
+  EXPECT_EQ(edit.reason(), "replace_parts: a plane face of a changed feature has a kept edge");
 }
 
 TEST(ReplaceParts, ARoundFaceHasToEndWhereItDidInTheBase) {
-  const std::string reason = "sew: an edge of a round face is in the fuse but not in the base";
+  const std::string reason =
+      "replace_parts: an edge of a round face is in the fuse but not in the base";
   Replacement edit = higher_cap();
   edit.fused = edit.fuse({1, 2});  // without the plate, which hides the pin's lower end
   EXPECT_EQ(edit.reason(), reason);
@@ -178,11 +180,13 @@ TEST(ReplaceParts, ARoundFaceHasToEndWhereItDidInTheBase) {
 TEST(ReplaceParts, EachNewFaceHasMaterialOnItsInnerSideOnly) {
   Replacement edit = higher_cap();
   turn_over(edit.fused_face("pin.wall"));
-  EXPECT_EQ(edit.reason(), "sew: a round face does not have material on its inner side only");
+  EXPECT_EQ(edit.reason(),
+            "replace_parts: a round face does not have material on its inner side only");
   edit = higher_cap();
   char& along = edit.fused.along[edit.index_of(edit.fused.parts, "cap.top")];
   along = along != 0 ? 0 : 1;
-  EXPECT_EQ(edit.reason(), "sew: a plane face does not have material on its inner side only");
+  EXPECT_EQ(edit.reason(),
+            "replace_parts: a plane face does not have material on its inner side only");
 }
 
 TEST(ReplaceParts, WhyAPlaneFaceCannotBeMadeIsPassedOn) {
@@ -198,7 +202,8 @@ TEST(ReplaceParts, MaterialInTwoPiecesIsGivenUpAndACavityIsNone) {
   const FeatureSource boss = block("boss", 4, 4, 4);
   const auto boss_at = [&](double z) { return plate_with(placed(boss, 0, 0, z)); };
   EXPECT_EQ(Replacement(boss_at(5), boss_at(6)).reason(), "");
-  EXPECT_EQ(Replacement(boss_at(5), boss_at(7)).reason(), "sew: the material is not in one piece");
+  EXPECT_EQ(Replacement(boss_at(5), boss_at(7)).reason(),
+            "replace_parts: the material is not in one piece");
   const auto hole_at = [&](double z) {
     return plate_with(placed(boss, 0, 0, z, Nature::Subtractive));
   };
