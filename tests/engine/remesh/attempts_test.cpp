@@ -61,7 +61,7 @@ TEST(Attempts, AreNoneWhereTheFirstStrategyServes) {
 TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
   const Revision made = mesh_of_a_ledge();
   ASSERT_EQ(made.report.strategy, MeshStrategy::TetGen);
-  EXPECT_THAT(strategies(made.report), ElementsAre("local"));
+  EXPECT_THAT(strategies(made.report), ElementsAre("local, everywhere"));
   expect_told(made.report);
   EXPECT_THAT(made.report.attempts[0].reason,
               testing::EndsWith("; its boundary takes far more nodes than were asked for"));
