@@ -14,33 +14,16 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "remesh/v1/remesh.grpc.pb.h"
-#include "remesh/v1/rpc_status.pb.h"
 #include "tests/client/mesh_messages.h"
 #include "tests/client/sample_mesh.h"
+#include "tests/client/told_errors.h"
 
 namespace remeshd::client {
-
-/// A status that carries `error` in its details, as the daemon sends it.
-inline grpc::Status status_of(const remesh::v1::Error& error) {
-  remesh::v1::RpcStatus rich;
-  rich.set_code(static_cast<int>(error.code()));
-  rich.set_message(error.message());
-  rich.add_details()->PackFrom(error);
-  return {static_cast<grpc::StatusCode>(error.code()), error.message(), rich.SerializeAsString()};
-}
-
-inline remesh::v1::Error make_error(remesh::v1::Error::Code code,
-                                    remesh::v1::Error::Reason reason) {
-  remesh::v1::Error error;
-  error.set_code(code);
-  error.set_reason(reason);
-  error.set_message("told by the test");
-  return error;
-}
 
 /// A daemon that meshes nothing: what it gets is noted, what it answers is set by the test.
 ///
@@ -58,6 +41,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::set<int> hanging;
   /// Breaks the stream with this status before it answers anything.
   std::optional<remesh::v1::Error> stream_failure;
+  /// Breaks a stream off at the request after so many answers; the next ones stay.
+  std::optional<int> stream_break;
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
   /// Breaks every GetMesh off after so many messages.
   std::optional<int> mesh_break;
@@ -89,6 +74,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
       grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>*
           stream) override {
     if (stream_failure) return status_of(*stream_failure);
+    if (const auto answers = std::exchange(stream_break, std::nullopt))
+      return break_off(*stream, *answers);
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<remesh::v1::EditStreamRequest> waiting;
@@ -339,6 +326,18 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     if (files_all && head.has_file() && !head.file())
       return make_error(remesh::v1::Error::CODE_UNIMPLEMENTED, remesh::v1::Error::UNSUPPORTED);
     return {};
+  }
+
+  grpc::Status break_off(Stream& stream, int answers) {
+    remesh::v1::EditStreamRequest request;
+    for (int k = 0; stream.Read(&request); ++k) {
+      requests.push_back(request);
+      if (k == answers) break;
+      answer(stream, k,
+             request.has_edit() ? request.edit().request_id() : request.create().request_id(),
+             request, false);
+    }
+    return {grpc::StatusCode::UNAVAILABLE, "told by the test"};
   }
 
   void answer(Stream& stream, int k, const std::string& id,

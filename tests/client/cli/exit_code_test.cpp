@@ -12,7 +12,9 @@ namespace {
 
 using client::make_error;
 using remesh::v1::Error;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
 TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
@@ -64,6 +66,13 @@ TEST_F(Cli, OversizedAndWrongDocumentsExit3) {
   EXPECT_THAT(service_.requests, SizeIs(0));
   std::ofstream(folder_ / "no-mesh.vtu") << "<VTK";
   EXPECT_EQ(run({"quality", file("no-mesh.vtu")}), kInvalid);
+}
+
+TEST_F(Cli, ADocumentThatIsTooLargeIsToldWithoutALine) {
+  std::ofstream(folder_ / "big.json") << std::string((std::size_t{4} << 20) + 1, ' ');
+  EXPECT_EQ(run({"validate", file("big.json")}), kInvalid);
+  EXPECT_NE(err_.str(), "");
+  EXPECT_THAT(err_.str(), Not(HasSubstr("line ")));
 }
 
 TEST_F(Cli, AMeshCutInItsLastNumberExits3) {
@@ -182,6 +191,17 @@ TEST_F(Cli, TellsCodeReasonAndStageOnRequest) {
   service_.failure = make_error(Error::CODE_NOT_FOUND, Error::DESIGN_NOT_FOUND);
   EXPECT_EQ(run({"-v", "log", "d"}), kInvalid);
   EXPECT_THAT(err_.str(), HasSubstr("code NOT_FOUND, reason DESIGN_NOT_FOUND, stage "));
+}
+
+TEST_F(Cli, TellsTheHintOfAnErrorOnALineOfItsOwn) {
+  auto error = make_error(Error::CODE_NOT_FOUND, Error::DESIGN_NOT_FOUND);
+  service_.failure = error;
+  EXPECT_EQ(run({"log", "d"}), kInvalid);
+  EXPECT_THAT(err_.str(), Not(HasSubstr("hint")));
+  error.set_hint("list them");
+  service_.failure = error;
+  EXPECT_EQ(run({"log", "d"}), kInvalid);
+  EXPECT_THAT(err_.str(), AllOf(HasSubstr("told by the test\n"), HasSubstr("hint: list them\n")));
 }
 
 TEST_F(Cli, AnInterruptCancelsTheCallAndExits130) {

@@ -88,6 +88,21 @@ TEST_F(Cli, TakesTheAddressFromTheEnvironment) {
   EXPECT_EQ(seen_.address, "127.0.0.1:50051");
 }
 
+TEST_F(Cli, TakesTheFilesOfTlsAndOfTheTokenFromOptionsBeforeTheEnvironment) {
+  ::setenv("REMESH_TLS_CA", "ca-of-all", 1);
+  ::setenv("REMESH_TOKEN_FILE", "token-of-all", 1);
+  EXPECT_EQ(
+      run({"revisions", "--tls-cert", "my.pem", "--tls-key", "my.key", "--token-file", "mine"}),
+      kFine)
+      << err_.str();
+  ::unsetenv("REMESH_TLS_CA");
+  ::unsetenv("REMESH_TOKEN_FILE");
+  EXPECT_EQ(seen_.tls_ca, "ca-of-all");
+  EXPECT_EQ(seen_.tls_cert, "my.pem");
+  EXPECT_EQ(seen_.tls_key, "my.key");
+  EXPECT_EQ(seen_.token_file, "mine");
+}
+
 TEST_F(Cli, EditOfARevisionSendsItsNameAndOnlyTheOptionsGiven) {
   ASSERT_EQ(run({"edit", "simple@3", kCases + "/simple-ab.edit.json", "-o", file("m.vtu"), "--size",
                  "2.5"}),
@@ -286,22 +301,6 @@ TEST_F(Cli, HelpIsDataAndTellsTheExitCodes) {
   EXPECT_THAT(out_.str(), HasSubstr("130 interrupted"));
   EXPECT_EQ(run({"sweep", "--help"}), kFine);
   EXPECT_EQ(err_.str(), "");
-}
-
-TEST_F(Cli, QualityMeasuresARegularTetExactly) {
-  std::ofstream(folder_ / "t.inp")
-      << "*NODE\n1, 1, 1, 1\n2, 1, -1, -1\n3, -1, -1, 1\n4, -1, 1, -1\n"
-         "*ELEMENT, TYPE=C3D4, ELSET=All\n1, 1, 2, 4, 3\n";
-  ASSERT_EQ(run({"quality", file("t.inp"), "--exact-volume", "2"}), kFine) << err_.str();
-  const auto json = nlohmann::json::parse(out_.str());
-  EXPECT_EQ(json["nodes"], 4);
-  EXPECT_EQ(json["bfaces"], 4);
-  EXPECT_EQ(json["neg"], 0);
-  EXPECT_NEAR(json["vl_min"], 1, 1e-15);
-  EXPECT_NEAR(json["dih_max"], 70.528779365509, 1e-10);
-  EXPECT_NEAR(json["volume"], 8.0 / 3, 1e-15);
-  EXPECT_NEAR(json["vol_err"], 1.0 / 3, 1e-15);
-  EXPECT_NEAR(json["edge_mean"], std::sqrt(8), 1e-15);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -155,6 +156,32 @@ TEST(Msh, GivesAnEntityEachPhysicalGroupOnce) {
   EXPECT_EQ(tags[1], (Tags{{1}, {2, 1, 3}}));
 }
 
+TEST(Msh, BoxesOfEntitiesHoldAllTheirNodes) {
+  const Mesh mesh = sample_mesh(2);
+  const std::string bytes = to_msh(mesh);
+  Scanner scanner(bytes);
+  ASSERT_TRUE(scanner.skip_past_line("$Entities"));
+  scanner.skip(2 * sizeof(std::uint64_t));  // no points, no curves
+  ASSERT_EQ(scanner.raw<std::uint64_t>(), mesh.facet_groups.size());
+  scanner.skip(sizeof(std::uint64_t));  // volumes
+  for (std::size_t group = 0; group < mesh.facet_groups.size(); ++group) {
+    std::array<double, 6> expected{HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const Facet& facet : mesh.facets)
+      if (facet.group == static_cast<std::int32_t>(group))
+        for (const std::int32_t n : facet.nodes)
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double x = mesh.nodes[static_cast<std::size_t>(n)][axis];
+            expected[axis] = std::fmin(expected[axis], x);
+            expected[3 + axis] = std::fmax(expected[3 + axis], x);
+          }
+    scanner.skip(sizeof(std::int32_t));  // its own tag
+    std::array<double, 6> box{};
+    for (double& bound : box) bound = scanner.raw<double>();
+    EXPECT_EQ(box, expected) << mesh.facet_groups[group].front();
+    scanner.skip(scanner.raw<std::uint64_t>() * sizeof(std::int32_t) + sizeof(std::uint64_t));
+  }
+}
+
 TEST(Inp, HasNoMoreThanSixteenNumbersALine) {
   std::istringstream text(to_inp(sample_mesh(3)));
   std::ptrdiff_t most = 0;
@@ -169,12 +196,21 @@ TEST(Inp, HasNoMoreThanSixteenNumbersALine) {
 TEST(Inp, WritesCoordinatesThatCalculixCanCutAtTwentyCharacters) {
   Mesh mesh = sample_mesh(1);
   mesh.nodes[0] = {-1.2345678901234567e-15, 123456.78901234567, -0.1 - 0.2};
+  mesh.nodes[1] = {0, -0.0, 2};
   std::istringstream text(to_inp(mesh));
   std::string line;
   while (std::getline(text, line) && line != "*NODE") continue;
   std::getline(text, line);
   EXPECT_EQ(line,
             "1, -0.0000000000000012345678901234568, 123456.78901234567, -0.30000000000000004");
+  std::getline(text, line);
+  EXPECT_EQ(line, "2, 0.0, -0.0, 2.0");
+}
+
+TEST(Inp, WritesAnExponentWhereACoordinateWouldHaveManyZeros) {
+  Mesh mesh = sample_mesh(1);
+  mesh.nodes[0] = {1e-70, 1e17, 1};
+  EXPECT_NE(to_inp(mesh).find("\n1, 1e-70, 1e+17, 1.0\n"), std::string::npos);
 }
 
 TEST(Inp, TellsLabelsApartThatDifferByCaseOnly) {

@@ -53,6 +53,37 @@ TEST(Resend, AnEditOfAHeadThatTheStreamKnowsNothingOfIsNotSentAgain) {
   EXPECT_EQ(how_to_resend(edit_of(""), nullptr), Resend::AsItIs);
 }
 
+remesh::v1::EditRevisionRequest edit_request(const std::string& base,
+                                             const std::string& design = "") {
+  return edit_of(base, design).edit();
+}
+
+TEST(EditStream, SendsWhatABreakLeftUnansweredAgain) {
+  FakeDaemon daemon;
+  daemon.service.stream_break = 1;
+  EditStream stream = Client::connect(daemon.address).stream();
+  EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().id(), "rev-1");
+  auto second = stream.edit(edit_request("a@2"));  // the stream breaks here
+  auto third = stream.edit(edit_request("a@3"));
+  EXPECT_EQ(second.get().revision().parent(), "a@2");
+  EXPECT_EQ(third.get().revision().parent(), "a@3");
+  stream.finish();
+}
+
+TEST(EditStream, BehindABreakAnEditWithoutABaseIsOfTheLastResultUnlessItNamesADesign) {
+  for (const std::string design : {"", "mine"}) {
+    FakeDaemon daemon;
+    daemon.service.stream_break = 1;
+    EditStream stream = Client::connect(daemon.address).stream();
+    EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().design(), "d");
+    // Breaks the stream, and cannot be sent again: the new one has had no request yet.
+    EXPECT_THROW(stream.edit(edit_request("other")).get(), CallError);
+    stream.edit(edit_request("", design)).get();
+    EXPECT_EQ(daemon.service.requests.back().edit().base(), design.empty() ? "d" : "");
+    EXPECT_EQ(daemon.service.requests.back().edit().design(), design);
+  }
+}
+
 TEST(GetMesh, GoesOnWhereItBroke) {
   FakeDaemon daemon;
   daemon.service.mesh_break = 3;  // the header and two parts
