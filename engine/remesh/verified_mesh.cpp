@@ -59,7 +59,9 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
 KnownClassification known_classification(const NodeSet& nodes, const DelaunayMesh& mesh,
                                          const MeshPatch& patch, const CopyPlan& plan) {
   KnownClassification known = KnownClassification::nothing(mesh, patch.exterior);
-  for (std::int32_t s = 0; s < static_cast<std::int32_t>(patch.mesh.slots()); ++s) {
+  // A mesh that began anew has other slots, and may have fewer.
+  const auto slots = static_cast<std::int32_t>(std::min(patch.mesh.slots(), mesh.slots()));
+  for (std::int32_t s = 0; s < slots; ++s) {
     if (!mesh.in_use(s)) continue;
     const Tet then = patch.mesh.corners(s), now = mesh.corners(s);
     const bool same = std::ranges::equal(then, now, [&](std::int32_t a, std::int32_t b) {

@@ -346,6 +346,20 @@ TEST(Remesh, AutoIterationsStopBeforeTheirLimit) {
   EXPECT_LT(r.report.counts.iterations, 30U);
 }
 
+TEST(Remesh, AModelThatMovesFarAndLosesAFeatureIsMeshed) {
+  // It leaves the parent's super vertices: the Delaunay mesh begins anew and has fewer tets.
+  ModelSource model = test::one_feature(test::block("plate", 10, 10, 1));
+  model.features.push_back(test::block("post", 3, 3, 20));
+  const Revision original =
+      make_revision(Revision::none(), model, {.nodes = 400, .iterations = 3}, kRun);
+  model.features.pop_back();
+  model.features[0].placement.origin = {1000.0, 0.0, 0.0};
+  const Revision moved = make_revision(original, model, {.iterations = 3}, kRun);
+  expect_valid(moved);
+  EXPECT_EQ(moved.report.strategy, MeshStrategy::Local);
+  EXPECT_GT(moved.report.counts.nodes_copied, 0U);
+}
+
 TEST(Remesh, ASharpWedgeIsRepairedWithFewNodes) {
   // Tets across the wedge's edge survived eight rounds of inserting nodes beside it.
   const Revision r = first("tool2-d", {.nodes = 15098, .iterations = 10, .seed = 4});
