@@ -69,10 +69,10 @@ class Writer {
  private:
   template <class T>
   StoredArray& begin(const char* name) {
-    constexpr Layout layout = layout_of<T>();
-    static_assert(sizeof(T) % layout.components == 0);
+    constexpr Layout kLayout = layout_of<T>();
+    static_assert(sizeof(T) % kLayout.components == 0);
     return image_.arrays.emplace_back(
-        StoredArray{.name = name, .type = layout.type, .components = layout.components});
+        StoredArray{.name = name, .type = kLayout.type, .components = kLayout.components});
   }
   StoredArrays image_;
 };
@@ -104,8 +104,8 @@ class Reader {
   std::string flat(const char* name) const {
     const StoredArray* array = image_.find(name);
     if (array == nullptr) throw error::internal("store", std::string("no array ") + name);
-    constexpr Layout layout = layout_of<T>();
-    if (array->type != layout.type || array->components != layout.components ||
+    constexpr Layout kLayout = layout_of<T>();
+    if (array->type != kLayout.type || array->components != kLayout.components ||
         array->size() % sizeof(T) != 0)
       throw error::internal("store", std::string("another type of the array ") + name);
     return array->flat();
