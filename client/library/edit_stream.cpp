@@ -51,33 +51,33 @@ EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
 
 EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
                        const CallOptions& call_options, std::string bearer_token, Answered answered)
-    : stub(std::move(service)),
-      on_progress(std::move(listener)),
-      token(std::move(bearer_token)),
-      patience(call_options, std::move(answered)),
-      call(new_call()) {
-  reader = std::thread([this] { read(); });
+    : stub_(std::move(service)),
+      on_progress_(std::move(listener)),
+      token_(std::move(bearer_token)),
+      patience_(call_options, std::move(answered)),
+      call_(new_call()) {
+  reader_ = std::thread([this] { read(); });
 }
 
 EditStream::Impl::~Impl() {
-  if (!reader.joinable()) return;
+  if (!reader_.joinable()) return;
   cancel_all();
-  reader.join();
+  reader_.join();
 }
 
 std::shared_ptr<EditStream::Impl::Call> EditStream::Impl::new_call() const {
-  return std::make_shared<Call>(*stub, patience.rest(), token);
+  return std::make_shared<Call>(*stub_, patience_.rest(), token_);
 }
 
 EditStream::Impl::Requests::iterator EditStream::Impl::find(const std::string& id) {
-  return std::ranges::find(unanswered, id, &Unanswered::id);
+  return std::ranges::find(unanswered_, id, &Unanswered::id);
 }
 
 std::string EditStream::Impl::fresh_id() {
-  const std::lock_guard lock(state);
+  const std::lock_guard lock(state_);
   std::string id;
-  do id = "request-" + std::to_string(next_id++);
-  while (find(id) != unanswered.end());
+  do id = "request-" + std::to_string(next_id_++);
+  while (find(id) != unanswered_.end());
   return id;
 }
 
@@ -109,16 +109,16 @@ EditStream::Answers EditStream::Impl::send(const std::string& id,
     return failed(e.detail(), std::move(mesh));
   }
   if (mesh) *request.mutable_mesh() = to_message(*mesh);
-  const std::lock_guard one_write(writing);
+  const std::lock_guard one_write(writing_);
   Answers answers;
   {
-    const std::lock_guard lock(state);
-    if (closed) throw std::logic_error("EditStream: nothing can be sent after finish()");
-    if (end) return failed(*end, std::move(mesh));
-    if (find(id) != unanswered.end())
+    const std::lock_guard lock(state_);
+    if (closed_) throw std::logic_error("EditStream: nothing can be sent after finish()");
+    if (end_) return failed(*end_, std::move(mesh));
+    if (find(id) != unanswered_.end())
       throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
-    unanswered.push_back({id, std::move(request), OpenRequest(std::move(mesh))});
-    answers = unanswered.back().request.answers();
+    unanswered_.push_back({id, std::move(request), OpenRequest(std::move(mesh))});
+    answers = unanswered_.back().request.answers();
   }
   send_waiting();
   return answers;
@@ -127,18 +127,19 @@ EditStream::Answers EditStream::Impl::send(const std::string& id,
 /// The message of a request that waits to be sent; nothing where it has to wait for those before
 /// it. Pre: under `state`; all before it have been sent.
 std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Unanswered& next) {
-  const bool first = &next == &unanswered.front();
+  const bool first = &next == &unanswered_.front();
   if (next.sent_before) {
-    if (how_to_resend(next.message, last ? &*last : nullptr) == Resend::AsItIs) return next.message;
+    if (how_to_resend(next.message, last_ ? &*last_ : nullptr) == Resend::AsItIs)
+      return next.message;
     if (!first) return std::nullopt;
-    return on_last(next.message, *last);
+    return on_last(next.message, *last_);
   }
   // A new call knows nothing of what the last one left off at.
   const bool follows = next.message.has_edit() && next.message.edit().base().empty() &&
                        next.message.edit().design().empty();
-  if (!follows || call->used || !last) return next.message;
+  if (!follows || call_->used || !last_) return next.message;
   remesh::v1::EditStreamRequest message = next.message;
-  const auto& revision = last->revision();
+  const auto& revision = last_->revision();
   message.mutable_edit()->set_base(revision.design().empty() ? revision.id() : revision.design());
   return message;
 }
@@ -149,11 +150,11 @@ void EditStream::Impl::send_waiting() {
     std::shared_ptr<Call> to;
     std::optional<remesh::v1::EditStreamRequest> message;
     {
-      const std::lock_guard lock(state);
-      to = call;
-      const auto next = std::ranges::find(unanswered, false, &Unanswered::sent);
-      if (next == unanswered.end()) {
-        if (!closed || to->writes_done) return;
+      const std::lock_guard lock(state_);
+      to = call_;
+      const auto next = std::ranges::find(unanswered_, false, &Unanswered::sent);
+      if (next == unanswered_.end()) {
+        if (!closed_ || to->writes_done) return;
         to->writes_done = true;
       } else {
         message = to_send(*next);
@@ -173,61 +174,61 @@ void EditStream::Impl::send_waiting() {
 
 void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
   if (response.has_progress()) {
-    if (on_progress) on_progress(response.request_id(), response.progress());
+    if (on_progress_) on_progress_(response.request_id(), response.progress());
     return;
   }
   OpenRequest* request = nullptr;
   Requests done;
   {
-    const std::lock_guard lock(state);
+    const std::lock_guard lock(state_);
     const auto entry = find(response.request_id());
-    if (entry == unanswered.end()) return;
+    if (entry == unanswered_.end()) return;
     request = &entry->request;  // stays where it is until this thread takes it out
     if (response.has_result()) entry->result = response.result();
     // Before its future is kept: who has the answer may use the id again.
     if (request->is_last(response)) {
-      if (entry->result) last = entry->result;
-      done.splice(done.begin(), unanswered, entry);
+      if (entry->result) last_ = entry->result;
+      done.splice(done.begin(), unanswered_, entry);
     }
   }
   if (response.has_result()) request->take_result(response.result());
-  if (response.has_mesh()) request->take_mesh(response.mesh(), last_mesh);
+  if (response.has_mesh()) request->take_mesh(response.mesh(), last_mesh_);
   if (response.has_error()) request->fail(response.error());
   if (done.empty()) return;
   request->fail(stream_ended());  // what the daemon left unanswered
   bool waiting = false;
   {
-    const std::lock_guard lock(state);
-    waiting = !unanswered.empty() && !unanswered.back().sent;
+    const std::lock_guard lock(state_);
+    waiting = !unanswered_.empty() && !unanswered_.back().sent;
   }
   if (!waiting) return;
-  const std::lock_guard one_write(writing);
+  const std::lock_guard one_write(writing_);
   send_waiting();
 }
 
 /// Opens the stream again where it broke on its way; false where it is at its end.
 bool EditStream::Impl::reopen(const grpc::Status& status) {
   {
-    const std::lock_guard lock(state);
-    if (cancelled || (closed && unanswered.empty())) return false;
+    const std::lock_guard lock(state_);
+    if (cancelled_ || (closed_ && unanswered_.empty())) return false;
   }
-  if (!patience.tries_again(status)) return false;
+  if (!patience_.tries_again(status)) return false;
   Requests lost;
-  const std::lock_guard one_write(writing);
+  const std::lock_guard one_write(writing_);
   {
-    const std::lock_guard lock(state);
-    if (cancelled) return false;
-    for (auto entry = unanswered.begin(); entry != unanswered.end();) {
+    const std::lock_guard lock(state_);
+    if (cancelled_) return false;
+    for (auto entry = unanswered_.begin(); entry != unanswered_.end();) {
       const auto next = std::next(entry);
       entry->sent_before = entry->sent_before || entry->sent;
       entry->sent = false;
       entry->request.restart();
       if (entry->sent_before &&
-          how_to_resend(entry->message, last ? &*last : nullptr) == Resend::Impossible)
-        lost.splice(lost.end(), unanswered, entry);
+          how_to_resend(entry->message, last_ ? &*last_ : nullptr) == Resend::Impossible)
+        lost.splice(lost.end(), unanswered_, entry);
       entry = next;
     }
-    call = new_call();
+    call_ = new_call();
   }
   for (Unanswered& entry : lost) entry.request.fail(not_sent_again());
   send_waiting();
@@ -238,11 +239,11 @@ void EditStream::Impl::end_with(const grpc::Status& status) {
   Requests open;
   Error error;
   {
-    const std::lock_guard lock(state);
-    ended_well = status.ok();
-    error = ended_well ? stream_ended() : error_of(status);
-    end = error;
-    open.swap(unanswered);
+    const std::lock_guard lock(state_);
+    ended_well_ = status.ok();
+    error = ended_well_ ? stream_ended() : error_of(status);
+    end_ = error;
+    open.swap(unanswered_);
   }
   for (Unanswered& entry : open) entry.request.fail(error);
 }
@@ -251,12 +252,12 @@ void EditStream::Impl::read() {
   while (true) {
     std::shared_ptr<Call> from;
     {
-      const std::lock_guard lock(state);
-      from = call;
+      const std::lock_guard lock(state_);
+      from = call_;
     }
     remesh::v1::EditStreamResponse response;
     while (from->stream->Read(&response)) {
-      patience.heard();
+      patience_.heard();
       take(response);
     }
     const grpc::Status status = from->stream->Finish();
@@ -268,14 +269,15 @@ void EditStream::Impl::cancel(const std::string& request_id) {
   remesh::v1::EditStreamRequest message;
   message.mutable_cancel()->set_request_id(request_id);
   Requests unsent;
-  const std::lock_guard one_write(writing);
+  const std::lock_guard one_write(writing_);
   std::shared_ptr<Call> to;
   {
-    const std::lock_guard lock(state);
-    if (closed) return;
-    to = call;
+    const std::lock_guard lock(state_);
+    if (closed_) return;
+    to = call_;
     const auto entry = find(request_id);
-    if (entry != unanswered.end() && !entry->sent) unsent.splice(unsent.begin(), unanswered, entry);
+    if (entry != unanswered_.end() && !entry->sent)
+      unsent.splice(unsent.begin(), unanswered_, entry);
   }
   if (unsent.empty()) {
     to->stream->Write(message);
@@ -285,24 +287,24 @@ void EditStream::Impl::cancel(const std::string& request_id) {
 }
 
 void EditStream::Impl::cancel_all() {
-  const std::lock_guard lock(state);
-  cancelled = true;
-  patience.stop();
-  call->context.cancel();
+  const std::lock_guard lock(state_);
+  cancelled_ = true;
+  patience_.stop();
+  call_->context.cancel();
 }
 
 void EditStream::Impl::finish() {
   {
-    const std::lock_guard one_write(writing);
+    const std::lock_guard one_write(writing_);
     {
-      const std::lock_guard lock(state);
-      closed = true;
+      const std::lock_guard lock(state_);
+      closed_ = true;
     }
     send_waiting();
   }
-  if (reader.joinable()) reader.join();
-  const std::lock_guard lock(state);
-  if (!ended_well) throw CallError(*end);
+  if (reader_.joinable()) reader_.join();
+  const std::lock_guard lock(state_);
+  if (!ended_well_) throw CallError(*end_);
 }
 
 EditStream::EditStream(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -70,23 +70,23 @@ struct EditStream::Impl {
   [[nodiscard]] std::shared_ptr<Call> new_call() const;
   void end_with(const grpc::Status& status);
 
-  const std::shared_ptr<Stub> stub;
-  const OnProgress on_progress;
-  const std::string token;
-  Reconnecting patience;                  ///< of the reading thread, but for `rest` and `stop`
-  std::shared_ptr<const Mesh> last_mesh;  ///< that the stream brought; of the reading thread
+  const std::shared_ptr<Stub> stub_;
+  const OnProgress on_progress_;
+  const std::string token_;
+  Reconnecting patience_;                  ///< of the reading thread, but for `rest` and `stop`
+  std::shared_ptr<const Mesh> last_mesh_;  ///< that the stream brought; of the reading thread
 
-  std::mutex writing;  ///< one write at a time; taken before `state`
-  std::mutex state;    ///< guards what follows
-  std::shared_ptr<Call> call;
-  Requests unanswered;                             ///< in the order of their coming
-  std::optional<remesh::v1::RevisionResult> last;  ///< of a request that is done with
-  bool closed = false;                             ///< no more requests
-  bool cancelled = false;
-  std::optional<remesh::v1::Error> end;  ///< set once the stream has ended: what late requests get
-  bool ended_well = false;
-  std::uint64_t next_id = 1;
-  std::thread reader;
+  std::mutex writing_;  ///< one write at a time; taken before `state_`
+  std::mutex state_;    ///< guards what follows
+  std::shared_ptr<Call> call_;
+  Requests unanswered_;                             ///< in the order of their coming
+  std::optional<remesh::v1::RevisionResult> last_;  ///< of a request that is done with
+  bool closed_ = false;                             ///< no more requests
+  bool cancelled_ = false;
+  std::optional<remesh::v1::Error> end_;  ///< set once the stream has ended: what late requests get
+  bool ended_well_ = false;
+  std::uint64_t next_id_ = 1;
+  std::thread reader_;
 };
 
 }  // namespace remeshd::client
