@@ -125,7 +125,7 @@ EditStream::Answers EditStream::Impl::send(const std::string& id,
 }
 
 /// The message of a request that waits to be sent; nothing where it has to wait for those before
-/// it. Pre: under `state`; all before it have been sent.
+/// it. Pre: under `state_`; all before it have been sent.
 std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Unanswered& next) {
   const bool first = &next == &unanswered_.front();
   if (next.sent_before) {
@@ -144,7 +144,7 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   return message;
 }
 
-/// Pre: under `writing`.
+/// Pre: under `writing_`.
 void EditStream::Impl::send_waiting() {
   while (true) {
     std::shared_ptr<Call> to;

@@ -19,7 +19,7 @@ namespace remeshd::client {
 
 /// The state behind an EditStream.
 ///
-/// Inv: every request sent and not yet answered is in `unanswered`; the reading thread answers it,
+/// Inv: every request sent and not yet answered is in `unanswered_`; the reading thread answers it,
 /// or, when the stream ends, gives all of them the stream's error. Only that thread takes one out.
 struct EditStream::Impl {
   using Stub = remesh::v1::RemeshService::Stub;

@@ -129,8 +129,10 @@ Option seconds(std::string name, double least, Member member, std::string help) 
           .get = [member](const Settings& from) { return read(member, from); }};
 }
 
-std::vector<Option> make_table() {
-  using S = Settings;
+using S = Settings;
+
+/// Who reaches the daemon, and how.
+std::vector<Option> reach_options() {
   return {
       list(
           "listen", "ADDRESS", [](S& s) { return &s.daemon.listen; },
@@ -172,6 +174,12 @@ std::vector<Option> make_table() {
       whole(
           "max-connections", {1, 1000000}, [](S& s) { return &s.daemon.max_connections; },
           "connections at a time"),
+  };
+}
+
+/// What it works with, and how much of it.
+std::vector<Option> work_options() {
+  return {
       text(
           "store", "FOLDER", [](S& s) { return &s.daemon.store; },
           "folder that keeps the revisions; without it they live in memory only"),
@@ -203,6 +211,11 @@ std::vector<Option> make_table() {
       whole(
           "max-nodes", {20, 5000000}, [](S& s) { return &s.daemon.max_nodes; },
           "most nodes that a request may ask for"),
+  };
+}
+
+std::vector<Option> watch_options() {
+  return {
       text(
           "dumps", "FOLDER", [](S& s) { return &s.daemon.dumps; },
           "folder in which every computation leaves its stages, for debugging"),
@@ -216,6 +229,13 @@ std::vector<Option> make_table() {
           "log-format", {"text", "json"}, [](S& s) { return &s.log.format; },
           "form of the log's lines"),
   };
+}
+
+std::vector<Option> make_table() {
+  std::vector<Option> table;
+  for (auto& options : {reach_options(), work_options(), watch_options()})
+    table.insert(table.end(), options.begin(), options.end());
+  return table;
 }
 
 std::string upper(std::string text) {
