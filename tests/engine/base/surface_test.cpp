@@ -216,6 +216,14 @@ TEST(SameSurface, FailsWhereOneMovesByMoreThanTheTolerance) {
   }
 }
 
+TEST(SameSurface, FailsForCylindersThatCrossInABoxThatIsFlatAlongOneOfTheirAxes) {
+  const Box flat{{-20, -20, 0}, {20, 20, 0}};
+  const Surface upright{Kind::Cylinder, Transform{}, 3, 0};
+  const Surface lying{Kind::Cylinder, Transform::frame({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {}), 3, 0};
+  EXPECT_FALSE(same_surface(upright, lying, flat, 1e-6));
+  EXPECT_FALSE(same_surface(lying, upright, flat, 1e-6));
+}
+
 TEST(SameSurface, FailsForDifferentKinds) {
   const auto kinds = all_kinds();
   for (const Named& a : kinds)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,15 @@ TEST(Lattice, APartOfTheBoxGetsThePointsOfTheWhole) {
             visits(cylinder, {{-9, -9, -2}, {9, 9, 5}}, side).inside);
   EXPECT_FALSE(visits(cylinder, side, side).inside.empty());
   EXPECT_EQ(visits(cylinder, {{0, 1, -2}, {2, 3, 5}}, side).all, 0U) << "nothing near its axis";
+}
+
+TEST(Lattice, HasAPointForEachSquareOfTheSpacingOnAWholeTorus) {
+  constexpr double kMajor = 6, kMinor = 2;
+  const Box whole{{-8, -8, -2}, {8, 8, 2}};
+  const Visits found = visits({Kind::Torus, Transform{}, kMajor, kMinor}, whole, whole);
+  const double area = 4 * std::numbers::pi * std::numbers::pi * kMajor * kMinor;
+  const double expected = area / (kSpacing * kSpacing);  // in 25 rows
+  EXPECT_NEAR(found.inside.size(), expected, 0.01 * expected);
 }
 
 TEST(Lattice, AConeEndsAtItsApex) {

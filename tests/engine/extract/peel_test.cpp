@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "engine/cellular/cellular_model.h"
@@ -45,6 +46,38 @@ TEST(Peel, TellsWhereABoundaryFacetIsOnNoFace) {
   const CellularModel cells = build_cells(model, kRun);
   EXPECT_NEAR(distance(mesh.nonconforming[0], cells.boundary.vertices.back().position),
               2 / std::sqrt(3.0), 1e-9);
+}
+
+/// Two nodes along and two across on a torus's outermost circle, nearly in one plane, and one
+/// within the tube.
+PeeledMesh peeled_torus(const PeelOptions& options) {
+  const FeatureModel model = evaluate(test::one_feature(
+      test::feature("ring", "torus", {{"major_radius", 4.0}, {"minor_radius", 1.0}})));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  NodeSet nodes;
+  nodes.add_new({4, 0, 0});
+  const auto add = [&](double along, double across) {  // angles
+    const double r = 4 + std::cos(across);
+    nodes.add_new({r * std::cos(along), r * std::sin(along), std::sin(across)},
+                  {Support::Kind::Face, 0});
+  };
+  for (const double sign : {-1.0, 1.0}) {
+    add(0.12 * sign, 0);
+    add(0, 0.3 * sign);
+  }
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  std::vector<std::int32_t> all(nodes.positions.size());
+  std::iota(all.begin(), all.end(), 0);
+  delaunay.insert(nodes.positions, all, kRun);
+  return peel(
+      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
+      KnownClassification::nothing(delaunay), options, kRun);
+}
+
+TEST(Peel, AFlatTetOnACurvedFaceGoesWhereItIsOfLowQuality) {
+  EXPECT_EQ(peeled_torus({.flat = 0.3}).tets.size(), 2U);
+  EXPECT_EQ(peeled_torus({.flat = 0}).tets.size(), 3U);
 }
 
 }  // namespace

@@ -112,6 +112,22 @@ TEST(AggressiveImprovement, MendATetOrLeaveTheMeshAsItWas) {
   EXPECT_GT(left, 0);
 }
 
+TEST(AggressiveImprovement, ACompassSearchSaysWhetherItMovedANode) {
+  const SolidFixture s = crowded(make_box({1, 1, 1}, 5, 6, 0.3));
+  Workshop w(s);
+  int moved = 0, left = 0;
+  for (std::int32_t t = 0; t < w.mesh.slots(); ++t) {
+    const std::vector<Vec3> before = w.mesh.result().nodes;
+    const double worst = w.worst();
+    const bool says_so = w.last.compass_search(t);
+    EXPECT_EQ(says_so, w.mesh.result().nodes != before) << t;
+    EXPECT_GE(w.worst(), worst) << t;
+    ++(says_so ? moved : left);
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_GT(left, 0);
+}
+
 TEST(AggressiveImprovement, TakeATetOutAtAPriceWhereMotionAloneDoesNotHelp) {
   const SolidFixture s = crowded(make_box({1, 1, 1}, 5, 6, 0.3));
   Workshop w(s);
