@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/delivery/facet_names.h"
 #include "engine/boundary/facet_faces.h"
+#include "engine/delivery/facet_names.h"
 
 namespace remeshd {
 

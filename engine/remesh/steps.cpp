@@ -177,7 +177,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });
   CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
-                            parent.edge_length, run);
+                                parent.edge_length, run);
   const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
   // What is near in space is to be near in memory: revisions share pages.
   for (const Vec3& p : along_hilbert_curve(fill(
