@@ -5,12 +5,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/base/tolerance.h"
+
 namespace remeshd {
 
 namespace {
 
-constexpr double kSameTransform = 1e-12;  // of the model's diagonal: rounding, not motion
-constexpr double kProbe = 1e-9;           // of the model's diagonal
 constexpr double kMeasureStep = 1.0;      // of the edge length
 constexpr double kMeasurePoints = 20000;  // at most; the order of sources needs no more
 
@@ -25,8 +25,8 @@ Transform motion(const Transform& from, const Transform& to) {
 
 bool same_motion(const Transform& a, const Transform& b, double size) {
   for (int k = 0; k < 12; ++k) {
-    const double tolerance = k % 4 == 3 ? kSameTransform * size : kSameTransform;
-    if (std::fabs(a.m[k] - b.m[k]) > tolerance) return false;
+    const double most = k % 4 == 3 ? tolerance::kRounding * size : tolerance::kRounding;
+    if (std::fabs(a.m[k] - b.m[k]) > most) return false;
   }
   return true;
 }
@@ -44,7 +44,9 @@ bool same_shape(const Feature& a, const Feature& b) {
 
 CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
                    const Run& run)
-    : modified_(modified), original_(original), probe_(kProbe * modified_.bounds().diagonal()) {
+    : modified_(modified),
+      original_(original),
+      probe_(tolerance::kProbe * modified_.bounds().diagonal()) {
   if (!copies()) {
     changed_.push_back(modified_.bounds());
     return;

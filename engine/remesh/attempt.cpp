@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "engine/base/tolerance.h"
 #include "engine/delivery/failure_place.h"
 
 namespace remeshd {
+
 const CopyPlan& Problem::plan() const {
   if (!plan_)
     plan_ = std::make_unique<const CopyPlan>(parent.delaunay_model(), modified.model,
@@ -15,8 +17,8 @@ const CopyPlan& Problem::plan() const {
 const EntityMap& Problem::entities() const {
   const BoundaryModel& boundary = modified.cells.boundary;
   if (!entities_)
-    entities_ = std::make_unique<const EntityMap>(parent.cells.boundary, boundary,
-                                                  kOnEntity * boundary.bounds.diagonal());
+    entities_ = std::make_unique<const EntityMap>(
+        parent.cells.boundary, boundary, tolerance::kOnSurface * boundary.bounds.diagonal());
   return *entities_;
 }
 

@@ -43,9 +43,6 @@ class Problem {
   mutable std::unique_ptr<const EntityMap> entities_;
 };
 
-/// A copied node stands on a face that is this near; of the diagonal.
-inline constexpr double kOnEntity = 1e-7;
-
 /// The plan of a mesh all of whose nodes are new.
 std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem);
 

@@ -25,12 +25,15 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   report.geometry = revision.cells.parts->geometry;
   for (const GeometryAttempt& attempt : revision.cells.geometry_attempts)
     report.geometry_attempts.push_back({attempt.route, attempt.reason});
+  // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
   const Density density = resolve_density(parent, options, revision.cells, run);
   revision.edge_length = report.edge_length = density.edge_length;
   watch.lap(report.seconds.setup);
 
   run.report("difference", 0.06);
   const Problem problem(parent, revision, density, run);
+  // Strategies in turn. Before the first that makes nodes the plan is made: copycells, newcells,
+  // order of the sources (Sects. 4.2, 4.3, 6.2, 6.3; step 1 of Sect. 5).
   Attempt taken = first_taken(problem, report);
   complete(std::move(taken), problem, revision, watch);
   return revision;
@@ -38,13 +41,14 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
 
 Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*) {
   Attempt attempt(how.name);
-  // Feature difference, copycells and newcells (Sects. 4.2 and 5).
+  // With the plan, which tells where material is copied from.
   const MeshingTask task(how, problem);
   try {
-    // Nodes are copied to copycells and filled into newcells (Sect. 6), free and fixed (Sect. 7).
+    // Nodes are copied to copycells (Sect. 6.4) and filled into newcells (Sects. 3.2, 7), fixed and
+    // free: steps 2 and 3 of Sect. 5.
     std::optional<PatchNodes> nodes = copy_and_fill(task, attempt);
     if (!nodes) return attempt;
-    // Variational tetrahedral meshing of the free nodes (Sect. 8).
+    // Variational tetrahedral meshing of the free nodes (Sects. 3.1, 3.3, 8).
     const SampledBoundary boundary = sample(task, *nodes, attempt);
     OptimiseResult loop = optimise(task, *nodes, boundary, attempt);
     // Extraction of the model's mesh (Sect. 3.4), put back into the parent's and verified.

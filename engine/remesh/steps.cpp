@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/base/hilbert.h"
+#include "engine/base/tolerance.h"
 #include "engine/boundary/control_mesh.h"
 #include "engine/nodes/active_faces.h"
 #include "engine/nodes/copy_nodes.h"
@@ -220,8 +221,8 @@ SampledBoundary sample(const MeshingTask& task, PatchNodes& local, Attempt& atte
   if (std::isfinite(task.reach)) sampling.where = sampled_places(local, l, task.reach);
   SampledBoundary sampled{sample_boundary(boundary, membership, l, task.seed, sampling, task.run),
                           inside_test(task.options.inside, membership, boundary, task.run)};
-  place_supports(local.nodes, boundary, sampled.samples, l, kOnEntity * boundary.bounds.diagonal(),
-                 local.placed, task.run);
+  place_supports(local.nodes, boundary, sampled.samples, l,
+                 tolerance::kOnSurface * boundary.bounds.diagonal(), local.placed, task.run);
   attempt.counts.samples = static_cast<std::uint32_t>(sampled.samples.points.size());
   attempt.counts.free_at_start = local.nodes.count(NodeState::Free);
   watch.lap(attempt.seconds.setup);

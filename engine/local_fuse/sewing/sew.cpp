@@ -59,8 +59,8 @@ Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& 
   return FusedPrisms{std::move(out), std::move(along)};
 }
 
-/// Of no features.
-FusedPrisms nothing(const FuseFrame& frame) {
+/// What a fuse of no features gives.
+FusedPrisms fuse_nothing(const FuseFrame& frame) {
   FusedPrisms fused;
   fused.parts.brep.scale = frame.scale;
   return fused;
@@ -88,7 +88,7 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
        [&] { return fuse_parallel_prisms(edited.model, edited.membership, features, frame); }},
       {"crossed", [&] { return fuse_prisms(edited.model, edited.membership, features, frame); }},
       {"fused in part", [&] { return fuse_some(edited, features, frame, run); }}};
-  if (features.empty()) routes = {{"kept", [&] { return nothing(frame); }}};
+  if (features.empty()) routes = {{"kept", [&] { return fuse_nothing(frame); }}};
   const auto follow = [&](const Route& route) -> Tried<BoundaryParts> {
     if (far_reference) return GaveUp{"sew", "the base's point of reference is far from the model"};
     const auto fused = route.fuse();
