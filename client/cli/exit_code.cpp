@@ -104,6 +104,7 @@ Error to_detail(const ErrorInfo& info) {
   for (const std::string& feature : info.features) error.add_features(feature);
   error.set_parameter(info.parameter);
   error.set_hint(info.hint);
+  for (const std::string& attempt : info.attempts) error.add_attempts(attempt);
   if (info.edit_index) error.set_edit_index(static_cast<std::uint32_t>(*info.edit_index));
   if (info.retry_after) error.set_retry_after(*info.retry_after);
   return error;

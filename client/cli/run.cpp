@@ -86,6 +86,7 @@ int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& 
     console.error("no answer from a daemon at " + options.address +
                   "; start one (remeshd), say where it is (--address), or do without (--local)");
   console.error((place.empty() ? "" : place + ": ") + client::describe(plain));
+  for (const std::string& attempt : error.attempts()) console.error("tried: " + attempt);
   if (!error.hint().empty()) console.error("hint: " + error.hint());
   if (error.has_retry_after())
     console.error("try again in " + std::to_string(std::lround(error.retry_after() + 0.5)) + " s");

@@ -45,6 +45,8 @@ struct ErrorInfo {
   std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
   std::optional<int> line{}, column{};  ///< of a document, from 1
   std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
+  /// What was tried for a mesh before the last, each with its reason: `full: an inverted tet ...`.
+  std::vector<std::string> attempts{};
 };
 
 class Error : public std::runtime_error {

@@ -20,7 +20,7 @@ struct GeometryAttempt {
   std::string route;   ///< `swept`, `crossed`, `fused in part`, as BoundaryParts::geometry has them
   std::string reason;  ///< `planar_arrangement: the end of a side nearly touches another side`, or
                        ///< an Error's message
-  friend bool operator==(const GeometryAttempt&, const GeometryAttempt&) = default;
+  double seconds = 0;
 };
 
 /// What a mesh is made for. The cells behind it, which only comparisons of models look at, are made

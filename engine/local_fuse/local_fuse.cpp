@@ -1,6 +1,7 @@
 #include "engine/local_fuse/local_fuse.h"
 
 #include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/local_fuse/sewing/sew.h"
 #include "engine/model/solid.h"
@@ -19,11 +20,12 @@ CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_mo
   };
   if (sewn.parts) {
     const std::string_view route = sewn.parts->geometry;
+    const Stopwatch watch;
     try {
       return with_attempts(restore_cells(model, membership, *std::move(sewn.parts)));
     } catch (const Error& failure) {
       // What is wrong with a model is told from all of it.
-      sewn.given_up.push_back({std::string(route), failure.what()});
+      sewn.given_up.push_back({std::string(route), failure.what(), watch.total()});
     }
   }
   return with_attempts(build_cells(model, run));

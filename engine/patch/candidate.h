@@ -23,8 +23,7 @@ struct Candidate {
   std::uint32_t bad_at_interface =
       0;  ///< bad tets left by the clean-up beside what is not in the patch
   double verify_seconds = 0;
-  std::vector<RejectedAttempt>
-      given_up;  ///< on the way to it, by a strategy that has several tries
+  std::vector<TriedStrategy> given_up;  ///< on the way to it, by a strategy that has several tries
 };
 
 }  // namespace remeshd

@@ -27,6 +27,12 @@ std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
                                           problem.density.edge_length, problem.run);
 }
 
+std::vector<std::string> in_words(std::span<const TriedStrategy> tried) {
+  std::vector<std::string> all;
+  for (const TriedStrategy& t : tried) all.push_back(t.strategy + ": " + t.reason);
+  return all;
+}
+
 void add(PhaseSeconds& sum, const PhaseSeconds& more) {
   sum.setup += more.setup;
   sum.optimise += more.optimise;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -65,11 +66,14 @@ struct Attempt {
   Counts counts;
   double free_share = 1;
   std::vector<Warning> warnings;
-  std::vector<RejectedAttempt> tries;  ///< given up on the way to it
+  std::vector<TriedStrategy> tries;  ///< given up on the way to it
 
   [[nodiscard]] bool taken() const { return serves && reason.empty(); }
   [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
 };
+
+/// Each with its reason, as an Error has them: `full: an inverted tet at (1, 2, 3)`.
+std::vector<std::string> in_words(std::span<const TriedStrategy> tried);
 
 /// Adds the seconds of each phase.
 void add(PhaseSeconds& sum, const PhaseSeconds& more);

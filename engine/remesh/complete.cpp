@@ -63,9 +63,9 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
   if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference)) return;
   Attempt regular = regular_mesh(problem);
   add(report.seconds, regular.seconds);
-  const RejectedAttempt drifted{remesh, "the quality had drifted: " + describe(now),
-                                seconds_of_remesh};
-  RejectedAttempt rejected{regular.name, regular.reason, regular.seconds.total};
+  const TriedStrategy drifted{remesh, "the quality had drifted: " + describe(now),
+                              seconds_of_remesh};
+  TriedStrategy rejected{regular.name, regular.reason, regular.seconds.total};
   if (regular.taken()) {
     Revision anew = revision;
     deliver(std::move(regular), problem, anew);
@@ -77,6 +77,7 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
                                                  ") and was made anew (" +
                                                  describe(anew.reference) + ")"});
       anew.report.strategy = MeshStrategy::Renewed;
+      anew.report.taken = {rejected.strategy, "", rejected.seconds};
       revision = std::move(anew);
       return;
     }

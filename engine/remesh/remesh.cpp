@@ -23,8 +23,11 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   // The cellular model (Sect. 4.1), of which all is kept that no changed feature touches.
   revision.cells = build_cells(revision.model, parent.model, parent.cells, run);
   report.geometry = revision.cells.parts->geometry;
-  for (const GeometryAttempt& attempt : revision.cells.geometry_attempts)
-    report.geometry_attempts.push_back({attempt.route, attempt.reason});
+  report.geometry_seconds = watch.total();
+  for (const GeometryAttempt& attempt : revision.cells.geometry_attempts) {
+    report.geometry_attempts.push_back({attempt.route, attempt.reason, attempt.seconds});
+    report.geometry_seconds -= attempt.seconds;
+  }
   // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
   const Density density = resolve_density(parent, options, revision.cells, run);
   revision.edge_length = report.edge_length = density.edge_length;

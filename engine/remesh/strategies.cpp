@@ -1,9 +1,12 @@
 #include "engine/remesh/strategies.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
+#include "engine/base/error.h"
 #include "engine/delivery/lost_names.h"
 #include "engine/model/solid.h"
 #include "engine/nodes/density.h"
@@ -115,6 +118,19 @@ Attempt timed(const Strategy& how, const Problem& problem, const Attempt* failed
   return attempt;
 }
 
+/// The same; an Error tells what was tried before.
+Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* failed,
+                  const Report& report) {
+  try {
+    return timed(how, problem, failed);
+  } catch (Error& error) {
+    std::vector<std::string> all = in_words(report.attempts);
+    std::ranges::move(error.info().attempts, std::back_inserter(all));
+    error.info().attempts = std::move(all);
+    throw;
+  }
+}
+
 }  // namespace
 
 std::span<const Strategy> strategies() { return kStrategies; }
@@ -140,10 +156,13 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
       problem.run.warn({&report.warnings.back(), 1});
     }
     report.strategy = how.kind;
-    Attempt attempt = timed(how, problem, failed ? &*failed : nullptr);
+    Attempt attempt = attempted(how, problem, failed ? &*failed : nullptr, report);
     add(report.seconds, attempt.seconds);
-    for (RejectedAttempt& rejected : attempt.tries) report.attempts.push_back(std::move(rejected));
-    if (attempt.taken()) return attempt;
+    for (TriedStrategy& rejected : attempt.tries) report.attempts.push_back(std::move(rejected));
+    if (attempt.taken()) {
+      report.taken = {attempt.name, "", attempt.seconds.total};
+      return attempt;
+    }
     if (!attempt.serves) continue;
     report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total});
     if (how.reuse == Reuse::Mesh)

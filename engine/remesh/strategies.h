@@ -43,7 +43,7 @@ std::span<const Strategy> strategies();
 /// make good.
 ///
 /// Pre: one of them is taken or throws. Throws Error(BOUNDARY_NOT_RECOVERED) where the last one,
-/// TetGen, fails too.
+/// TetGen, fails too; an Error tells all that was tried.
 Attempt first_taken(const Problem& problem, Report& report,
                     std::span<const Strategy> of = strategies());
 

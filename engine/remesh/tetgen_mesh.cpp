@@ -18,6 +18,7 @@
 #include "engine/improve/improve.h"
 #include "engine/mesh/quality.h"
 #include "engine/nodes/density.h"
+#include "engine/remesh/attempt.h"
 
 namespace remeshd {
 
@@ -217,7 +218,7 @@ Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
   std::optional<Error> failure;
   kernel::TetGenLimits limits = input.limits;
   const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
-  std::vector<RejectedAttempt> given_up;
+  std::vector<TriedStrategy> given_up;
   for (const Question& question : kQuestions) {
     const Stopwatch tried;
     const SurfaceMesh surface = mesh_surface(
@@ -233,15 +234,16 @@ Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
       }
       failure = not_recovered(input, c.verification, {});
       given_up.push_back(
-          RejectedAttempt{question.name, fault_of(c.verification, input), tried.total()});
+          TriedStrategy{question.name, fault_of(c.verification, input), tried.total()});
       if (!question.split_surface && is_flat_only(c)) break;
     } catch (const Error& e) {
       if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
       if (!tetgen_failed(e)) throw;
       failure = e;
-      given_up.push_back(RejectedAttempt{question.name, e.info().message, tried.total()});
+      given_up.push_back(TriedStrategy{question.name, e.info().message, tried.total()});
     }
   }
+  failure->info().attempts = in_words(given_up);
   throw Error(*failure);
 }
 
@@ -250,9 +252,10 @@ Candidate tetgen_mesh(const TetGenInput& input, const Verification& failed, cons
     return mesh_by_tetgen(input, run);
   } catch (const Error& e) {
     const std::string& reason = e.info().reason;
-    if (tetgen_failed(e) || reason == "KERNEL_FAILURE")
-      throw not_recovered(input, failed, e.info().message);
-    throw;
+    if (!tetgen_failed(e) && reason != "KERNEL_FAILURE") throw;
+    Error error = not_recovered(input, failed, e.info().message);
+    error.info().attempts = e.info().attempts;
+    throw error;
   }
 }
 

@@ -42,10 +42,10 @@ enum class MeshStrategy : std::uint8_t {
   Renewed,    ///< a regular mesh, the remesh was valid, its quality had drifted
 };
 
-/// A strategy that was tried and not taken, as the report lists it.
-struct RejectedAttempt {
-  std::string strategy;  ///< a way, with what tells it from others: `local, 4 edge lengths`
-  std::string reason;    ///< what its mesh lacked
+/// An attempt as the report tells it: of a strategy at the mesh, or of a route to the boundary.
+struct TriedStrategy {
+  std::string strategy;  ///< with what tells it from others: `local, 4 edge lengths`
+  std::string reason;    ///< why it was not taken; empty where it was
   double seconds = 0;
 };
 
@@ -69,7 +69,8 @@ struct Report {
   std::string revision;  ///< set by the session
   bool cached = false;   ///< set by the session
   MeshStrategy strategy = MeshStrategy::Local;
-  std::vector<RejectedAttempt> attempts;  ///< in the order tried
+  std::vector<TriedStrategy> attempts;  ///< those not taken, in the order tried
+  TriedStrategy taken;                  ///< the one that made the mesh
   PhaseSeconds seconds;
   Counts counts;
   double free_share = 1;  ///< mean over the iterations; frozen nodes count as free
@@ -87,8 +88,8 @@ struct Report {
   /// share of those that it keeps.
   double last_resort_share = 0;
   std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
-  std::vector<RejectedAttempt>
-      geometry_attempts;  ///< what was tried for it before, without seconds
+  double geometry_seconds = 0;
+  std::vector<TriedStrategy> geometry_attempts;  ///< what was tried for it before, in that order
   std::vector<Warning> warnings;
 };
 

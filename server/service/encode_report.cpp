@@ -51,7 +51,7 @@ void put_seconds(const PhaseSeconds& seconds, v1::Report::Seconds& out) {
   out.set_total(seconds.total);
 }
 
-void put_attempt(const RejectedAttempt& attempt, v1::Report::Attempt& out) {
+void put_attempt(const TriedStrategy& attempt, v1::Report::Attempt& out) {
   out.set_strategy(attempt.strategy);
   out.set_reason(attempt.reason);
   out.set_seconds(attempt.seconds);
@@ -112,8 +112,10 @@ void put_diagnostics(const Report& report, bool first_mesh, v1::Diagnostics& out
                                            counts.free_per_iteration.end());
   put_quality(report.quality_before, *out.mutable_quality_before());
   out.set_geometry(report.geometry);
-  for (const RejectedAttempt& attempt : report.geometry_attempts)
+  for (const TriedStrategy& attempt : report.geometry_attempts)
     put_attempt(attempt, *out.add_geometry_attempts());
+  out.set_geometry_seconds(report.geometry_seconds);
+  put_attempt(report.taken, *out.mutable_taken());
 }
 
 }  // namespace
@@ -145,7 +147,7 @@ v1::Report encode_report(const HeldRevision& held) {
   put_quality(report.quality_away, *out.mutable_quality_away());
   out.set_sharp_tets(report.sharp_tets);
   put_verification(report.verification, *out.mutable_verification());
-  for (const RejectedAttempt& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
+  for (const TriedStrategy& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
   for (const GroupFigures& figures : groups_of(held)) put_group(figures, *out.add_groups());
   for (const Warning& warning : report.warnings) *out.add_warnings() = encode(warning);
   put_diagnostics(report, held.record.parent.empty(), *out.mutable_diagnostics());

@@ -26,23 +26,29 @@ std::string older_edit(const std::string& bytes) {
   return length <= end ? bytes.substr(end - length, length) : std::string();
 }
 
+/// Calls `with` for all seconds of a report, in the order in which a record keeps them: what was
+/// told later comes later, and is not in an older record.
+void for_seconds(auto& report, const auto& with) {
+  for (const auto member : kSeconds) with(report.seconds.*member);
+  for (auto& attempt : report.attempts) with(attempt.seconds);
+  with(report.taken.seconds);
+  with(report.geometry_seconds);
+  for (auto& attempt : report.geometry_attempts) with(attempt.seconds);
+}
+
 }  // namespace
 
 std::vector<double> seconds_of(const Report& report) {
   std::vector<double> values;
-  for (const auto member : kSeconds) values.push_back(report.seconds.*member);
-  for (const RejectedAttempt& attempt : report.attempts) values.push_back(attempt.seconds);
+  for_seconds(report, [&](double seconds) { values.push_back(seconds); });
   return values;
 }
 
 void tell_seconds(HeldRevision& held) {
   auto next = held.record.seconds.cbegin();
-  const auto tell = [&](double& seconds) {
+  for_seconds(held.revision.report, [&](double& seconds) {
     if (next != held.record.seconds.cend()) seconds = *next++;
-  };
-  Report& report = held.revision.report;
-  for (const auto member : kSeconds) tell(report.seconds.*member);
-  for (RejectedAttempt& attempt : report.attempts) tell(attempt.seconds);
+  });
 }
 
 StoredArrays stored_form(const Engine& engine, const HeldRevision& held) {

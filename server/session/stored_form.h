@@ -19,7 +19,7 @@ std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays&
 
 /// Tells in the report what the record kept of its seconds, if anything.
 void tell_seconds(HeldRevision& held);
-/// The seconds that a record keeps of a report: its own, then those of its attempts.
+/// The seconds that a record keeps of a report: those of its phases and attempts.
 std::vector<double> seconds_of(const Report& report);
 
 }  // namespace remeshd

@@ -22,14 +22,26 @@ std::string name_of(Report::Way way) {
   return name;
 }
 
-void add_attempts(const google::protobuf::RepeatedPtrField<Report::Attempt>& attempts,
-                  const std::string& step, Rows& rows) {
-  for (const Report::Attempt& attempt : attempts)
-    rows.push_back({step, attempt.strategy(), "given up",
-                    attempt.seconds() > 0 ? rounded(attempt.seconds(), 3) : "-", attempt.reason()});
+std::string seconds(double value) { return value > 0 ? rounded(value, 3) : "-"; }
+
+void add_attempt(const Report::Attempt& attempt, const std::string& step, Rows& rows) {
+  rows.push_back(
+      {step, attempt.strategy(), "given up", seconds(attempt.seconds()), attempt.reason()});
 }
 
-/// The road that a revision took: what made its boundary and its mesh, and what was tried before.
+/// What made the mesh, after what was tried before it. A renewal is tried when there is a mesh.
+void add_mesh(const Report& report, Rows& rows) {
+  const std::string renewed = name_of(Report::WAY_RENEWED);
+  for (const Report::Attempt& attempt : report.attempts())
+    if (attempt.strategy() != renewed) add_attempt(attempt, "mesh", rows);
+  const Report::Attempt& taken = report.diagnostics().taken();
+  rows.push_back({"mesh", taken.strategy().empty() ? name_of(report.way()) : taken.strategy(),
+                  "taken", seconds(taken.seconds()), "-"});
+  for (const Report::Attempt& attempt : report.attempts())
+    if (attempt.strategy() == renewed) add_attempt(attempt, "mesh", rows);
+}
+
+/// The road that a revision took: what made its boundary and its mesh, and what was tried besides.
 int explain(Session& session, const std::string& name) {
   const auto description = session.client().get_revision(name, session.call());
   const auto& revision = description.revision();
@@ -38,14 +50,14 @@ int explain(Session& session, const std::string& name) {
   write_table(session.out(),
               {{"revision", short_name(revision)},
                {revision.parent().empty() ? "first mesh of" : "edit of",
-                revision.parent().empty() ? revision.model_name() : revision.parent()}});
+                revision.parent().empty() ? revision.model_name() : revision.parent()},
+               {"seconds", rounded(report.seconds().total(), 3)}});
   Rows rows{{"step", "way", "outcome", "seconds", "reason"}};
-  add_attempts(diagnostics.geometry_attempts(), "boundary", rows);
+  for (const Report::Attempt& attempt : diagnostics.geometry_attempts())
+    add_attempt(attempt, "boundary", rows);
   rows.push_back({"boundary", diagnostics.geometry().empty() ? "-" : diagnostics.geometry(),
-                  "taken", "-", "-"});
-  add_attempts(report.attempts(), "mesh", rows);
-  rows.push_back(
-      {"mesh", name_of(report.way()), "taken", rounded(report.seconds().total(), 3), "-"});
+                  "taken", seconds(diagnostics.geometry_seconds()), "-"});
+  add_mesh(report, rows);
   session.out() << '\n';
   write_table(session.out(), rows);
   return kFine;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "engine/base/error.h"
+#include "engine/base/stopwatch.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/changes.h"
 #include "engine/cellular/fuse_features.h"
@@ -97,8 +98,9 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
   };
   Sewn out;
   for (const Route& route : routes) {
+    const Stopwatch watch;
     const auto give_up = [&](std::string reason) {
-      out.given_up.push_back({std::string(route.name), std::move(reason)});
+      out.given_up.push_back({std::string(route.name), std::move(reason), watch.total()});
     };
     try {
       auto parts = follow(route);

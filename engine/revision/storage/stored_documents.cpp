@@ -12,9 +12,9 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 12;
+constexpr std::uint32_t kFormat = 13;
 // With less of the report, whose latest parts come last.
-constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11;
+constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -38,7 +38,7 @@ void serialize(auto& a, Report& r) {
     r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
     r.warnings);
 }
-void serialize(auto& a, RejectedAttempt& t) { a(t.strategy, t.reason); }
+void serialize(auto& a, TriedStrategy& t) { a(t.strategy, t.reason); }
 
 std::string write_documents(const Revision& revision) {
   std::ostringstream out(std::ios::binary);
@@ -51,7 +51,8 @@ std::string write_documents(const Revision& revision) {
             revision.delaunay_state->mesh.super_vertices(), revision.delaunay_state->next_node_id,
             revision.delaunay_state->next_tet_id, revision.anchor != nullptr);
     if (revision.anchor) archive(revision.anchor->source);
-    archive(revision.report.attempts, revision.report.geometry, revision.report.geometry_attempts);
+    const Report& report = revision.report;
+    archive(report.attempts, report.geometry, report.geometry_attempts, report.taken);
   }
   return std::move(out).str();
 }
@@ -74,6 +75,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (documents.anchored) archive(documents.anchor_source);
     if (format > kNoAttempts) archive(revision.report.attempts, revision.report.geometry);
     if (format > kNoGeometryAttempts) archive(revision.report.geometry_attempts);
+    if (format > kNoTaken) archive(revision.report.taken);
 #endif
   } catch (const Error&) {
     throw;

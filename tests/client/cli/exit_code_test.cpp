@@ -199,9 +199,11 @@ TEST_F(Cli, TellsTheHintOfAnErrorOnALineOfItsOwn) {
   EXPECT_EQ(run({"log", "d"}), kInvalid);
   EXPECT_THAT(err_.str(), Not(HasSubstr("hint")));
   error.set_hint("list them");
+  error.add_attempts("full: an inverted tet");
   service_.failure = error;
   EXPECT_EQ(run({"log", "d"}), kInvalid);
-  EXPECT_THAT(err_.str(), AllOf(HasSubstr("told by the test\n"), HasSubstr("hint: list them\n")));
+  EXPECT_THAT(err_.str(), AllOf(HasSubstr("told by the test\n"), HasSubstr("hint: list them\n"),
+                                HasSubstr("tried: full: an inverted tet\n")));
 }
 
 TEST_F(Cli, AnInterruptCancelsTheCallAndExits130) {

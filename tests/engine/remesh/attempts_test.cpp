@@ -16,14 +16,18 @@ const Run kRun;
 
 std::vector<std::string> strategies(const Report& report) {
   std::vector<std::string> names;
-  for (const RejectedAttempt& attempt : report.attempts) names.push_back(attempt.strategy);
+  for (const TriedStrategy& attempt : report.attempts) names.push_back(attempt.strategy);
   return names;
 }
 
 /// Each tells why, and none took longer than all of it.
 void expect_told(const Report& report) {
   double together = 0;
-  for (const RejectedAttempt& attempt : report.attempts) {
+  EXPECT_GT(report.geometry_seconds, 0);
+  EXPECT_THAT(report.taken.reason, IsEmpty());
+  EXPECT_GT(report.taken.seconds, 0);
+  together += report.geometry_seconds + report.taken.seconds;
+  for (const TriedStrategy& attempt : report.attempts) {
     EXPECT_THAT(attempt.reason, testing::Not(IsEmpty())) << attempt.strategy;
     EXPECT_GT(attempt.seconds, 0) << attempt.strategy;
     together += attempt.seconds;
@@ -73,6 +77,7 @@ TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
   EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "local, 6 edge lengths",
                                                    "local, 8 edge lengths"));
   expect_told(made.report);
+  EXPECT_EQ(made.report.taken.strategy, "renewed");
   EXPECT_EQ(made.report.attempts[0].reason,
             "the part cut out of the base did not suffice for reusing improved tets");
   EXPECT_THAT(made.report.attempts.back().reason, StartsWith("the quality had drifted: "));
@@ -92,6 +97,7 @@ TEST(Attempts, AreStoredButForTheirSeconds) {
   const Report loaded = test::stored_and_loaded(made).report;
   EXPECT_THAT(strategies(loaded), testing::SizeIs(3));
   EXPECT_EQ(strategies(loaded), strategies(made.report));
+  EXPECT_EQ(loaded.taken.strategy, "renewed");
   for (std::size_t k = 0; k < loaded.attempts.size(); ++k) {
     EXPECT_EQ(loaded.attempts[k].reason, made.report.attempts[k].reason);
     EXPECT_EQ(loaded.attempts[k].seconds, 0);
@@ -102,7 +108,15 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
   const Revision made =
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
-  ASSERT_EQ(bytes[1], 12);
+  ASSERT_EQ(bytes[1], 13);
+  // Format 12 had not what made the mesh: "local, everywhere", and no reason.
+  bytes[1] = 12;
+  const std::string taken = made.report.taken.strategy;
+  ASSERT_EQ(taken, "local, everywhere");
+  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t) - taken.size());
+  Revision before;
+  read_documents(bytes, before);
+  EXPECT_EQ(before.report.taken.strategy, "");
   // Format 11 was the same without the list at the end, empty here.
   bytes[1] = 11;
   bytes.resize(bytes.size() - sizeof(std::uint64_t));

@@ -91,7 +91,7 @@ std::vector<std::string> messages(const std::vector<Warning>& warnings) {
 }
 std::vector<std::string> tried(const Report& report) {
   std::vector<std::string> all;
-  for (const RejectedAttempt& a : report.attempts) all.push_back(a.strategy + ": " + a.reason);
+  for (const TriedStrategy& a : report.attempts) all.push_back(a.strategy + ": " + a.reason);
   return all;
 }
 
@@ -107,6 +107,31 @@ TEST_F(FirstTaken, WarningsOfAMeshThatIsThrownAwayAreToldByNobody) {
   EXPECT_THAT(report.warnings, IsEmpty());
   EXPECT_EQ(report.strategy, MeshStrategy::Fresh);
   EXPECT_THAT(tried(report), ElementsAre("near: no good"));
+}
+
+Attempt failing(const Strategy&, const Problem&, const Attempt*) {
+  throw Error({.reason = "BOUNDARY_NOT_RECOVERED", .attempts = {"TetGen: too fine"}});
+}
+
+TEST_F(FirstTaken, AnErrorTellsWhatWasTriedBeforeIt) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
+                      Strategy{MeshStrategy::TetGen, "last", always, failing}};
+  try {
+    first_taken(problem_, report, of);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.info().attempts, ElementsAre("near: no good", "TetGen: too fine"));
+  }
+}
+
+TEST_F(FirstTaken, WhatMadeTheMeshIsTold) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
+                      Strategy{MeshStrategy::Fresh, "anew", always, taken}};
+  first_taken(problem_, report, of);
+  EXPECT_EQ(report.taken.strategy, "anew");
+  EXPECT_THAT(report.taken.reason, IsEmpty());
 }
 
 TEST_F(FirstTaken, WhyTheConnectivityCouldNotBeKeptIsTold) {

@@ -177,6 +177,9 @@ TEST(TetGenInput, ThatFailsSaysWhereTheMeshFailedAndWhatIsThere) {
   const ErrorInfo info = test::error_of([&] { tetgen_mesh(input, failed, kRun); });
   EXPECT_EQ(test::place_of(info), "BOUNDARY_NOT_RECOVERED hole1,plate -");
   EXPECT_EQ(info.place, below_rim);
+  ASSERT_EQ(info.attempts.size(), 5U);
+  EXPECT_TRUE(info.attempts[1].starts_with("TetGen, facets of 0.7 edge lengths: TetGen "))
+      << info.attempts[1];
   EXPECT_NE(info.message.find("(41, 0, 12), between hole1.wall and plate.top; TetGen"),
             std::string::npos)
       << info.message;

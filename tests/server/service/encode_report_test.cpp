@@ -19,8 +19,23 @@ TEST(EncodedReport, TellsWhatWasTriedInItsOrder) {
 
 TEST(EncodedReport, TellsHowTheBoundaryCameAbout) {
   HeldRevision held;
-  held.revision.report.geometry = "swept";
-  EXPECT_EQ(encode_report(held).diagnostics().geometry(), "swept");
+  held.revision.report.geometry = "crossed";
+  held.revision.report.geometry_seconds = 0.5;
+  held.revision.report.geometry_attempts = {{"swept", "no common axis", 0.25}};
+  const auto diagnostics = encode_report(held).diagnostics();
+  EXPECT_EQ(diagnostics.geometry(), "crossed");
+  EXPECT_EQ(diagnostics.geometry_seconds(), 0.5);
+  ASSERT_EQ(diagnostics.geometry_attempts_size(), 1);
+  EXPECT_EQ(diagnostics.geometry_attempts(0).seconds(), 0.25);
+}
+
+TEST(EncodedReport, TellsTheStrategyThatMadeTheMesh) {
+  HeldRevision held;
+  held.revision.report.taken = {"local, 6 edge lengths", "", 0.75};
+  const auto taken = encode_report(held).diagnostics().taken();
+  EXPECT_EQ(taken.strategy(), "local, 6 edge lengths");
+  EXPECT_EQ(taken.reason(), "");
+  EXPECT_EQ(taken.seconds(), 0.75);
 }
 
 }  // namespace

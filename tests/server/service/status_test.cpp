@@ -86,6 +86,7 @@ TEST(Status, TellsPlaceLineColumnAndTheWarningThatIsAnError) {
   error.info().place = Vec3{1, 2.5, -3};
   error.info().line = 7;
   error.info().column = 21;
+  error.info().attempts = {"full: an inverted tet"};
   error.info().warning = Warning{.code = WarningCode::FaceLost,
                                  .message = "a face is lost",
                                  .features = {"hole1"},
@@ -95,6 +96,7 @@ TEST(Status, TellsPlaceLineColumnAndTheWarningThatIsAnError) {
   EXPECT_THAT(message.point(), ElementsAre(1, 2.5, -3));
   EXPECT_EQ(message.line(), 7U);
   EXPECT_EQ(message.column(), 21U);
+  EXPECT_THAT(message.attempts(), ElementsAre("full: an inverted tet"));
   EXPECT_EQ(message.warning().code(), v1::Warning::FACE_LOST);
   EXPECT_THAT(message.warning().features(), ElementsAre("hole1"));
   EXPECT_THAT(message.warning().groups(), ElementsAre("hole1.wall"));
@@ -126,6 +128,7 @@ TEST(Status, StaysBelowFourKilobytesAndValidUtf8) {
   std::string name;
   swell(name);
   error.info().features.assign(100, name);
+  error.info().attempts.assign(100, name);
   error.info().warning = Warning{.code = WarningCode::FaceLost,
                                  .message = name,
                                  .features = {100, name},

@@ -181,20 +181,27 @@ TEST(StitchTest, ChainsOfEditsStayExact) {
   EXPECT_NEAR(Made(start, made).cells.volume, Made(start).cells.volume, 1e-8);
 }
 
+std::vector<std::string> in_words(const std::vector<GeometryAttempt>& attempts) {
+  std::vector<std::string> all;
+  for (const GeometryAttempt& attempt : attempts) {
+    all.push_back(attempt.route + ": " + attempt.reason);
+    EXPECT_GT(attempt.seconds, 0);
+  }
+  return all;
+}
+
 /// How parts came about, and why not otherwise.
 std::vector<std::string> told(const ModelSource& edited, const ModelSource& base) {
   const FeatureModel model = evaluate(edited), before = evaluate(base);
   const Membership membership(model);
   const CellularModel cells = build_cells(before, kRun);
   const Sewn sewn = sew({model, membership}, {before, *cells.parts}, kRun);
-  std::vector<std::string> all;
-  for (const GeometryAttempt& attempt : sewn.given_up)
-    all.push_back(attempt.route + ": " + attempt.reason);
-  all.emplace_back(sewn.parts ? sewn.parts->geometry : "none");
+  std::vector<std::string> all = in_words(sewn.given_up);
   // The cells that are made of it tell the same.
   const CellularModel from_base = build_cells(model, before, cells, kRun);
-  EXPECT_EQ(from_base.geometry_attempts, sewn.given_up);
+  EXPECT_EQ(in_words(from_base.geometry_attempts), all);
   EXPECT_EQ(from_base.parts->geometry, sewn.parts ? sewn.parts->geometry : "fused");
+  all.emplace_back(sewn.parts ? sewn.parts->geometry : "none");
   return all;
 }
 
