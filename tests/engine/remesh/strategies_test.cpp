@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/base/error.h"
 #include "engine/remesh/steps.h"
 #include "tests/support/cases.h"
 
@@ -110,7 +111,7 @@ TEST_F(FirstTaken, WarningsOfAMeshThatIsThrownAwayAreToldByNobody) {
 }
 
 Attempt failing(const Strategy&, const Problem&, const Attempt*) {
-  throw Error({.reason = "BOUNDARY_NOT_RECOVERED", .attempts = {"TetGen: too fine"}});
+  throw remeshd::Error({.reason = "BOUNDARY_NOT_RECOVERED", .attempts = {"TetGen: too fine"}});
 }
 
 TEST_F(FirstTaken, AnErrorTellsWhatWasTriedBeforeIt) {
@@ -120,7 +121,7 @@ TEST_F(FirstTaken, AnErrorTellsWhatWasTriedBeforeIt) {
   try {
     first_taken(problem_, report, of);
     ADD_FAILURE() << "no error";
-  } catch (const Error& error) {
+  } catch (const remeshd::Error& error) {
     EXPECT_THAT(error.info().attempts, ElementsAre("near: no good", "TetGen: too fine"));
   }
 }
