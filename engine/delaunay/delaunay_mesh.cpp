@@ -1,6 +1,7 @@
 #include "engine/delaunay/delaunay_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "engine/base/hilbert.h"
@@ -35,7 +36,8 @@ bool same_turn(const std::array<std::int32_t, 3>& a, const std::array<std::int32
 }  // namespace
 
 DelaunayMesh::DelaunayMesh(std::span<const Vec3> far) : points_(far.begin(), far.begin() + kSuper) {
-  Slot s{{0, 1, 2, 3}, {-1, -1, -1, -1}};
+  Slot s{{0, 1, 2, 3}, {}};
+  s.n.fill(FacetRef::none());
   if (kernel::orientation(points_[0], points_[1], points_[2], points_[3]) < 0)
     std::swap(s.v[2], s.v[3]);
   slots_.push_back(s);
@@ -90,15 +92,15 @@ std::int32_t DelaunayMesh::walk(std::int32_t from_slot, const Vec3& p) const {
     bool moved = false;
     for (unsigned k = 0; k < 4; ++k) {
       const unsigned i = (k + step) & 3U;
-      if (s.n[i] < 0 || (s.n[i] >> 2) == from || !exterior(s, i)) continue;
+      if (!s.n[i].is_tet() || s.n[i].tet() == from || !exterior(s, i)) continue;
       from = t;
-      t = s.n[i] >> 2;
+      t = s.n[i].tet();
       moved = true;
       break;
     }
     if (moved) continue;
     for (unsigned i = 0; i < 4; ++i)
-      if (s.n[i] < -1 && exterior(s, i)) return -1;
+      if (s.n[i].is_beyond() && exterior(s, i)) return -1;
     return t;
   }
 }
@@ -154,12 +156,12 @@ std::int32_t DelaunayMesh::number_cavity_vertices() {
 
 void DelaunayMesh::connect_small_cavity() {
   // Each edge of the cavity's boundary is in two of its facets, once in either direction.
-  std::int32_t* at = scratch_.at_edge.data();
+  FacetRef* at = scratch_.at_edge.data();
   const auto place = [](std::int32_t a, std::int32_t b) { return a * kFewVertices + b; };
   for (const CavityFacet& r : scratch_.cavity_facets) {
-    at[place(r.name[1], r.name[2])] = 4 * r.tet;
-    at[place(r.name[2], r.name[0])] = 4 * r.tet + 1;
-    at[place(r.name[0], r.name[1])] = 4 * r.tet + 2;
+    at[place(r.name[1], r.name[2])] = {r.tet, 0};
+    at[place(r.name[2], r.name[0])] = {r.tet, 1};
+    at[place(r.name[0], r.name[1])] = {r.tet, 2};
   }
   for (const CavityFacet& r : scratch_.cavity_facets) {
     auto& n = slots_[r.tet].n;
@@ -171,19 +173,16 @@ void DelaunayMesh::connect_small_cavity() {
 
 void DelaunayMesh::connect_large_cavity() {
   auto& edges = scratch_.edges;
-  if (edges.size() < 6 * scratch_.cavity_facets.size()) {
-    std::size_t size = edges.size();
-    while (size < 6 * scratch_.cavity_facets.size()) size *= 2;
-    edges.assign(size, EdgeEntry{0, 0, 0});
-  }
+  if (const std::size_t least = 6 * scratch_.cavity_facets.size(); edges.size() < least)
+    edges.assign(std::bit_ceil(least), EdgeEntry{});
   for (const CavityFacet& r : scratch_.cavity_facets) {
-    connect(4 * r.tet, r.v[1], r.v[2]);
-    connect(4 * r.tet + 1, r.v[0], r.v[2]);
-    connect(4 * r.tet + 2, r.v[0], r.v[1]);
+    connect({r.tet, 0}, r.v[1], r.v[2]);
+    connect({r.tet, 1}, r.v[0], r.v[2]);
+    connect({r.tet, 2}, r.v[0], r.v[1]);
   }
 }
 
-void DelaunayMesh::connect(std::int32_t facet, std::int32_t a, std::int32_t b) {
+void DelaunayMesh::connect(FacetRef facet, std::int32_t a, std::int32_t b) {
   if (a > b) std::swap(a, b);
   const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
   auto& edges = scratch_.edges;
@@ -191,13 +190,10 @@ void DelaunayMesh::connect(std::int32_t facet, std::int32_t a, std::int32_t b) {
   const std::size_t mask = edges.size() - 1;
   std::size_t at = (key * 0x9E3779B97F4A7C15ULL >> 40) & mask;
   while (edges[at].epoch == epoch && edges[at].key != key) at = (at + 1) & mask;
-  if (edges[at].epoch != epoch) {
+  if (edges[at].epoch == epoch)
+    join(facet, edges[at].facet);
+  else
     edges[at] = {key, facet, epoch};
-    return;
-  }
-  const std::int32_t other = edges[at].facet;
-  slots_[facet >> 2].n[facet & 3] = other;
-  slots_[other >> 2].n[other & 3] = facet;
 }
 
 bool DelaunayMesh::insert_one(std::int32_t vertex) {
@@ -220,10 +216,10 @@ bool DelaunayMesh::insert_one(std::int32_t vertex) {
   for (std::size_t k = 0; k < cavity.size(); ++k) {
     const Slot& s = slots_[cavity[k]];
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t across = s.n[i];
+      const FacetRef across = s.n[i];
       const auto& f = kTetFacets[i];
-      if (across >= 0) {
-        const std::int32_t t = across >> 2;
+      if (across.is_tet()) {
+        const std::int32_t t = across.tet();
         if (seen[t] == within) continue;
         if (seen[t] != outside) {
           if (conflicts(t, p)) {
@@ -235,22 +231,19 @@ bool DelaunayMesh::insert_one(std::int32_t vertex) {
         }
       }
       patch_too_small_ |=
-          across < -1 && kernel::in_sphere(points_[s.v[f[0]]], points_[s.v[f[1]]],
-                                           points_[s.v[f[2]]], exterior_[-2 - across], p) > 0;
+          across.is_beyond() && kernel::in_sphere(points_[s.v[f[0]]], points_[s.v[f[1]]],
+                                                  points_[s.v[f[2]]], apex_position(across), p) > 0;
       // kTetFacets turns outward; seen from p, inside, the other way round is positive.
       cavity_facets.push_back({across, {s.v[f[0]], s.v[f[2]], s.v[f[1]]}});
     }
   }
-  for (const std::int32_t t : cavity) {
-    slots_[t].v[0] = kDead;
-    free_.push_back(t);
-  }
+  for (const std::int32_t t : cavity) release(t);
   for (CavityFacet& r : cavity_facets) {
     r.tet = allocate();
     Slot& s = slots_[r.tet];
     s.v = {r.v[0], r.v[1], r.v[2], vertex};
-    s.n = {-1, -1, -1, r.outer};
-    if (r.outer >= 0) slots_[r.outer >> 2].n[r.outer & 3] = 4 * r.tet + 3;
+    s.n.fill(FacetRef::none());
+    join({r.tet, 3}, r.outer);
     hint_ = r.tet;
   }
   // Pairs take room by the square: a node inside of many on one sphere sees all of them.
@@ -281,7 +274,7 @@ bool DelaunayMesh::remove(std::span<const std::int32_t> nodes, const Run& run) {
         role[s.v[i]] = 2;
         if (s.v[i] >= kSuper) cavity_facets.push_back(s.v[i] - kSuper);
       }
-      if (s.n[i] >= 0 && gone[s.n[i] >> 2]) continue;
+      if (s.n[i].is_tet() && gone[s.n[i].tet()]) continue;
       const auto& f = kTetFacets[i];
       facets.push_back({HoleFacet::key_of(s.v[f[0]], s.v[f[1]], s.v[f[2]]),
                         s.n[i],
@@ -296,26 +289,20 @@ bool DelaunayMesh::remove(std::span<const std::int32_t> nodes, const Run& run) {
   const std::optional<std::vector<Fill>> fill = match_hole(filling, facets, run);
   if (!fill) return false;
 
-  for (std::size_t t = 0; t < slots_.size(); ++t) {
-    if (!gone[t]) continue;
-    slots_[t].v[0] = kDead;
-    free_.push_back(static_cast<std::int32_t>(t));
-  }
+  for (std::size_t t = 0; t < slots_.size(); ++t)
+    if (gone[t]) release(static_cast<std::int32_t>(t));
   std::vector<std::int32_t> place(filling.slots_.size(), -1);
   for (const Fill& f : *fill) place[f.tet] = allocate();
   for (const Fill& f : *fill) {
-    Slot& s = slots_[place[f.tet]];
-    s.v = filling.slots_[f.tet].v;
-    for (int i = 0; i < 4; ++i) {
-      if (f.facet[i] < 0) {
-        const std::int32_t across = filling.slots_[f.tet].n[i];
-        s.n[i] = 4 * place[across >> 2] + (across & 3);
-        continue;
-      }
-      s.n[i] = facets[f.facet[i]].outer;
-      if (s.n[i] >= 0) slots_[s.n[i] >> 2].n[s.n[i] & 3] = 4 * place[f.tet] + i;
-    }
+    const Slot& s = filling.slots_[f.tet];
     hint_ = place[f.tet];
+    slots_[hint_].v = s.v;
+    for (int i = 0; i < 4; ++i) {
+      if (f.facet[i] < 0)
+        slots_[hint_].n[i] = {place[s.n[i].tet()], s.n[i].corner()};
+      else
+        join({hint_, i}, facets[f.facet[i]].outer);
+    }
   }
   return true;
 }
@@ -363,8 +350,8 @@ std::optional<std::vector<DelaunayMesh::Fill>> DelaunayMesh::match_hole(
       if (facet >= 0) {
         ++met;
       } else {
-        if (s.n[i] < 0) return std::nullopt;  // out through the super vertices
-        take(s.n[i] >> 2);
+        if (!s.n[i].is_tet()) return std::nullopt;  // out through the super vertices
+        take(s.n[i].tet());
       }
     }
   }

@@ -10,6 +10,7 @@
 
 #include "engine/base/run.h"
 #include "engine/base/vec.h"
+#include "engine/mesh/facet_ref.h"
 
 namespace remeshd {
 
@@ -93,7 +94,8 @@ class DelaunayMesh {
   /// Across the facet opposite a corner, which of PagedDelaunay::Cut::exterior there is; -1 where
   /// none of them.
   [[nodiscard]] std::int32_t exterior(std::int32_t slot, int corner) const {
-    return slots_[slot].n[corner] < -1 ? -2 - slots_[slot].n[corner] : -1;
+    const FacetRef across = slots_[slot].n[corner];
+    return across.is_beyond() ? across.exterior() : -1;
   }
   /// Renames every node n to `names[n]`.
   /// Pre: names of inserted nodes are not negative, those that are not are distinct; `count` is
@@ -103,21 +105,17 @@ class DelaunayMesh {
   /// Calls f(corners) for every tet that has no super vertex.
   template <class F>
   void for_each_tet(F&& f) const {
-    for (const Slot& s : slots_)
-      if (s.v[0] >= kSuper && s.v[1] >= kSuper && s.v[2] >= kSuper && s.v[3] >= kSuper)
-        f(Corners{s.v[0] - kSuper, s.v[1] - kSuper, s.v[2] - kSuper, s.v[3] - kSuper});
+    for_each_tet_with_neighbours([&](auto, const Corners& tet, const Corners&) { f(tet); });
   }
   /// The same as f(slot, corners, across): `across[i]` is the slot of the tet opposite corner i,
-  /// that of a super vertex's perhaps, -1 where there is none. Slots are below `slots()`.
+  /// that of a super vertex's perhaps, below 0 where there is none. Slots are below `slots()`.
   template <class F>
   void for_each_tet_with_neighbours(F&& f) const {
     for (std::size_t k = 0; k < slots_.size(); ++k) {
       const Slot& s = slots_[k];
       if (s.v[0] >= kSuper && s.v[1] >= kSuper && s.v[2] >= kSuper && s.v[3] >= kSuper)
-        f(static_cast<std::int32_t>(k),
-          Corners{s.v[0] - kSuper, s.v[1] - kSuper, s.v[2] - kSuper, s.v[3] - kSuper},
-          Corners{s.n[0] >> 2, s.n[1] >> 2, s.n[2] >> 2,
-                  s.n[3] >> 2});  // below 0 at a patch's boundary
+        f(static_cast<std::int32_t>(k), corners(static_cast<std::int32_t>(k)),
+          Corners{s.n[0].tet(), s.n[1].tet(), s.n[2].tet(), s.n[3].tet()});
     }
   }
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }
@@ -134,27 +132,34 @@ class DelaunayMesh {
     /// Not as arrays, whose comparison is a call.
     friend bool operator==(const Slot& a, const Slot& b) {
       std::int32_t differ = 0;
-      for (int i = 0; i < 4; ++i) differ |= (a.v[i] ^ b.v[i]) | (a.n[i] ^ b.n[i]);
+      for (int i = 0; i < 4; ++i) differ |= (a.v[i] ^ b.v[i]) | (a.n[i].code() ^ b.n[i].code());
       return differ == 0;
     }
     template <class A>
     void serialize(A& archive) {
       archive(v, n);
     }
+    /// Which of `v` a vertex is, -1 for none.
+    [[nodiscard]] int corner_of(std::int32_t vertex) const {
+      for (int i = 0; i < 4; ++i)
+        if (v[i] == vertex) return i;
+      return -1;
+    }
+    /// What is across the facet opposite a vertex of the tet.
+    [[nodiscard]] FacetRef across(std::int32_t vertex) const { return n[corner_of(vertex)]; }
     std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
-    /// 4 * neighbour + its facet, opposite v[i]; -1: none; in a patch -2 - k: of
-    /// PagedDelaunay::Cut::exterior[k]
-    std::array<std::int32_t, 4> n;
+    std::array<FacetRef, 4> n;      ///< across the facet opposite v[i]: that of the tet there; or
+                                    ///< beyond a patch: of PagedDelaunay::Cut::exterior
   };
   struct CavityFacet {                   ///< a facet of the cavity, seen from inside
-    std::int32_t outer;                  ///< 4 * tet + facet beyond it, -1: none
+    FacetRef outer;                      ///< its other side
     std::array<std::int32_t, 3> v;       ///< oriented so that (v, new point) is positive
     std::array<std::int32_t, 3> name{};  ///< of the vertices, among those of the cavity
     std::int32_t tet = -1;               ///< that comes to stand on it
   };
   struct EdgeEntry {
     std::uint64_t key;
-    std::int32_t facet;
+    FacetRef facet;
     std::uint32_t epoch;
   };
 
@@ -186,14 +191,14 @@ class DelaunayMesh {
     };
     std::vector<Name> names;  ///< by vertex
     /// By pairs of names: the facet opposite the third vertex of the tet that stands on this edge.
-    std::vector<std::int32_t> at_edge =
-        std::vector<std::int32_t>(static_cast<std::size_t>(kFewVertices) * kFewVertices);
+    std::vector<FacetRef> at_edge =
+        std::vector<FacetRef>(static_cast<std::size_t>(kFewVertices) * kFewVertices);
     std::vector<EdgeEntry> edges = std::vector<EdgeEntry>(kEdgeTable);
   };
 
   struct HoleFacet {                  ///< a facet round a hole, seen from inside
     std::array<std::int32_t, 3> key;  ///< its vertices, ascending
-    std::int32_t outer;               ///< 4 * tet + facet beyond it, -1: none
+    FacetRef outer;                   ///< its other side
     std::array<std::int32_t, 3> v;
 
     static std::array<std::int32_t, 3> key_of(std::int32_t a, std::int32_t b, std::int32_t c) {
@@ -244,39 +249,48 @@ class DelaunayMesh {
   void retry(std::span<const std::int32_t> touched, std::span<const Vec3> positions,
              std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held, const Run& run);
   /// Flips facets that are not locally Delaunay, from those of the touched tets. Adds the facets
-  /// that resisted when they were looked at, 4 * tet + facet.
-  void flip_all(std::span<const std::int32_t> touched, std::vector<std::int32_t>& unflipped,
+  /// that resisted when they were looked at.
+  void flip_all(std::span<const std::int32_t> touched, std::vector<FacetRef>& unflipped,
                 const Run& run);
-  /// The corner opposite of a facet that a tet has for a neighbour; also at the boundary of a
-  /// patch.
-  [[nodiscard]] const Vec3& opposite(std::int32_t neighbour) const {
-    return neighbour < -1 ? exterior_[-2 - neighbour]
-                          : points_[slots_[neighbour >> 2].v[neighbour & 3]];
+  /// The vertex opposite a facet of a tet.
+  [[nodiscard]] std::int32_t apex(FacetRef f) const { return slots_[f.tet()].v[f.corner()]; }
+  /// Where it is; also of a facet beyond the boundary of a patch.
+  [[nodiscard]] const Vec3& apex_position(FacetRef f) const {
+    return f.is_beyond() ? exterior_[f.exterior()] : points_[apex(f)];
   }
-  /// Whether a facet, 4 * tet + facet, is locally Delaunay; also at the boundary of a patch.
-  [[nodiscard]] bool is_delaunay(std::int32_t facet) const;
+  /// The other side of a facet of a tet.
+  [[nodiscard]] FacetRef across(FacetRef f) const { return slots_[f.tet()].n[f.corner()]; }
+  /// Makes `other`, which may be no tet's, the other side of a facet of a tet.
+  void join(FacetRef facet, FacetRef other) {
+    slots_[facet.tet()].n[facet.corner()] = other;
+    if (other.is_tet()) slots_[other.tet()].n[other.corner()] = facet;
+  }
+  /// Whether a facet is locally Delaunay; also at the boundary of a patch.
+  [[nodiscard]] bool is_delaunay(FacetRef facet) const;
   /// Returns whether the facet is locally Delaunay now or gone, or at the patch's boundary, where
   /// it is noted that the patch has been left.
-  bool flip(std::int32_t facet, std::vector<std::int32_t>& stack);
-  [[nodiscard]] int facet_opposite(std::int32_t tet, std::int32_t vertex) const;
+  bool flip(FacetRef facet, std::vector<FacetRef>& stack);
   [[nodiscard]] bool positive_with(std::int32_t tet, int corner, std::int32_t vertex) const;
-  void join(std::int32_t facet, std::int32_t other);
-  void flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack);
-  bool flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b, std::vector<std::int32_t>& stack);
-  bool flip_4_4(std::int32_t facet, std::int32_t s, std::vector<std::int32_t>& stack);
+  void flip_2_3(FacetRef facet, std::vector<FacetRef>& stack);
+  bool flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b, std::vector<FacetRef>& stack);
+  bool flip_4_4(FacetRef facet, std::int32_t s, std::vector<FacetRef>& stack);
 
   bool insert_one(std::int32_t vertex);
   [[nodiscard]] std::int32_t locate(const Vec3& p) const;
   [[nodiscard]] std::int32_t walk(std::int32_t from, const Vec3& p) const;
   [[nodiscard]] bool conflicts(std::int32_t tet, const Vec3& p) const;
   std::int32_t allocate();
+  void release(std::int32_t slot) {
+    slots_[slot].v[0] = kDead;
+    free_.push_back(slot);
+  }
   /// Numbers the vertices of the cavity's boundary and returns their number.
   std::int32_t number_cavity_vertices();
   /// Connects the tets on the cavity's boundary, which share its edges, by pairs of names.
   void connect_small_cavity();
   /// The same for any number, by a hash of edges.
   void connect_large_cavity();
-  void connect(std::int32_t facet, std::int32_t a, std::int32_t b);
+  void connect(FacetRef facet, std::int32_t a, std::int32_t b);
 
   std::vector<Vec3> points_;  ///< by vertex
   std::vector<Slot> slots_;

@@ -42,8 +42,8 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     old[n + kSuper] = points_[n + kSuper];
   }
   if (moved.empty()) return Moved::Done;
-  std::vector<std::int32_t> again, unflipped;
-  std::vector<std::int32_t> going = moved;
+  std::vector<std::int32_t> again, going = moved;
+  std::vector<FacetRef> unflipped;
   for (int k = 1;; ++k) {
     for (const std::int32_t n : going) {
       roles[n + kSuper] = kMoved;
@@ -68,12 +68,10 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     going = std::move(held);
   }
   // What flips could not restore: the corners of a facet that is not Delaunay come out too.
-  for (const std::int32_t facet : unflipped) {
-    const Slot& s = slots_[facet >> 2];
-    const std::int32_t across = s.v[0] == kDead ? -1 : s.n[facet & 3];
-    if (across < 0 || !conflicts(facet >> 2, points_[slots_[across >> 2].v[across & 3]])) continue;
-    for (const int c : kTetFacets[facet & 3]) {
-      const std::int32_t v = s.v[c];
+  for (const FacetRef facet : unflipped) {
+    if (!in_use(facet.tet()) || !across(facet).is_tet() || is_delaunay(facet)) continue;
+    for (const int c : kTetFacets[facet.corner()]) {
+      const std::int32_t v = slots_[facet.tet()].v[c];
       if (v < kSuper || roles[v] == kHeld || roles[v] == kUnflippable) continue;
       roles[v] = kUnflippable;
       again.push_back(v - kSuper);
@@ -173,26 +171,27 @@ void DelaunayMesh::retry(std::span<const std::int32_t> touched, std::span<const 
   }
 }
 
-void DelaunayMesh::flip_all(std::span<const std::int32_t> touched,
-                            std::vector<std::int32_t>& unflipped, const Run& run) {
+void DelaunayMesh::flip_all(std::span<const std::int32_t> touched, std::vector<FacetRef>& unflipped,
+                            const Run& run) {
   // A facet between two touched tets is looked at from one side.
   scratch_.begin(slots_.size());
   const std::uint32_t mark = 2 * scratch_.epoch;
   for (const std::int32_t t : touched) scratch_.seen[t] = mark;
-  auto stack = collect_in_blocks<std::int32_t>(
+  auto stack = collect_in_blocks<FacetRef>(
       touched.size(), kCheapBlock, run,
-      [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+      [&](std::size_t begin, std::size_t end, std::vector<FacetRef>& found) {
         run.poll();
         for (const std::int32_t t : touched.subspan(begin, end - begin)) {
           const auto& v = slots_[t].v;
           const kernel::SphereTest sphere(points_[v[0]], points_[v[1]], points_[v[2]],
                                           points_[v[3]]);
           for (int i = 0; i < 4; ++i) {
-            const std::int32_t across = slots_[t].n[i];
-            const bool mine = across < 0 || across >> 2 > t || scratch_.seen[across >> 2] != mark;
-            if (!mine || across == -1) continue;
-            const int side = sphere.side(opposite(across));
-            if (side > 0 || (side == 0 && !is_delaunay(4 * t + i))) found.push_back(4 * t + i);
+            const FacetRef other = slots_[t].n[i];
+            const bool mine =
+                !other.is_tet() || other.tet() > t || scratch_.seen[other.tet()] != mark;
+            if (!mine || other.is_none()) continue;
+            const int side = sphere.side(apex_position(other));
+            if (side > 0 || (side == 0 && !is_delaunay({t, i}))) found.emplace_back(t, i);
           }
         }
       });
@@ -200,27 +199,27 @@ void DelaunayMesh::flip_all(std::span<const std::int32_t> touched,
   // Every flip lowers the lifted surface, so that this ends.
   while (!stack.empty()) {
     poll();
-    const std::int32_t facet = stack.back();
+    const FacetRef facet = stack.back();
     stack.pop_back();
     if (!flip(facet, stack)) unflipped.push_back(facet);
   }
 }
 
-bool DelaunayMesh::is_delaunay(std::int32_t facet) const {
-  const std::int32_t across = slots_[facet >> 2].n[facet & 3];
-  return across == -1 || !conflicts(facet >> 2, opposite(across));
+bool DelaunayMesh::is_delaunay(FacetRef facet) const {
+  const FacetRef other = across(facet);
+  return other.is_none() || !conflicts(facet.tet(), apex_position(other));
 }
 
-bool DelaunayMesh::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
-  const std::int32_t t = facet >> 2;
-  const int i = facet & 3;
+bool DelaunayMesh::flip(FacetRef facet, std::vector<FacetRef>& stack) {
+  const std::int32_t t = facet.tet();
+  const int i = facet.corner();
   const Slot& s = slots_[t];
   if (s.v[0] == kDead || is_delaunay(facet)) return true;
-  if (s.n[i] < 0) {
+  if (!s.n[i].is_tet()) {
     patch_too_small_ = true;
     return true;
   }
-  const std::int32_t q = slots_[s.n[i] >> 2].v[s.n[i] & 3];
+  const std::int32_t q = apex(s.n[i]);
   int flat = -1, reflex = -1, bad = 0;
   for (const int c : kTetFacets[i]) {
     Vec3 corner[4] = {points_[s.v[0]], points_[s.v[1]], points_[s.v[2]], points_[s.v[3]]};
@@ -244,29 +243,16 @@ bool DelaunayMesh::flip(std::int32_t facet, std::vector<std::int32_t>& stack) {
   return flip_3_2(t, edge[0], edge[1], stack) || (flat >= 0 && flip_4_4(facet, s.v[c], stack));
 }
 
-int DelaunayMesh::facet_opposite(std::int32_t tet, std::int32_t vertex) const {
-  const auto& v = slots_[tet].v;
-  for (int i = 0; i < 4; ++i)
-    if (v[i] == vertex) return i;
-  return -1;
-}
-
 bool DelaunayMesh::positive_with(std::int32_t tet, int corner, std::int32_t vertex) const {
   auto v = slots_[tet].v;
   v[corner] = vertex;
   return kernel::orientation(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]) > 0;
 }
 
-void DelaunayMesh::join(std::int32_t facet, std::int32_t other) {
-  slots_[facet >> 2].n[facet & 3] = other;
-  if (other >= 0) slots_[other >> 2].n[other & 3] = facet;
-}
-
-void DelaunayMesh::flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack) {
-  const std::int32_t t = facet >> 2, u = slots_[t].n[facet & 3] >> 2;
-  const int ip = facet & 3;
+void DelaunayMesh::flip_2_3(FacetRef facet, std::vector<FacetRef>& stack) {
+  const std::int32_t t = facet.tet(), u = across(facet).tet(), q = apex(across(facet));
+  const int ip = facet.corner();
   const Slot old_t = slots_[t], old_u = slots_[u];
-  const std::int32_t q = old_u.v[old_t.n[ip] & 3];
   // One new tet for each corner of the facet: t with that corner replaced by q.
   std::array<std::int32_t, 4> made{};
   int count = 0;
@@ -276,86 +262,69 @@ void DelaunayMesh::flip_2_3(std::int32_t facet, std::vector<std::int32_t>& stack
     Slot& s = slots_[made[c]];
     s.v = old_t.v;
     s.v[c] = q;
-  }
-  for (const int c : kTetFacets[ip]) {
-    int in_u = 0;
-    while (old_u.v[in_u] != old_t.v[c]) ++in_u;
-    join(4 * made[c] + c, old_t.n[c]);
-    join(4 * made[c] + ip, old_u.n[in_u]);
+    join({made[c], c}, old_t.n[c]);
+    join({made[c], ip}, old_u.across(old_t.v[c]));
     for (const int r : kTetFacets[ip])
-      if (r != c) slots_[made[c]].n[r] = 4 * made[r] + c;
-    stack.push_back(4 * made[c] + c);
-    stack.push_back(4 * made[c] + ip);
+      if (r != c) s.n[r] = {made[r], c};
+    stack.emplace_back(made[c], c);
+    stack.emplace_back(made[c], ip);
   }
   hint_ = t;
 }
 
 bool DelaunayMesh::flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b,
-                            std::vector<std::int32_t>& stack) {
+                            std::vector<FacetRef>& stack) {
   const Slot t1 = slots_[tet];
-  const int ia = facet_opposite(tet, a), ib = facet_opposite(tet, b);
+  const int ia = t1.corner_of(a), ib = t1.corner_of(b);
   int ic = 0;
   while (ic == ia || ic == ib) ++ic;
   const int id = 6 - ia - ib - ic;
-  if (t1.n[ic] < 0 || t1.n[id] < 0) return false;
-  const std::int32_t t2 = t1.n[ic] >> 2, t3 = t1.n[id] >> 2;  // beyond (a, b, d) and (a, b, c)
+  if (!t1.n[ic].is_tet() || !t1.n[id].is_tet()) return false;
+  const std::int32_t t2 = t1.n[ic].tet(), t3 = t1.n[id].tet();  // beyond (a, b, d) and (a, b, c)
   const Slot s2 = slots_[t2], s3 = slots_[t3];
-  const std::int32_t e = s2.v[t1.n[ic] & 3];
-  if (e != s3.v[t1.n[id] & 3]) return false;
-  const int d_in_2 = facet_opposite(t2, t1.v[id]);
-  if (s2.n[d_in_2] >> 2 != t3) return false;  // not the same tet round the edge
+  const std::int32_t e = apex(t1.n[ic]);
+  if (e != apex(t1.n[id])) return false;
+  if (s2.across(t1.v[id]).tet() != t3) return false;  // not the same tet round the edge
   if (!positive_with(tet, ib, e) || !positive_with(tet, ia, e)) return false;
-  const auto across = [](const Slot& s, std::int32_t v) {
-    int i = 0;
-    while (s.v[i] != v) ++i;
-    return s.n[i];
-  };
   // N_a keeps a, in the slot of t1; N_b keeps b, in that of t2.
-  const std::array<std::int32_t, 3> out_a{across(t1, b), across(s2, b), across(s3, b)};
-  const std::array<std::int32_t, 3> out_b{across(t1, a), across(s2, a), across(s3, a)};
   slots_[tet].v = t1.v;
   slots_[tet].v[ib] = e;
   slots_[t2].v = t1.v;
   slots_[t2].v[ia] = e;
-  slots_[t3].v[0] = kDead;
-  free_.push_back(t3);
+  release(t3);
   // N_a: e stands in b's place; its facets opposite e, c, d come from t1, t2, t3.
-  join(4 * tet + ib, out_a[0]);
-  join(4 * tet + ic, out_a[1]);
-  join(4 * tet + id, out_a[2]);
-  join(4 * t2 + ia, out_b[0]);
-  join(4 * t2 + ic, out_b[1]);
-  join(4 * t2 + id, out_b[2]);
-  slots_[tet].n[ia] = 4 * t2 + ib;
-  slots_[t2].n[ib] = 4 * tet + ia;
+  join({tet, ib}, t1.across(b));
+  join({tet, ic}, s2.across(b));
+  join({tet, id}, s3.across(b));
+  join({t2, ia}, t1.across(a));
+  join({t2, ic}, s2.across(a));
+  join({t2, id}, s3.across(a));
+  join({tet, ia}, {t2, ib});
   for (int k = 0; k < 4; ++k) {
-    if (k != ia) stack.push_back(4 * tet + k);
-    if (k != ib) stack.push_back(4 * t2 + k);
+    if (k != ia) stack.emplace_back(tet, k);
+    if (k != ib) stack.emplace_back(t2, k);
   }
   hint_ = tet;
   return true;
 }
 
-bool DelaunayMesh::flip_4_4(std::int32_t facet, std::int32_t s, std::vector<std::int32_t>& stack) {
+bool DelaunayMesh::flip_4_4(FacetRef facet, std::int32_t s, std::vector<FacetRef>& stack) {
   // t = (p, x, y, s) and u = (q, x, y, s) with p, q, x, y in one plane: the edge xy gives way to
   // pq, also on the other side of the plane, where two tets with a common corner w have to stand.
-  const std::int32_t t = facet >> 2, u = slots_[t].n[facet & 3] >> 2;
-  const std::int32_t beyond_t = slots_[t].n[facet_opposite(t, s)];
-  const std::int32_t beyond_u = slots_[u].n[facet_opposite(u, s)];
-  if (beyond_t < 0 || beyond_u < 0) return false;
-  const std::int32_t t2 = beyond_t >> 2, u2 = beyond_u >> 2;
-  const std::int32_t w = slots_[t2].v[beyond_t & 3];
-  if (w != slots_[u2].v[beyond_u & 3] || t2 == u2) return false;
-  const std::int32_t p = slots_[t].v[facet & 3];
-  const std::int32_t q = slots_[u].v[slots_[t].n[facet & 3] & 3];
+  const std::int32_t t = facet.tet(), u = across(facet).tet();
+  const FacetRef beyond_t = slots_[t].across(s), beyond_u = slots_[u].across(s);
+  if (!beyond_t.is_tet() || !beyond_u.is_tet()) return false;
+  const std::int32_t t2 = beyond_t.tet(), u2 = beyond_u.tet();
+  if (apex(beyond_t) != apex(beyond_u) || t2 == u2) return false;
+  const std::int32_t p = apex(facet), q = apex(across(facet));
   std::int32_t x = -1, y = -1;
-  for (const int c : kTetFacets[facet & 3])
+  for (const int c : kTetFacets[facet.corner()])
     if (const std::int32_t v = slots_[t].v[c]; v != s) (x < 0 ? x : y) = v;
-  const int p_in_2 = facet_opposite(t2, p);
-  if (p_in_2 < 0 || slots_[t2].n[p_in_2] < 0 || slots_[t2].n[p_in_2] >> 2 != u2) return false;
+  const int p_in_2 = slots_[t2].corner_of(p);
+  if (p_in_2 < 0 || slots_[t2].n[p_in_2].tet() != u2) return false;
   // All four tets of the result have to be positive.
   const auto turned = [&](std::int32_t tet, std::int32_t from, std::int32_t to) {
-    return positive_with(tet, facet_opposite(tet, from), to);
+    return positive_with(tet, slots_[tet].corner_of(from), to);
   };
   if (!turned(t, x, q) || !turned(t, y, q) || !turned(t2, x, q) || !turned(t2, y, q)) return false;
   flip_2_3(facet, stack);

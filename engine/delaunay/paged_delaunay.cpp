@@ -8,13 +8,8 @@
 
 namespace remeshd {
 
-namespace {
-constexpr std::int32_t kSuper = 4;
-}
-
 PagedDelaunay::PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>& to)
     : points_(mesh.positions()) {
-  static_assert(kSuper == DelaunayMesh::kSuper);
   std::copy_n(mesh.points_.begin(), kSuper, super_.begin());
   const auto lowest = [](const Slot& s) {
     std::uint32_t low = ~0U;  // the super vertices as the last of all
@@ -30,13 +25,19 @@ PagedDelaunay::PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>
   for (std::size_t t = 0; t < to.size(); ++t)
     if (const Slot& s = mesh.slots_[t]; s.v[0] != DelaunayMesh::kDead)
       to[t] = begin[std::min<std::size_t>(lowest(s), points_.size())]++;
-  std::vector<Slot> slots(mesh.size());
+  take_over(mesh.slots_, to, mesh.size());
+}
+
+template <class Slots>
+void PagedDelaunay::take_over(const Slots& from, std::span<const std::int32_t> to,
+                              std::size_t count) {
+  std::vector<Slot> slots(count);
   for (std::size_t t = 0; t < to.size(); ++t) {
     if (to[t] < 0) continue;
     Slot& s = slots[to[t]];
-    s = mesh.slots_[t];
-    for (std::int32_t& n : s.n)
-      if (n >= 0) n = 4 * to[n >> 2] + (n & 3);
+    s = from[t];
+    for (FacetRef& n : s.n)
+      if (n.is_tet()) n = {to[n.tet()], n.corner()};
   }
   slots_ = CowVector<Slot>(slots);
   boxes_.resize(slots_.pages());
@@ -81,14 +82,14 @@ DelaunayMesh PagedDelaunay::cut(std::span<const std::int32_t> slots,
         patch.points_[v] = point(s.v[i]);
         s.v[i] = v;
       }
-      if (s.n[i] < 0) continue;
-      const std::int32_t neighbour = number[s.n[i] >> 2];
-      if (neighbour >= 0) {
-        s.n[i] = 4 * neighbour + (s.n[i] & 3);
+      const FacetRef across = s.n[i];
+      if (!across.is_tet()) continue;
+      if (const std::int32_t neighbour = number[across.tet()]; neighbour >= 0) {
+        s.n[i] = {neighbour, across.corner()};
       } else {
-        cut.exterior.push_back(s.n[i]);
-        patch.exterior_.push_back(point(slots_[s.n[i] >> 2].v[s.n[i] & 3]));
-        s.n[i] = -1 - static_cast<std::int32_t>(cut.exterior.size());
+        s.n[i] = FacetRef::beyond(static_cast<std::int32_t>(cut.exterior.size()));
+        cut.exterior.push_back(across);
+        patch.exterior_.push_back(point(slots_[across.tet()].v[across.corner()]));
       }
     }
     patch.slots_.push_back(s);
@@ -141,12 +142,14 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const DelaunayMesh& patch, con
     for (int i = 0; i < 4; ++i) {
       moves |= moved[s.v[i]];
       if (s.v[i] >= kSuper) s.v[i] = names[s.v[i] - kSuper] + kSuper;
-      if (s.n[i] >= 0) {
-        s.n[i] = 4 * place[s.n[i] >> 2] + (s.n[i] & 3);
-      } else if (s.n[i] < -1) {
-        s.n[i] = cut.exterior[-2 - s.n[i]];
-        const std::int32_t outer = s.n[i] >> 2, facet = s.n[i] & 3, here = 4 * place[t] + i;
-        if (slots_[outer].n[facet] != here) slots_.edit(outer).n[facet] = here;
+      const FacetRef across = s.n[i];
+      if (across.is_tet()) {
+        s.n[i] = {place[across.tet()], across.corner()};
+      } else if (across.is_beyond()) {
+        const FacetRef outer = cut.exterior[across.exterior()], here(place[t], i);
+        s.n[i] = outer;
+        if (slots_[outer.tet()].n[outer.corner()] != here)
+          slots_.edit(outer.tet()).n[outer.corner()] = here;
       }
     }
     const bool same = slots_[place[t]] == s;
@@ -179,17 +182,7 @@ std::vector<std::int32_t> PagedDelaunay::close_gaps() {
   std::int32_t next = 0;
   for (std::size_t t = 0; t < slots_.size(); ++t)
     if (slots_[t].v[0] != DelaunayMesh::kDead) to[t] = next++;
-  std::vector<Slot> slots;
-  slots.reserve(static_cast<std::size_t>(next));
-  for (Slot s : slots_) {
-    if (s.v[0] == DelaunayMesh::kDead) continue;
-    for (std::int32_t& n : s.n)
-      if (n >= 0) n = 4 * to[n >> 2] + (n & 3);
-    slots.push_back(s);
-  }
-  slots_ = CowVector<Slot>(slots);
-  boxes_.resize(slots_.pages());
-  for (std::size_t k = 0; k < boxes_.size(); ++k) measure_page(k);
+  take_over(slots_, to, static_cast<std::size_t>(next));
   free_ = {};
   return to;
 }
@@ -209,20 +202,16 @@ PagedDelaunay::Ball PagedDelaunay::ball(std::int32_t slot) const {
 
 bool PagedDelaunay::consistent() const {
   const auto slots = static_cast<std::int32_t>(slots_.size());
-  const auto vertices = static_cast<std::int32_t>(points_.size()) + DelaunayMesh::kSuper;
+  const auto vertices = static_cast<std::int32_t>(points_.size()) + kSuper;
   bool good = boxes_.size() == slots_.pages();
   slots_.for_each([&](std::size_t index, const Slot& slot) {
     if (slot.v[0] == DelaunayMesh::kDead) return;
     for (int i = 0; i < 4; ++i) {
       good &= slot.v[i] >= 0 && slot.v[i] < vertices;
-      const std::int32_t exterior = slot.n[i];
-      if (exterior == -1) continue;
-      const bool there = exterior >= 0 && exterior / 4 < slots;
-      good &= there;
-      if (!there) continue;
-      const Slot& other = slots_[exterior / 4];
-      good &= other.v[0] != DelaunayMesh::kDead &&
-              other.n[exterior % 4] == 4 * static_cast<std::int32_t>(index) + i;
+      const FacetRef other = slot.n[i], here(static_cast<std::int32_t>(index), i);
+      if (other.is_none()) continue;
+      good &= other.is_tet() && other.tet() < slots && in_use(other.tet()) &&
+              slots_[other.tet()].n[other.corner()] == here;
     }
   });
   for (const std::int32_t slot : free_)

@@ -25,8 +25,7 @@ class PagedDelaunay {
   /// How a patch hangs together with the mesh that it was cut out of.
   struct Cut {
     std::vector<std::int32_t> slots;  ///< by slot of the patch: that of the whole
-    std::vector<std::int32_t>
-        exterior;  ///< 4 * slot + facet of the whole, across the patch's boundary
+    std::vector<FacetRef> exterior;   ///< of the whole, across the patch's boundary
   };
   /// Some of the tets as a mesh of their own, to be changed and put back: its nodes have the names
   /// given, by node of the whole, below `count`.
@@ -58,8 +57,7 @@ class PagedDelaunay {
   /// A tet's nodes; negative for the super vertices.
   [[nodiscard]] Corners corners(std::int32_t slot) const {
     const auto& v = slots_[slot].v;
-    return {v[0] - DelaunayMesh::kSuper, v[1] - DelaunayMesh::kSuper, v[2] - DelaunayMesh::kSuper,
-            v[3] - DelaunayMesh::kSuper};
+    return {v[0] - kSuper, v[1] - kSuper, v[2] - kSuper, v[3] - kSuper};
   }
   /// The ball round a tet, to within rounding.
   struct Ball {
@@ -103,6 +101,7 @@ class PagedDelaunay {
 
  private:
   using Slot = DelaunayMesh::Slot;
+  static constexpr std::int32_t kSuper = DelaunayMesh::kSuper;
 
   template <class Self, class F>
   static void visit_named(Self& self, F&& f) {
@@ -113,9 +112,12 @@ class PagedDelaunay {
   }
 
   [[nodiscard]] const Vec3& point(std::int32_t vertex) const {
-    return vertex < DelaunayMesh::kSuper ? super_[vertex] : points_[vertex - DelaunayMesh::kSuper];
+    return vertex < kSuper ? super_[vertex] : points_[vertex - kSuper];
   }
   std::int32_t allocate();
+  /// Takes over the slots of `from`: `to` has by slot the one here, below `count`, -1 for the free.
+  template <class Slots>
+  void take_over(const Slots& from, std::span<const std::int32_t> to, std::size_t count);
   /// Looks at the pages of these slots again.
   void measure_pages(std::span<const std::int32_t> slots);
   void measure_page(std::size_t page);
@@ -127,7 +129,7 @@ class PagedDelaunay {
       if (slots_[s].v[0] != DelaunayMesh::kDead) f(static_cast<std::int32_t>(s));
   }
 
-  std::array<Vec3, DelaunayMesh::kSuper> super_;
+  std::array<Vec3, kSuper> super_;
   CowVector<Vec3> points_;  ///< by node
   CowVector<Slot> slots_;
   std::vector<std::int32_t> free_;

@@ -40,7 +40,7 @@ DelaunayMesh::RigidBlock DelaunayMesh::rigid_block_of(const DelaunayMesh& from,
     inner[v] = name(static_cast<std::int32_t>(v)) >= 0 ? 1 : 0;
   for (const Slot& s : from.slots_) {
     if (s.v[0] == kDead) continue;
-    const auto comes = [&](int i) { return name(s.v[i]) >= 0 && s.n[i] >= 0; };
+    const auto comes = [&](int i) { return name(s.v[i]) >= 0 && s.n[i].is_tet(); };
     if (comes(0) && comes(1) && comes(2) && comes(3)) continue;
     for (const std::int32_t v : s.v) inner[v] = 0;
   }
@@ -60,12 +60,12 @@ DelaunayMesh::RigidBlock DelaunayMesh::rigid_block_of(const DelaunayMesh& from,
   for (std::size_t k = 0; k < block.tets.size(); ++k) {
     const Slot& s = from.slots_[block.tets[k]];
     for (int i = 0; i < 4; ++i) {
-      if (block.number[s.n[i] >> 2] >= 0) continue;
+      if (block.number[s.n[i].tet()] >= 0) continue;
       const auto& f = kTetFacets[i];
       const std::int32_t a = name(s.v[f[0]]) + kSuper, b = name(s.v[f[1]]) + kSuper,
                          c = name(s.v[f[2]]) + kSuper;
       block.facets.push_back(
-          {HoleFacet::key_of(a, b, c), 4 * static_cast<std::int32_t>(k) + i, {a, c, b}});
+          {HoleFacet::key_of(a, b, c), {static_cast<std::int32_t>(k), i}, {a, c, b}});
     }
   }
   std::sort(block.facets.begin(), block.facets.end());
@@ -77,10 +77,11 @@ bool DelaunayMesh::transplant(const DelaunayMesh& from, const RigidBlock& block,
   const std::optional<std::vector<Fill>> fill = match_hole(*this, block.facets, run);
   if (!fill) return false;
   // By facet: what is beyond it here, and the tet in front of it there.
-  std::vector<std::int32_t> outer(block.facets.size(), -1);
+  std::vector<FacetRef> outer(block.facets.size(), FacetRef::none());
   std::vector<std::array<std::int32_t, 4>> facets(block.tets.size(), {-1, -1, -1, -1});
   for (std::size_t w = 0; w < block.facets.size(); ++w)
-    facets[block.facets[w].outer >> 2][block.facets[w].outer & 3] = static_cast<std::int32_t>(w);
+    facets[block.facets[w].outer.tet()][block.facets[w].outer.corner()] =
+        static_cast<std::int32_t>(w);
   for (const Fill& f : *fill)
     for (int i = 0; i < 4; ++i)
       if (f.facet[i] >= 0) outer[f.facet[i]] = slots_[f.tet].n[i];
@@ -94,14 +95,13 @@ bool DelaunayMesh::transplant(const DelaunayMesh& from, const RigidBlock& block,
                                        &points_[moved(s, 2)], &points_[moved(s, 3)]};
     if (kernel::orientation(*p[0], *p[1], *p[2], *p[3]) <= 0) return false;
     for (int i = 0; i < 4; ++i) {
-      const std::int32_t across = s.n[i];
+      const FacetRef across = s.n[i];
       std::int32_t vertex = -1;
       if (facets[k][i] >= 0) {
-        const std::int32_t exterior = outer[facets[k][i]];
-        if (exterior < 0) return false;
-        vertex = slots_[exterior >> 2].v[exterior & 3];
-      } else if (block.number[across >> 2] > static_cast<std::int32_t>(k)) {
-        vertex = moved(from.slots_[across >> 2], across & 3);
+        if (!outer[facets[k][i]].is_tet()) return false;
+        vertex = apex(outer[facets[k][i]]);
+      } else if (block.number[across.tet()] > static_cast<std::int32_t>(k)) {
+        vertex = moved(from.slots_[across.tet()], across.corner());
       } else {
         continue;
       }
@@ -109,23 +109,17 @@ bool DelaunayMesh::transplant(const DelaunayMesh& from, const RigidBlock& block,
     }
   }
 
-  for (const Fill& f : *fill) {
-    slots_[f.tet].v[0] = kDead;
-    free_.push_back(f.tet);
-  }
+  for (const Fill& f : *fill) release(f.tet);
   std::vector<std::int32_t> place(block.tets.size());
   for (std::int32_t& t : place) t = allocate();
   for (std::size_t k = 0; k < place.size(); ++k) {
     const Slot& s = from.slots_[block.tets[k]];
-    Slot& to = slots_[place[k]];
     for (int i = 0; i < 4; ++i) {
-      to.v[i] = moved(s, i);
-      if (facets[k][i] < 0) {
-        to.n[i] = 4 * place[block.number[s.n[i] >> 2]] + (s.n[i] & 3);
-        continue;
-      }
-      to.n[i] = outer[facets[k][i]];
-      slots_[to.n[i] >> 2].n[to.n[i] & 3] = 4 * place[k] + i;
+      slots_[place[k]].v[i] = moved(s, i);
+      if (facets[k][i] < 0)
+        slots_[place[k]].n[i] = {place[block.number[s.n[i].tet()]], s.n[i].corner()};
+      else
+        join({place[k], i}, outer[facets[k][i]]);
     }
   }
   hint_ = place.front();

@@ -102,8 +102,8 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
   for (const std::int32_t t : patch.output_tet) patch.output.push_back(renamed(output.tets[t]));
   patch.mesh = delaunay_state.mesh.cut(slots, name, static_cast<std::int32_t>(patch.nodes.size()),
                                        patch.cut);
-  for (const std::int32_t facet : patch.cut.exterior)
-    patch.exterior.push_back(delaunay_state.inside(facet >> 2) ? 1 : 0);
+  for (const FacetRef facet : patch.cut.exterior)
+    patch.exterior.push_back(delaunay_state.inside(facet.tet()) ? 1 : 0);
 
   patch.inside.assign(slots.size(), 0);
   for (std::size_t k = 0; k < slots.size(); ++k) {

@@ -4,16 +4,18 @@
 #include <array>
 #include <utility>
 
+#include "engine/mesh/facet_ref.h"
+
 namespace remeshd {
 namespace {
 
 /// A facet by its two larger nodes; the smallest names the bucket.
 struct Entry {
   std::int32_t mid, high;
-  std::int32_t facet;  ///< 4 * tet + corner opposite
-  std::int32_t next;   ///< entry of the same bucket with the same `mid`, -1 at the end
-  std::int8_t turn;    ///< sign of the permutation that sorts the outward facet
-  std::int8_t tets;    ///< met so far, 2 standing for more
+  FacetRef facet;
+  std::int32_t next;  ///< entry of the same bucket with the same `mid`, -1 at the end
+  std::int8_t turn;   ///< sign of the permutation that sorts the outward facet
+  std::int8_t tets;   ///< met so far, 2 standing for more
 };
 
 /// One bit for each facet of a tet, by the corner opposite.
@@ -65,7 +67,7 @@ void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
       Entry& entry = entries[end[low]++];
       entry.mid = a ^ b ^ c ^ low ^ high;
       entry.high = high;
-      entry.facet = static_cast<std::int32_t>(4 * t + i);
+      entry.facet = {static_cast<std::int32_t>(t), i};
       entry.next = -1;
       entry.turn = static_cast<std::int8_t>(1 - 2 * odd);
       entry.tets = 1;
@@ -85,13 +87,14 @@ void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
         continue;
       }
       entry.tets = 0;
-      if (entries[a].tets == 2 || entries[a].turn == entry.turn) clashes.push_back(entry.facet / 4);
+      if (entries[a].tets == 2 || entries[a].turn == entry.turn)
+        clashes.push_back(entry.facet.tet());
       entries[a].tets = 2;
     }
     for (std::uint32_t b = begin; b < end[n]; ++b) {
       head[entries[b].mid] = -1;
       if (entries[b].tets == 1)
-        alone[entries[b].facet / 4] |= static_cast<FacetMask>(1 << entries[b].facet % 4);
+        alone[entries[b].facet.tet()] |= static_cast<FacetMask>(1 << entries[b].facet.corner());
     }
     begin = end[n];
   }

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "engine/mesh/facet_ref.h"
+
 namespace remeshd::test {
 
 std::vector<std::array<std::int32_t, 4>> tet_neighbours(std::span<const Tet> tets,
                                                         std::size_t node_count) {
   struct Facet {
     std::int32_t mid, high;  // the two larger nodes; the smallest names the bucket
-    std::int32_t facet;      // 4 * tet + i
+    FacetRef facet;
   };
   std::vector<std::uint32_t> begin(node_count + 1, 0);
   const auto sorted = [](const Tet& t, int i) {
@@ -26,19 +28,20 @@ std::vector<std::array<std::int32_t, 4>> tet_neighbours(std::span<const Tet> tet
   for (std::size_t k = 0; k < tets.size(); ++k)
     for (int i = 0; i < 4; ++i) {
       const auto f = sorted(tets[k], i);
-      facets[next[f[0]]++] = {f[1], f[2], static_cast<std::int32_t>(4 * k + i)};
+      facets[next[f[0]]++] = {f[1], f[2], {static_cast<std::int32_t>(k), i}};
     }
   std::vector<std::array<std::int32_t, 4>> neighbours(tets.size(), {-1, -1, -1, -1});
   for (std::size_t n = 0; n < node_count; ++n) {
     for (std::uint32_t a = begin[n]; a < begin[n + 1]; ++a) {
-      if (facets[a].facet < 0) continue;
+      if (facets[a].facet.is_none()) continue;
       for (std::uint32_t b = a + 1; b < begin[n + 1]; ++b) {
-        if (facets[b].facet < 0 || facets[a].mid != facets[b].mid ||
+        if (facets[b].facet.is_none() || facets[a].mid != facets[b].mid ||
             facets[a].high != facets[b].high)
           continue;
-        neighbours[facets[a].facet >> 2][facets[a].facet & 3] = facets[b].facet >> 2;
-        neighbours[facets[b].facet >> 2][facets[b].facet & 3] = facets[a].facet >> 2;
-        facets[b].facet = -1;
+        const FacetRef one = facets[a].facet, other = facets[b].facet;
+        neighbours[one.tet()][one.corner()] = other.tet();
+        neighbours[other.tet()][other.corner()] = one.tet();
+        facets[b].facet = FacetRef::none();
         break;
       }
     }
