@@ -1,7 +1,6 @@
 #include "engine/boundary/facet_faces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "engine/boundary/face_distance.h"

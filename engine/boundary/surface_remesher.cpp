@@ -1,7 +1,6 @@
 #include "engine/boundary/surface_remesher.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <queue>
 #include <utility>

@@ -1,10 +1,8 @@
 #include "engine/cellular/cellular_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
-#include <string>
 
 #include "engine/base/error.h"
 #include "engine/base/union_find.h"

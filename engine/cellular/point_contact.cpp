@@ -1,6 +1,5 @@
 #include "engine/cellular/point_contact.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace remeshd {

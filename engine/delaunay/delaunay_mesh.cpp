@@ -1,12 +1,9 @@
 #include "engine/delaunay/delaunay_mesh.h"
 
-#include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include "engine/base/hilbert.h"
 #include "engine/kernel/predicates.h"
-#include "engine/mesh/circumball.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {

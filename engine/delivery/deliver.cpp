@@ -6,7 +6,6 @@
 #include "engine/base/parallel.h"
 #include "engine/cellular/boundary_model/sharp_places.h"
 #include "engine/delivery/group_areas.h"
-#include "engine/delivery/groups.h"
 #include "engine/mesh/quality.h"
 #include "engine/mesh/quality_goals.h"
 #include "engine/mesh/tet_boxes.h"

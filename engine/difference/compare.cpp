@@ -10,7 +10,6 @@
 #include "engine/difference/feature_difference.h"
 #include "engine/difference/line_volumes.h"
 #include "engine/difference/point_areas.h"
-#include "engine/kernel/brep.h"
 
 namespace remeshd {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "engine/base/parallel.h"
 #include "engine/boundary/facet_faces.h"

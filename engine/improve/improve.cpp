@@ -1,7 +1,6 @@
 #include "engine/improve/improve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <queue>
 

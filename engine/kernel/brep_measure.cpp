@@ -11,8 +11,6 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <algorithm>
-#include <cmath>
 
 #include "engine/kernel/brep_shapes.h"
 #include "engine/kernel/curve_points.h"

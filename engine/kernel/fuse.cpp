@@ -11,7 +11,6 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>

@@ -2,7 +2,6 @@
 
 #include "engine/base/error.h"
 #include "engine/base/stopwatch.h"
-#include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/local_fuse/sewing/sew.h"
 #include "engine/model/solid.h"
 

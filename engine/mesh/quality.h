@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"

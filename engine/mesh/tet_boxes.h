@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/base/region.h"
 #include "engine/mesh/tet_mesh.h"

@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <vector>
 
 #include "engine/base/error.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"

@@ -1,7 +1,5 @@
 #include "engine/nodes/place_supports.h"
 
-#include <algorithm>
-
 #include "engine/nodes/nearest.h"
 
 namespace remeshd {

@@ -1,6 +1,5 @@
 #include "engine/optimise/active_samples.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "engine/base/parallel.h"

@@ -7,7 +7,6 @@
 #include "engine/base/run.h"
 #include "engine/boundary/samples.h"
 #include "engine/delaunay/delaunay_mesh.h"
-#include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
 
 namespace remeshd {

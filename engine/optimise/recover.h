@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/cellular/boundary_model/support.h"
 #include "engine/nodes/node_set.h"
 #include "engine/optimise/live_mesh.h"
 

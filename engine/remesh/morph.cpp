@@ -14,7 +14,6 @@
 #include "engine/model/solid.h"
 #include "engine/nodes/nearest.h"
 #include "engine/patch/node_map.h"
-#include "engine/revision/delaunay_state.h"
 
 namespace remeshd {
 

@@ -2,7 +2,6 @@
 
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "engine/revision/revision.h"
 #include "engine/verify/verify.h"

@@ -1,6 +1,5 @@
 #include "engine/remesh/repair.h"
 
-#include <cmath>
 #include <optional>
 
 #include "engine/nodes/nearest.h"

@@ -8,7 +8,6 @@
 
 #include "engine/base/error.h"
 #include "engine/delivery/lost_names.h"
-#include "engine/model/solid.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/steps.h"
 #include "engine/remesh/tetgen_mesh.h"

@@ -14,7 +14,6 @@
 #include "engine/patch/stitch.h"
 #include "engine/remesh/repair.h"
 #include "engine/remesh/steps.h"
-#include "engine/revision/delaunay_state.h"
 
 namespace remeshd {
 namespace {

@@ -6,7 +6,6 @@
 #include "engine/base/cow_vector.h"
 #include "engine/cellular/boundary_model/support.h"
 #include "engine/delaunay/paged_delaunay.h"
-#include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
 

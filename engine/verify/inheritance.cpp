@@ -1,6 +1,5 @@
 #include "engine/verify/inheritance.h"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_model/build_boundary.h"

@@ -1,7 +1,6 @@
 #include "engine/cellular/boundary_model/sharp_places.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -1,6 +1,5 @@
 #include "engine/cellular/boundary_model/unified_edges.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/base/union_find.h"

@@ -7,7 +7,6 @@
 
 #include "engine/base/angle.h"
 #include "engine/base/tolerance.h"
-#include "engine/cellular/changes.h"
 
 namespace remeshd {
 namespace {

@@ -1,7 +1,6 @@
 #include "engine/local_fuse/prisms/crossing_prism_edges.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 

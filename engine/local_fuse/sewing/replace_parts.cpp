@@ -1,10 +1,6 @@
 #include "engine/local_fuse/sewing/replace_parts.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
-#include <tuple>
 
 #include "engine/base/tolerance.h"
 #include "engine/base/union_find.h"
