@@ -17,22 +17,18 @@ std::string clip(std::string_view text, std::size_t limit = 120) {
 
 std::string quoted(std::string_view text) { return "'" + clip(text) + "'"; }
 
-/// Shortest digits that read back to the same double, whatever the locale.
-std::string number(double value) {
+/// By default the fewest digits that read back to the same double, whatever the locale.
+template <class... Format>
+std::string number(double value, Format... format) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
+  const auto end = std::to_chars(digits.begin(), digits.end(), value, format...).ptr;
+  return {digits.begin(), end};
 }
 
 /// A count without decimals; three digits where it is too large to be read.
 std::string whole_number(double value) {
-  std::array<char, 32> digits{};
-  const bool readable = value < 1e9;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 readable ? std::chars_format::fixed : std::chars_format::general,
-                                 readable ? 0 : 3)
-                       .ptr;
-  return {digits.data(), end};
+  return value < 1e9 ? number(value, std::chars_format::fixed, 0)
+                     : number(value, std::chars_format::general, 3);
 }
 
 /// Nine digits: a place is there to be looked for, not to be computed with.
@@ -40,11 +36,7 @@ std::string at(const Vec3& p) {
   std::string text = " at (";
   const char* separator = "";
   for (const double c : {p.x, p.y, p.z}) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), c,
-                                   std::chars_format::general, 9)
-                         .ptr;
-    text.append(separator).append(digits.data(), end);
+    text += separator + number(c, std::chars_format::general, 9);
     separator = ", ";
   }
   return text + ")";
@@ -73,6 +65,22 @@ Error model_error(std::string reason, std::string_view feature, std::string_view
                 .features = listed({std::string(feature)}),
                 .parameter = clip(parameter),
                 .hint = std::move(hint)});
+}
+
+constexpr const char* kNearlyCoincide =
+    "features that nearly coincide are the usual cause: let them coincide, or keep them further "
+    "apart";
+
+/// Of a sound model that cannot be meshed.
+Error refused(std::string reason, std::string stage, std::string message, std::string hint,
+              const std::optional<Vec3>& place = {}, const FeatureIds& features = {}) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = std::move(reason),
+                .message = std::move(message),
+                .stage = std::move(stage),
+                .features = listed(features),
+                .hint = std::move(hint),
+                .place = place});
 }
 
 }  // namespace
@@ -270,78 +278,53 @@ Error unknown_model_parameter(std::string_view name) {
 }
 
 Error empty_model() {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "EMPTY_MODEL",
-                .message = "the model holds no material: every cell is subtracted",
-                .stage = "cells",
-                .hint = "add a feature, or move one in history after those that remove it"});
+  return refused("EMPTY_MODEL", "cells", "the model holds no material: every cell is subtracted",
+                 "add a feature, or move one in history after those that remove it");
 }
 
 Error disconnected_model(int pieces, const Vec3& place, const FeatureIds& features) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "DISCONNECTED_MODEL",
-                .message = "the model falls into " + std::to_string(pieces) +
-                           " pieces that share no face, one of them" + at(place),
-                .stage = "cells",
-                .features = listed(features),
-                .hint = "let the pieces overlap or touch along a face, or mesh them as models of "
-                        "their own",
-                .place = place});
+  return refused(
+      "DISCONNECTED_MODEL", "cells",
+      "the model falls into " + std::to_string(pieces) + " pieces that share no face, one of them" +
+          at(place),
+      "let the pieces overlap or touch along a face, or mesh them as models of their own", place,
+      features);
 }
 
 Error non_manifold_model(std::string_view what, const Vec3& place, const FeatureIds& features) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "NON_MANIFOLD_MODEL",
-                .message = "the boundary touches itself " + std::string(what) + at(place),
-                .stage = "cells",
-                .features = listed(features),
-                .hint = "move one of the features that meet there a little",
-                .place = place});
+  return refused("NON_MANIFOLD_MODEL", "cells",
+                 "the boundary touches itself " + std::string(what) + at(place),
+                 "move one of the features that meet there a little", place, features);
 }
 
 Error kernel_failure(std::string_view what, const std::optional<Vec3>& place,
                      const FeatureIds& features) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "KERNEL_FAILURE",
-                .message = "the CAD kernel failed: " + clip(what, 400) + (place ? at(*place) : ""),
-                .stage = "cells",
-                .features = listed(features),
-                .hint = "features that nearly coincide are the usual cause: let them coincide, or "
-                        "keep them further apart",
-                .place = place});
+  return refused("KERNEL_FAILURE", "cells",
+                 "the CAD kernel failed: " + clip(what, 400) + (place ? at(*place) : ""),
+                 kNearlyCoincide, place, features);
 }
 
 Error tetgen_refused(std::string_view why) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "TETGEN_REFUSED",
-                .message = "TetGen refuses the model's surface: " + std::string(why),
-                .stage = "control mesh",
-                .hint = "features that nearly coincide are the usual cause: let them coincide, or "
-                        "keep them further apart"});
+  return refused("TETGEN_REFUSED", "control mesh",
+                 "TetGen refuses the model's surface: " + std::string(why), kNearlyCoincide);
 }
 
 Error tetgen_crashed(std::string_view how) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "TETGEN_CRASHED",
-                .message = "TetGen failed on the model's surface: " + std::string(how),
-                .stage = "control mesh",
-                .hint = "change a size or a place of the model a little"});
+  return refused("TETGEN_CRASHED", "control mesh",
+                 "TetGen failed on the model's surface: " + std::string(how),
+                 "change a size or a place of the model a little");
 }
 
 Error tetgen_too_slow(double seconds) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "TETGEN_TOO_SLOW",
-                .message = "TetGen gave no answer within " + number(seconds) + " s",
-                .stage = "control mesh",
-                .hint = "a simpler model, or a less busy machine"});
+  return refused("TETGEN_TOO_SLOW", "control mesh",
+                 "TetGen gave no answer within " + number(seconds) + " s",
+                 "a simpler model, or a less busy machine");
 }
 
 Error tetgen_out_of_memory(std::size_t bytes) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "TETGEN_OUT_OF_MEMORY",
-                .message = "TetGen needs more than its " + std::to_string(bytes >> 20) + " MiB",
-                .stage = "control mesh",
-                .hint = "a simpler model"});
+  return refused("TETGEN_OUT_OF_MEMORY", "control mesh",
+                 "TetGen needs more than its " + std::to_string(bytes >> 20) + " MiB",
+                 "a simpler model");
 }
 
 Error tetgen_missing(std::string_view path, std::string_view why) {
@@ -375,15 +358,11 @@ Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
 
 Error boundary_not_recovered(std::string_view what, const std::optional<Vec3>& place,
                              const FeatureIds& features) {
-  return Error({.kind = ErrorKind::FailedPrecondition,
-                .reason = "BOUNDARY_NOT_RECOVERED",
-                .message = "no valid mesh could be made: " + std::string(what),
-                .stage = "verify",
-                .features = listed(features),
-                .hint =
-                    "ask for more nodes or a smaller edge length, or make what is thin or small "
-                    "at that place larger",
-                .place = place});
+  return refused("BOUNDARY_NOT_RECOVERED", "verify",
+                 "no valid mesh could be made: " + std::string(what),
+                 "ask for more nodes or a smaller edge length, or make what is thin or small at "
+                 "that place larger",
+                 place, features);
 }
 
 }  // namespace remeshd::error

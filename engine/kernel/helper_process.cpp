@@ -148,10 +148,7 @@ HelperEnd run_helper(const std::filesystem::path& program, std::vector<std::stri
   };
   for (bool more = true; more;) {
     run.poll();
-    if (too_late()) {
-      end.kind = HelperEnd::Kind::TimedOut;
-      return end;
-    }
+    if (too_late()) return {.kind = HelperEnd::Kind::TimedOut};
     if (sending && input.empty()) stop_sending();
     pollfd watched{ours.get(), static_cast<short>(POLLIN | (sending ? POLLOUT : 0)), 0};
     if (poll(&watched, 1, kPollMs) <= 0) continue;
@@ -159,10 +156,7 @@ HelperEnd run_helper(const std::filesystem::path& program, std::vector<std::stri
       stop_sending();
     if ((watched.revents & (POLLIN | POLLHUP | POLLERR)) != 0)
       more = receive_some(ours.get(), end.answer);
-    if (end.answer.size() > limits.answer_bytes) {
-      end.kind = HelperEnd::Kind::TalkedTooMuch;
-      return end;
-    }
+    if (end.answer.size() > limits.answer_bytes) return {.kind = HelperEnd::Kind::TalkedTooMuch};
   }
   for (;;) {
     if (const std::optional<int> status = child.ended()) {
@@ -172,10 +166,7 @@ HelperEnd run_helper(const std::filesystem::path& program, std::vector<std::stri
       return end;
     }
     run.poll();
-    if (too_late()) {
-      end.kind = HelperEnd::Kind::TimedOut;
-      return end;
-    }
+    if (too_late()) return {.kind = HelperEnd::Kind::TimedOut};
     poll(nullptr, 0, 1);
   }
 }

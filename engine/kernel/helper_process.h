@@ -10,7 +10,7 @@
 
 namespace remeshd::kernel {
 
-/// How a helper ended, and all that it said.
+/// How a helper ended, and all that it said where it was not stopped.
 struct HelperEnd {
   enum class Kind { Exited, Signalled, TimedOut, TalkedTooMuch, NotStarted };
   Kind kind = Kind::Exited;

@@ -33,8 +33,8 @@ struct RequestHeader {
 
 enum class Status : std::uint64_t {
   Meshed = 0,
-  OutOfMemory = 1,
-  InternalError = 2,  ///< TetGen's own number for it, like the next four
+  OutOfMemory = 1,  ///< TetGen's own number for it, like the next five
+  InternalError = 2,
   SelfIntersection = 3,
   SmallFeature = 4,
   CloseFacets = 5,

@@ -15,10 +15,10 @@ Position find_feature(ModelSource& model, const std::string& id) {
                       [&](const FeatureSource& f) { return f.id == id; });
 }
 
-FeatureSource& feature_named(ModelSource& model, const std::string& id) {
+Position feature_named(ModelSource& model, const std::string& id) {
   const Position found = find_feature(model, id);
   if (found == model.features.end()) throw error::unknown_feature(id);
-  return *found;
+  return found;
 }
 
 /// One overload per edit.
@@ -32,7 +32,7 @@ struct Editor {
   }
 
   void operator()(const SetFeatureParameter& edit) const {
-    FeatureSource& feature = feature_named(model, edit.feature);
+    FeatureSource& feature = *feature_named(model, edit.feature);
     const FeatureTypeInfo* type = find_feature_type(feature.type);
     if (type == nullptr)
       throw error::unknown_feature_type(feature.id, feature.type, list_feature_types());
@@ -52,26 +52,20 @@ struct Editor {
   }
 
   void operator()(const SetPlacement& edit) const {
-    feature_named(model, edit.feature).placement = edit.placement;
+    feature_named(model, edit.feature)->placement = edit.placement;
   }
 
   void operator()(const AddFeature& edit) const {
     check_name(edit.feature.id, edit.feature.id, "id");
     if (find_feature(model, edit.feature.id) != model.features.end())
       throw error::duplicate_feature(edit.feature.id);
-    Position place = model.features.end();
-    if (!edit.after.empty()) {
-      place = find_feature(model, edit.after);
-      if (place == model.features.end()) throw error::unknown_feature(edit.after);
-      ++place;
-    }
+    const Position place =
+        edit.after.empty() ? model.features.end() : feature_named(model, edit.after) + 1;
     model.features.insert(place, edit.feature);
   }
 
   void operator()(const RemoveFeature& edit) const {
-    const Position found = find_feature(model, edit.feature);
-    if (found == model.features.end()) throw error::unknown_feature(edit.feature);
-    model.features.erase(found);
+    model.features.erase(feature_named(model, edit.feature));
   }
 };
 

@@ -10,8 +10,6 @@
 
 namespace remeshd {
 
-enum class FeatureType { Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot };
-
 /// One side of an evaluated closed profile: a segment, or an arc through a point.
 struct ProfileSide {
   std::array<double, 2> from{}, to{};

@@ -137,22 +137,8 @@ Status mesh(const Request& request, tetgenio& out) {
     tetrahedralize(text.data(), &in, &out);
     return Status::Meshed;
   } catch (int code) {  // TetGen throws its exit code
-    switch (code) {
-      case 1:
-        return Status::OutOfMemory;
-      case 2:
-        return Status::InternalError;
-      case 3:
-        return Status::SelfIntersection;
-      case 4:
-        return Status::SmallFeature;
-      case 5:
-        return Status::CloseFacets;
-      case 10:
-        return Status::InputError;
-      default:
-        return Status::Unknown;
-    }
+    const bool known = (code >= 1 && code <= 5) || code == 10;
+    return known ? static_cast<Status>(code) : Status::Unknown;
   } catch (const std::bad_alloc&) {
     return Status::OutOfMemory;
   }
