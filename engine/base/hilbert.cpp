@@ -46,8 +46,7 @@ std::uint64_t hilbert_key(const Vec3& p, const Box& box) {
 }
 
 std::vector<Vec3> along_hilbert_curve(std::span<const Vec3> points) {
-  Box box;
-  for (const Vec3& p : points) box.add(p);
+  const Box box = box_of(points);
   std::vector<std::pair<std::uint64_t, std::size_t>> order;
   order.reserve(points.size());
   for (std::size_t k = 0; k < points.size(); ++k)

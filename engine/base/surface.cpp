@@ -1,7 +1,6 @@
 #include "engine/base/surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace remeshd {
@@ -97,18 +96,11 @@ Foot local_foot(const Surface& surface, const Vec3& p) {
 Vec3 origin_of(const Surface& s) { return {s.frame.m[3], s.frame.m[7], s.frame.m[11]}; }
 Vec3 axis_of(const Surface& s) { return {s.frame.m[2], s.frame.m[6], s.frame.m[10]}; }
 
-std::array<Vec3, 8> corners(const Box& box) {
-  std::array<Vec3, 8> c;
-  for (int i = 0; i < 8; ++i)
-    c[i] = {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
-  return c;
-}
-
 /// Largest distance from plane b of the part of plane a in the box: a linear function on the
 /// convex hull of the projected corners, so one of them attains it.
 double plane_gap(const Surface& a, const Surface& b, const Box& where) {
   double gap = 0;
-  for (const Vec3& c : corners(where))
+  for (const Vec3& c : corners_of(where))
     gap = std::max(gap, std::fabs(signed_distance(b, project(a, c))));
   return gap;
 }
@@ -121,7 +113,7 @@ double cone_gap(const Surface& a, const Surface& b, const Box& where) {
   };
   const Vec3 axis = axis_of(a);
   double z_min = HUGE_VAL, z_max = -HUGE_VAL;
-  for (const Vec3& c : corners(where)) {
+  for (const Vec3& c : corners_of(where)) {
     const double z = dot(c - origin_of(a), axis);
     z_min = std::min(z_min, z);
     z_max = std::max(z_max, z);
@@ -158,9 +150,7 @@ double radius_of_curvature(const Surface& surface, const Vec3& p) {
     case Surface::Kind::Torus:
       return surface.r2;
     case Surface::Kind::Cone: {
-      const Transform& frame = surface.frame;
-      const Vec3 axis{frame.m[2], frame.m[6], frame.m[10]};
-      const Vec3 from = p - Vec3{frame.m[3], frame.m[7], frame.m[11]};
+      const Vec3 axis = axis_of(surface), from = p - origin_of(surface);
       return norm(from - dot(from, axis) * axis);
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <tuple>
 
 namespace remeshd {
 
@@ -29,6 +31,15 @@ inline double norm2(const Vec3& a) { return dot(a, a); }
 inline double norm(const Vec3& a) { return std::sqrt(norm2(a)); }
 inline double distance(const Vec3& a, const Vec3& b) { return norm(a - b); }
 inline Vec3 normalised(const Vec3& a) { return a / norm(a); }
+
+inline double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * norm(cross(b - a, c - a));
+}
+
+/// By x, where that is the same by y, then by z.
+inline bool lies_before(const Vec3& a, const Vec3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
 
 /// Some unit vector at right angles to the unit vector `n`; the same for the same `n`.
 inline Vec3 any_perpendicular(const Vec3& n) {
@@ -61,6 +72,32 @@ struct Box {
 inline Box intersection(const Box& a, const Box& b) {
   return {{std::max(a.lo.x, b.lo.x), std::max(a.lo.y, b.lo.y), std::max(a.lo.z, b.lo.z)},
           {std::min(a.hi.x, b.hi.x), std::min(a.hi.y, b.hi.y), std::min(a.hi.z, b.hi.z)}};
+}
+
+inline Box box_of(std::span<const Vec3> points) {
+  Box box;
+  for (const Vec3& p : points) box.add(p);
+  return box;
+}
+/// Of some of the points, by number.
+template <class Points, class Numbers>
+Box box_of(const Points& points, const Numbers& numbers) {
+  Box box;
+  for (const auto n : numbers) box.add(points[n]);
+  return box;
+}
+
+/// Whether the boxes have a point in common, their rims included.
+inline bool touch(const Box& a, const Box& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
+         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+}
+
+inline std::array<Vec3, 8> corners_of(const Box& box) {
+  std::array<Vec3, 8> c;
+  for (int i = 0; i < 8; ++i)
+    c[i] = {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
+  return c;
 }
 
 /// The box, larger to all sides.
@@ -111,6 +148,13 @@ inline Transform operator*(const Transform& a, const Transform& b) {
     }
   }
   return c;
+}
+
+/// The box round a box that is moved.
+inline Box moved(const Box& box, const Transform& motion) {
+  Box out;
+  for (const Vec3& corner : corners_of(box)) out.add(motion.apply(corner));
+  return out;
 }
 
 /// Inverse of a rigid transformation.

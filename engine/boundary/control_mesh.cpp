@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/boundary/material.h"
+#include "engine/mesh/quality.h"
 
 namespace remeshd {
 namespace {
@@ -20,11 +21,6 @@ constexpr Octree kOctree;
 // TetGen takes triangles within 0.1 degree of one plane for flat: 2.6e-7 of tool2-d.
 constexpr double kVolumeTolerance = 1e-5;
 enum CellState : std::int32_t { kOutside = -1, kInside = -2 };  // lists of tets come below
-
-double tet_volume(const TetMesh& mesh, const Tet& t) {
-  const Vec3& a = mesh.nodes[t[0]];
-  return dot(cross(mesh.nodes[t[1]] - a, mesh.nodes[t[2]] - a), mesh.nodes[t[3]] - a) / 6;
-}
 
 /// Volume within an outward oriented closed surface, by the divergence theorem.
 double enclosed_volume(const kernel::TetGenSurface& surface) {
@@ -66,13 +62,6 @@ std::vector<Triangle> boundary_facets(const TetMesh& mesh) {
     if (!shared) out.push_back(all[i].facet);
   }
   return out;
-}
-
-template <typename Corners>
-Box box_of(const std::vector<Vec3>& points, const Corners& corners) {
-  Box box;
-  for (const std::int32_t p : corners) box.add(points[p]);
-  return box;
 }
 
 }  // namespace
@@ -157,7 +146,7 @@ ControlMesh ControlMesh::build(const BoundaryModel& boundary, const Run& run,
 void ControlMesh::add_planes() {
   std::vector<Tet> sound;
   for (const Tet& tet : mesh_.tets) {
-    const double volume = tet_volume(mesh_, tet);
+    const double volume = tet_volume(mesh_.nodes, tet);
     TetPlanes planes;
     double most_area = 0;
     for (int i = 0; i < 4; ++i) {

@@ -13,18 +13,8 @@ template <class Entity>
 std::vector<Box> boxes_of(const std::vector<Entity>& entities, double margin) {
   std::vector<Box> boxes;
   boxes.reserve(entities.size());
-  for (const Entity& e : entities) {
-    Box& box = boxes.emplace_back();
-    for (const Vec3& p : e.points) box.add(p);
-    box.lo -= Vec3{margin, margin, margin};
-    box.hi += Vec3{margin, margin, margin};
-  }
+  for (const Entity& e : entities) boxes.push_back(grown(box_of(e.points), margin));
   return boxes;
-}
-
-bool meet(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
 bool same_curve(const BoundaryEdge& a, const BoundaryEdge& b, double tolerance) {
@@ -63,13 +53,13 @@ EntityMap::EntityMap(const BoundaryModel& from, const BoundaryModel& to, double 
   const std::vector<Box> edge_from = boxes_of(from.edges, tolerance);
   const std::vector<Box> edge_to = boxes_of(to.edges, tolerance);
   pair_up(Support::Kind::Edge, from.edges.size(), to.edges.size(), [&](auto a, auto b) {
-    return meet(edge_from[a], edge_to[b]) && same_curve(from.edges[a], to.edges[b], tolerance);
+    return touch(edge_from[a], edge_to[b]) && same_curve(from.edges[a], to.edges[b], tolerance);
   });
   const std::vector<Box> face_from = boxes_of(from.faces, tolerance);
   const std::vector<Box> face_to = boxes_of(to.faces, tolerance);
   pair_up(Support::Kind::Face, from.faces.size(), to.faces.size(), [&](auto a, auto b) {
     const BoundaryFace &f = from.faces[a], &g = to.faces[b];
-    if (f.surface.kind != g.surface.kind || !meet(face_from[a], face_to[b])) return false;
+    if (f.surface.kind != g.surface.kind || !touch(face_from[a], face_to[b])) return false;
     const Vec3& p = f.points.front();
     const double side = f.reversed == g.reversed ? 1 : -1;
     return side * dot(normal(f.surface, p), normal(g.surface, p)) > 0 &&

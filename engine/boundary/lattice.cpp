@@ -21,16 +21,6 @@ struct Range {
   [[nodiscard]] Range shifted(double by) const { return {lo + by, hi + by}; }
 };
 
-/// The box in the surface's own frame.
-Box local_box(const Surface& surface, const Box& box) {
-  const Transform inverse = rigid_inverse(surface.frame);
-  Box local;
-  for (int k = 0; k < 8; ++k)
-    local.add(inverse.apply({(k & 1) ? box.hi.x : box.lo.x, (k & 2) ? box.hi.y : box.lo.y,
-                             (k & 4) ? box.hi.z : box.lo.z}));
-  return local;
-}
-
 /// In which directions, as angles from the first axis, a rectangle is seen from the origin: in all
 /// where it holds the origin.
 Range angles_of(const Range& x, const Range& y) {
@@ -93,7 +83,7 @@ class Lattice {
         jitter_(jitter),
         random_(random),
         visit_(visit),
-        local_(local_box(surface, box)),
+        local_(moved(box, rigid_inverse(surface.frame))),
         x_(with_margin(local_.lo.x, local_.hi.x)),
         y_(with_margin(local_.lo.y, local_.hi.y)),
         z_(with_margin(local_.lo.z, local_.hi.z)),

@@ -30,11 +30,11 @@ std::map<std::int32_t, bool> find_material(const kernel::TetGenMesh& all,
   const std::vector<Vec3>& nodes = all.mesh.nodes;
   for (std::size_t t = 0; t < all.mesh.tets.size(); ++t) {
     const Tet& tet = all.mesh.tets[t];
-    const double volume = tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]);
+    const double volume = tet_volume(nodes, tet);
     auto& [most, where] = largest[all.regions[t]];
     if (volume <= most) continue;
     most = volume;
-    where = (nodes[tet[0]] + nodes[tet[1]] + nodes[tet[2]] + nodes[tet[3]]) / 4;
+    where = centroid(nodes, tet);
   }
   std::map<std::int32_t, bool> material;
   for (const auto& [region, tet] : largest)

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t kFewSamples = 3;  // below this a face is sampled at its triangles instead
 
-Box face_box(const BoundaryFace& face) {
-  Box box;
-  for (const Vec3& p : face.points) box.add(p);
-  return box;
-}
-
 /// For each face the others on the same surface: a lattice point belongs to the nearest of them.
 std::vector<std::vector<int>> rivals(const BoundaryModel& boundary) {
   const double tolerance = 1e-9 * boundary.bounds.diagonal();
@@ -77,7 +71,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
   const BoundaryFace& face = boundary.faces[index];
   const Support support{Support::Kind::Face, index};
   const double probe = tolerance::kProbe * boundary.bounds.diagonal();
-  const Box box = face_box(face);
+  const Box box = box_of(face.points);
   const std::size_t begin = out.size();
   bool reached = false;
   Polling poll(run);

@@ -35,9 +35,8 @@ bool side_cuts(const std::vector<Vec3>& nodes, const Triangle& s, const Triangle
 
 std::vector<std::pair<std::int32_t, std::int32_t>> surface_crossings(const SurfaceMesh& mesh,
                                                                      const Run& run) {
-  std::vector<Box> boxes(mesh.facets.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-    for (const std::int32_t n : mesh.facets[k].nodes) boxes[k].add(mesh.nodes[n]);
+  std::vector<Box> boxes;
+  for (const FaceFacet& f : mesh.facets) boxes.push_back(box_of(mesh.nodes, f.nodes));
   std::vector<std::pair<std::int32_t, std::int32_t>> found;
   Polling poll(run);
   kernel::for_each_touching_pair(boxes, [&](std::int32_t a, std::int32_t b) {

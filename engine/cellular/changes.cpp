@@ -36,11 +36,6 @@ void keep_ascending(std::vector<int>& numbers) {
 
 }  // namespace
 
-bool touch(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
-
 bool touch(const std::vector<Box>& boxes, const Box& b) {
   return std::ranges::any_of(boxes, [&](const Box& a) { return touch(a, b); });
 }
@@ -51,15 +46,13 @@ Changes find_changes(const FeatureModel& base, const FeatureModel& model,
   std::unordered_map<std::string_view, int> index;
   for (int f = 0; f < static_cast<int>(model.features.size()); ++f)
     index.emplace(model.features[f].id, f);
-  Box all;
-  for (const Solid& solid : membership.solids()) all.add(solid.bounds());
   for (const Feature& feature : base.features) {
     const auto it = index.find(feature.id);
     const bool kept = it != index.end() && same(feature, model.features[it->second]);
     out.kept.push_back(kept ? it->second : -1);
   }
   keep_ascending(out.kept);
-  const double margin = kMargin * all.diagonal();
+  const double margin = kMargin * membership.bounds_of_all().diagonal();
   std::vector<char> kept(model.features.size(), 0);
   for (std::size_t f = 0; f < base.features.size(); ++f) {
     if (out.kept[f] >= 0)

@@ -20,8 +20,7 @@ struct Changes {
 Changes find_changes(const FeatureModel& base, const FeatureModel& model,
                      const Membership& membership);
 
-/// Whether boxes have a point in common.
-bool touch(const Box& a, const Box& b);
+/// Whether one of the boxes has a point in common with another box.
 bool touch(const std::vector<Box>& boxes, const Box& b);
 
 }  // namespace remeshd

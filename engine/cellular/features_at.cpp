@@ -1,6 +1,6 @@
 #include "engine/cellular/features_at.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace remeshd {
 namespace {
@@ -26,13 +26,12 @@ FeatureIds ids_of(const FeatureModel& model, const std::vector<int>& features) {
 }
 
 FeatureIds features_at(const FeatureModel& model, const Membership& membership, const Vec3& place) {
-  Box box;
-  for (const Solid& solid : membership.solids()) box.add(solid.bounds());
+  const double diagonal = membership.bounds_of_all().diagonal();
   std::vector<int> features;
   for (const double share : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     std::vector<int> found;
     for (std::size_t f = 0; f < membership.solids().size(); ++f)
-      if (passes(membership.solids()[f], place, share * box.diagonal()))
+      if (passes(membership.solids()[f], place, share * diagonal))
         found.push_back(static_cast<int>(f));
     if (found.size() > features.size()) features = std::move(found);
     if (features.size() > 1) break;

@@ -189,9 +189,7 @@ std::vector<BoundaryPiece> describe_faces(const CellComplex& model, const Fused&
 }  // namespace
 
 FuseFrame fuse_frame(const Membership& membership) {
-  Box box;
-  for (const Solid& solid : membership.solids()) box.add(solid.bounds());
-  return {kernel::unit_scale(box.diagonal()), {}};
+  return {kernel::unit_scale(membership.bounds_of_all().diagonal()), {}};
 }
 
 void fuse_features(const FeatureModel& model, const Membership& membership, const FuseFrame& frame,

@@ -75,10 +75,6 @@ CowVector<TetMeasure> measures_of(const OutputMesh& d, const Revision& original,
   return measures;
 }
 
-double volume_of(const CowVector<Vec3>& p, const Tet& t) {
-  return tet_volume(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-}
-
 /// Quality of the output mesh, and of the peeled Delaunay mesh: the same but for what clean-up
 /// changed.
 TwoQualities qualities(const Revision& revision, double volume, const Run& run) {
@@ -94,18 +90,18 @@ TwoQualities qualities(const Revision& revision, double volume, const Run& run) 
   for (const Cavity& cavity : delaunay_state.cavities)
     for (const std::int32_t t : cavity.output) {
       changed[t] = 1;
-      volume_then -= volume_of(delivered.nodes, delivered.tets[t]);
+      volume_then -= tet_volume(delivered.nodes, delivered.tets[t]);
     }
   std::vector<Tet> then;
   delivered.tets.for_each([&](std::size_t t, const Tet& tet) {
     if (!(moved[tet[0]] | moved[tet[1]] | moved[tet[2]] | moved[tet[3]]) || changed[t]) return;
     changed[t] = 1;
-    volume_then -= volume_of(delivered.nodes, tet);
+    volume_then -= tet_volume(delivered.nodes, tet);
     then.push_back(tet);
   });
   for (const Cavity& cavity : delaunay_state.cavities)
     for (const std::int32_t s : cavity.delaunay) then.push_back(delaunay_state.mesh.corners(s));
-  for (const Tet& tet : then) volume_then += volume_of(p, tet);
+  for (const Tet& tet : then) volume_then += tet_volume(p, tet);
   const CowVector<Tet> paged_then(then);
   const CowVector<TetMeasure> measures_then = measure_tets(p, paged_then, run);
   return summarise_both({delivered.nodes, delivered.tets, revision.measures, changed}, volume,
@@ -131,7 +127,7 @@ void measure_away(Revision& revision) {
     if (!(at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]])) continue;
     left_out[k] = 1;
     ++report.sharp_tets;
-    volume -= volume_of(mesh.nodes, t);
+    volume -= tet_volume(mesh.nodes, t);
   }
   if (report.sharp_tets > 0)
     report.quality_away = summarise({mesh.nodes, mesh.tets, revision.measures, left_out}, volume);

@@ -11,12 +11,10 @@ namespace remeshd {
 
 namespace {
 
-double area(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * norm(cross(b - a, c - a)); }
-
 /// A point well inside a piece of the boundary, on its triangulation.
 Vec3 point_on(const kernel::Brep& brep, const kernel::BrepFace& face) {
   const auto& p = brep.points;
-  const auto size = [&](const auto& t) { return area(p[t[0]], p[t[1]], p[t[2]]); };
+  const auto size = [&](const auto& t) { return triangle_area(p[t[0]], p[t[1]], p[t[2]]); };
   const auto largest =
       std::max_element(face.triangles.begin(), face.triangles.end(),
                        [&](const auto& a, const auto& b) { return size(a) < size(b); });
@@ -54,7 +52,8 @@ std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& grou
   if (exact.empty()) return {};
   std::vector<double> meshed(groups.facet_groups.size(), 0.0);
   for (const MeshFacet& f : groups.facets)
-    meshed[f.group] += area(mesh.nodes[f.nodes[0]], mesh.nodes[f.nodes[1]], mesh.nodes[f.nodes[2]]);
+    meshed[f.group] +=
+        triangle_area(mesh.nodes[f.nodes[0]], mesh.nodes[f.nodes[1]], mesh.nodes[f.nodes[2]]);
   std::vector<GroupArea> result;
   for (const auto& [group, amount] : exact) {
     const auto at = std::lower_bound(groups.facet_groups.begin(), groups.facet_groups.end(), group);

@@ -10,10 +10,6 @@ namespace remeshd {
 
 namespace {
 
-Vec3 centroid(const PagedMesh& mesh, const Tet& t) {
-  return 0.25 * (mesh.nodes[t[0]] + mesh.nodes[t[1]] + mesh.nodes[t[2]] + mesh.nodes[t[3]]);
-}
-
 /// Numbers keys as they come and renumbers them in ascending order at the end.
 template <class Key>
 class Numbering {
@@ -46,7 +42,7 @@ void owners_of(const PagedMesh& mesh, const Tet& t, const FeatureModel& model,
     membership.owners(p, owners);
     return !owners.empty() && model.features[owners.back()].nature == Nature::Additive;
   };
-  const Vec3 c = centroid(mesh, t);
+  const Vec3 c = centroid(mesh.nodes, t);
   if (look(c)) return;
   for (const double share : {0.5, 0.9})
     for (const std::int32_t n : t)

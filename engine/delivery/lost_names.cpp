@@ -92,11 +92,6 @@ class NamesToCome {
   std::set<NameSet> together_;            ///< on one face each
 };
 
-bool meet(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
-
 bool within(const Box& inner, const Box& outer) {
   return outer.lo.x <= inner.lo.x && inner.hi.x <= outer.hi.x && outer.lo.y <= inner.lo.y &&
          inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
@@ -117,7 +112,7 @@ bool has_no_effect(const FeatureModel& model, int feature) {
     const Feature& other = model.features[k];
     const Box at = world_bounds(other);
     const bool earlier = other.nature == Nature::Additive && k < feature;
-    if (earlier ? within(at, box) : meet(at, box)) return false;
+    if (earlier ? within(at, box) : touch(at, box)) return false;
   }
   return true;
 }

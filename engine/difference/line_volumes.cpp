@@ -31,11 +31,8 @@ class Sheaf {
   Sheaf(const Box& box, const Vec3& direction)
       : direction_(direction), e_(any_perpendicular(direction)), f_(cross(direction, e_)) {
     Box across;
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
-                        i & 4 ? box.hi.z : box.lo.z};
+    for (const Vec3& corner : corners_of(box))
       across.add(Vec3{dot(corner, e_), dot(corner, f_), dot(corner, direction)});
-    }
     lo_ = across.lo;
     size_ = across.hi - across.lo;
   }
@@ -131,14 +128,6 @@ void measure_changes(Estimate& out, const std::vector<Box>& boxes,
       out.errors[c] += part.errors[c];
     }
   }
-}
-
-Box moved(const Box& box, const Transform& where) {
-  Box out;
-  for (int i = 0; i < 8; ++i)
-    out.add(where.apply(
-        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z}));
-  return out;
 }
 
 }  // namespace

@@ -25,11 +25,8 @@ class Smallest {
 /// How far two motions of the same points differ: the largest distance at the corners of a box.
 double difference(const Transform& a, const Transform& b, const Box& box) {
   double largest = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 p{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
-                 i & 4 ? box.hi.z : box.lo.z};
+  for (const Vec3& p : corners_of(box))
     largest = std::max(largest, distance(a.apply(p), b.apply(p)));
-  }
   return largest;
 }
 

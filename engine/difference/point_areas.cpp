@@ -31,8 +31,7 @@ const Surface& surface_of(const Membership& model, const std::vector<int>& owner
 /// `count` points spread evenly over the facets of a face.
 std::vector<Vec3> spread(const kernel::Brep& brep, const kernel::BrepFace& face, int count) {
   const auto area = [&](const std::array<int, 3>& t) {
-    return 0.5 * norm(cross(brep.points[t[1]] - brep.points[t[0]],
-                            brep.points[t[2]] - brep.points[t[0]]));
+    return triangle_area(brep.points[t[0]], brep.points[t[1]], brep.points[t[2]]);
   };
   double whole = 0;
   for (const auto& t : face.triangles) whole += area(t);

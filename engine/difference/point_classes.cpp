@@ -29,25 +29,12 @@ FeatureModel aligned(Feature feature) {
   return {"", {std::move(feature)}};
 }
 
-Box moved(const Box& box, const Transform& where) {
-  if (where.is_identity()) return box;
-  Box out;
-  for (int i = 0; i < 8; ++i)
-    out.add(where.apply(
-        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z}));
-  return out;
-}
-
 /// Whether two motions take the points of a box to the same places, but for rounding.
 bool same_motion(const Transform& a, const Transform& b, const Box& box) {
   if (a == b) return true;
   const Box from_a = moved(box, a), from_b = moved(box, b);
   double gap = std::max(distance(from_a.lo, from_b.lo), distance(from_a.hi, from_b.hi));
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 p{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
-                 i & 4 ? box.hi.z : box.lo.z};
-    gap = std::max(gap, distance(a.apply(p), b.apply(p)));
-  }
+  for (const Vec3& p : corners_of(box)) gap = std::max(gap, distance(a.apply(p), b.apply(p)));
   return gap <= 1e-12 * box.diagonal();
 }
 

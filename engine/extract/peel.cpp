@@ -29,8 +29,7 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Face
     if (nodes.supports[n].kind == Support::Kind::Interior) return true;
   const int face = face_of(nodes, faces, t);
   if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
-  return inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] + nodes.positions[t[2]] +
-                        nodes.positions[t[3]]));
+  return inside(centroid(nodes.positions, t));
 }
 
 /// Takes flat tets off the tets that are in the model, and those that were taken off before.
@@ -91,9 +90,7 @@ class Peeling {
            known_of(mesh_.slots[k]) == Known::No;
   }
   [[nodiscard]] bool is_flat(const Tet& t) const {
-    const auto& p = nodes_.positions;
-    return face_of(nodes_, faces_, t) >= 0 &&
-           volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < options_.flat;
+    return face_of(nodes_, faces_, t) >= 0 && volume_length(nodes_.positions, t) < options_.flat;
   }
   void peel_off(std::size_t k) {
     gone_[k] = 1;

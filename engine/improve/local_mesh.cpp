@@ -60,10 +60,7 @@ LocalMesh::LocalMesh(const TetMesh& mesh, std::int32_t locked, const Run& run)
 
 double LocalMesh::quality(std::int32_t t) const {
   double& q = qualities_[t];
-  if (q == kUnknown) {
-    const Tet& tet = tets_[t];
-    q = volume_length(nodes_[tet[0]], nodes_[tet[1]], nodes_[tet[2]], nodes_[tet[3]]);
-  }
+  if (q == kUnknown) q = volume_length(nodes_, tets_[t]);
   return q;
 }
 

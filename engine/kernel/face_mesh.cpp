@@ -303,8 +303,7 @@ class FaceMesher {
       const int a = node(t[0]), b = node(t[1]), c = node(t[2]);
       if (a == b || b == c || c == a) continue;  // at a pole
       out.triangles.push_back({a, b, c});
-      area +=
-          0.5 * norm(cross(brep_.points[b] - brep_.points[a], brep_.points[c] - brep_.points[a]));
+      area += triangle_area(brep_.points[a], brep_.points[b], brep_.points[c]);
     }
     // Nothing is said of slivers: chords may be as far off as these are wide.
     return std::fabs(area - out.area) <= kAreaError * out.area || out.area < 1e-2;

@@ -6,15 +6,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <numeric>
 #include <span>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/base/union_find.h"
 #include "engine/kernel/helper_process.h"
 #include "engine/kernel/tetgen_protocol.h"
+#include "engine/mesh/quality.h"
 
 namespace remeshd::kernel {
 namespace {
@@ -89,11 +90,8 @@ bool in_range(const std::vector<Corners>& all, std::size_t points) {
 }
 
 void turn_positive(TetMesh& mesh) {
-  for (Tet& t : mesh.tets) {
-    const Vec3& a = mesh.nodes[t[0]];
-    if (dot(cross(mesh.nodes[t[1]] - a, mesh.nodes[t[2]] - a), mesh.nodes[t[3]] - a) < 0)
-      std::swap(t[2], t[3]);
-  }
+  for (Tet& t : mesh.tets)
+    if (tet_volume(mesh.nodes, t) < 0) std::swap(t[2], t[3]);
 }
 
 QualityMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits) {
@@ -161,19 +159,15 @@ std::vector<std::int32_t> find_regions(const QualityMesh& out) {
       sides.push_back(
           {sorted(Triangle{tets[t][i], tets[t][j], tets[t][k]}), static_cast<std::int32_t>(t)});
   std::ranges::stable_sort(sides, {}, &Side::facet);
-  std::vector<std::int32_t> region(tets.size());
-  std::iota(region.begin(), region.end(), 0);
-  const auto root = [&](std::int32_t t) {
-    while (region[t] != t) t = region[t] = region[region[t]];
-    return t;
-  };
+  UnionFind parts(tets.size());
   for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
     if (sides[s].facet != sides[s + 1].facet) continue;
     if (std::ranges::binary_search(walls, sides[s].facet)) continue;
-    const std::int32_t a = root(sides[s].tet), b = root(sides[s + 1].tet);
-    region[std::max(a, b)] = std::min(a, b);
+    parts.join(sides[s].tet, sides[s + 1].tet);
   }
-  for (std::size_t t = 0; t < tets.size(); ++t) region[t] = root(static_cast<std::int32_t>(t));
+  std::vector<std::int32_t> region(tets.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    region[t] = parts.find(static_cast<std::int32_t>(t));
   return region;
 }
 

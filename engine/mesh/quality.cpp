@@ -77,14 +77,9 @@ int rank_of(float measure) {
 struct Place {
   const MeasuredTets* part = nullptr;
   std::size_t tet = 0;
-};
 
-template <class F>
-auto of_corners(const Place& at, F&& f) {
-  const CowVector<Vec3>& p = at.part->nodes;
-  const Tet& t = at.part->tets[at.tet];
-  return f(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-}
+  [[nodiscard]] double measure() const { return volume_length(part->nodes, part->tets[tet]); }
+};
 
 /// Sums and extremes of measures.
 struct Tally {
@@ -136,7 +131,7 @@ class Finder {
     if (m.volume_length > low_ && m.volume_length < high_ && rank_of(m.volume_length) == rank_)
       candidates_.emplace_back(m.volume_length, at);
     if (m.highest_cosine < tally_.sharpest && m.lowest_cosine > tally_.bluntest) return;
-    const auto angles = of_corners(at, dihedral_angles);
+    const auto angles = dihedral_angles(at.part->nodes, at.part->tets[at.tet]);
     smallest_ = std::min(smallest_, std::ranges::min(angles));
     largest_ = std::max(largest_, std::ranges::max(angles));
   }
@@ -146,7 +141,7 @@ class Finder {
     if (tally_.count == 0) return quality;
     quality.volume = volume;
     quality.volume_length_mean = tally_.sum / static_cast<double>(tally_.count);
-    quality.volume_length_min = of_corners(tally_.worst, volume_length);
+    quality.volume_length_min = tally_.worst.measure();
     constexpr int kRanksPerBin = kRanks / 20;
     for (int rank = 0; rank < kRanks; ++rank)
       quality.histogram[rank / kRanksPerBin] += tally_.ranks[rank];
@@ -154,7 +149,7 @@ class Finder {
     std::ranges::nth_element(candidates_, at, {}, [](const auto& c) {
       return std::tuple(c.first, c.second.part, c.second.tet);
     });
-    quality.volume_length_p01 = of_corners(at->second, volume_length);
+    quality.volume_length_p01 = at->second.measure();
     constexpr double kDegrees = 180.0 / std::numbers::pi;
     quality.dihedral_min = smallest_ * kDegrees;
     quality.dihedral_max = largest_ * kDegrees;
@@ -236,8 +231,7 @@ Quality summarise(const MeasuredTets& tets, double volume) {
 
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run) {
   double volume = 0;
-  for (const Tet& t : tets)
-    volume += tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+  for (const Tet& t : tets) volume += tet_volume(nodes, t);
   const CowVector<Vec3> paged_nodes(nodes);
   const CowVector<Tet> paged_tets(tets);
   const CowVector<TetMeasure> measures = measure_tets(paged_nodes, paged_tets, run);

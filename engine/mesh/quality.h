@@ -10,13 +10,25 @@
 namespace remeshd {
 
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+template <class Nodes>
+double tet_volume(const Nodes& nodes, const Tet& t) {
+  return tet_volume(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+}
 
 /// Volume-length measure 6 sqrt(2) V / l_rms^3 (Parthasarathy et al. 1994): 1 for a regular tet,
 /// 0 for a flat one, negative for an inverted one.
 double volume_length(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+template <class Nodes>
+double volume_length(const Nodes& nodes, const Tet& t) {
+  return volume_length(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+}
 
 /// The six dihedral angles of a tet, rad, at edges 01 02 03 12 13 23.
 std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+template <class Nodes>
+std::array<double, 6> dihedral_angles(const Nodes& nodes, const Tet& t) {
+  return dihedral_angles(nodes[t[0]], nodes[t[1]], nodes[t[2]], nodes[t[3]]);
+}
 
 struct Quality {
   double volume_length_mean = 0;

@@ -9,16 +9,13 @@ constexpr double kCubes = 1.5;  // along the diagonal of all places, x the cube 
 
 Box box_round(const PagedMesh& mesh, std::size_t page) {
   Box box;
-  for (const Tet& tet : mesh.tets.page(page))
-    for (const std::int32_t n : tet) box.add(mesh.nodes[n]);
+  for (const Tet& tet : mesh.tets.page(page)) box.add(box_of(mesh.nodes, tet));
   return box;
 }
 
 Region region_round(std::span<const Vec3> places) {
-  Box box;
-  for (const Vec3& p : places) box.add(p);
   const double cubes = kCubes * std::cbrt(static_cast<double>(places.size()));
-  const double width = places.empty() ? 0 : box.diagonal() / cubes;
+  const double width = places.empty() ? 0 : box_of(places).diagonal() / cubes;
   return {places, width > 0 ? width : 1, 1};
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/cow_vector.h"
@@ -26,6 +27,17 @@ struct PagedMesh {
 };
 inline PagedMesh paged(const TetMesh& mesh) {
   return {CowVector(mesh.nodes), CowVector(mesh.tets)};
+}
+
+/// The tet by other names of its nodes.
+inline Tet renamed(Tet tet, std::span<const std::int32_t> names) {
+  for (std::int32_t& n : tet) n = names[n];
+  return tet;
+}
+
+template <class Nodes>
+Vec3 centroid(const Nodes& nodes, const Tet& t) {
+  return 0.25 * (nodes[t[0]] + nodes[t[1]] + nodes[t[2]] + nodes[t[3]]);
 }
 
 /// The facet of a positive tet opposite its corner i, ordered so that its normal

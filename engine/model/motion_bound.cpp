@@ -65,9 +65,7 @@ double motion(const Feature& a, const Feature& b) {
   local.add(local_bounds(b.shape));
   double placed = 0;
   double extent = 0;
-  for (int k = 0; k < 8; ++k) {
-    const Vec3 c{k & 1 ? local.hi.x : local.lo.x, k & 2 ? local.hi.y : local.lo.y,
-                 k & 4 ? local.hi.z : local.lo.z};
+  for (const Vec3& c : corners_of(local)) {
     placed = std::max(placed, distance(a.placement.apply(c), b.placement.apply(c)));
     extent = std::max(extent, std::hypot(c.x, c.y));
   }

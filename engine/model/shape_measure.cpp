@@ -75,13 +75,7 @@ struct Volume {
 Box local_bounds(const Shape& shape) { return std::visit(LocalBounds{}, shape); }
 
 Box world_bounds(const Feature& feature) {
-  const Box local = local_bounds(feature.shape);
-  Box world;
-  for (int k = 0; k < 8; ++k)
-    world.add(
-        feature.placement.apply({k & 1 ? local.hi.x : local.lo.x, k & 2 ? local.hi.y : local.lo.y,
-                                 k & 4 ? local.hi.z : local.lo.z}));
-  return world;
+  return moved(local_bounds(feature.shape), feature.placement);
 }
 
 double volume_of(const Shape& shape) { return std::visit(Volume{}, shape); }

@@ -94,6 +94,8 @@ class Membership {
   [[nodiscard]] Nature nature(int feature) const { return natures_[feature]; }
   /// Box of all additive features.
   [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Box of all features.
+  [[nodiscard]] const Box& bounds_of_all() const { return all_; }
 
  private:
   /// Features whose boxes reach into the grid cell of p, ascending; empty outside of the grid.

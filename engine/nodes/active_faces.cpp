@@ -11,14 +11,6 @@ namespace {
 
 constexpr double kSpacing = 0.5;  // of the edge length
 
-Box transformed(const Box& box, const Transform& t) {
-  Box out;
-  for (int k = 0; k < 8; ++k)
-    out.add(t.apply({(k & 1) ? box.hi.x : box.lo.x, (k & 2) ? box.hi.y : box.lo.y,
-                     (k & 4) ? box.hi.z : box.lo.z}));
-  return out;
-}
-
 /// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
 class FaceVisitor {
  public:
@@ -31,7 +23,7 @@ class FaceVisitor {
 
   void visit(const Solid& solid, const Transform& motion, const Transform& back,
              const std::vector<Box>& where) {
-    const Box bounds = transformed(solid.bounds(), motion);
+    const Box bounds = moved(solid.bounds(), motion);
     for (std::size_t b = 0; b < where.size(); ++b) {
       const Box overlap = intersection(bounds, where[b]);
       if (overlap.empty()) continue;

@@ -21,8 +21,7 @@ Surroundings::Surroundings(std::span<const Vec3> points, double reach, const Box
     const Box box = intersection(part, within);
     if (box.empty()) continue;
     boxes_.push_back(box);
-    box_.add(box.lo);
-    box_.add(box.hi);
+    box_.add(box);
   }
 }
 

@@ -49,9 +49,7 @@ bool expand(NodeSet& nodes, const std::vector<Tet>& tets, const InsideTest& insi
     const bool interior = std::any_of(t.begin(), t.end(), [&](std::int32_t n) {
       return nodes.supports[n].kind == Support::Kind::Interior;
     });
-    if (!interior && !inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
-                                     nodes.positions[t[2]] + nodes.positions[t[3]])))
-      continue;
+    if (!interior && !inside(centroid(nodes.positions, t))) continue;
     for (const std::int32_t n : t) {
       if (!fixed(n) || n < nodes.interface_nodes) continue;
       nodes.state[n] = NodeState::Free;

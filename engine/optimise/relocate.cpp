@@ -73,9 +73,7 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
       });
   if (!all_stuck.empty()) {
     for (const Tet& t : tets)
-      if (any(stuck, t) && inside(0.25 * (nodes.positions[t[0]] + nodes.positions[t[1]] +
-                                          nodes.positions[t[2]] + nodes.positions[t[3]])))
-        add(nodes, t, stuck, pulls);
+      if (any(stuck, t) && inside(centroid(nodes.positions, t))) add(nodes, t, stuck, pulls);
     for (const std::int32_t n : all_stuck) {
       if (pulls[n].volume <= 0) continue;
       const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
@@ -93,8 +91,7 @@ double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& 
   for (const Tet& t : tets) {
     poll();
     if (!any(moves, t)) continue;
-    const auto& p = nodes.positions;
-    quality += volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    quality += volume_length(nodes.positions, t);
     ++counted;
   }
   return counted ? quality / static_cast<double>(counted) : 0;

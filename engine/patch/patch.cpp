@@ -95,11 +95,8 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
   }
 
   const std::vector<std::int32_t> name = take_nodes(delaunay_state, output, slots, inner, patch);
-  const auto renamed = [&](Tet t) {
-    for (std::int32_t& n : t) n = name[n];
-    return t;
-  };
-  for (const std::int32_t t : patch.output_tet) patch.output.push_back(renamed(output.tets[t]));
+  for (const std::int32_t t : patch.output_tet)
+    patch.output.push_back(renamed(output.tets[t], name));
   patch.mesh = delaunay_state.mesh.cut(slots, name, static_cast<std::int32_t>(patch.nodes.size()),
                                        patch.cut);
   for (const FacetRef facet : patch.cut.exterior)
@@ -116,7 +113,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
     if (c >= 0)
       patch.cavities.list[cavity_number[c]].delaunay.push_back(
           static_cast<std::int32_t>(patch.tets.size()));
-    patch.tets.push_back(renamed(delaunay_state.mesh.corners(s)));
+    patch.tets.push_back(renamed(delaunay_state.mesh.corners(s), name));
   }
   return patch;
 }

@@ -110,11 +110,8 @@ class TetReuse {
           }))
         continue;
       reused_cavity_[p] = 1;
-      for (const std::int32_t d : output) {
-        Tet t = original_.output[d];
-        for (std::int32_t& n : t) n = copy[n];
-        cavity_tets_[p].push_back(t);
-      }
+      for (const std::int32_t d : output)
+        cavity_tets_[p].push_back(renamed(original_.output[d], copy));
     }
     reused_.assign(tets_.size(), 0);
     for (std::size_t k = 0; k < tets_.size(); ++k)
@@ -159,10 +156,10 @@ class TetReuse {
       if (reused_[k]) continue;
       const Tet& t = tets_[k];
       if (!held_[t[0]] && !held_[t[1]] && !held_[t[2]] && !held_[t[3]]) continue;
-      const double now = volume_length(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+      const double now = volume_length(p, t);
       if (now >= kSpoilt) continue;
       const auto& m = nodes_.positions;
-      if (volume_length(m[t[0]], m[t[1]], m[t[2]], m[t[3]]) <= now) continue;
+      if (volume_length(m, t) <= now) continue;
       const auto spoils = [&](std::int32_t n) { return held_[n] && p[n] != m[n]; };
       bool released = false;
       for (const std::int32_t n : t)

@@ -59,11 +59,6 @@ void close_gaps(CowVector<T>& values, const std::vector<std::int32_t>& moves) {
   values.resize(count);
 }
 
-Tet renamed(Tet tet, std::span<const std::int32_t> names) {
-  for (std::int32_t& n : tet) n = names[n];
-  return tet;
-}
-
 /// The tets in the order of their lowest nodes.
 std::vector<std::int32_t> by_lowest_node(const TetMesh& mesh) {
   std::vector<std::int32_t> begin(mesh.nodes.size() + 1, 0);

@@ -92,11 +92,7 @@ void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified)
   }
   for (std::size_t o = 0; o < matched.size(); ++o)
     if (!matched[o]) changed_.push_back(original_.solids()[o].bounds());
-  for (Box& box : changed_) {  // a box's own rounding must not decide
-    const Vec3 margin{probe_ * 10, probe_ * 10, probe_ * 10};
-    box.lo -= margin;
-    box.hi += margin;
-  }
+  for (Box& box : changed_) box = grown(box, 10 * probe_);  // its own rounding must not decide
 }
 
 void CopyPlan::measure(double edge_length, const Run& run) {

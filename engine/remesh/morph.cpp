@@ -118,12 +118,10 @@ struct Worst {
   double measure, least, largest;
 
   Worst(const Tet& t, const CowVector<Vec3>& p) {
-    const Vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]], &d = p[t[3]];
-    measure = volume_length(a, b, c, d);
-    const auto angles = dihedral_angles(a, b, c, d);
-    const auto [lo, hi] = std::minmax_element(angles.begin(), angles.end());
-    least = *lo;
-    largest = *hi;
+    measure = volume_length(p, t);
+    const auto angles = dihedral_angles(p, t);
+    least = std::ranges::min(angles);
+    largest = std::ranges::max(angles);
   }
   /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
   [[nodiscard]] bool as_good_as(const Worst& then) const {

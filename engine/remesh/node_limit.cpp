@@ -54,11 +54,8 @@ Error too_large(const Revision& original, const MeshOptions& options, double edg
 Extent extent_of(const CellularModel& cells) {
   double along_edges = 0, across_faces = 0;
   for (const BoundaryEdge& edge : cells.boundary.edges) along_edges += edge.length;
-  for (const BoundaryFace& face : cells.boundary.faces) {
-    Box box;
-    for (const Vec3& p : face.points) box.add(p);
-    across_faces += box.diagonal();
-  }
+  for (const BoundaryFace& face : cells.boundary.faces)
+    across_faces += box_of(face.points).diagonal();
   return {cells.volume, cells.area, std::fmax(along_edges, across_faces)};
 }
 

@@ -91,8 +91,7 @@ TetMesh take_used(std::vector<Tet> tets, const std::vector<Vec3>& points,
     number[n] = nodes.size();
     nodes.add_new(project(boundary, supports[n], points[n]), supports[n]);
   }
-  for (Tet& t : tets)
-    for (std::int32_t& n : t) n = number[n];
+  for (Tet& t : tets) t = renamed(t, number);
   return {nodes.positions, std::move(tets)};
 }
 
@@ -110,10 +109,8 @@ bool sound(const Mesh& mesh, const Verification& verification) {
   for (const MeshFailure kind :
        {MeshFailure::BadFacet, MeshFailure::NonManifoldEdge, MeshFailure::NonManifoldVertex})
     if (verification.count(kind) > 0) return false;
-  return std::ranges::all_of(mesh.tets, [&](const Tet& t) {
-    return volume_length(mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]], mesh.nodes[t[3]]) >=
-           0;
-  });
+  return std::ranges::all_of(mesh.tets,
+                             [&](const Tet& t) { return volume_length(mesh.nodes, t) >= 0; });
 }
 
 std::uint32_t most_nodes_inside(const TetGenInput& input) {
@@ -158,15 +155,14 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
         improve(mesh, c.nodes.supports, cells.boundary, dirty, {.threshold = input.threshold}, run)
             .mesh;
   }
+  const auto inside = [&](const Vec3& p) { return input.plan.modified().inside(p); };
   Stopwatch again;
   c.verification =
-      verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run,
-             {.material = [&](const Vec3& p) { return input.plan.modified().inside(p); }});
+      verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run, {.material = inside});
   again.lap(c.verify_seconds);
   if (!c.verification.valid) return unfinished();
   c.nodes.positions = mesh.nodes;  // where the nodes were matters to no Delaunay mesh
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
-  const auto inside = [&](const Vec3& p) { return input.plan.modified().inside(p); };
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside,
                     KnownClassification::nothing(c.loop.mesh), {}, run);
   c.whole = stitch(Revision::none(), {}, {}, {c.nodes, c.loop.mesh, c.delaunay, mesh, {}},

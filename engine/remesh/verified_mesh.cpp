@@ -40,8 +40,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
   }
   if (unused.empty()) return;
   nodes.resize(next);
-  for (Tet& t : tets)
-    for (std::int32_t& n : t) n = number[n];
+  for (Tet& t : tets) t = renamed(t, number);
   if (mesh.remove(unused, run)) {
     mesh.rename(number, next);
   } else {

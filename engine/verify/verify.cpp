@@ -70,13 +70,8 @@ class Checker {
     if (result_.counts[static_cast<std::size_t>(kind)]++ >= kKeptPerKind) return;
     result_.failures.push_back({kind, entity, place, std::string(what) + " at " + text(place)});
   }
-  [[nodiscard]] Vec3 centroid(std::int32_t t) const {
-    Vec3 c;
-    for (const std::int32_t n : mesh_.tets[t]) c += 0.25 * mesh_.nodes[n];
-    return c;
-  }
-  static double volume_of(const Tet& tet, const CowVector<Vec3>& nodes) {
-    return tet_volume(nodes[tet[0]], nodes[tet[1]], nodes[tet[2]], nodes[tet[3]]);
+  void fail_tet(MeshFailure kind, std::int32_t t, std::string_view what) {
+    fail(kind, t, centroid(mesh_.nodes, mesh_.tets[t]), what);
   }
 
   void check_tets() {
@@ -98,7 +93,7 @@ class Checker {
     const VerifiedParent& parent = *options_.parent;
     result_.volume += parent.volume;
     for (const std::int32_t o : inherited_->gone)
-      result_.volume -= volume_of(parent.mesh.tets[o], parent.mesh.nodes);
+      result_.volume -= tet_volume(parent.mesh.nodes, parent.mesh.tets[o]);
   }
 
   /// Looks at the tets tet(0), ..., tet(count - 1).
@@ -116,9 +111,8 @@ class Checker {
           for (std::size_t k = begin; k < end; ++k) {
             const std::int32_t t = tet_of(k);
             const Tet& tet = mesh_.tets[t];
-            volumes[begin / kFairBlock] += volume_of(tet, mesh_.nodes);
-            const double quality = volume_length(mesh_.nodes[tet[0]], mesh_.nodes[tet[1]],
-                                                 mesh_.nodes[tet[2]], mesh_.nodes[tet[3]]);
+            volumes[begin / kFairBlock] += tet_volume(mesh_.nodes, tet);
+            const double quality = volume_length(mesh_.nodes, tet);
             const bool outside = options_.material && !in_material(tet);
             if (outside || !(quality > kFlat)) found.push_back({t, quality, outside});
           }
@@ -127,10 +121,9 @@ class Checker {
     for (const double volume : volumes) result_.volume += volume;
     for (const Bad& bad : all_bad) {
       if (!(bad.quality > kFlat))
-        fail(MeshFailure::BadTet, bad.tet, centroid(bad.tet),
-             bad.quality < -kFlat ? "an inverted tet" : "a flat tet");
-      if (bad.outside)
-        fail(MeshFailure::OutsideTet, bad.tet, centroid(bad.tet), "a tet outside of the material");
+        fail_tet(MeshFailure::BadTet, bad.tet,
+                 bad.quality < -kFlat ? "an inverted tet" : "a flat tet");
+      if (bad.outside) fail_tet(MeshFailure::OutsideTet, bad.tet, "a tet outside of the material");
     }
   }
 
@@ -138,8 +131,7 @@ class Checker {
   /// material, nearer to one of its corners. What is all behind chords may be off its face as they
   /// may.
   [[nodiscard]] bool in_material(const Tet& tet) const {
-    const Vec3 c = 0.25 * (mesh_.nodes[tet[0]] + mesh_.nodes[tet[1]] + mesh_.nodes[tet[2]] +
-                           mesh_.nodes[tet[3]]);
+    const Vec3 c = centroid(mesh_.nodes, tet);
     if (options_.material(c)) return true;
     for (const double share : {0.5, 0.9})
       for (const std::int32_t n : tet)
@@ -165,9 +157,9 @@ class Checker {
                            ? match_facets(mesh_.tets, nodes, *options_.parent, *inherited_, poll_)
                            : match_facets(mesh_.tets, nodes, poll_);
     for (const std::int32_t t : match.clashes)
-      fail(MeshFailure::BadFacet, t, centroid(t), "a tet that overlaps another across a facet");
+      fail_tet(MeshFailure::BadFacet, t, "a tet that overlaps another across a facet");
     for (const std::int32_t t : repeated_tets(mesh_.tets, nodes, match.clashes))
-      fail(MeshFailure::RepeatedTet, t, centroid(t), "a tet that is there twice");
+      fail_tet(MeshFailure::RepeatedTet, t, "a tet that is there twice");
     surface_ = std::move(match.surface);
     result_.boundary_facets = static_cast<std::uint32_t>(surface_.size());
 
@@ -196,7 +188,7 @@ class Checker {
   /// Whether a boundary facet has the edge from a to b in its turning direction.
   [[nodiscard]] bool boundary_edge(std::int32_t a, std::int32_t b) const {
     const auto at = fan(a);
-    return std::any_of(at.begin(), at.end(), [&](const Spoke& s) { return s.first == b; });
+    return std::ranges::find(at, b, &Spoke::first) != at.end();
   }
 
   /// Every boundary edge that leaves a node comes back once.
@@ -206,8 +198,7 @@ class Checker {
       const std::int32_t b = at[i].first;
       const bool twice = std::any_of(at.begin() + static_cast<std::ptrdiff_t>(i) + 1, at.end(),
                                      [&](const Spoke& s) { return s.first == b; });
-      const bool back =
-          std::any_of(at.begin(), at.end(), [&](const Spoke& s) { return s.second == b; });
+      const bool back = std::ranges::find(at, b, &Spoke::second) != at.end();
       if (twice || !back)
         fail(MeshFailure::NonManifoldEdge, n, 0.5 * (mesh_.nodes[n] + mesh_.nodes[b]),
              "a boundary edge that is not in two boundary facets");
@@ -221,8 +212,7 @@ class Checker {
     std::size_t turned = 1;
     std::int32_t edge = at[0].second;
     while (edge != at[0].first && turned < at.size()) {
-      const auto it =
-          std::find_if(at.begin(), at.end(), [&](const Spoke& s) { return s.first == edge; });
+      const auto it = std::ranges::find(at, edge, &Spoke::first);
       if (it == at.end()) break;
       edge = it->second;
       ++turned;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 #include "engine/cellular/boundary_model/tolerant_order.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
@@ -27,14 +26,10 @@ std::vector<int> order_of(const std::vector<char>& used, const Ranks& ranks) {
   return order;
 }
 
-bool before(const Vec3& a, const Vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-}
-
 /// Gives an edge the direction from its lower vertex; a closed one that of the smaller neighbour.
 void direct(BrepEdge& edge) {
   const auto [first, last] = edge.vertices;
-  if (first != last ? first < last : !before(*(edge.points.end() - 2), edge.points[1])) return;
+  if (first != last ? first < last : !lies_before(*(edge.points.end() - 2), edge.points[1])) return;
   std::swap(edge.vertices[0], edge.vertices[1]);
   edge.tangents = {-edge.tangents[1], -edge.tangents[0]};
   edge.axis = -edge.axis;
@@ -141,8 +136,7 @@ Box box_of(const Brep& brep, const BrepFace& face, const Surface& surface) {
   Box box;
   for (const int e : face.edges) box.add(box_of(brep.edges[e]));
   if (surface.kind == Surface::Kind::Plane) return box;
-  for (const auto& triangle : face.triangles)
-    for (const int p : triangle) box.add(brep.points[p]);
+  for (const auto& triangle : face.triangles) box.add(box_of(brep.points, triangle));
   return grown(box, bulge(brep, face, surface));
 }
 
@@ -150,10 +144,7 @@ bool touches(const std::vector<Box>& boxes, const BrepEdge& edge) {
   const double by = edge.kind == BrepEdge::Kind::Line ? 0 : kBulge;
   for (std::size_t i = 1; i < edge.points.size(); ++i) {
     const Vec3 &a = edge.points[i - 1], &b = edge.points[i];
-    Box box;
-    box.add(a);
-    box.add(b);
-    if (touch(boxes, grown(box, by * distance(a, b)))) return true;
+    if (touch(boxes, grown(box_of(std::array{a, b}), by * distance(a, b)))) return true;
   }
   return false;
 }
@@ -162,9 +153,7 @@ bool touches(const std::vector<Box>& boxes, const Brep& brep, const BrepFace& fa
              const Surface& surface) {
   const double by = bulge(brep, face, surface);
   return std::ranges::any_of(face.triangles, [&](const std::array<int, 3>& triangle) {
-    Box box;
-    for (const int p : triangle) box.add(brep.points[p]);
-    return touch(boxes, grown(box, by));
+    return touch(boxes, grown(box_of(brep.points, triangle), by));
   });
 }
 
@@ -172,7 +161,7 @@ bool looks_along(const BoundaryParts& parts, int face) {
   const Brep& brep = parts.brep;
   const Surface& surface = parts.pieces[face].surface;
   double along = 0;  // of all triangles, for some may be slivers
-  for (const auto& [a, b, c] : brep.faces[face].triangles)
+  for (const auto& [a, b, c] : face.triangles)
     along += dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]),
                  normal(surface, brep.points[a]));
   return along > 0;

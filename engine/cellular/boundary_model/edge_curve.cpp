@@ -1,7 +1,6 @@
 #include "engine/cellular/boundary_model/edge_curve.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "engine/kernel/curve_points.h"
 
@@ -12,10 +11,6 @@ bool positive(const Vec3& axis) {
   for (const double c : {axis.x, axis.y, axis.z})
     if (std::fabs(c) > 1e-9) return c > 0;
   return true;
-}
-
-bool before(const Vec3& a, const Vec3& b) {
-  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
 void reverse(BoundaryEdge& edge) {
@@ -79,7 +74,7 @@ void make_canonical(BoundaryEdge& edge) {
   if (!edge.closed()) {
     if (edge.start > edge.end) reverse(edge);
   } else if (circle ? !positive(edge.curve.direction)
-                    : before(*(edge.points.end() - 2), edge.points[1])) {
+                    : lies_before(*(edge.points.end() - 2), edge.points[1])) {
     reverse(edge);
   }
   if (circle) sample_circle(edge);

@@ -10,13 +10,6 @@ namespace {
 using kernel::Brep;
 using kernel::BrepEdge;
 
-Box box_of(const Brep& brep, int face) {
-  Box box;
-  for (const auto& triangle : brep.faces[face].triangles)
-    for (const int p : triangle) box.add(brep.points[p]);
-  return box;
-}
-
 bool is_apex(const Surface& surface, const Vec3& p, double tolerance) {
   if (surface.kind != Surface::Kind::Cone || surface.r2 == 0) return false;
   return distance(p, surface.frame.apply({0, 0, -surface.r1 / surface.r2})) < tolerance;
@@ -29,7 +22,9 @@ void unify_faces(const Brep& brep, const std::vector<SelectedFace>& faces, doubl
   const int count = static_cast<int>(brep.faces.size());
   std::vector<Box> boxes(brep.faces.size());
   for (int f = 0; f < count; ++f)
-    if (faces[f].selected) boxes[f] = box_of(brep, f);
+    if (faces[f].selected)
+      for (const auto& triangle : brep.faces[f].triangles)
+        boxes[f].add(box_of(brep.points, triangle));
   UnionFind groups(brep.faces.size());
   for (std::size_t e = 0; e < brep.edges.size(); ++e) {
     const std::vector<int>& at = out.faces_at_edge[e];

@@ -20,11 +20,6 @@ Pairs found(const std::vector<Box>& boxes) {
   return pairs;
 }
 
-bool touch(const Box& a, const Box& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
-         a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
-}
-
 Pairs all(const std::vector<Box>& boxes) {
   Pairs pairs;
   for (std::size_t b = 0; b < boxes.size(); ++b)
