@@ -78,11 +78,8 @@ UnifiedEdges unified_edges_of(const Brep& brep, const std::vector<BoundaryPiece>
   for (std::size_t f = 0; f < pieces.size(); ++f) {
     SelectedFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
     if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
-      double along = 0;  // of all triangles, for some may be slivers
-      for (const auto& [a, b, c] : brep.faces[f].triangles)
-        along += dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]),
-                     normal(face.surface, brep.points[a]));
-      face.side = (along > 0) == pieces[f].outward ? 1 : -1;
+      const bool along = looks_along(brep, brep.faces[f], face.surface);
+      face.side = along == pieces[f].outward ? 1 : -1;
     }
     faces.push_back(face);
   }

@@ -43,11 +43,6 @@ struct Sides {
   }
 };
 
-Vec3 middle(const kernel::BrepEdge& edge) {
-  const auto& p = edge.points;
-  return 0.5 * (p[(p.size() - 1) / 2] + p[p.size() / 2]);
-}
-
 void classify_edges_and_vertices(FeatureDifference& out, const Fusion& fusion, const Sides& sides) {
   const Brep& brep = fusion.brep;
   struct End {
@@ -59,7 +54,7 @@ void classify_edges_and_vertices(FeatureDifference& out, const Fusion& fusion, c
     // Sources that are no elements: a seam.
     if (marks.none() && !fusion.edges[e].empty()) continue;
     add(out.edges, out.edge_lengths, classify(marks.original, marks.modified), brep.edges[e].length,
-        middle(brep.edges[e]));
+        brep.edges[e].middle());
     for (const int end : {0, 1}) ends[brep.edges[e].vertices[end]].push_back({e, end});
   }
   const double tolerance = kernel_tolerance(brep);

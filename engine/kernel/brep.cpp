@@ -45,9 +45,6 @@ namespace {
 // Kernel units: a model's diagonal is 128 to 256 of them.
 constexpr double kOrderQuantum = 1e-5;  // a hundred times OCCT's own tolerance
 
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 vec(const gp_Pnt& p) { return vec(p.XYZ()); }
-
 /// Rounds so that values that differ by noise compare equal; the offset keeps round values, which
 /// models are full of, away from the borders.
 std::int64_t quantum(double value) {
@@ -227,6 +224,17 @@ void fill_measures(Brep& brep, const std::vector<FaceMoments>& moments) {
 
 }  // namespace
 
+BrepEdge straight_edge(int a, int b, const Vec3& p, const Vec3& q) {
+  BrepEdge edge;
+  edge.kind = BrepEdge::Kind::Line;
+  edge.vertices = {a, b};
+  edge.length = distance(p, q);
+  edge.tangents[0] = edge.tangents[1] = normalised(q - p);
+  edge.points = {p, q};
+  edge.chain = {a, b};
+  return edge;
+}
+
 double unit_scale(double diagonal) { return std::exp2(7 - std::floor(std::log2(diagonal))); }
 
 Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
@@ -272,12 +280,24 @@ std::optional<Vec3> point_on(const TopoDS_Shape& shape) {
   return position(vertex.Current());
 }
 
+Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+Vec3 vec(const gp_Pnt& p) { return vec(p.XYZ()); }
+
+int add_point(Brep& brep, const gp_Pnt& p) {
+  brep.points.push_back(vec(p));
+  return static_cast<int>(brep.points.size()) - 1;
+}
+
 std::optional<Vec3> in_model_units(const std::optional<Vec3>& p, double scale) {
   return p ? std::optional(*p / scale) : std::nullopt;
 }
 
 const TopoDS_Shape& shape_of(const Brep& brep, Element kind, int index) {
   return brep.shapes->of(kind)(index + 1);
+}
+
+TopoDS_Face face_shape(const Brep& brep, int face) {
+  return TopoDS::Face(shape_of(brep, Element::Face, face).Oriented(TopAbs_FORWARD));
 }
 
 int index_of(const Brep& brep, Element kind, const TopoDS_Shape& shape) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -30,6 +31,12 @@ struct BrepFace {
   std::string label;  ///< `wall`, `side3`; of a primitive's faces only
   /// Into Brep::points; seen from cells[1] they turn counter-clockwise. Watertight along edges.
   std::vector<std::array<int, 3>> triangles;
+
+  /// Lets it look the other way.
+  void turn_over() {
+    for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
+    swept_volume = -swept_volume;
+  }
 };
 
 /// A curve between two vertices (the same vertex twice if closed). Seams are edges here.
@@ -45,7 +52,14 @@ struct BrepEdge {
   std::vector<int> chain;  ///< into Brep::points: the triangles' side of it, from start to end
   /// Of Kind::Other: points on the curve with the vectors along it, that integrals are sums over.
   std::vector<std::array<Vec3, 2>> samples;
+
+  /// Its point in the middle, or halfway between the two that are.
+  [[nodiscard]] Vec3 middle() const {
+    return 0.5 * (points[(points.size() - 1) / 2] + points[points.size() / 2]);
+  }
 };
+/// The line from vertex a, at p, to vertex b, at q.
+BrepEdge straight_edge(int a, int b, const Vec3& p, const Vec3& q);
 
 struct BrepVertex {
   Vec3 position;

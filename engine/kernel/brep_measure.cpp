@@ -20,9 +20,6 @@ namespace {
 
 constexpr double kMomentTolerance = 1e-9;  // relative
 
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 vec(const gp_Pnt& p) { return vec(p.XYZ()); }
-
 /// Whether Gauss's rule is exact to rounding on the face: its border is straight in parameters, or
 /// of lines and circles in a plane. On other borders it errs by 1e-5 and refinement is worth its
 /// tenfold time.

@@ -43,10 +43,6 @@ void mesh(const TopoDS_Shape& shape, double angle, const Message_ProgressRange& 
   BRepMesh_IncrementalMesh(shape, parameters, range);
 }
 
-TopoDS_Face face_shape(const Brep& brep, int f) {
-  return TopoDS::Face(shape_of(brep, Element::Face, f).Oriented(TopAbs_FORWARD));
-}
-
 std::array<int, 2> ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Whether the triangles of a face cover it once: no half-edge twice, and those without a partner
@@ -76,11 +72,6 @@ std::vector<int> bad_faces(const Brep& brep, const EdgeChains& chains) {
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
     if (brep.faces[f].triangles.empty() || !sound(brep.faces[f], chains)) bad.push_back(f);
   return bad;
-}
-
-int add_point(Brep& brep, const gp_Pnt& p) {
-  brep.points.push_back(Vec3{p.X(), p.Y(), p.Z()});
-  return static_cast<int>(brep.points.size()) - 1;
 }
 
 /// Splits a triangle at a point of its face above the centroid.

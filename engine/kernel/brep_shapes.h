@@ -12,6 +12,8 @@ class Message_ProgressRange;
 class TopoDS_Edge;
 class TopoDS_Face;
 class TopoDS_Shape;
+class gp_Pnt;
+class gp_XYZ;
 
 namespace remeshd::kernel {
 
@@ -73,10 +75,17 @@ void with_progress(const Run& run, const std::function<void(const Message_Progre
 std::optional<Vec3> point_on(const TopoDS_Shape& shape);
 std::optional<Vec3> in_model_units(const std::optional<Vec3>& p, double scale);
 
+Vec3 vec(const gp_XYZ& p);
+Vec3 vec(const gp_Pnt& p);
+/// Adds a point to a Brep's and returns its number.
+int add_point(Brep& brep, const gp_Pnt& p);
+
 enum class Element { Cell, Face, Edge, Vertex };
 
 /// The CAD shape behind an element of a Brep.
 const TopoDS_Shape& shape_of(const Brep& brep, Element kind, int index);
+/// That of a face, turned forward.
+TopoDS_Face face_shape(const Brep& brep, int face);
 /// The element with this CAD shape, whatever its orientation; -1 if there is none.
 int index_of(const Brep& brep, Element kind, const TopoDS_Shape& shape);
 

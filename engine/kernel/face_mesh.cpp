@@ -77,15 +77,6 @@ class FaceMesher {
   }
 
  private:
-  [[nodiscard]] TopoDS_Face face_shape(int f) const {
-    return TopoDS::Face(shape_of(brep_, Element::Face, f).Oriented(TopAbs_FORWARD));
-  }
-
-  int add_point(const gp_Pnt& p) {
-    brep_.points.push_back(Vec3{p.X(), p.Y(), p.Z()});
-    return static_cast<int>(brep_.points.size()) - 1;
-  }
-
   /// The polyline of an edge that the CAD kernel gave none.
   void require_chain(int e) {
     std::vector<EdgeNode>& chain = chains_[e];
@@ -96,7 +87,7 @@ class FaceMesher {
     chain.push_back({brep_.edges[e].vertices[0], first});
     for (int i = 1; i < n; ++i) {
       const double t = first + (last - first) * i / n;
-      chain.push_back({add_point(curve.Value(t)), t});
+      chain.push_back({add_point(brep_, curve.Value(t)), t});
     }
     chain.push_back({brep_.edges[e].vertices[1], last});
   }
@@ -118,7 +109,7 @@ class FaceMesher {
     std::vector<EdgeNode>& chain = chains_[cut.edge];
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, cut.edge)));
     const double t = 0.5 * (chain[cut.index].parameter + chain[cut.index + 1].parameter);
-    chain.insert(chain.begin() + cut.index + 1, {add_point(curve.Value(t)), t});
+    chain.insert(chain.begin() + cut.index + 1, {add_point(brep_, curve.Value(t)), t});
   }
 
   /// Maps lengths along a face's parameters to about those in space.
@@ -180,7 +171,7 @@ class FaceMesher {
   }
 
   Border border_of(int f) {
-    const TopoDS_Face face = face_shape(f);
+    const TopoDS_Face face = face_shape(brep_, f);
     const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
     if (surface.GetType() == GeomAbs_Plane) {
       stretch_ = {1, 1};
@@ -283,7 +274,7 @@ class FaceMesher {
 
   bool triangulate(int f) {
     const Border border = border_of(f);
-    const BRepAdaptor_Surface surface(face_shape(f), /*Restriction=*/false);
+    const BRepAdaptor_Surface surface(face_shape(brep_, f), /*Restriction=*/false);
     const std::vector<std::array<double, 2>> inner = interior(surface, border);
     const auto triangles = mesh_border(border, inner);
     if (!triangles) return false;
@@ -293,7 +284,8 @@ class FaceMesher {
       if (corner < n) return border.corners[corner].node;
       int& number = node_of[corner - n];
       const auto& p = inner[corner - n];
-      if (number < 0) number = add_point(surface.Value(p[0] / stretch_[0], p[1] / stretch_[1]));
+      if (number < 0)
+        number = add_point(brep_, surface.Value(p[0] / stretch_[0], p[1] / stretch_[1]));
       return number;
     };
     BrepFace& out = brep_.faces[f];

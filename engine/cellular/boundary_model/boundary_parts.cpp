@@ -157,9 +157,7 @@ bool touches(const std::vector<Box>& boxes, const Brep& brep, const BrepFace& fa
   });
 }
 
-bool looks_along(const BoundaryParts& parts, int face) {
-  const Brep& brep = parts.brep;
-  const Surface& surface = parts.pieces[face].surface;
+bool looks_along(const Brep& brep, const BrepFace& face, const Surface& surface) {
   double along = 0;  // of all triangles, for some may be slivers
   for (const auto& [a, b, c] : face.triangles)
     along += dot(cross(brep.points[b] - brep.points[a], brep.points[c] - brep.points[a]),
@@ -193,8 +191,7 @@ BoundaryParts boundary_parts(const Brep& brep, const std::vector<BoundaryPiece>&
     BrepFace& face = out.brep.faces.emplace_back(brep.faces[f]);
     BoundaryPiece& piece = out.pieces.emplace_back(pieces[f]);
     if (!piece.outward) {
-      for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
-      face.swept_volume = -face.swept_volume;
+      face.turn_over();
       piece.outward = true;
     }
     face.cells = {0, -1};

@@ -16,6 +16,12 @@ struct BoundaryPiece {
   std::vector<FaceName> material_names;  ///< feature faces that cover it, of owners of the material
   std::vector<FaceName> other_names;     ///< of other features
   Box box;  ///< of all the face, where triangles cut it short too; of boundary parts only
+
+  /// Whether the same faces of features cover both, on one surface.
+  [[nodiscard]] bool continues(const BoundaryPiece& other) const {
+    return surface.kind == other.surface.kind && surface.frame == other.surface.frame &&
+           material_names == other.material_names && other_names == other.other_names;
+  }
 };
 
 /// The faces of a general fuse that bound material, with all their numbers but without the CAD
@@ -56,7 +62,7 @@ bool touches(const std::vector<Box>& boxes, const kernel::BrepEdge& edge);
 bool touches(const std::vector<Box>& boxes, const kernel::Brep& brep, const kernel::BrepFace& face,
              const Surface& surface);
 
-/// Whether the outward normal of a piece is that of its surface.
-bool looks_along(const BoundaryParts& parts, int face);
+/// Whether the triangles of a face look where the normal of its surface does.
+bool looks_along(const kernel::Brep& brep, const kernel::BrepFace& face, const Surface& surface);
 
 }  // namespace remeshd

@@ -30,18 +30,12 @@ void require_manifold(const kernel::Brep& brep, const UnifiedEdges& unified) {
   for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
     const auto n = unified.faces_at_edge[e].size();
     if (n == 0) continue;
-    if (n != 2) {
-      const auto& points = brep.edges[e].points;
-      const Vec3 p = 0.5 * (points[(points.size() - 1) / 2] + points[points.size() / 2]);
-      throw error::non_manifold_model("along an edge", p, {});
-    }
+    if (n != 2) throw error::non_manifold_model("along an edge", brep.edges[e].middle(), {});
     for (const int v : brep.edges[e].vertices) edges_at_vertex[v].push_back(e);
   }
   for (std::size_t v = 0; v < edges_at_vertex.size(); ++v)
-    if (!edges_at_vertex[v].empty() && fans(unified, edges_at_vertex[v]) != 1) {
-      const Vec3& p = brep.vertices[v].position;
-      throw error::non_manifold_model("at a vertex", p, {});
-    }
+    if (!edges_at_vertex[v].empty() && fans(unified, edges_at_vertex[v]) != 1)
+      throw error::non_manifold_model("at a vertex", brep.vertices[v].position, {});
 }
 
 }  // namespace remeshd

@@ -100,11 +100,7 @@ class CrossedParts {
     fresh.piece.surface = first->face->surface;
     fresh.along = dot(outward, normal(fresh.piece.surface, at)) > 0;
     const auto it = std::ranges::find_if(families_, [&](const Family& family) {
-      return family.along == fresh.along &&
-             family.piece.material_names == fresh.piece.material_names &&
-             family.piece.other_names == fresh.piece.other_names &&
-             family.piece.surface.kind == fresh.piece.surface.kind &&
-             family.piece.surface.frame == fresh.piece.surface.frame;
+      return family.along == fresh.along && family.piece.continues(fresh.piece);
     });
     if (it != families_.end()) return *it;
     fresh.walled = first->round;
@@ -115,15 +111,8 @@ class CrossedParts {
   }
 
   [[nodiscard]] BrepEdge line(const PrismEdge& crossed) const {
-    const Vec3 &p = edges_.nodes[crossed.a], &q = edges_.nodes[crossed.b];
-    BrepEdge edge;
-    edge.kind = BrepEdge::Kind::Line;
-    edge.vertices = {crossed.a, crossed.b};
-    edge.length = distance(p, q);
-    edge.tangents[0] = edge.tangents[1] = normalised(q - p);
-    edge.points = {p, q};
-    edge.chain = {crossed.a, crossed.b};
-    return edge;
+    return kernel::straight_edge(crossed.a, crossed.b, edges_.nodes[crossed.a],
+                                 edges_.nodes[crossed.b]);
   }
 
   BrepEdge arc(const IntersectionCurve& curve, const PrismEdge& crossed) {
@@ -169,10 +158,7 @@ class CrossedParts {
       auto faces = cylinder_faces(brep_, family.uses, family.piece.surface, family.cut);
       if (!faces) return faces.why();
       for (BrepFace& face : *faces) {
-        if (!family.along) {
-          for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
-          face.swept_volume = -face.swept_volume;
-        }
+        if (!family.along) face.turn_over();
         face.cells = {0, -1};
         walls_.emplace_back(std::move(face), k);
       }

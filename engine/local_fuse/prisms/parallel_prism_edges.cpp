@@ -41,19 +41,8 @@ int ParallelPrismEdges::vertex(int node, int height) {
 }
 
 int ParallelPrismEdges::add_line(int a, int b) {
-  BrepEdge edge;
-  set_line(edge, a, b);
-  brep_.edges.push_back(std::move(edge));
+  brep_.edges.push_back(line(a, b));
   return static_cast<int>(brep_.edges.size()) - 1;
-}
-void ParallelPrismEdges::set_line(BrepEdge& edge, int a, int b) const {
-  const Vec3 &p = brep_.vertices[a].position, &q = brep_.vertices[b].position;
-  edge.kind = BrepEdge::Kind::Line;
-  edge.vertices = {a, b};
-  edge.length = distance(p, q);
-  edge.tangents[0] = edge.tangents[1] = normalised(q - p);
-  edge.points = {p, q};
-  edge.chain = {a, b};
 }
 
 int ParallelPrismEdges::add_arc(const ArrangementEdge& piece, int height) {
@@ -168,7 +157,7 @@ void ParallelPrismEdges::join_lines() {
     if (norm(normalised(brep_.vertices[from].position - p) +
              normalised(brep_.vertices[to].position - p)) > tolerance::kSameDirection)
       continue;
-    set_line(a, from, to);
+    a = line(from, to);
     std::ranges::replace(edges_at[to], drop, keep);
     for (const int f : faces_at[drop]) std::erase(brep_.faces[f].edges, drop);
     faces_at[drop].clear();

@@ -33,7 +33,9 @@ class ParallelPrismEdges {
  private:
   int vertex(int node, int height);
   int add_line(int a, int b);
-  void set_line(kernel::BrepEdge& edge, int a, int b) const;
+  [[nodiscard]] kernel::BrepEdge line(int a, int b) const {
+    return kernel::straight_edge(a, b, brep_.vertices[a].position, brep_.vertices[b].position);
+  }
   int add_arc(const ArrangementEdge& piece, int height);
   int add_inner(const Vec3& p);
   [[nodiscard]] bool straight(int node, int p, int q, int slab) const;

@@ -132,12 +132,7 @@ class SweptParts {
                     const std::vector<int>& edges) {
     const bool along = dot(outward, piece.surface.frame.rotate({0, 0, 1})) > 0;
     std::size_t f = 0;
-    while (f < pieces_.size() &&
-           !((along_[f] != 0) == along && pieces_[f].surface.frame == piece.surface.frame &&
-             pieces_[f].surface.kind == Surface::Kind::Plane &&
-             pieces_[f].material_names == piece.material_names &&
-             pieces_[f].other_names == piece.other_names))
-      ++f;
+    while (f < pieces_.size() && !((along_[f] != 0) == along && pieces_[f].continues(piece))) ++f;
     if (f == pieces_.size()) {
       faces_.emplace_back().cells = {0, -1};
       pieces_.push_back(piece);

@@ -216,9 +216,7 @@ class Sewing {
 
   Family& family_of(const BoundaryPiece& piece, bool along) {
     const auto it = std::ranges::find_if(families_, [&](const Family& family) {
-      return family.along == along && family.piece->material_names == piece.material_names &&
-             family.piece->other_names == piece.other_names &&
-             family.piece->surface.frame == piece.surface.frame;
+      return family.along == along && family.piece->continues(piece);
     });
     if (it != families_.end()) return *it;
     return families_.emplace_back(Family{&piece, along, {}, {}});
@@ -242,8 +240,8 @@ class Sewing {
       BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
       const bool whole = rename(piece);
       // What a changed feature covered lies in its box, with all its edges.
-      Family* family =
-          gather(base_, f, piece, looks_along(base_, static_cast<int>(f)), kept_.edges, 0);
+      const bool along = looks_along(base_.brep, base_.brep.faces[f], piece.surface);
+      Family* family = gather(base_, f, piece, along, kept_.edges, 0);
       if (family == nullptr) continue;
       if (!whole)
         return GaveUp{"replace_parts", "a plane face of a changed feature has a kept edge"};
@@ -280,10 +278,7 @@ class Sewing {
     if (!faces) faces = plane_faces(out_.brep, edges, family.piece->surface, {});
     if (!faces) return faces.why();
     for (BrepFace& face : *faces) {
-      if (!family.along) {
-        for (auto& triangle : face.triangles) std::swap(triangle[1], triangle[2]);
-        face.swept_volume = -face.swept_volume;
-      }
+      if (!family.along) face.turn_over();
       if (!parts_material(face, family.piece->surface, membership))
         return GaveUp{"replace_parts",
                       "a plane face does not have material on its inner side only"};

@@ -55,8 +55,8 @@ Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& 
     for (auto* names : {&piece.material_names, &piece.other_names})
       for (FaceName& name : *names) name.feature = features[name.feature];
   std::vector<char> along;
-  for (int f = 0; f < static_cast<int>(out.pieces.size()); ++f)
-    along.push_back(looks_along(out, f) ? 1 : 0);
+  for (std::size_t f = 0; f < out.pieces.size(); ++f)
+    along.push_back(looks_along(out.brep, out.brep.faces[f], out.pieces[f].surface) ? 1 : 0);
   return FusedPrisms{std::move(out), std::move(along)};
 }
 
