@@ -1,34 +1,26 @@
 #include "engine/boundary/edge_chains.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "engine/base/cow_vector.h"
 
 namespace remeshd {
-namespace {
 
-double length_to(const BoundaryEdge& edge, const Vec3& p) {
-  double best = HUGE_VAL;
-  double parameter = 0;
+NearestOnPolyline nearest_on_polyline(std::span<const Vec3> points, const Vec3& p) {
+  NearestOnPolyline nearest;
   double length = 0;
-  for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) {
-    const Vec3& a = edge.points[i];
-    const Vec3 step = edge.points[i + 1] - a;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec3& a = points[i];
+    const Vec3 step = points[i + 1] - a;
     const double step2 = norm2(step);
     const double t = step2 > 0 ? std::clamp(dot(p - a, step) / step2, 0.0, 1.0) : 0.0;
     const double distance2 = norm2(p - (a + t * step));
-    if (distance2 < best) {
-      best = distance2;
-      parameter = length + t * std::sqrt(step2);
-    }
+    if (distance2 < nearest.distance2) nearest = {distance2, length + t * std::sqrt(step2)};
     length += std::sqrt(step2);
   }
-  return parameter;
+  return nearest;
 }
-
-}  // namespace
 
 double polyline_length(const BoundaryEdge& edge) {
   double length = 0;
@@ -59,7 +51,8 @@ std::vector<std::vector<NodeOnEdge>> edge_chains(const BoundaryModel& boundary,
     const auto node = static_cast<std::int32_t>(n);
     if (s.kind == Support::Kind::Vertex) at_vertex[s.entity] = node;
     if (s.kind == Support::Kind::Edge)
-      chains[s.entity].push_back({length_to(boundary.edges[s.entity], nodes[n]), node});
+      chains[s.entity].push_back(
+          {nearest_on_polyline(boundary.edges[s.entity].points, nodes[n]).at, node});
   }
   for (std::size_t e = 0; e < chains.size(); ++e) {
     std::vector<NodeOnEdge>& chain = chains[e];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +25,13 @@ template <class Nodes>
 std::vector<std::vector<NodeOnEdge>> edge_chains(const BoundaryModel& boundary,
                                                  std::span<const Support> supports,
                                                  const Nodes& nodes);
+
+/// The point of a polyline that is nearest to p.
+struct NearestOnPolyline {
+  double distance2 = HUGE_VAL;  ///< of p from it
+  double at = 0;                ///< length of the polyline up to it
+};
+NearestOnPolyline nearest_on_polyline(std::span<const Vec3> points, const Vec3& p);
 
 /// Length of an edge's polyline.
 double polyline_length(const BoundaryEdge& edge);

@@ -61,8 +61,7 @@ EntityMap::EntityMap(const BoundaryModel& from, const BoundaryModel& to, double 
     const BoundaryFace &f = from.faces[a], &g = to.faces[b];
     if (f.surface.kind != g.surface.kind || !touch(face_from[a], face_to[b])) return false;
     const Vec3& p = f.points.front();
-    const double side = f.reversed == g.reversed ? 1 : -1;
-    return side * dot(normal(f.surface, p), normal(g.surface, p)) > 0 &&
+    return dot(outward_normal(f, p), outward_normal(g, p)) > 0 &&
            same_surface(f.surface, g.surface, face_from[a], tolerance);
   });
 }

@@ -104,9 +104,7 @@ double FacetFaces::face_distance2(int face, const Vec3& p) const {
 }
 
 Vec3 FacetFaces::outward(int face, const Vec3& p) const {
-  const BoundaryFace& f = boundary_.faces[face];
-  const Vec3 n = normal(f.surface, p);
-  return f.reversed ? -n : n;
+  return outward_normal(boundary_.faces[face], p);
 }
 
 double FacetFaces::height(int face, const Vec3& p) const {

@@ -5,6 +5,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/base/tolerance.h"
+#include "engine/boundary/edge_chains.h"
 #include "engine/boundary/face_distance.h"
 #include "engine/boundary/lattice.h"
 
@@ -80,7 +81,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
     visit_lattice(face.surface, part, spacing, jitter, random, [&](const Vec3& p) {
       poll();
       if (!box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
-      const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, p);
+      const Vec3 outward = outward_normal(face, p);
       if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
       if (!others.empty()) {
         const double own = face_distance2(face, p);
@@ -107,9 +108,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
 void sample_edge(const BoundaryModel& boundary, int index, double spacing, double jitter,
                  const Wanted& wanted, Random random, std::vector<Sample>& out) {
   const BoundaryEdge& edge = boundary.edges[index];
-  double chords = 0;
-  for (std::size_t k = 1; k < edge.points.size(); ++k)
-    chords += distance(edge.points[k - 1], edge.points[k]);
+  const double chords = polyline_length(edge);
   const int count = std::max(3, static_cast<int>(std::ceil(edge.length / spacing)));
   std::size_t k = 1;
   double passed = 0;  // length of the chords before points[k - 1]

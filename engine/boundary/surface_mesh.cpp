@@ -7,6 +7,7 @@
 
 #include "engine/base/error.h"
 #include "engine/boundary/control_mesh.h"
+#include "engine/boundary/edge_chains.h"
 
 namespace remeshd {
 namespace {
@@ -25,17 +26,6 @@ SurfaceMesh join_faces(const BoundaryModel& boundary) {
   return mesh;
 }
 
-double polyline_distance(const std::vector<Vec3>& points, const Vec3& p) {
-  double least2 = HUGE_VAL;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Vec3 step = points[i + 1] - points[i];
-    const double length2 = norm2(step);
-    const double t = length2 > 0 ? std::clamp(dot(p - points[i], step) / length2, 0.0, 1.0) : 0;
-    least2 = std::min(least2, norm2(p - (points[i] + t * step)));
-  }
-  return std::sqrt(least2);
-}
-
 /// The model edge between two faces that a side runs along: the nearest by its polyline, for
 /// `project` may come out on another edge of the same two surfaces.
 std::int32_t edge_along(const BoundaryModel& boundary, int f, int g, const Vec3& a, const Vec3& b) {
@@ -47,7 +37,7 @@ std::int32_t edge_along(const BoundaryModel& boundary, int f, int g, const Vec3&
     if (edge.faces != faces) continue;
     double far = 0;
     for (const Vec3& p : {a, b, 0.5 * (a + b)})
-      far = std::max(far, polyline_distance(edge.points, p));
+      far = std::max(far, std::sqrt(nearest_on_polyline(edge.points, p).distance2));
     if (far >= nearest) continue;
     nearest = far;
     best = e;

@@ -100,11 +100,9 @@ double SurfaceRemesher::shape(int face, const Vec3& a, const Vec3& b, const Vec3
   const double shape =
       2 * std::numbers::sqrt3 * twice_area / (norm2(b - a) + norm2(c - b) + norm2(a - c));
   const BoundaryFace& f = boundary_.faces[face];
-  const double sign = f.reversed ? -1 : 1;
-  if (f.surface.kind == Surface::Kind::Plane)
-    return sign * dot(n, normal(f.surface, a)) > 0 ? shape : -1;
+  if (f.surface.kind == Surface::Kind::Plane) return dot(n, outward_normal(f, a)) > 0 ? shape : -1;
   for (const Vec3& p : {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)})
-    if (sign * dot(n, normal(f.surface, p)) < kRemesh.upright * twice_area) return -1;
+    if (dot(n, outward_normal(f, p)) < kRemesh.upright * twice_area) return -1;
   return shape;
 }
 
@@ -155,11 +153,7 @@ std::vector<SurfaceRemesher::Job> SurfaceRemesher::sides_beyond(double limit, bo
 }
 
 void SurfaceRemesher::split_long(double limit) {
-  const auto shorter = [](const Job& x, const Job& y) {
-    return x.key != y.key ? x.key < y.key : std::pair{x.a, x.b} > std::pair{y.a, y.b};
-  };
-  std::priority_queue<Job, std::vector<Job>, decltype(shorter)> jobs(shorter,
-                                                                     sides_beyond(limit, true));
+  std::priority_queue<Job> jobs({}, sides_beyond(limit, true));
   Polling poll(run_);
   while (!jobs.empty()) {
     poll();
@@ -205,9 +199,7 @@ bool SurfaceRemesher::split(const Side& s) {
 
 void SurfaceRemesher::collapse_short() {
   std::vector<Job> jobs = sides_beyond(kRemesh.least, false);
-  std::ranges::stable_sort(jobs, [](const Job& x, const Job& y) {
-    return x.key != y.key ? x.key > y.key : std::pair{x.a, x.b} < std::pair{y.a, y.b};
-  });
+  std::ranges::stable_sort(jobs, [](const Job& x, const Job& y) { return y < x; });
   Polling poll(run_);
   for (const Job& job : jobs) {
     poll();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/base/run.h"
@@ -55,6 +56,10 @@ class SurfaceRemesher {
   struct Job {
     double key;
     std::int32_t a, b;
+    /// By key, the lower nodes after the higher ones.
+    friend bool operator<(const Job& x, const Job& y) {
+      return x.key != y.key ? x.key < y.key : std::pair{x.a, x.b} > std::pair{y.a, y.b};
+    }
   };
 
   [[nodiscard]] std::optional<Side> side(std::int32_t a, std::int32_t b) const;

@@ -21,7 +21,7 @@ std::vector<std::string> FacetNames::operator()(int face_index, const Vec3& p) c
     here = face.names;
   } else {
     const Vec3 c = project(face.surface, p);
-    const Vec3 outward = (face.reversed ? -1.0 : 1.0) * normal(face.surface, c);
+    const Vec3 outward = outward_normal(face, c);
     std::vector<FaceName> beyond;  // on the far side: faces of subtractive features
     for (const FaceName& name : face.names) {
       const bool material = membership_.contains(name.feature, c - tolerance_ * outward);

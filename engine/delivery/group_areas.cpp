@@ -30,7 +30,7 @@ int shared_plane(const BoundaryModel& boundary, const Membership& membership, co
     if (face.names.size() < 2 || face.surface.kind != Surface::Kind::Plane ||
         std::fabs(signed_distance(face.surface, p)) > tolerance)
       continue;
-    const Vec3 out = (face.reversed ? -tolerance : tolerance) * normal(face.surface, p);
+    const Vec3 out = tolerance * outward_normal(face, p);
     if (membership.inside(p - out) && !membership.inside(p + out)) return f;
   }
   return -1;

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "engine/base/inside_test.h"
 #include "engine/base/run.h"
-#include "engine/base/vec.h"
 
 namespace remeshd {
 
@@ -26,8 +25,7 @@ struct FillOptions {
 /// planes and a thin slab gets its share of nodes wherever it stands.
 ///
 /// Source: Labelle & Shewchuk 2007 for the lattice's tets.
-std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes,
-                               const std::function<bool(const Vec3&)>& inside,
+std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& inside,
                                const FillOptions& options, const Run& run);
 
 /// The same with random nodes, spread evenly: a grid of half the edge length is traversed in
@@ -35,8 +33,7 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes,
 /// whole is carried on to the next.
 ///
 /// Source: Sect. 3.2 and 7 (Alliez et al. 2005).
-std::vector<Vec3> fill_random(const std::vector<Box>& boxes,
-                              const std::function<bool(const Vec3&)>& inside,
+std::vector<Vec3> fill_random(const std::vector<Box>& boxes, const InsideTest& inside,
                               const FillOptions& options, const Run& run);
 
 }  // namespace remeshd

@@ -87,7 +87,7 @@ class Lattice {
 };
 
 std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& boxes,
-                               const std::function<bool(const Vec3&)>& inside, const Run& run) {
+                               const InsideTest& inside, const Run& run) {
   std::vector<Vec3> nodes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     if (boxes[b].empty()) continue;
@@ -120,8 +120,7 @@ void decimate_close_nodes(std::vector<Vec3>& nodes, std::size_t count) {
 
 }  // namespace
 
-std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes,
-                               const std::function<bool(const Vec3&)>& inside,
+std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& inside,
                                const FillOptions& options, const Run& run) {
   // Two nodes to a cube of the lattice.
   if (!options.count)

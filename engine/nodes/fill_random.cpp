@@ -14,8 +14,8 @@ constexpr int kTries = 8;  // to hit the inside of a cell that the region cuts
 
 /// Centres of the grid cells inside, in serpentine order; a cell covered by several boxes counts
 /// once.
-std::vector<Vec3> cells_inside(const std::vector<Box>& boxes, double h,
-                               const std::function<bool(const Vec3&)>& inside, const Run& run) {
+std::vector<Vec3> cells_inside(const std::vector<Box>& boxes, double h, const InsideTest& inside,
+                               const Run& run) {
   std::vector<Vec3> centres;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     if (boxes[b].empty()) continue;
@@ -50,8 +50,7 @@ std::vector<Vec3> cells_inside(const std::vector<Box>& boxes, double h,
 
 }  // namespace
 
-std::vector<Vec3> fill_random(const std::vector<Box>& boxes,
-                              const std::function<bool(const Vec3&)>& inside,
+std::vector<Vec3> fill_random(const std::vector<Box>& boxes, const InsideTest& inside,
                               const FillOptions& options, const Run& run) {
   double h = kCellShare * options.edge_length;
   std::vector<Vec3> centres = cells_inside(boxes, h, inside, run);

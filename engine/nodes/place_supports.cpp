@@ -4,17 +4,6 @@
 
 namespace remeshd {
 
-namespace {
-
-std::vector<Vec3> positions_of(const Samples& samples) {
-  std::vector<Vec3> positions;
-  positions.reserve(samples.points.size());
-  for (const Sample& s : samples.points) positions.push_back(s.position);
-  return positions;
-}
-
-}  // namespace
-
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
                     double edge_length, double tolerance, std::int32_t first, const Run& run) {
   std::vector<std::int32_t> to_place;
@@ -23,7 +12,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
     if (nodes.supports[n].kind != Support::Kind::Interior) to_place.push_back(n);
   }
   if (to_place.empty()) return;
-  const std::vector<Vec3> positions = positions_of(samples);
+  const std::vector<Vec3> positions = samples.positions();
   const NearestNode grid(positions, kGridCell * edge_length);
   Polling poll(run);
   for (const std::int32_t n : to_place) {

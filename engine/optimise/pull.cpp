@@ -23,21 +23,13 @@ bool holds(const std::vector<std::vector<int>>& sets, int a, int b) {
   return std::binary_search(sets[a].begin(), sets[a].end(), b);
 }
 
-/// Whether two faces meet in a wedge, of material or of void, of less than 60 degrees somewhere
-/// along their edge.
+/// Whether the two faces of an edge meet in a wedge, of material or of void, of less than 60
+/// degrees somewhere along their edge.
 bool sharp_along(const BoundaryModel& boundary, const BoundaryEdge& edge) {
-  if (edge.faces.size() != 2) return false;
   const BoundaryFace &f = boundary.faces[edge.faces[0]], &g = boundary.faces[edge.faces[1]];
-  const double sign = f.reversed == g.reversed ? 1 : -1;
   return std::any_of(edge.points.begin(), edge.points.end(), [&](const Vec3& p) {
-    return sign * dot(normal(f.surface, p), normal(g.surface, p)) < kSharp;
+    return dot(outward_normal(f, p), outward_normal(g, p)) < kSharp;
   });
-}
-
-/// Direction in which an edge leaves one of its vertices.
-Vec3 leaving(const BoundaryEdge& edge, int vertex) {
-  const auto& p = edge.points;
-  return normalised(edge.start == vertex ? p[1] - p[0] : p[p.size() - 2] - p.back());
 }
 
 /// What one set of samples, those of one face or edge, pulls on one node with.
@@ -164,7 +156,8 @@ Adjacency::Adjacency(const BoundaryModel& boundary)
       for (std::size_t j = i + 1; j < round.size(); ++j) {
         join(edges_, round[i], round[j]);
         const BoundaryEdge &a = boundary.edges[round[i]], &b = boundary.edges[round[j]];
-        if (dot(leaving(a, v), leaving(b, v)) > -kSharp) join(sharp_edges_, round[i], round[j]);
+        if (dot(a.leaving(a.start == v), b.leaving(b.start == v)) > -kSharp)
+          join(sharp_edges_, round[i], round[j]);
       }
   }
   for (auto* sets : {&faces_, &edges_, &sharp_faces_, &sharp_edges_}) tidy(*sets);
@@ -186,16 +179,13 @@ std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& bo
   std::vector<std::uint32_t> pulling;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.is_free(n)) nodes.supports[n] = {};
-  {
+  const auto pull = [&](Support::Kind kind, std::span<const std::uint32_t> of) {
     nearest.follow(nodes.positions);
-    const auto pulls = gather(nodes, samples, {active.begin(), edges}, nearest, pulling, run);
-    reposition(nodes, boundary, adjacency, Support::Kind::Face, pulls, options);
-  }
-  {
-    nearest.follow(nodes.positions);
-    const auto pulls = gather(nodes, samples, {edges, vertices}, nearest, pulling, run);
-    reposition(nodes, boundary, adjacency, Support::Kind::Edge, pulls, options);
-  }
+    const auto pulls = gather(nodes, samples, of, nearest, pulling, run);
+    reposition(nodes, boundary, adjacency, kind, pulls, options);
+  };
+  pull(Support::Kind::Face, {active.begin(), edges});
+  pull(Support::Kind::Edge, {edges, vertices});
   nearest.follow(nodes.positions);
   claim_vertices(nodes, samples, {vertices, active.end()}, nearest.grid_of_nodes(), options);
   pulling.insert(pulling.end(), vertices, active.end());

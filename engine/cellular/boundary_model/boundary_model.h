@@ -40,6 +40,10 @@ struct BoundaryEdge {
   double length = 0;         ///< exact
 
   [[nodiscard]] bool closed() const { return start == end; }
+  /// Unit direction in which it leaves one of its ends. Pre: two points at least.
+  [[nodiscard]] Vec3 leaving(bool at_start) const {
+    return normalised(at_start ? points[1] - points[0] : points[points.size() - 2] - points.back());
+  }
 };
 
 struct BoundaryFace {
@@ -53,6 +57,12 @@ struct BoundaryFace {
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> triangles;
 };
+
+/// Unit normal of the face out of the material, at the point of its surface nearest to p.
+inline Vec3 outward_normal(const BoundaryFace& face, const Vec3& p) {
+  const Vec3 n = normal(face.surface, p);
+  return face.reversed ? -n : n;
+}
 
 /// The merged boundary of a model: faces, edges and vertices that a mesh must represent. Coplanar
 /// splits and seams are unified, so that they are no edges (Sect. 4.1, DESIGN).

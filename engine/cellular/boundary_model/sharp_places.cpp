@@ -18,11 +18,6 @@ struct EdgeProbes {
 };
 constexpr EdgeProbes kProbes;
 
-Vec3 outward(const BoundaryFace& face, const Vec3& p) {
-  const Vec3 n = normal(face.surface, p);
-  return face.reversed ? -n : n;
-}
-
 /// Angle of the material round a curve's point, rad: a share of a small circle across it.
 double material_angle(const Vec3& p, const Vec3& along, double radius,
                       const Membership& membership) {
@@ -48,17 +43,11 @@ bool sharp_edge(const BoundaryModel& boundary, const BoundaryEdge& edge,
     const Vec3 p = project(boundary, edge, 0.5 * (edge.points[i] + edge.points[i + 1]));
     const Vec3 along = edge.points[i + 1] - edge.points[i];
     // Normals that point away from each other: a wedge of material, or a slit in it.
-    if (!(norm2(along) > 0) || dot(outward(a, p), outward(b, p)) > -std::cos(angle)) continue;
+    if (!(norm2(along) > 0) || dot(outward_normal(a, p), outward_normal(b, p)) > -std::cos(angle))
+      continue;
     if (material_angle(p, normalised(along), radius, membership) < std::numbers::pi) return true;
   }
   return false;
-}
-
-/// Unit direction in which an edge leaves a vertex that it ends at.
-Vec3 leaves(const BoundaryEdge& edge, bool at_start) {
-  const std::size_t n = edge.points.size();
-  return at_start ? normalised(edge.points[1] - edge.points[0])
-                  : normalised(edge.points[n - 2] - edge.points[n - 1]);
 }
 
 bool share_face(const BoundaryEdge& a, const BoundaryEdge& b) {
@@ -75,8 +64,9 @@ bool sharp_vertex(const BoundaryModel& boundary, int vertex, double angle) {
   for (const int e : boundary.vertices[vertex].edges) {
     const BoundaryEdge& edge = boundary.edges[e];
     if (edge.points.size() < 2) continue;
-    if (edge.start == vertex) leaving.push_back({&edge, leaves(edge, true)});
-    if (edge.end == vertex) leaving.push_back({&edge, leaves(edge, false)});
+    for (const bool at_start : {true, false})
+      if ((at_start ? edge.start : edge.end) == vertex)
+        leaving.push_back({&edge, edge.leaving(at_start)});
   }
   for (std::size_t i = 0; i < leaving.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -94,14 +84,8 @@ bool SharpPlaces::any() const {
 }
 
 bool SharpPlaces::holds(const Support& support) const {
-  switch (support.kind) {
-    case Support::Kind::Vertex:
-      return vertices[support.entity] != 0;
-    case Support::Kind::Edge:
-      return edges[support.entity] != 0;
-    default:
-      return false;
-  }
+  if (support.kind == Support::Kind::Vertex) return vertices[support.entity] != 0;
+  return support.kind == Support::Kind::Edge && edges[support.entity] != 0;
 }
 
 SharpPlaces sharp_places(const BoundaryModel& boundary, const Membership& membership,
