@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/boundary/face_distance.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 namespace {
@@ -32,8 +33,7 @@ FacesOf::FacesOf(const BoundaryModel& boundary)
                      {Support::Kind::Face, index}))
           vertex_[v].push_back(index);
       }
-    std::sort(vertex_[v].begin(), vertex_[v].end());
-    vertex_[v].erase(std::unique(vertex_[v].begin(), vertex_[v].end()), vertex_[v].end());
+    sort_unique(vertex_[v]);
   }
 }
 

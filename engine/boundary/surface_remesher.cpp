@@ -5,6 +5,8 @@
 #include <queue>
 #include <utility>
 
+#include "engine/mesh/grouping.h"
+
 namespace remeshd {
 namespace {
 
@@ -121,8 +123,7 @@ std::vector<std::int32_t> SurfaceRemesher::neighbours(std::int32_t n) const {
   for (const std::int32_t k : at_[n])
     for (const std::int32_t m : mesh_.facets[k].nodes)
       if (m != n) around.push_back(m);
-  std::ranges::sort(around);
-  around.erase(std::unique(around.begin(), around.end()), around.end());
+  sort_unique(around);
   return around;
 }
 

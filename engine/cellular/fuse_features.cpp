@@ -13,6 +13,7 @@
 #include "engine/cellular/features_at.h"
 #include "engine/cellular/owners.h"
 #include "engine/kernel/brep.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 namespace {
@@ -45,8 +46,7 @@ kernel::Fusion fuse_in_turn(const std::vector<kernel::Part>& parts, const Run& r
             traced.push_back({p, source.element});
           else
             std::ranges::copy((all.*kind)[source.element], std::back_inserter(traced));
-        std::ranges::sort(traced);
-        traced.erase(std::unique(traced.begin(), traced.end()), traced.end());
+        sort_unique(traced);
         sources = std::move(traced);
       }
     };

@@ -1,12 +1,12 @@
 // Moving nodes: Delaunay again by bistellar flips, and by taking out and putting in what flips
 // cannot restore.
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "engine/base/parallel.h"
 #include "engine/delaunay/delaunay_mesh.h"
 #include "engine/kernel/predicates.h"
+#include "engine/mesh/grouping.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -137,29 +137,21 @@ void DelaunayMesh::retry(std::span<const std::int32_t> touched, std::span<const 
                          std::vector<std::uint8_t>& roles, std::vector<std::int32_t>& held,
                          const Run& run) {
   Polling poll(run);
-  // The tets at each held vertex, by vertex.
-  std::vector<std::uint32_t> end(points_.size() + 1, 0);
-  const auto each = [&](auto&& f) {
+  const auto tets_at_held = grouped<std::int32_t>(points_.size(), [&](const auto& visit) {
     for (const std::int32_t t : touched) {
       poll();
       for (const std::int32_t v : slots_[t].v)
-        if (roles[v] == kHeld) f(v, t);
+        if (roles[v] == kHeld) visit(v, t);
     }
-  };
-  each([&](std::int32_t v, std::int32_t) { ++end[v + 1]; });
-  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
-  std::vector<std::int32_t> tets(end.back());
-  std::vector<std::uint32_t> next(end.begin(), end.end() - 1);
-  each([&](std::int32_t v, std::int32_t t) { tets[next[v]++] = t; });
-
+  });
   for (std::size_t before = held.size() + 1; held.size() < before;) {
     before = held.size();
     std::erase_if(held, [&](std::int32_t n) {
       poll();
       const std::int32_t v = n + kSuper;
       const Vec3 back = std::exchange(points_[v], positions[n]);
-      for (std::uint32_t k = end[v]; k < end[v + 1]; ++k) {
-        const auto& c = slots_[tets[k]].v;
+      for (const std::int32_t t : tets_at_held[v]) {
+        const auto& c = slots_[t].v;
         if (kernel::orientation(points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]) > 0)
           continue;
         points_[v] = back;

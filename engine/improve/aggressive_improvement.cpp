@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/mesh/grouping.h"
+
 namespace remeshd {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr AggressiveLimits kLimits;
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
 constexpr int kSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
 constexpr int kPerturbations = 10;  // edges and facets of a tet, each of which is taken out
-
-void sort_unique(std::vector<std::int32_t>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 }  // namespace
 

@@ -18,6 +18,7 @@
 #include "engine/base/error.h"
 #include "engine/kernel/brep.h"
 #include "engine/kernel/brep_shapes.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd::kernel {
 namespace {
@@ -94,10 +95,12 @@ void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double sc
   throw error::kernel_failure(what, in_model_units(place, scale));
 }
 
-/// Adds the parts' elements of a kind that elements of the result come from, by the builder's
-/// history.
-void trace(const std::vector<PlacedPart>& parts, BOPAlgo_Builder& builder, const Brep& brep,
-           double scale, Element kind, std::vector<std::vector<Source>>& sources) {
+/// The parts' elements of a kind that the elements of the result, `count` of them, come from, by
+/// the builder's history.
+std::vector<std::vector<Source>> trace(const std::vector<PlacedPart>& parts,
+                                       BOPAlgo_Builder& builder, const Brep& brep, double scale,
+                                       Element kind, std::size_t count) {
+  std::vector<std::vector<Source>> sources(count);
   for (int p = 0; p < static_cast<int>(parts.size()); ++p)
     for (const int i : parts[p].elements(kind)) {
       const TopoDS_Shape shape = parts[p].copy_of(kind, i);
@@ -115,10 +118,8 @@ void trace(const std::vector<PlacedPart>& parts, BOPAlgo_Builder& builder, const
         add(shape);
       }
     }
-  for (auto& list : sources) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
+  for (auto& list : sources) sort_unique(list);
+  return sources;
 }
 
 /// Throws Error(KERNEL_FAILURE) where an element of the result comes from nothing.
@@ -153,14 +154,13 @@ Fusion fuse_parts(const std::vector<PlacedPart>& parts, double scale, const Run&
 
   Fusion fusion;
   const Brep& brep = fusion.brep = describe(result, scale, run, reference);
-  fusion.cells.resize(brep.cells.size());
-  fusion.faces.resize(brep.faces.size());
-  fusion.edges.resize(brep.edges.size());
-  fusion.vertices.resize(brep.vertices.size());
-  trace(parts, builder, brep, scale, Element::Cell, fusion.cells);
-  trace(parts, builder, brep, scale, Element::Face, fusion.faces);
-  trace(parts, builder, brep, scale, Element::Edge, fusion.edges);
-  trace(parts, builder, brep, scale, Element::Vertex, fusion.vertices);
+  const auto sources_of = [&](Element kind, std::size_t count) {
+    return trace(parts, builder, brep, scale, kind, count);
+  };
+  fusion.cells = sources_of(Element::Cell, brep.cells.size());
+  fusion.faces = sources_of(Element::Face, brep.faces.size());
+  fusion.edges = sources_of(Element::Edge, brep.edges.size());
+  fusion.vertices = sources_of(Element::Vertex, brep.vertices.size());
   require_owners(brep, scale, Element::Cell, fusion.cells, "a cell of the result has no owner");
   require_owners(brep, scale, Element::Face, fusion.faces, "a face of the result has no owner");
   return fusion;

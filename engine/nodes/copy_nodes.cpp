@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/base/random.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 
@@ -19,23 +20,11 @@ struct CopyLimits {
 };
 constexpr CopyLimits kLimits;
 
-/// For each node its tets, by node.
-struct Incidence {
-  std::vector<std::uint32_t> begin;
-  std::vector<std::int32_t> tets;
-};
-
-Incidence tets_at_nodes(const OriginalNodes& original) {
-  Incidence at;
-  at.begin.assign(original.positions.size() + 1, 0);
-  for (const Tet& t : original.tets)
-    for (const std::int32_t n : t) ++at.begin[n + 1];
-  for (std::size_t n = 1; n < at.begin.size(); ++n) at.begin[n] += at.begin[n - 1];
-  at.tets.resize(at.begin.back());
-  std::vector<std::uint32_t> next(at.begin.begin(), at.begin.end() - 1);
-  for (std::size_t k = 0; k < original.tets.size(); ++k)
-    for (const std::int32_t n : original.tets[k]) at.tets[next[n]++] = static_cast<std::int32_t>(k);
-  return at;
+Grouping<Tet> tets_at_nodes(const OriginalNodes& original) {
+  return grouped<Tet>(original.positions.size(), [&](const auto& visit) {
+    for (const Tet& t : original.tets)
+      for (const std::int32_t n : t) visit(n, t);
+  });
 }
 
 /// Transformations in the order in which their features copy.
@@ -71,8 +60,9 @@ class Copier {
     const Transform& x = source_.transforms()[t];
     const Vec3& q = original_.positions[n];
     if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
-    for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k)
-      if (source_(x.apply(q + kLimits.into_tet * (centroid(at_.tets[k]) - q))) == t) return true;
+    for (const Tet& tet : at_[n])
+      if (source_(x.apply(q + kLimits.into_tet * (centroid(original_.positions, tet) - q))) == t)
+        return true;
     return false;
   }
 
@@ -83,8 +73,8 @@ class Copier {
     if (source_(p) != CopyPlan::kOutside) return std::nullopt;
     Vec3 middle{};
     int count = 0;
-    for (std::uint32_t k = at_.begin[n]; k < at_.begin[n + 1]; ++k) {
-      const Vec3 c = x.apply(centroid(at_.tets[k]));
+    for (const Tet& tet : at_[n]) {
+      const Vec3 c = x.apply(centroid(original_.positions, tet));
       if (source_(c) != t) continue;
       middle += c;
       ++count;
@@ -105,16 +95,10 @@ class Copier {
   }
 
  private:
-  [[nodiscard]] Vec3 centroid(std::int32_t tet) const {
-    const Tet& t = original_.tets[tet];
-    const auto& p = original_.positions;
-    return 0.25 * (p[t[0]] + p[t[1]] + p[t[2]] + p[t[3]]);
-  }
-
   const CopyPlan& source_;
   const OriginalNodes& original_;
   const double edge_length_;
-  const Incidence at_;
+  const Grouping<Tet> at_;                ///< tets by node
   std::vector<std::vector<Box>> extent_;  ///< by transformation: original boxes of its features
 };
 

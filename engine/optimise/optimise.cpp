@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/mesh/grouping.h"
 #include "engine/nodes/dump.h"
 #include "engine/optimise/active_samples.h"
 #include "engine/optimise/large_circumballs.h"
@@ -65,8 +66,7 @@ std::vector<std::int32_t> active_edges(const Samples& samples, const ActiveSampl
   for (const std::uint32_t s : active.participants())
     if (const Support& on = samples.points[s].support; on.kind == Support::Kind::Edge)
       edges.push_back(on.entity);
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/mesh/grouping.h"
 #include "engine/nodes/nearest.h"
 
 namespace remeshd {
@@ -13,10 +14,7 @@ namespace {
 constexpr double kSharp = -0.5;
 
 void tidy(std::vector<std::vector<int>>& sets) {
-  for (auto& s : sets) {
-    std::sort(s.begin(), s.end());
-    s.erase(std::unique(s.begin(), s.end()), s.end());
-  }
+  for (auto& s : sets) sort_unique(s);
 }
 
 bool holds(const std::vector<std::vector<int>>& sets, int a, int b) {

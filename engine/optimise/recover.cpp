@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/boundary/edge_chains.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 
@@ -36,8 +37,7 @@ std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const DelaunayM
         if (on_edge(t[j])) links.emplace_back(std::min(t[i], t[j]), std::max(t[i], t[j]));
     }
   });
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
+  sort_unique(links);
   return links;
 }
 

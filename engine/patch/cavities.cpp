@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/union_find.h"
+#include "engine/mesh/grouping.h"
 #include "engine/patch/tet_index.h"
 
 namespace remeshd {
@@ -27,24 +28,19 @@ std::array<std::int32_t, 3> facet_key(const Tet& t, int corner) {
 /// Tets that share a facet, on either side of the exchange, belong to one cavity.
 void join_across_facets(std::span<const Tet> tets, std::size_t node_count, UnionFind& sets,
                         Polling& poll) {
-  std::vector<std::uint32_t> end(node_count + 1, 0);
-  for (const Tet& t : tets)
-    for (int i = 0; i < 4; ++i) ++end[facet_key(t, i)[0] + 1];
-  for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
-  std::vector<BucketFacet> facets(4 * tets.size());
-  for (std::size_t k = 0; k < tets.size(); ++k)
-    for (int i = 0; i < 4; ++i) {
-      const auto key = facet_key(tets[k], i);
-      facets[end[key[0]]++] = {key[1], key[2], static_cast<std::int32_t>(k)};
-    }
-  std::uint32_t begin = 0;
+  const auto facets = grouped<BucketFacet>(node_count, [&](const auto& visit) {
+    for (std::size_t k = 0; k < tets.size(); ++k)
+      for (int i = 0; i < 4; ++i) {
+        const auto key = facet_key(tets[k], i);
+        visit(key[0], BucketFacet{key[1], key[2], static_cast<std::int32_t>(k)});
+      }
+  });
   for (std::size_t n = 0; n < node_count; ++n) {
     poll();
-    for (std::uint32_t a = begin; a < end[n]; ++a)
-      for (std::uint32_t b = a + 1; b < end[n]; ++b)
-        if (facets[a].mid == facets[b].mid && facets[a].high == facets[b].high)
-          sets.join(facets[a].owner, facets[b].owner);
-    begin = end[n];
+    const std::span<const BucketFacet> at = facets[n];
+    for (std::size_t a = 0; a < at.size(); ++a)
+      for (std::size_t b = a + 1; b < at.size(); ++b)
+        if (at[a].mid == at[b].mid && at[a].high == at[b].high) sets.join(at[a].owner, at[b].owner);
   }
 }
 

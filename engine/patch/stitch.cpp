@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/mesh/grouping.h"
 #include "engine/mesh/tet_boxes.h"
 #include "engine/patch/node_map.h"
 #include "engine/patch/tet_index.h"
@@ -61,13 +62,11 @@ void close_gaps(CowVector<T>& values, const std::vector<std::int32_t>& moves) {
 
 /// The tets in the order of their lowest nodes.
 std::vector<std::int32_t> by_lowest_node(const TetMesh& mesh) {
-  std::vector<std::int32_t> begin(mesh.nodes.size() + 1, 0);
-  for (const Tet& t : mesh.tets) ++begin[std::ranges::min(t) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::int32_t> order(mesh.tets.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    order[begin[std::ranges::min(mesh.tets[k])]++] = static_cast<std::int32_t>(k);
-  return order;
+  auto by_node = grouped<std::int32_t>(mesh.nodes.size(), [&](const auto& visit) {
+    for (std::size_t k = 0; k < mesh.tets.size(); ++k)
+      visit(std::ranges::min(mesh.tets[k]), static_cast<std::int32_t>(k));
+  });
+  return std::move(by_node.items);
 }
 
 class Stitcher {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/base/run.h"
+#include "engine/mesh/grouping.h"
 #include "engine/mesh/tet_mesh.h"
 
 namespace remeshd {
@@ -26,8 +26,7 @@ class TetIndex {
     std::array<std::int32_t, 3> others;  ///< ascending
     std::int32_t tet;
   };
-  std::vector<std::uint32_t> begin_;  ///< by smallest node: its first entry
-  std::vector<Entry> entries_;
+  Grouping<Entry> entries_;  ///< by smallest node
 };
 
 /// The nodes of a tet in ascending order.

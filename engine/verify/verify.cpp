@@ -12,6 +12,7 @@
 #include "engine/base/tolerance.h"
 #include "engine/boundary/edge_chains.h"
 #include "engine/boundary/facet_faces.h"
+#include "engine/mesh/grouping.h"
 #include "engine/mesh/quality.h"
 #include "engine/verify/surface_facets.h"
 
@@ -163,15 +164,14 @@ class Checker {
     surface_ = std::move(match.surface);
     result_.boundary_facets = static_cast<std::uint32_t>(surface_.size());
 
-    spokes_begin_.assign(nodes + 1, 0);
-    for (const SurfaceFacet& facet : surface_)
-      for (const std::int32_t n : facet.nodes) ++spokes_begin_[n + 1];
-    for (std::size_t n = 0; n < nodes; ++n) spokes_begin_[n + 1] += spokes_begin_[n];
-    spokes_.resize(3 * surface_.size());
-    std::vector<std::uint32_t> next(spokes_begin_.begin(), spokes_begin_.end() - 1);
-    for (const SurfaceFacet& facet : surface_)
-      for (int i = 0; i < 3; ++i)
-        spokes_[next[facet.nodes[i]]++] = {facet.nodes[(i + 1) % 3], facet.nodes[(i + 2) % 3]};
+    fans_ = grouped<Spoke>(nodes, [&](const auto& visit) {
+      for (const SurfaceFacet& facet : surface_) {
+        const auto& [a, b, c] = facet.nodes;
+        visit(a, Spoke{b, c});
+        visit(b, Spoke{c, a});
+        visit(c, Spoke{a, b});
+      }
+    });
     for (std::size_t n = 0; n < nodes; ++n) {
       poll_();
       if (inherited_ && inherited_->touched[n] == 0) continue;
@@ -182,9 +182,7 @@ class Checker {
   }
 
   /// The boundary facets at a node.
-  [[nodiscard]] std::span<const Spoke> fan(std::int32_t n) const {
-    return {spokes_.data() + spokes_begin_[n], spokes_begin_[n + 1] - spokes_begin_[n]};
-  }
+  [[nodiscard]] std::span<const Spoke> fan(std::int32_t n) const { return fans_[n]; }
   /// Whether a boundary facet has the edge from a to b in its turning direction.
   [[nodiscard]] bool boundary_edge(std::int32_t a, std::int32_t b) const {
     const auto at = fan(a);
@@ -349,8 +347,7 @@ class Checker {
   Verification result_;
   std::vector<std::uint8_t> used_;
   std::vector<SurfaceFacet> surface_;
-  std::vector<std::uint32_t> spokes_begin_;  ///< by node: its first spoke
-  std::vector<Spoke> spokes_;
+  Grouping<Spoke> fans_;  ///< by node
   std::vector<std::vector<NodeOnEdge>> chains_;
 };
 

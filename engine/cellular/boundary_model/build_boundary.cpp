@@ -6,6 +6,7 @@
 
 #include "engine/cellular/boundary_model/edge_curve.h"
 #include "engine/cellular/boundary_model/tolerant_order.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 namespace {
@@ -224,10 +225,7 @@ BoundaryModel build_boundary(const Brep& brep, const std::vector<BoundaryPiece>&
   std::vector<std::vector<int>> edges_of_group(unified.groups);
   std::vector<std::array<int, 2>> groups_of_edge;
   add_edges(model, brep, unified, vertex_number, edges_of_group, groups_of_edge);
-  for (BoundaryVertex& vertex : model.vertices) {
-    std::sort(vertex.edges.begin(), vertex.edges.end());
-    vertex.edges.erase(std::unique(vertex.edges.begin(), vertex.edges.end()), vertex.edges.end());
-  }
+  for (BoundaryVertex& vertex : model.vertices) sort_unique(vertex.edges);
 
   std::vector<std::vector<int>> members(unified.groups);
   for (int f = 0; f < static_cast<int>(pieces.size()); ++f)
@@ -251,8 +249,7 @@ BoundaryModel build_boundary(const Brep& brep, const std::vector<BoundaryPiece>&
   for (std::size_t e = 0; e < model.edges.size(); ++e) {
     auto& faces = model.edges[e].faces;
     for (const int g : groups_of_edge[e]) faces.push_back(renumber[g]);
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
   }
   refine(model, tolerance);
   for (const BoundaryFace& face : model.faces)

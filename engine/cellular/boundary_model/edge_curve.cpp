@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/kernel/curve_points.h"
+#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 namespace {
@@ -91,8 +92,7 @@ void refine(BoundaryModel& model, double tolerance) {
     std::vector<int> faces;
     for (const int e : vertex.edges)
       faces.insert(faces.end(), model.edges[e].faces.begin(), model.edges[e].faces.end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
     std::vector<const Surface*> surfaces;
     for (const int f : faces) surfaces.push_back(&model.faces[f].surface);
     vertex.position = onto_all(surfaces, vertex.position, exact);
