@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "client/formats/read_mesh.h"
@@ -123,16 +124,20 @@ FileMesh parse_msh(std::string_view bytes) {
   Scanner scanner(bytes);
   FileMesh mesh;
   Places places;
-  bool binary = false;
+  std::optional<bool> binary;
+  const auto values = [&] {
+    if (!binary) throw FileError("$MeshFormat is missing");
+    return Values(scanner, *binary);
+  };
   while (scanner.skip_blanks()) {
     const std::string_view section = scanner.line();
     if (!section.starts_with('$')) throw FileError("it is not a Gmsh file");
     if (section == "$MeshFormat")
       binary = read_format(scanner);
     else if (section == "$Nodes")
-      read_nodes(Values(scanner, binary), mesh, places);
+      read_nodes(values(), mesh, places);
     else if (section == "$Elements")
-      read_elements(Values(scanner, binary), mesh, places);
+      read_elements(values(), mesh, places);
     const std::string end = "$End" + std::string(section.substr(1));
     if (!scanner.skip_past_line(end)) throw FileError(end + " is missing");
   }

@@ -67,6 +67,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::vector<remesh::v1::DeleteRevisionRequest> deletions;
   std::vector<remesh::v1::DeleteDesignRequest> design_deletions;
   std::vector<remesh::v1::SetHeadRequest> heads;
+  std::vector<remesh::v1::RemakeRevisionRequest> remakes;
   std::vector<remesh::v1::GetMeshRequest> mesh_requests;
 
   grpc::Status EditStream(
@@ -187,6 +188,16 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     response->mutable_design()->set_name("d");
     response->mutable_design()->set_head("id-of-" + request->revision());
     response->mutable_design()->set_head_number(2);
+    return grpc::Status::OK;
+  }
+
+  grpc::Status RemakeRevision(grpc::ServerContext*,
+                              const remesh::v1::RemakeRevisionRequest* request,
+                              remesh::v1::RemakeRevisionResponse* response) override {
+    remakes.push_back(*request);
+    if (failure) return status_of(*failure);
+    *response->mutable_result() = revision(1, "", "");
+    response->add_remade("0123456789abcdef");
     return grpc::Status::OK;
   }
 

@@ -22,7 +22,11 @@ std::string name_of(Report::Way way) {
   return name;
 }
 
-std::string seconds(double value) { return value > 0 ? rounded(value, 3) : "-"; }
+/// None, as of what the daemon tells no seconds of, is `-`.
+std::string seconds(double value) {
+  if (value <= 0) return "-";
+  return value < 0.001 ? "<0.001" : rounded(value, 3);
+}
 
 void add_attempt(const Report::Attempt& attempt, const std::string& step, Rows& rows) {
   rows.push_back(

@@ -17,6 +17,17 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
+TEST(ErrorOfThisSide, TellsAnEditAndADelayOnlyWhereThereAreAny) {
+  const Error plain = to_detail(ErrorInfo{.kind = ErrorKind::Internal, .reason = "INTERNAL"});
+  EXPECT_FALSE(plain.has_edit_index());
+  EXPECT_FALSE(plain.has_retry_after());
+  const Error of_an_edit =
+      to_detail(ErrorInfo{.edit_index = 2, .retry_after = 1.5, .attempts = {"full: flat"}});
+  EXPECT_EQ(of_an_edit.edit_index(), 2U);
+  EXPECT_EQ(of_an_edit.retry_after(), 1.5);
+  EXPECT_THAT(of_an_edit.attempts(), testing::ElementsAre("full: flat"));
+}
+
 TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
   const std::string model = kCases + "/simple-a.json";
   const std::vector<std::vector<std::string>> wrong{

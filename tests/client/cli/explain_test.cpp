@@ -35,7 +35,7 @@ TEST_F(Cli, ExplainTellsWhatWasTriedBeforeWhatWasTakenAndWhy) {
   diagnostics.set_geometry_seconds(0.125);
   *diagnostics.mutable_taken() = attempt("fresh", "", 0.75);
   *diagnostics.add_geometry_attempts() =
-      attempt("swept", "sweeps: two features have no axis in common", 0.001);
+      attempt("swept", "sweeps: two features have no axis in common", 2e-5);
   *report.add_attempts() = attempt("morphed", "a tet would have missed the goals of quality", 0.02);
   *report.add_attempts() = attempt("local, everywhere", "a hole in the boundary", 0.25);
   service_.stored_parent = "0123abcd";
@@ -47,7 +47,7 @@ TEST_F(Cli, ExplainTellsWhatWasTriedBeforeWhatWasTakenAndWhy) {
   EXPECT_THAT(table[2], MatchesRegex("seconds +1.5"));
   EXPECT_THAT(table[4], MatchesRegex("step +way +outcome +seconds +reason"));
   EXPECT_THAT(table[5],
-              MatchesRegex("boundary +swept +given up +0.001 +sweeps: two features have.*"));
+              MatchesRegex("boundary +swept +given up +<0.001 +sweeps: two features have.*"));
   EXPECT_THAT(table[6], MatchesRegex("boundary +crossed +taken +0.125 +-"));
   EXPECT_THAT(table[7], MatchesRegex("mesh +morphed +given up +0.02 +a tet would have.*"));
   EXPECT_THAT(table[8], MatchesRegex("mesh +local, everywhere +given up +0.25 +a hole.*"));

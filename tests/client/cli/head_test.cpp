@@ -68,6 +68,23 @@ TEST_F(Cli, EditThatRequiresTheHeadExits6WhereAnotherEditMovedIt) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "n.vtu"));
 }
 
+TEST_F(Cli, EditRequiresTheHeadOnlyWhereAsked) {
+  ASSERT_EQ(run({"edit", "simple", kEdit, "-o", file("m.vtu")}), kFine);
+  EXPECT_FALSE(service_.requests[0].edit().head().require());
+}
+
+TEST_F(Cli, RemakeMakesItsRevisionTheHeadWhereAsked) {
+  ASSERT_EQ(run({"remake", "tool1-a@2", "--head", "--design", "mine"}), kFine) << err_.str();
+  EXPECT_EQ(out_.str(), "d@1  rev-1\n");
+  EXPECT_THAT(err_.str(), HasSubstr("made anew for it: 0123456789ab\n"));
+  ASSERT_EQ(run({"remake", "tool1-a@2"}), kFine) << err_.str();
+  ASSERT_THAT(service_.remakes, SizeIs(2));
+  EXPECT_EQ(service_.remakes[0].revision(), "tool1-a@2");
+  EXPECT_EQ(service_.remakes[0].design(), "mine");
+  EXPECT_TRUE(service_.remakes[0].head().advance());
+  EXPECT_FALSE(service_.remakes[1].has_head());
+}
+
 TEST_F(Cli, RemovesAWholeDesign) {
   ASSERT_EQ(run({"rm", "--design", "tool1-a"}), kFine) << err_.str();
   ASSERT_THAT(service_.design_deletions, SizeIs(1));

@@ -40,6 +40,23 @@ client::FileMesh cap(double degrees) {
           .tets = {{0, 1, 2, 3}}};
 }
 
+TEST(Measure, LeastQualityIsThatOfTheWorstTet) {
+  client::FileMesh two = cap(50);
+  for (const auto& node : cap(20).nodes) two.nodes.push_back(node);
+  two.tets.push_back({4, 5, 6, 7});
+  EXPECT_EQ(measure(two, {}).vl_min, measure(cap(20), {}).vl_min);
+  EXPECT_LT(measure(cap(20), {}).vl_min, measure(cap(50), {}).vl_min);
+}
+
+TEST(Measure, AFlatTetIsWrongWhicheverWayTheOthersTurn) {
+  client::FileMesh mesh = cap(50);
+  for (const auto& node : cap(0).nodes) mesh.nodes.push_back(node);
+  mesh.tets.push_back({4, 5, 6, 7});
+  EXPECT_EQ(measure(mesh, {}).neg, 1U);
+  std::swap(mesh.tets[0][2], mesh.tets[0][3]);
+  EXPECT_EQ(measure(mesh, {}).neg, 1U);
+}
+
 TEST(Measure, TellsTheShareOfSmallAnglesAndOfTetsThatHaveOne) {
   const Measures below_20 = measure(cap(15), {});
   EXPECT_NEAR(below_20.dih_min, 15, 1e-9);

@@ -78,6 +78,14 @@ TEST(Msh, ThatEndsBehindABinaryHeaderIsRefused) {
   EXPECT_THROW(parse_msh("$MeshFormat\n4.1 1 8\n"), FileError);
 }
 
+TEST(Msh, WithoutItsFormatIsRefused) {
+  EXPECT_THROW(parse_msh("$Nodes\n0 0 0 0\n$EndNodes\n"), FileError);
+  EXPECT_THROW(parse_msh("$Elements\n0 0 0 0\n$EndElements\n"), FileError);
+  EXPECT_TRUE(parse_msh("$Comments\nnone\n$EndComments\n"
+                        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n0 0 0 0\n$EndNodes\n")
+                  .nodes.empty());
+}
+
 // Gmsh 4.8 wrote it, with -parametric: the places of nodes on curves and surfaces go on with one or
 // two parameters, which are no coordinates.
 TEST(Msh, ParametersOfNodesArePassedOver) {

@@ -114,6 +114,15 @@ TEST(GetMesh, OfAnotherMeshThanBeforeItBrokeIsDamage) {
   }
 }
 
+TEST(GetMesh, WaitsBetweenTries) {
+  FakeDaemon daemon;
+  daemon.service.mesh_break = 0;
+  CallOptions briefly;
+  briefly.reconnect = 0.5;
+  EXPECT_THROW((void)Client::connect(daemon.address).get_mesh("a", briefly), CallError);
+  EXPECT_LT(daemon.service.mesh_requests.size(), 6U);
+}
+
 TEST(GetMesh, IsGivenUpWhereItIsNotToBeTriedAgain) {
   FakeDaemon daemon;
   daemon.service.mesh_break = 2;

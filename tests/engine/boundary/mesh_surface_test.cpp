@@ -180,6 +180,9 @@ TEST(SurfaceCrossings, FindsAFacetThroughAnotherAndNoneBesideIt) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(std::min(found[0].first, found[0].second), 0);
   EXPECT_EQ(std::max(found[0].first, found[0].second), 1);
+  // Whichever of the two has the side that cuts the other.
+  std::swap(mesh.facets[0], mesh.facets[1]);
+  EXPECT_EQ(surface_crossings(mesh, kRun).size(), 1U);
 }
 
 }  // namespace
