@@ -312,8 +312,7 @@ bool DelaunayMesh::flip_4_4(FacetRef facet, std::int32_t s, std::vector<FacetRef
   std::int32_t x = -1, y = -1;
   for (const int c : kTetFacets[facet.corner()])
     if (const std::int32_t v = slots_[t].v[c]; v != s) (x < 0 ? x : y) = v;
-  const int p_in_2 = slots_[t2].corner_of(p);
-  if (p_in_2 < 0 || slots_[t2].n[p_in_2].tet() != u2) return false;
+  assert(slots_[t2].n[slots_[t2].corner_of(p)].tet() == u2);  // both have the facet (x, y, w)
   // All four tets of the result have to be positive.
   const auto turned = [&](std::int32_t tet, std::int32_t from, std::int32_t to) {
     return positive_with(tet, slots_[tet].corner_of(from), to);

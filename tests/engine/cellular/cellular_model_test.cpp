@@ -311,6 +311,19 @@ void expect_watertight(const CellularModel& cells) {
   EXPECT_NEAR(volume, cells.volume, 0.02 * cells.volume);
 }
 
+TEST(CellularModelTest, ThePointInsideOfAThinCurvedCellIsInIt) {
+  const FeatureModel model =
+      evaluate(test::model_of({cylinder("outer", {0.0, 0.0, 0.0}, 10.02, 20),
+                               minus(cylinder("inner", {0.0, 0.0, 0.0}, 10, 20))}));
+  const Membership membership(model);
+  const CellularModel cells = build_cells(model, kRun);
+  for (const Cell& cell : cells.complex().cells) {
+    std::vector<int> owners;
+    membership.owners(cell.inside, owners);
+    EXPECT_EQ(owners, cell.owners);
+  }
+}
+
 // Thin faces, which the CAD kernel alone does not triangulate: found by random edits.
 
 TEST(CellularModelTest, ALedgeOfAMillionthIsAFace) {

@@ -55,6 +55,27 @@ TEST(SharpPlaces, AreNotTheGroundOfASlit) {
   EXPECT_EQ(count(sharp.vertices), 2);
 }
 
+/// Half of a column, cut off by a plane at 70 degrees: the edge of the cut has a sharp end, of 20
+/// degrees, and a blunt one. `upper`: what stays, its sharp end below, or the lower part.
+ModelSource cut_column(bool upper) {
+  ModelSource source = test::model_of({test::cylinder("column", 10, 80)});
+  const double rise = 11 * std::tan(70 * kDegree), end = upper ? -10 : 90;
+  const FeatureSource rest =
+      test::feature("rest", "prism",
+                    {test::point(-11.0, 40 + rise), test::point(11.0, 40 - rise),
+                     test::point(11.0, end), test::point(-11.0, end)},
+                    {{"height", 24.0}});
+  source.features.push_back(
+      test::placed(test::turned(rest, {0, -1, 0}, {1, 0, 0}), 0, 12, 0, Nature::Subtractive));
+  source.features.push_back(
+      test::placed(test::block("half", 30, 20, 90), 0, 10, 0, Nature::Subtractive));
+  return source;
+}
+
+TEST(SharpPlaces, AreEdgesThatAreSharpAtOneEndWhicheverItIs) {
+  for (const bool upper : {false, true}) EXPECT_EQ(count(of(cut_column(upper)).edges), 1) << upper;
+}
+
 TEST(SharpPlaces, AreWhereEdgesOfAFaceTouch) {
   // A boss on a disc that touches its rim from inside leaves a crescent with a cusp of no angle.
   ModelSource source =
