@@ -1,5 +1,6 @@
 #include "engine/delivery/failure_place.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "engine/cellular/cellular_model.h"
@@ -38,6 +39,22 @@ TEST_F(FailureInTool1, OnAModelEdgeIsBetweenItsFaces) {
   const FailurePlace place = find(defect);
   EXPECT_EQ(place.features, (Names{"plate", "hole1"}));
   EXPECT_EQ(describe(defect, place), "a gap at (41, 0, 12), between plate.top and hole1.wall");
+}
+
+/// Of a block's corner, where three edges have two faces each.
+TEST(FailureOfABlock, AtAModelVertexIsBetweenItsThreeFaces) {
+  const FeatureModel model = evaluate(test::model_of({test::block("block", 10, 10, 10)}));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  for (int v = 0; v < 8; ++v) {
+    const Vec3& corner = cells.boundary.vertices[v].position;
+    Names faces{corner.x < 0 ? "block.x_min" : "block.x_max",
+                corner.y < 0 ? "block.y_min" : "block.y_max",
+                corner.z < 5 ? "block.bottom" : "block.top"};
+    const MeshDefect defect{MeshFailure::MissingVertex, v, corner, "no node"};
+    EXPECT_THAT(find_failure(defect, model, membership, cells.boundary, 3).faces,
+                testing::UnorderedElementsAreArray(faces));
+  }
 }
 
 TEST_F(FailureInTool1, OnOneFaceIsOnIt) {

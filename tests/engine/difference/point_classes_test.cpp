@@ -40,6 +40,23 @@ TEST(PointClassesTest, CellsOfFigure11AtPointsOfTheModifiedModel) {
   EXPECT_FALSE(classes.in_copycell({-6, 0, 5}) || classes.in_newcell({-6, 0, 5}));
 }
 
+TEST(PointClassesTest, FeaturesThatAreNoMoreComeLastWhicheverTheyWere) {
+  const FeatureModel three = evaluate(test::model_of(
+      {test::block("a", 10, 10, 10), test::block("b", 9, 9, 30), test::block("c", 8, 40, 8)}));
+  const auto without = [&](std::size_t f) {
+    FeatureModel model = three;
+    model.features.erase(model.features.begin() + static_cast<std::ptrdiff_t>(f));
+    return model;
+  };
+  for (const std::size_t f : {0U, 1U, 2U}) {
+    const PointClasses classes(three, without(f));
+    ASSERT_EQ(classes.features().size(), 3U);
+    EXPECT_EQ(classes.features().back().id, three.features[f].id);
+    EXPECT_EQ(classes.features().back().original, static_cast<int>(f));
+    EXPECT_EQ(classes.features().back().modified, -1);
+  }
+}
+
 TEST(PointClassesTest, FacesOfTheBaseOfFigure7) {
   const DifferenceCase c("fig6-ab");
   const PointClasses classes(c.original, c.modified);
