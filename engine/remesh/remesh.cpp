@@ -51,7 +51,7 @@ Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*
     // free: steps 2 and 3 of Sect. 5.
     std::optional<PatchNodes> nodes = copy_and_fill(task, attempt);
     if (!nodes) return attempt;
-    // Variational tetrahedral meshing of the free nodes (Sects. 3.1, 3.3, 8).
+    // Variational tetrahedral meshing of the free nodes (Sects. 3.1, 3.3, 8): step 4 of Sect. 5.
     const SampledBoundary boundary = sample(task, *nodes, attempt);
     OptimiseResult loop = optimise(task, *nodes, boundary, attempt);
     // Extraction of the model's mesh (Sect. 3.4), put back into the parent's and verified.

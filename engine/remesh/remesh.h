@@ -19,8 +19,9 @@ namespace remeshd {
 /// with a warning before the next begins.
 /// Throws Error: what `evaluate` and `build_cells` throw; `OPTIONS_INVALID`; `MESH_TOO_LARGE` where
 /// more nodes than `run.max_nodes` would be needed, before any is made; `BOUNDARY_NOT_RECOVERED`
-/// where no valid mesh could be made, naming the place and the features there; Cancelled within 100
-/// ms of a stop request.
+/// where no valid mesh could be made, naming the place and the features there; `TETGEN_MISSING`,
+/// and with the control mesh as inside test the other failures of TetGen; Cancelled within 100 ms
+/// of a stop request.
 Revision make_revision(const Revision& parent, const ModelSource& source,
                        const MeshOptions& options, const Run& run);
 

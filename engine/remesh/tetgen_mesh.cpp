@@ -206,14 +206,13 @@ bool tetgen_failed(const Error& e) {
   return e.info().reason.starts_with("TETGEN_") && e.info().reason != "TETGEN_MISSING";
 }
 
-}  // namespace
-
-Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
+/// The first valid mesh; `given_up` gets the tries before it.
+Candidate first_valid(const TetGenInput& input, const Run& run,
+                      std::vector<TriedStrategy>& given_up) {
   const Stopwatch watch;
   std::optional<Error> failure;
   kernel::TetGenLimits limits = input.limits;
   const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
-  std::vector<TriedStrategy> given_up;
   for (const Question& question : kQuestions) {
     const Stopwatch tried;
     const SurfaceMesh surface = mesh_surface(
@@ -223,23 +222,32 @@ Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
     if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
     try {
       Candidate c = try_tetgen(surface, question.split_surface, input, limits, run);
-      if (c.verification.valid) {
-        c.given_up = std::move(given_up);
-        return c;
-      }
+      if (c.verification.valid) return c;
       failure = not_recovered(input, c.verification, {});
-      given_up.push_back(
-          TriedStrategy{question.name, fault_of(c.verification, input), tried.total()});
+      given_up.push_back({question.name, fault_of(c.verification, input), tried.total()});
       if (!question.split_surface && is_flat_only(c)) break;
     } catch (const Error& e) {
-      if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
       if (!tetgen_failed(e)) throw;
+      given_up.push_back({question.name, e.info().message, tried.total()});
+      if (e.info().reason == "TETGEN_TOO_SLOW") throw error::tetgen_too_slow(input.limits.seconds);
       failure = e;
-      given_up.push_back(TriedStrategy{question.name, e.info().message, tried.total()});
     }
   }
-  failure->info().attempts = in_words(given_up);
   throw Error(*failure);
+}
+
+}  // namespace
+
+Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run) {
+  std::vector<TriedStrategy> given_up;
+  try {
+    Candidate c = first_valid(input, run, given_up);
+    c.given_up = std::move(given_up);
+    return c;
+  } catch (Error& error) {
+    error.info().attempts = in_words(given_up);
+    throw;
+  }
 }
 
 Candidate tetgen_mesh(const TetGenInput& input, const Verification& failed, const Run& run) {

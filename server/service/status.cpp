@@ -16,7 +16,8 @@ namespace v1 = remesh::v1;
 // Together below the 4 KB that an error may have; beyond 7 KB gRPC drops it altogether.
 constexpr std::size_t kLongText = 500;
 constexpr std::size_t kShortText = 160;
-constexpr std::size_t kAllTexts = 400;  // of a list of texts
+constexpr std::size_t kAllTexts = 400;  // of a list of names
+constexpr std::size_t kAllAttempts = 900;
 
 grpc::StatusCode code_of(ErrorKind kind) {
   switch (kind) {
@@ -58,12 +59,13 @@ v1::Error::Reason reason_of(const ErrorInfo& info) {
 
 /// The first of the texts, as many as there is room for.
 template <typename Repeated>
-void put_fitting(const std::vector<std::string>& texts, Repeated& out) {
+void put_fitting(const std::vector<std::string>& texts, Repeated& out,
+                 std::size_t most = kAllTexts) {
   std::size_t bytes = 0;
   for (const std::string& whole : texts) {
     std::string text = fitting(whole, kShortText);
     bytes += text.size() + 2;  // on the wire
-    if (bytes > kAllTexts) return;
+    if (bytes > most) return;
     out.Add(std::move(text));
   }
 }
@@ -103,7 +105,7 @@ v1::Error to_message(const Error& error) {
   if (info.line) out.set_line(static_cast<std::uint32_t>(*info.line));
   if (info.column) out.set_column(static_cast<std::uint32_t>(*info.column));
   if (info.retry_after) out.set_retry_after(*info.retry_after);
-  put_fitting(info.attempts, *out.mutable_attempts());
+  put_fitting(info.attempts, *out.mutable_attempts(), kAllAttempts);
   if (info.warning) put_warning(*info.warning, *out.mutable_warning());
   return out;
 }
