@@ -17,7 +17,7 @@ namespace v1 = remesh::v1;
 constexpr std::size_t kLongText = 500;
 constexpr std::size_t kShortText = 160;
 constexpr std::size_t kAllTexts = 400;  // of a list of names
-constexpr std::size_t kAllAttempts = 900;
+constexpr std::size_t kAllAttempts = 600;
 
 grpc::StatusCode code_of(ErrorKind kind) {
   switch (kind) {

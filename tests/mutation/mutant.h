@@ -8,9 +8,24 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 #include <type_traits>
 
 // Included by the mutated copies of sources (README.md), never by the sources themselves.
+
+/// The value of a variable; of the process that started this one where this one has no environment,
+/// as the helper that runs TetGen has none. Empty where it is not set.
+inline std::string remeshd_variable(const std::string& name) {
+  if (environ != nullptr && *environ != nullptr) {
+    const char* value = std::getenv(name.c_str());
+    return value != nullptr ? value : "";
+  }
+  std::ifstream of_parent("/proc/" + std::to_string(getppid()) + "/environ");
+  for (std::string entry; std::getline(of_parent, entry, '\0');)
+    if (entry.starts_with(name + "=")) return entry.substr(name.size() + 1);
+  return {};
+}
 
 /// What the environment says of the mutants, read once a process.
 struct RemeshdMutants {
@@ -19,9 +34,10 @@ struct RemeshdMutants {
   std::size_t size = 0;              ///< bytes of `reached`
 
   RemeshdMutants() {
-    if (const char* number = std::getenv("REMESHD_MUTANT")) chosen = std::atoi(number);
-    const char* name = std::getenv("REMESHD_MUTANTS_REACHED");
-    const int file = name ? open(name, O_RDWR | O_CLOEXEC) : -1;
+    const std::string number = remeshd_variable("REMESHD_MUTANT");
+    if (!number.empty()) chosen = std::atoi(number.c_str());
+    const std::string name = remeshd_variable("REMESHD_MUTANTS_REACHED");
+    const int file = name.empty() ? -1 : open(name.c_str(), O_RDWR | O_CLOEXEC);
     if (file < 0) return;
     struct stat status = {};
     if (fstat(file, &status) == 0 && status.st_size > 0) {
@@ -34,9 +50,16 @@ struct RemeshdMutants {
   }
 };
 
+inline const RemeshdMutants& remeshd_mutants() {
+  static const RemeshdMutants mutants;
+  return mutants;
+}
+/// Read before main: the helper that runs TetGen opens no file later.
+inline const bool remeshd_mutants_are_read = (remeshd_mutants(), true);
+
 /// Whether fault n is to be made here; notes that this place was reached, where that is asked for.
 inline bool remeshd_mutant(int n) {
-  static const RemeshdMutants mutants;
+  const RemeshdMutants& mutants = remeshd_mutants();
   if (mutants.reached != nullptr && static_cast<std::size_t>(n) < mutants.size)
     mutants.reached[n] = 1;
   return n == mutants.chosen;
