@@ -111,6 +111,7 @@ TEST_F(FetcherTest, ThoseWhoWantTheSameMeshShareOneComputation) {
   std::vector<Fetched> all;
   for (int k = 0; k < 5; ++k) all.push_back(fetch(id(0)));
   ASSERT_TRUE(wait_for_waiting(5));
+  ASSERT_TRUE(fake_.wait_at_gate(1));
   EXPECT_EQ(session_->load().queued, 0U);
   fake_.open_gate();
   for (const Fetched& each : all) EXPECT_EQ(each.revision(), all[0].revision());
