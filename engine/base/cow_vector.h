@@ -110,7 +110,7 @@ class CowVector {
   }
   /// Writes, where that is not what stands there.
   void set(std::size_t i, const T& value) {
-    if (!((*this)[i] == value)) edit(i) = value;
+    if (!equal((*this)[i], value)) edit(i) = value;
   }
   /// Leaves out what is beyond, or adds `value`.
   void resize(std::size_t size, const T& value = {}) {
@@ -161,6 +161,14 @@ class CowVector {
   }
 
  private:
+  /// The arrays that `==` compares by a call, for their few bytes, are compared in place.
+  static bool equal(const T& a, const T& b) {
+    if constexpr (std::has_unique_object_representations_v<T>) {
+      return std::memcmp(&a, &b, sizeof(T)) == 0;
+    } else {
+      return a == b;
+    }
+  }
   /// 0 and -0 are equal, and not the same.
   static bool same_bits(std::span<const T> a, std::span<const T> b) {
     if constexpr (std::is_trivially_copyable_v<T>) {

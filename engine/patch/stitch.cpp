@@ -120,7 +120,7 @@ class Stitcher {
     whole_.mesh.nodes.resize(most);
     whole_.delaunay_state.supports.resize(most);
     map.node_origin.resize(most);
-    map.original_node.resize(most);
+    map.original_node.resize(most, -1);
     map.node_transform.resize(most);
     const CowVector<Vec3>& then = original_.output.mesh.nodes;
     for (std::size_t n = 0; n < names_.size(); ++n) {
@@ -164,7 +164,7 @@ class Stitcher {
     NodeMap& map = whole_.map;
     const std::size_t end = places.end_after(std::ranges::count(was, -1));
     whole_.mesh.tets.resize(end);
-    map.original_tet.resize(end);
+    map.original_tet.resize(end, -1);
     whole_.new_tets.resize(tets.size());
     std::vector<std::int32_t> order(tets.size());
     std::iota(order.begin(), order.end(), 0);

@@ -55,12 +55,13 @@ void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
   std::vector<Entry> entries(end[node_count]);
   each([&](std::size_t t, FacetMask wanted) {
     poll();
+    const Tet tet = tets[t];
     for (int i = 0; i < 4; ++i) {
       if ((wanted >> i & 1) == 0) continue;
       // Without branches, for which node is the smallest cannot be foreseen; and in place, for a
       // value that is returned through memory is waited for.
       const auto& f = kTetFacets[i];
-      const std::int32_t a = tets[t][f[0]], b = tets[t][f[1]], c = tets[t][f[2]];
+      const std::int32_t a = tet[f[0]], b = tet[f[1]], c = tet[f[2]];
       const std::int32_t low = std::min(std::min(a, b), c);
       const std::int32_t high = std::max(std::max(a, b), c);
       const int odd = static_cast<int>(a > b) ^ static_cast<int>(a > c) ^ static_cast<int>(b > c);
