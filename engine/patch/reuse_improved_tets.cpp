@@ -99,7 +99,7 @@ class TetReuse {
     for (std::int32_t n = 0; n < count; ++n)
       if (unmoved_[n]) copy[nodes_.original[n]] = n;
     for (std::size_t p = 0; p < cavities_.list.size(); ++p) {
-      if (!whole[p] || found[p] == 0 || found[p] != cavities_.list[p].delaunay.size()) continue;
+      if (!whole[p] || found[p] != cavities_.list[p].delaunay.size()) continue;
       // Delivered tets may have nodes that none of the cavity's Delaunay tets has.
       const auto came_along = [&](std::int32_t n) {
         return copy[n] >= 0 && nodes_.transform[copy[n]] == transform[p];
