@@ -37,7 +37,6 @@ class CrossedParts {
       if (family.walled) continue;
       brep_.faces.emplace_back().cells = {0, -1};
       for (const CylinderUse& use : family.uses) brep_.faces.back().edges.push_back(use.edge);
-      std::ranges::sort(brep_.faces.back().edges);
       out.parts.pieces.push_back(family.piece);
       out.along.push_back(family.along ? 1 : 0);
     }
