@@ -81,6 +81,8 @@ TEST(Msh, ThatEndsBehindABinaryHeaderIsRefused) {
 TEST(Msh, WithoutItsFormatIsRefused) {
   EXPECT_THROW(parse_msh("$Nodes\n0 0 0 0\n$EndNodes\n"), FileError);
   EXPECT_THROW(parse_msh("$Elements\n0 0 0 0\n$EndElements\n"), FileError);
+  const std::string no_nodes(4 * sizeof(std::uint64_t), '\0');
+  EXPECT_THROW(parse_msh("$Nodes\n" + no_nodes + "\n$EndNodes\n"), FileError);
   EXPECT_TRUE(parse_msh("$Comments\nnone\n$EndComments\n"
                         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n0 0 0 0\n$EndNodes\n")
                   .nodes.empty());
