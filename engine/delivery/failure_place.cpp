@@ -5,7 +5,6 @@
 
 #include "engine/boundary/face_distance.h"
 #include "engine/delivery/facet_names.h"
-#include "engine/mesh/grouping.h"
 
 namespace remeshd {
 
@@ -38,7 +37,6 @@ std::vector<int> faces_at(const MeshDefect& defect, const BoundaryModel& boundar
   std::vector<int> faces;
   for (const int e : boundary.vertices[defect.entity].edges)
     faces.insert(faces.end(), boundary.edges[e].faces.begin(), boundary.edges[e].faces.end());
-  sort_unique(faces);
   return faces.empty() ? nearest_faces(boundary, defect.place, reach) : faces;
 }
 

@@ -55,11 +55,11 @@ TEST(SharpPlaces, AreNotTheGroundOfASlit) {
   EXPECT_EQ(count(sharp.vertices), 2);
 }
 
-/// Half of a column, cut off by a plane at 70 degrees: the edge of the cut has a sharp end, of 20
+/// Half of a column, cut off by a plane at 66 degrees: the edge of the cut has a sharp end, of 24
 /// degrees, and a blunt one. `upper`: what stays, its sharp end below, or the lower part.
 ModelSource cut_column(bool upper) {
   ModelSource source = test::model_of({test::cylinder("column", 10, 80)});
-  const double rise = 11 * std::tan(70 * kDegree), end = upper ? -10 : 90;
+  const double rise = 11 * std::tan(66 * kDegree), end = upper ? -10 : 90;
   const FeatureSource rest =
       test::feature("rest", "prism",
                     {test::point(-11.0, 40 + rise), test::point(11.0, 40 - rise),
