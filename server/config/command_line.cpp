@@ -41,7 +41,7 @@ Flag add_flag(CLI::App& app, const Option& option) {
   parsed->type_name(option.argument)->default_str(default_text(option));
   parsed->type_size(1)->expected(1);
   if (option.kind == OptionKind::List)
-    parsed->expected(1, 1000)->allow_extra_args(false);
+    parsed->expected(1, 1000);
   else
     parsed->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   return {&option, parsed};

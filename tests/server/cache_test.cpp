@@ -127,6 +127,39 @@ TEST_F(Cache, ListsInPagesByUseAgeOrBytes) {
   EXPECT_THAT(listed(request), SizeIs(0));
 }
 
+TEST_F(Cache, HasPagesNoLargerThanAskedFor) {
+  for (const std::uint32_t size : {1U, 2U}) {
+    grpc::ClientContext context;
+    v1::ListCacheEntriesRequest request;
+    request.set_page_size(size);
+    v1::ListCacheEntriesResponse page;
+    ASSERT_TRUE(cache()->ListCacheEntries(&context, request, &page).ok());
+    EXPECT_EQ(page.entries_size(), static_cast<int>(size));
+    EXPECT_NE(page.next_page_token(), "");
+  }
+}
+
+TEST_F(Cache, ListsPinnedRevisionsAloneWhereAsked) {
+  pin("plate@2", true);
+  v1::ListCacheEntriesRequest request;
+  request.mutable_filter()->set_pinned(true);
+  EXPECT_THAT(listed(request), ElementsAre(ids_[1]));
+}
+
+TEST_F(Cache, CollectsWhatWasNotUsedForUpToABillionSeconds) {
+  for (const auto& [seconds, code] :
+       {std::pair(0.0, StatusCode::OK), std::pair(1e9, StatusCode::OK),
+        std::pair(1e9 + 1, StatusCode::INVALID_ARGUMENT),
+        std::pair(-1.0, StatusCode::INVALID_ARGUMENT)}) {
+    grpc::ClientContext context;
+    v1::CollectGarbageRequest request;
+    request.set_dry_run(true);
+    request.set_unused_seconds(seconds);
+    v1::CollectGarbageResponse reply;
+    EXPECT_EQ(cache()->CollectGarbage(&context, request, &reply).error_code(), code) << seconds;
+  }
+}
+
 TEST_F(Cache, MeshesThatWentComeBackToTheByteWhenTheyAreAskedFor) {
   std::vector<std::string> bytes;
   for (const std::string& id : ids_) bytes.push_back(mesh_bytes(id));
@@ -140,6 +173,13 @@ TEST_F(Cache, MeshesThatWentComeBackToTheByteWhenTheyAreAskedFor) {
   EXPECT_EQ(stats().remade(), 2U);
   EXPECT_EQ(stats().stored(), 3U);
   EXPECT_FALSE(pin("plate@2", false).pinned());
+}
+
+TEST_F(Cache, AMeshThatIsMadeAgainIsTheOneUsedLast) {
+  collect(0);
+  start();
+  mesh_bytes("plate@1");
+  EXPECT_THAT(listed({}), ElementsAre(ids_[1], ids_[2], ids_[0]));
 }
 
 TEST_F(Cache, ARequestForAMeshThatWentMakesItAgainInItsPlace) {
@@ -189,7 +229,6 @@ TEST_F(Cache, OfMemoryAloneARecipeIsToldToo) {
   EXPECT_EQ(collect(0).meshes(), 0U);
 }
 
-/// After an upgrade whose algorithm gives other meshes.
 TEST_F(Cache, ARevisionIsDescribedThoughItsMeshHasGone) {
   const auto before = describe("plate@2");
   collect(0);
@@ -206,6 +245,7 @@ TEST_F(Cache, ARevisionIsDescribedThoughItsMeshHasGone) {
   EXPECT_THAT(now.children(), ElementsAre(ids_[2]));
 }
 
+/// After an upgrade whose algorithm gives other meshes.
 class CacheOfYesterday : public Cache {
  protected:
   [[nodiscard]] Engine make_engine() const override {
@@ -218,6 +258,7 @@ class CacheOfYesterday : public Cache {
     v1::RemakeRevisionRequest request;
     request.set_revision(revision);
     request.set_request_id("r");
+    request.set_threads(2);
     return stub().RemakeRevision(&context, request, reply);
   }
   std::uint32_t version_ = 13;
@@ -248,6 +289,7 @@ TEST_F(CacheOfYesterday, ALostMeshIsOutdatedAndRemadeAsANewRevision) {
   EXPECT_EQ(reply.result().revision().parent(), reply.remade(1));
   EXPECT_EQ(reply.result().revision().algorithm_version(), 14U);
   EXPECT_EQ(reply.result().request_id(), "r");
+  EXPECT_EQ(engine_.threads(), 2);
   EXPECT_EQ(describe(reply.result().revision().id()).model().SerializeAsString(),
             recipe("plate@3").recipe().model().SerializeAsString());
 }

@@ -47,6 +47,12 @@ TEST(CommandLines, WithAFlagTwiceAreRefusedButForLists) {
             OptionValue(std::vector<std::string>{"127.0.0.1:1", "127.0.0.1:2"}));
 }
 
+TEST(CommandLines, MayHaveSeveralValuesBehindAFlagOfAList) {
+  const auto line = read_command_line({"--listen", "127.0.0.1:1", "127.0.0.1:2"});
+  EXPECT_EQ(line.given.at(0).value,
+            OptionValue(std::vector<std::string>{"127.0.0.1:1", "127.0.0.1:2"}));
+}
+
 TEST(CommandLines, KeepATextWithoutLetters) {
   EXPECT_EQ(read_command_line({"--store", ""}).given.at(0).value, OptionValue(std::string()));
   EXPECT_EQ(read_command_line({"--listen", ""}).given.at(0).value,

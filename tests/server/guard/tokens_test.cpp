@@ -54,6 +54,14 @@ TEST_F(TokenFiles, NameNoTenantByWhatNamesAnotherFolder) {
         << name;
 }
 
+TEST_F(TokenFiles, NameTenantsByUpToSixtyFourLettersDigitsDotsAndDashes) {
+  const std::string longest = "azAZ09.-_" + std::string(55, 'x');
+  EXPECT_EQ(complaint(longest + " 0123456789abcdef\n"), "none");
+  for (const std::string& name : {longest + 'x', std::string("a[b"), std::string("a@b"),
+                                  std::string("a{b"), std::string("a`b"), std::string("a:b")})
+    EXPECT_THAT(complaint(name + " 0123456789abcdef\n"), HasSubstr("a tenant's name")) << name;
+}
+
 TEST_F(TokenFiles, OfAnotherFormNameTheLineAndNoToken) {
   EXPECT_THAT(complaint("anna 0123456789abcdef\nben\n"), HasSubstr("tokens:2: is not"));
   EXPECT_THAT(complaint("anna 0123456789abcdef more\n"), HasSubstr("tokens:1: is not"));

@@ -260,6 +260,12 @@ TEST_F(StreamQueueMemory, HasNoRoomForARequestWhereTheBudgetHasNone) {
   EXPECT_TRUE(queue_.make_room(kLarge));
 }
 
+TEST_F(StreamQueueMemory, TakesNoneForRequestsOnceItIsClosed) {
+  queue_.close();
+  EXPECT_TRUE(queue_.make_room(4 * kLarge)) << "the request is dropped";
+  EXPECT_EQ(budget_.leased(), kOwn);
+}
+
 TEST_F(StreamQueueMemory, RepliesCountUntilTheyAreWritten) {
   queue_.add(request("a"));
   queue_.begin();

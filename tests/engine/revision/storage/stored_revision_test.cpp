@@ -138,6 +138,10 @@ TEST(Image, NoIndexIntoTheBoundaryBeyondItIsLetPass) {
   EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].points.clear(); }), "");
   EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.points.clear(); }), "");
   EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.vertices[0].position.x = HUGE_VAL; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].centre.y = HUGE_VAL; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].axis.z = HUGE_VAL; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].radius = HUGE_VAL; }), "");
+  EXPECT_NE(fault([&](BoundaryParts& p) { p.brep.edges[0].length = HUGE_VAL; }), "");
   EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces.pop_back(); }), "");
   EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].other_names.push_back({far, "x"}); }), "");
   EXPECT_NE(fault([&](BoundaryParts& p) { p.pieces[0].surface.kind = Surface::Kind{9}; }), "");
