@@ -36,6 +36,10 @@ TEST_F(SqliteTest, TheSameTextMayRunInsideItself) {
     auto inner = database.prepare("SELECT n FROM numbers ORDER BY n");
     ASSERT_TRUE(inner.step());
     EXPECT_EQ(inner.number(0), 1);
+    auto beside = database.prepare("SELECT n FROM numbers ORDER BY n");
+    ASSERT_TRUE(beside.step() && beside.step());
+    EXPECT_EQ(inner.number(0), 1);
+    EXPECT_EQ(beside.number(0), 2);
   }
 }
 
