@@ -72,6 +72,21 @@ TEST_F(ArchiveTest, WhatIsFiledTwiceCountsOnceInMemory) {
   EXPECT_EQ(archive_.held().bytes(), bytes);
 }
 
+TEST_F(ArchiveTest, WithoutAStoreThereIsRoomWhileLessIsHeldThanMayBe) {
+  archive_.file(revision_, "plate", {});
+  const std::uint64_t bytes = archive_.held().bytes();
+  const auto check = [&](std::uint64_t most) {
+    Store store;
+    MemoryBudget memory(1 << 30, most);
+    Archive archive(engine_, store, memory);
+    archive.file(revision_, "plate", {});
+    EXPECT_EQ(memory.held(), bytes);
+    archive.check_room(1);
+  };
+  EXPECT_EQ(error_of([&] { check(bytes); }).reason, "MEMORY_FULL");
+  EXPECT_NO_THROW(check(bytes + 1));
+}
+
 TEST_F(ArchiveTest, WhoeverFilesNextWritesADamagedCopyAgain) {
   const StoreFolder folder;
   {
