@@ -29,14 +29,14 @@ inline std::string remeshd_variable(const std::string& name) {
 
 /// What the environment says of the mutants, read once a process.
 struct RemeshdMutants {
-  int chosen = -1;                   ///< REMESHD_MUTANT: number of the fault that is made; -1: none
-  unsigned char* reached = nullptr;  ///< the file REMESHD_MUTANTS_REACHED: a byte for each number
+  int chosen = -1;                   ///< MUTANT: number of the fault that is made; -1: none
+  unsigned char* reached = nullptr;  ///< the file MUTANTS_REACHED: a byte for each number
   std::size_t size = 0;              ///< bytes of `reached`
 
   RemeshdMutants() {
-    const std::string number = remeshd_variable("REMESHD_MUTANT");
+    const std::string number = remeshd_variable("MUTANT");
     if (!number.empty()) chosen = std::atoi(number.c_str());
-    const std::string name = remeshd_variable("REMESHD_MUTANTS_REACHED");
+    const std::string name = remeshd_variable("MUTANTS_REACHED");
     const int file = name.empty() ? -1 : open(name.c_str(), O_RDWR | O_CLOEXEC);
     if (file < 0) return;
     struct stat status = {};

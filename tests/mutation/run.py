@@ -80,7 +80,7 @@ class Bench:
 
     def run(self, program, tests, limit, mutant=None, reached=None):
         environment = dict(os.environ)
-        for name, value in (("REMESHD_MUTANT", mutant), ("REMESHD_MUTANTS_REACHED", reached)):
+        for name, value in (("MUTANT", mutant), ("MUTANTS_REACHED", reached)):
             environment.pop(name, None)
             if value is not None:
                 environment[name] = str(value)

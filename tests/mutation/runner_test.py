@@ -23,11 +23,11 @@ TESTS = {"A.Cheap": [0, 3], "A.Dear": [1, 3], "B.Hangs/0": [2]}
 if sys.argv[1] == "--gtest_list_tests":
     sys.exit(print("A.\\n  Cheap\\n  Dear\\n  DISABLED_Old\\nB.\\n  Hangs/0  # GetParam() = 1"))
 names = next(a for a in sys.argv if a.startswith("--gtest_filter=")).split("=")[1].split(":")
-fault = int(os.environ.get("REMESHD_MUTANT", -1))
+fault = int(os.environ.get("MUTANT", -1))
 for name in names:
     print("[ RUN      ] " + name, flush=True)
-    if "REMESHD_MUTANTS_REACHED" in os.environ:
-        with open(os.environ["REMESHD_MUTANTS_REACHED"], "r+b") as file:
+    if "MUTANTS_REACHED" in os.environ:
+        with open(os.environ["MUTANTS_REACHED"], "r+b") as file:
             for n in TESTS[name]:
                 file.seek(n), file.write(b"\\1")
     if fault in TESTS[name]:
