@@ -1,6 +1,9 @@
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "proto/checksum.h"
+#include "server/limits.h"
 #include "tests/server/daemon_fixture.h"
 
 namespace remeshd::test {
@@ -69,6 +72,23 @@ std::vector<T> values(const std::string& bytes) {
   std::vector<T> out(bytes.size() / sizeof(T));
   std::memcpy(out.data(), bytes.data(), bytes.size());
   return out;
+}
+
+TEST_F(Mesh, TakesMemoryUntilItsClientHasIt) {
+  create(create_request(plate(), 1000000));
+  const auto taken = [this] { return info().load().memory_bytes(); };
+  std::uint64_t before = 0;
+  while (before != taken()) {  // the job gives its share back a moment after the reply
+    before = taken();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  grpc::ClientContext context;
+  const auto reader = stub().GetMesh(&context, all_of("plate"));
+  v1::GetMeshResponse message;
+  ASSERT_TRUE(reader->Read(&message));
+  EXPECT_GE(taken(), before + limits::kUntakenBytes);
+  context.TryCancel();
+  reader->Finish();
 }
 
 TEST_F(Mesh, ComesAsHeaderPartsAndEndWithEveryArray) {
