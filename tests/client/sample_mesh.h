@@ -11,20 +11,9 @@
 
 namespace remeshd::client {
 
-/// A brick of 2 x n x n unit cubes, six tets each, with a valid value in every field: the half
-/// x < 1 belongs to `base`, the other to `base` and `Slot1`; faces are named after both where they
-/// coincide. Coordinates are such that only a full round trip keeps their bits.
-inline Mesh sample_mesh(int n) {
-  Mesh mesh;
+/// The six tets of each of the brick's cubes.
+inline void add_tets_of_brick(int n, Mesh& mesh) {
   const auto node = [n](int x, int y, int z) { return (x * (n + 1) + y) * (n + 1) + z; };
-  const auto awkward = [](int k) {
-    if (k == 0) return 3.0616169978683824e-17;  // 1/2 cos 90 degrees and the like
-    return k * 0.9 + std::sin(k) * 1e-3;
-  };
-  for (int x = 0; x <= 2; ++x)
-    for (int y = 0; y <= n; ++y)
-      for (int z = 0; z <= n; ++z)
-        mesh.nodes.push_back({awkward(x), z == 0 && y == 0 ? -0.0 : awkward(y), -awkward(z) / 3});
   // Mirrored in z: the corners of every tet are exchanged so that its volume is positive.
   constexpr std::array<std::array<int, 3>, 6> kOrders{
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
@@ -44,11 +33,11 @@ inline Mesh sample_mesh(int n) {
           mesh.tets.push_back(tet);
           mesh.tet_cell.push_back(x);
         }
-  mesh.cell_owners = {{"base"}, {"base", "Slot1"}};
-  // The groups of the six sides of the brick: x = 0, x = 2, y = 0, y = n, z = 0, z = n.
-  mesh.facet_groups = {{"base.x_min"}, {"Slot1.x_max", "base.x_max"},
-                       {"base.y_min"}, {"base.y_max"},
-                       {"base.top"},   {"Slot1.top", "base.top"}};
+}
+
+/// The facets on the brick's sides. Groups: x = 0, x = 2, y = 0, y = n, z = 0, z = n.
+inline void add_facets_of_brick(int n, Mesh& mesh) {
+  const std::array<int, 3> last{2, n, n};
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (const auto& side : kTetFacets) {
       Facet facet;
@@ -59,7 +48,6 @@ inline Mesh sample_mesh(int n) {
         const int index = facet.nodes[k];
         grid[k] = {index / ((n + 1) * (n + 1)), index / (n + 1) % (n + 1), index % (n + 1)};
       }
-      const std::array<int, 3> last{2, n, n};
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
           if (std::ranges::all_of(
@@ -68,6 +56,27 @@ inline Mesh sample_mesh(int n) {
       if (facet.group >= 0) mesh.facets.push_back(facet);
     }
   }
+}
+
+/// A brick of 2 x n x n unit cubes, six tets each, with a valid value in every field: the half
+/// x < 1 belongs to `base`, the other to `base` and `Slot1`; faces are named after both where they
+/// coincide. Coordinates are such that only a full round trip keeps their bits.
+inline Mesh sample_mesh(int n) {
+  Mesh mesh;
+  const auto awkward = [](int k) {
+    if (k == 0) return 3.0616169978683824e-17;  // 1/2 cos 90 degrees and the like
+    return k * 0.9 + std::sin(k) * 1e-3;
+  };
+  for (int x = 0; x <= 2; ++x)
+    for (int y = 0; y <= n; ++y)
+      for (int z = 0; z <= n; ++z)
+        mesh.nodes.push_back({awkward(x), z == 0 && y == 0 ? -0.0 : awkward(y), -awkward(z) / 3});
+  add_tets_of_brick(n, mesh);
+  add_facets_of_brick(n, mesh);
+  mesh.cell_owners = {{"base"}, {"base", "Slot1"}};
+  mesh.facet_groups = {{"base.x_min"}, {"Slot1.x_max", "base.x_max"},
+                       {"base.y_min"}, {"base.y_max"},
+                       {"base.top"},   {"Slot1.top", "base.top"}};
   for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
     const auto index = static_cast<std::int32_t>(k);
     mesh.node_ids.push_back((std::uint64_t{1} << 62) + 3 * k);
