@@ -1,9 +1,7 @@
 #pragma once
 
-#include <grpcpp/create_channel.h>
-#include <grpcpp/security/credentials.h>
-#include <grpcpp/server.h>
-#include <grpcpp/server_builder.h>
+#include <grpcpp/server_context.h>
+#include <grpcpp/support/sync_stream.h>
 
 #include <condition_variable>
 #include <deque>
@@ -380,31 +378,6 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     }
     send_mesh(stream, k, id, request.mesh());
   }
-};
-
-/// A FakeService behind a port of this machine.
-class FakeDaemon {
- public:
-  FakeDaemon() {
-    int port = 0;
-    grpc::ServerBuilder builder;
-    builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
-    builder.RegisterService(&service);
-    server_ = builder.BuildAndStart();
-    address = "127.0.0.1:" + std::to_string(port);
-  }
-  ~FakeDaemon() {
-    // Ends calls that hang.
-    server_->Shutdown(std::chrono::system_clock::now() + std::chrono::milliseconds(200));
-  }
-  FakeDaemon(const FakeDaemon&) = delete;
-  FakeDaemon& operator=(const FakeDaemon&) = delete;
-
-  FakeService service;
-  std::string address;
-
- private:
-  std::unique_ptr<grpc::Server> server_;
 };
 
 }  // namespace remeshd::client

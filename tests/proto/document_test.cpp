@@ -10,35 +10,20 @@
 
 #include "proto/document_error.h"
 #include "proto/json_writer.h"
+#include "tests/proto/refusal.h"
 
 namespace remeshd {
 namespace {
 
 namespace v1 = remesh::v1;
 using google::protobuf::util::MessageDifferencer;
+using test::model_refusal;
+using test::refusal;
+using test::with_feature;
 using testing::HasSubstr;
 
-/// The error that a text is refused with; fails the test where it is taken.
-template <typename Parse>
-DocumentErrorInfo refusal(Parse parse) {
-  try {
-    parse();
-  } catch (const DocumentError& error) {
-    return error.info();
-  }
-  ADD_FAILURE() << "the text was taken";
-  return {};
-}
-DocumentErrorInfo model_refusal(const std::string& text) {
-  return refusal([&] { parse_model(text); });
-}
 DocumentErrorInfo edit_refusal(const std::string& text) {
   return refusal([&] { parse_edit(text); });
-}
-
-std::string with_feature(const std::string& members) {
-  return R"({"features": [{"id": "hole1", "nature": "SUBTRACTIVE", "type": "cylinder")" +
-         (members.empty() ? "" : ", " + members) + "}]}";
 }
 
 std::vector<std::filesystem::path> case_files() {
@@ -360,51 +345,6 @@ TEST(Document, EditsNameTheirIndexAndFeature) {
           .reason,
       "WRONG_KIND");
   EXPECT_EQ(edit_refusal(R"({"features": []})").reason, "MISSING_FIELD");
-}
-
-TEST(Document, ListsNestedAHundredThousandDeepAreRefused) {
-  const std::string deep(100000, '[');
-  EXPECT_EQ(model_refusal(with_feature("\"parameters\": {\"profile\": " + deep)).reason,
-            "DOCUMENT_TOO_DEEP");
-  const std::string objects = [] {
-    std::string text;
-    for (int i = 0; i < 100000; ++i) text += "{\"a\":";
-    return text;
-  }();
-  EXPECT_EQ(model_refusal(objects).reason, "DOCUMENT_TOO_DEEP");
-}
-
-TEST(Document, FortyLevelsAreTakenAndFortyOneAreNot) {
-  const auto nested = [](int lists) {
-    // The document, its features, the feature and its parameters are four levels themselves.
-    return with_feature("\"parameters\": {\"profile\": " + std::string(lists, '[') +
-                        std::string(lists, ']') + "}");
-  };
-  EXPECT_NO_THROW(parse_model(nested(36)));
-  EXPECT_EQ(model_refusal(nested(37)).reason, "DOCUMENT_TOO_DEEP");
-}
-
-TEST(Document, AHundredMegabytesAreRefusedUnread) {
-  const auto file = std::filesystem::temp_directory_path() / "remeshd_document_test_large.json";
-  std::ofstream(file).put('{');
-  std::filesystem::resize_file(file, 100'000'000);
-  const auto info = refusal([&] { read_document(file); });
-  std::filesystem::remove(file);
-  EXPECT_EQ(info.reason, "DOCUMENT_TOO_LARGE");
-  EXPECT_THAT(info.message, HasSubstr("100000000"));
-  EXPECT_EQ(model_refusal(std::string((std::size_t{4} << 20) + 1, ' ')).reason,
-            "DOCUMENT_TOO_LARGE");
-}
-
-TEST(Document, FilesThatCannotBeReadSayWhy) {
-  EXPECT_THAT(refusal([] { read_document("/nonexistent/model.json"); }).message,
-              HasSubstr("No such file"));
-  EXPECT_THAT(refusal([] { read_document("/tmp"); }).message, HasSubstr("directory"));
-}
-
-TEST(Document, LongTextsDoNotSwampTheError) {
-  const auto info = model_refusal("{\"" + std::string(100000, 'x') + "\": 1, \"features\": []}");
-  EXPECT_LT(info.message.size(), 400U);
 }
 
 }  // namespace

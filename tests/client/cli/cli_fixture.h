@@ -10,7 +10,7 @@
 
 #include "client/cli/exit_code.h"
 #include "client/cli/run.h"
-#include "tests/client/fake_service.h"
+#include "tests/client/fake_daemon.h"
 #include "tests/client/temporary_folder.h"
 
 namespace remeshd::cli {

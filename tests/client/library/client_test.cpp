@@ -6,7 +6,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "tests/client/fake_service.h"
+#include "tests/client/fake_daemon.h"
 
 namespace remeshd::client {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "client/library/resend.h"
 #include "remeshd/client.h"
-#include "tests/client/fake_service.h"
+#include "tests/client/fake_daemon.h"
 
 namespace remeshd::client {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "remeshd/client.h"
-#include "tests/client/fake_service.h"
+#include "tests/client/fake_daemon.h"
 
 namespace remeshd::client {
 namespace {

@@ -23,14 +23,8 @@ constexpr double kPi = std::numbers::pi;
 std::vector<ProfileSide> outline(const Entries& entries) {
   return evaluate_profile(entries, Scope({{"a", 4.0}}), "web");
 }
-std::vector<ProfileSide> half_outline(const Entries& entries, bool full_turn = true) {
-  return evaluate_half_profile(entries, full_turn, Scope({}), "ring");
-}
 std::string failure_of(const Entries& entries) {
   return test::place_of(test::error_of([&] { outline(entries); }));
-}
-std::string half_failure_of(const Entries& entries, bool full_turn = true) {
-  return test::place_of(test::error_of([&] { half_outline(entries, full_turn); }));
 }
 Entries mirrored(const Entries& entries) {  // turns the other way
   Entries result;
@@ -383,38 +377,6 @@ TEST(SimpleProfile, AgreesWithAFinePolygonOnRandomOutlines) {
   EXPECT_GT(simple, 200);
   EXPECT_GT(crossing, 200);
   EXPECT_LE(undecided, 2);
-}
-
-TEST(HalfProfile, StaysOnOneSideOfTheAxis) {
-  EXPECT_EQ(half_failure_of({point(1.0, 0.0), point(2.0, 0.0), point(-0.1, 1.0)}),
-            "PROFILE_CROSSES_AXIS ring profile[2]");
-  const auto hollow = [](double tx) {
-    return Entries{point(1.0, 0.0), point(3.0, 2.0), point(1.0, 4.0), arc(1.0, 0.0, tx, 2.0)};
-  };
-  EXPECT_EQ(half_failure_of(hollow(-0.5)), "PROFILE_CROSSES_AXIS ring profile[3]");
-  EXPECT_EQ(half_failure_of(hollow(0)), "PROFILE_CROSSES_AXIS ring profile[3]");
-  EXPECT_EQ(half_failure_of(hollow(0), false), "PROFILE_CROSSES_AXIS ring profile[3]");
-  EXPECT_NO_THROW(half_outline(hollow(0.1)));
-}
-
-TEST(HalfProfile, CoordinatesWithinRoundingOfTheAxisAreOnIt) {
-  const auto sides =
-      half_outline({point(1e-12, 0.0), point(2.0, 0.0), point(2.0, 1.0), point(-1e-12, 1.0)});
-  EXPECT_EQ(sides[0].from[0], 0);
-  EXPECT_EQ(sides[3].from[0], 0);
-  EXPECT_EQ(sides[3].to[0], 0);
-}
-
-TEST(HalfProfile, ACornerAloneOnTheAxisPinchesAFullTurn) {
-  const Entries pinched{point(0.0, 0.0), point(2.0, -1.0), point(2.0, 1.0)};
-  EXPECT_EQ(half_failure_of(pinched), "PROFILE_CROSSES_AXIS ring profile[0]");
-  EXPECT_NO_THROW(half_outline(pinched, false));
-  // With a side on the axis the same corner is the tip of a cone.
-  EXPECT_NO_THROW(half_outline({point(0.0, 0.0), point(2.0, 1.0), point(0.0, 1.0)}));
-}
-
-TEST(HalfProfile, AHalfDiscOnTheAxisIsABall) {
-  EXPECT_EQ(half_outline({point(0.0, -2.0), arc(0.0, 2.0, 2.0, 0.0)}).size(), 2U);
 }
 
 }  // namespace
