@@ -308,7 +308,8 @@ bool DelaunayMesh::flip_4_4(FacetRef facet, std::int32_t s, std::vector<FacetRef
   if (!beyond_t.is_tet() || !beyond_u.is_tet()) return false;
   const std::int32_t t2 = beyond_t.tet(), u2 = beyond_u.tet();
   if (apex(beyond_t) != apex(beyond_u) || t2 == u2) return false;
-  const std::int32_t p = apex(facet), q = apex(across(facet));
+  [[maybe_unused]] const std::int32_t p = apex(facet);
+  const std::int32_t q = apex(across(facet));
   std::int32_t x = -1, y = -1;
   for (const int c : kTetFacets[facet.corner()])
     if (const std::int32_t v = slots_[t].v[c]; v != s) (x < 0 ? x : y) = v;
