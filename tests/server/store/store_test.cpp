@@ -220,7 +220,7 @@ TEST_F(StoreTest, AJournalOfBeforeThatWasPutBackLosesNoRevision) {
     file(store, 2);
     file(store, 3);
   }
-  damage_both_journals([&](const std::string&) { return first; });
+  damage_both_journals([&](const std::string&) { return std::string(first); });
   Store store(folder_);
   EXPECT_EQ(listing(store), kThree);
 }
@@ -249,7 +249,7 @@ TEST_F(StoreTest, AnAdoptedRevisionKeepsThePlaceThatTheJournalStillTells) {
   make(1);
   const std::string line = write_journal_line(
       {.number = 2, .transaction = {AddPlace{"d", 7, id(1)}, SetHead{"d", id(1)}}});
-  damage_both_journals([&](const std::string&) { return line; });
+  damage_both_journals([&](const std::string&) { return std::string(line); });
   Store store(folder_);
   EXPECT_EQ(listing(store), "d@7 = 1 head\n");
   EXPECT_EQ(read(store, 1), bytes_of(1));
