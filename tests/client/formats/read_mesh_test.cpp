@@ -144,7 +144,7 @@ TEST(Inp, WithFewerNodesOrTetsThanItsHeadTellsOfIsRefused) {
   EXPECT_EQ(parse_inp(head + "12, 2\n" + whole).tets.size(), 2U);
   EXPECT_EQ(parse_inp(head + "11, 1\n" + whole).tets.size(), 2U);  // more came by hand
   for (const char* more : {"12, 3\n", "13, 2\n"})
-    EXPECT_THAT([&] { parse_inp(head + more + whole); },
+    EXPECT_THAT([&] { parse_inp(std::string(head).append(more).append(whole)); },
                 ThrowsMessage<FileError>(HasSubstr("it is cut")));
 }
 

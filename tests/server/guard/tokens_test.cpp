@@ -15,7 +15,7 @@ using testing::HasSubstr;
 class TokenFiles : public testing::Test {
  protected:
   std::string write(const std::string& text, int mode = 0600) const {
-    const std::string path = folder_.file("tokens");
+    std::string path = folder_.file("tokens");
     std::ofstream(path) << text;
     std::filesystem::permissions(path, static_cast<std::filesystem::perms>(mode));
     return path;

@@ -172,7 +172,7 @@ TEST(StreamQueue, ClosedKeepsNothingButWhatIsAtWork) {
 /// Takes and writes the next reply.
 std::string write_next(StreamQueue& queue) {
   const StreamQueue::Next next = queue.next_reply();
-  const std::string text = text_of(next.source ? next.source->next() : next.bytes);
+  std::string text = text_of(next.source ? next.source->next() : next.bytes);
   queue.written();
   return text;
 }

@@ -41,7 +41,7 @@ class Folder {
   Folder()
       : path_(std::filesystem::temp_directory_path() /
               ("remeshd-transport-" + std::to_string(::getpid()) + "-" +
-               std::to_string(counter_++))) {
+               std::to_string(counter++))) {
     std::filesystem::create_directories(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }
@@ -50,7 +50,7 @@ class Folder {
   [[nodiscard]] std::string file(const std::string& name) const { return path_ / name; }
 
  private:
-  static inline int counter_ = 0;
+  static inline int counter = 0;
   std::filesystem::path path_;
 };
 
