@@ -1,7 +1,6 @@
 #include "server/store/store.h"
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 
 #include "engine/base/error.h"
 #include "server/store/checked_line.h"
