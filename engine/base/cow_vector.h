@@ -96,17 +96,10 @@ class CowVector {
   [[nodiscard]] Iterator end() const { return {*this, size_}; }
 
   /// An element to write to.
-  T& edit(std::size_t i) {
-    std::shared_ptr<T[]>& page = pages_[i / kPage];
-    if (page.use_count() > 1) {
-      const std::shared_ptr<T[]> shared = page;
-      page = std::make_shared<T[]>(kPage);
-      std::copy_n(shared.get(), kPage, page.get());
-    } else {
-      // Whoever left it to us has done reading.
-      std::atomic_thread_fence(std::memory_order_acquire);
-    }
-    return page[i % kPage];
+  T& edit(std::size_t i) { return own_page(i / kPage)[i % kPage]; }
+  /// The elements of a page, to write to.
+  std::span<T> edit_page(std::size_t k) {
+    return {own_page(k), std::min(kPage, size_ - k * kPage)};
   }
   /// Writes, where that is not what stands there.
   void set(std::size_t i, const T& value) {
@@ -177,7 +170,21 @@ class CowVector {
       return std::ranges::equal(a, b);
     }
   }
-  T* add_page() { return pages_.emplace_back(std::make_shared<T[]>(kPage)).get(); }
+  /// A page, which no other shares from now on.
+  T* own_page(std::size_t k) {
+    std::shared_ptr<T[]>& page = pages_[k];
+    if (page.use_count() > 1) {
+      const std::shared_ptr<T[]> shared = page;
+      page = std::make_shared_for_overwrite<T[]>(kPage);
+      std::copy_n(shared.get(), kPage, page.get());
+    } else {
+      // Whoever left it to us has done reading.
+      std::atomic_thread_fence(std::memory_order_acquire);
+    }
+    return page.get();
+  }
+  /// Its elements have no values yet.
+  T* add_page() { return pages_.emplace_back(std::make_shared_for_overwrite<T[]>(kPage)).get(); }
 
   std::vector<std::shared_ptr<T[]>> pages_;
   std::size_t size_ = 0;

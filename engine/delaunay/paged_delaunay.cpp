@@ -31,15 +31,18 @@ PagedDelaunay::PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>
 template <class Slots>
 void PagedDelaunay::take_over(const Slots& from, std::span<const std::int32_t> to,
                               std::size_t count) {
-  std::vector<Slot> slots(count);
+  CowVector<Slot> slots(count, {});
+  std::vector<std::span<Slot>> pages;
+  for (std::size_t k = 0; k < slots.pages(); ++k) pages.push_back(slots.edit_page(k));
   for (std::size_t t = 0; t < to.size(); ++t) {
     if (to[t] < 0) continue;
-    Slot& s = slots[to[t]];
+    const auto at = static_cast<std::size_t>(to[t]);
+    Slot& s = pages[at / slots.kPage][at % slots.kPage];
     s = from[t];
     for (FacetRef& n : s.n)
       if (n.is_tet()) n = {to[n.tet()], n.corner()};
   }
-  slots_ = CowVector<Slot>(slots);
+  slots_ = std::move(slots);
   boxes_.resize(slots_.pages());
   for (std::size_t k = 0; k < boxes_.size(); ++k) measure_page(k);
 }

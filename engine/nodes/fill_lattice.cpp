@@ -20,6 +20,7 @@ struct LatticeFilling {
   int empty_tries = 3;  ///< of these with no node at all, each at half the constant
 };
 constexpr LatticeFilling kFill;
+constexpr double kShaken = 2;  // x jitter: no node is further from its place than sqrt(3) of it
 
 /// One lattice through all of space.
 class Lattice {
@@ -56,16 +57,26 @@ class Lattice {
     return cubes;
   }
 
-  /// Calls `visit(p)` for the nodes in a layer of cubes, in the order of the lattice.
+  /// Calls `visit(p)` for the nodes in a layer of cubes that may be in the box, in the order of the
+  /// lattice.
   template <class Visit>
-  void for_each_in(const Cubes& cubes, std::size_t layer, const Visit& visit) const {
+  void for_each_in(const Cubes& cubes, std::size_t layer, const Box& box,
+                   const Visit& visit) const {
+    const double shaken = kShaken * kFill.jitter * a_;
     const long z = cubes.lo[2] + static_cast<long>(layer);
     for (long y = cubes.lo[1]; y <= cubes.hi[1]; ++y)
       for (long x = cubes.lo[0]; x <= cubes.hi[0]; ++x)
-        for (const int centre : {0, 1}) visit(node(x, y, z, centre));
+        for (const int centre : {0, 1}) {
+          const auto along = [&](long v) { return static_cast<double>(v) + 0.5 * centre; };
+          if (box.contains(place(along(x), along(y), along(z)), shaken))
+            visit(node(x, y, z, centre));
+        }
   }
 
  private:
+  [[nodiscard]] Vec3 place(double u, double v, double w) const {
+    return offset_ + a_ * (u * axes_[0] + v * axes_[1] + w * axes_[2]);
+  }
   /// The shaking depends on the place in the lattice alone: overlapping boxes see the same node.
   [[nodiscard]] Vec3 node(long x, long y, long z, int centre) const {
     const auto mix = [](long v, std::uint64_t factor) {
@@ -77,7 +88,7 @@ class Lattice {
       return static_cast<double>(v) + 0.5 * centre + random.uniform(-kFill.jitter, kFill.jitter);
     };
     const double u = along(x), v = along(y), w = along(z);
-    return offset_ + a_ * (u * axes_[0] + v * axes_[1] + w * axes_[2]);
+    return place(u, v, w);
   }
 
   double a_;
@@ -96,7 +107,7 @@ std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& b
         cubes.layers(), 1, run, [&](std::size_t layer, std::size_t, std::vector<Vec3>& in_layer) {
           run.poll();
           Polling poll(run);  // a layer of a thin body's box may hold millions of places
-          lattice.for_each_in(cubes, layer, [&](const Vec3& p) {
+          lattice.for_each_in(cubes, layer, boxes[b], [&](const Vec3& p) {
             poll();
             const auto holds = [&](const Box& box) { return box.contains(p); };
             if (!holds(boxes[b]) ||

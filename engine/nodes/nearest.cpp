@@ -35,6 +35,7 @@ void NearestNode::build(std::span<const Vec3> positions) {
   while (cells() > kLimits.per_node * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
   size_ = {static_cast<int>(extent.x / cell_) + 1, static_cast<int>(extent.y / cell_) + 1,
            static_cast<int>(extent.z / cell_) + 1};
+  per_length_ = 1 / cell_;
   where_.resize(positions.size());
   begin_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -94,7 +95,7 @@ void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::i
 
 std::array<int, 3> NearestNode::cell_of(const Vec3& p) const {
   const auto axis = [&](double v, double lo, int n) {
-    return static_cast<int>(std::clamp((v - lo) / cell_, 0.0, static_cast<double>(n - 1)));
+    return static_cast<int>(std::clamp((v - lo) * per_length_, 0.0, static_cast<double>(n - 1)));
   };
   return {axis(p.x, box_.lo.x, size_[0]), axis(p.y, box_.lo.y, size_[1]),
           axis(p.z, box_.lo.z, size_[2])};

@@ -86,6 +86,7 @@ class NearestNode {
   Box box_;
   double asked_;  ///< width of a cell asked for
   double cell_;
+  double per_length_ = 0;  ///< cells
   std::array<int, 3> size_{0, 0, 0};
   std::vector<std::uint32_t> begin_;  ///< first entry of each cell, one more at the end
   std::vector<std::int32_t> nodes_;   ///< by cell, ascending within one

@@ -42,30 +42,31 @@ struct Pull {
 std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
                          std::span<const std::uint32_t> active, NearestToPoints& nearest,
                          std::vector<std::uint32_t>& pulling, const Run& run) {
-  std::vector<Pull> pulls;
   const std::vector<std::int32_t> nearest_node = nearest.nearest(active, run);
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    const std::uint32_t index = active[k];
-    const Sample& s = samples.points[index];
-    const std::int32_t node = nearest_node[k];
-    if (node < 0 || !nodes.is_free(node)) continue;
-    pulling.push_back(index);
-    pulls.push_back({node, s.support.entity, s.weight, s.weight * s.position});
-  }
-  std::stable_sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
-    return std::pair(a.node, a.entity) < std::pair(b.node, b.entity);
+  const auto pulls_on = [&](std::int32_t node) { return node >= 0 && nodes.is_free(node); };
+  const auto samples_at = grouped<std::uint32_t>(nodes.positions.size(), [&](const auto& visit) {
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (pulls_on(nearest_node[k])) visit(nearest_node[k], active[k]);
   });
-  std::size_t out = 0;
-  for (std::size_t k = 0; k < pulls.size(); ++k) {
-    if (out > 0 && pulls[out - 1].node == pulls[k].node &&
-        pulls[out - 1].entity == pulls[k].entity) {
-      pulls[out - 1].weight += pulls[k].weight;
-      pulls[out - 1].moment += pulls[k].moment;
-    } else {
-      pulls[out++] = pulls[k];
+  for (std::size_t k = 0; k < active.size(); ++k)
+    if (pulls_on(nearest_node[k])) pulling.push_back(active[k]);
+  std::vector<Pull> pulls;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    const auto first = static_cast<std::ptrdiff_t>(pulls.size());
+    for (const std::uint32_t index : samples_at[n]) {
+      const Sample& s = samples.points[index];
+      const auto known = std::find_if(pulls.begin() + first, pulls.end(),
+                                      [&](const Pull& p) { return p.entity == s.support.entity; });
+      if (known == pulls.end()) {
+        pulls.push_back({n, s.support.entity, s.weight, s.weight * s.position});
+      } else {
+        known->weight += s.weight;
+        known->moment += s.weight * s.position;
+      }
     }
+    std::sort(pulls.begin() + first, pulls.end(),
+              [](const Pull& a, const Pull& b) { return a.entity < b.entity; });
   }
-  pulls.resize(out);
   return pulls;
 }
 

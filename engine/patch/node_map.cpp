@@ -17,8 +17,8 @@ void count_up(CowVector<std::int32_t>& values, std::size_t size) {
     for (std::size_t k = 0; k < page.size(); ++k)
       differ += page[k] != static_cast<std::int32_t>(begin + k) ? 1 : 0;
     if (differ == 0) continue;
-    std::int32_t* own = &values.edit(begin);
-    std::iota(own, own + page.size(), static_cast<std::int32_t>(begin));
+    const std::span<std::int32_t> own = values.edit_page(begin / values.kPage);
+    std::iota(own.begin(), own.end(), static_cast<std::int32_t>(begin));
   }
 }
 

@@ -191,6 +191,10 @@ class TetReuse {
   ReusedMesh assemble() {
     ReusedMesh result;
     result.mesh.nodes = positions();
+    result.mesh.tets.reserve(tets_.size());
+    result.dirty.reserve(tets_.size());
+    result.same.peeled.reserve(tets_.size());
+    result.same.output.reserve(tets_.size());
     const auto add = [&](const Tet& tet, bool dirty, std::int32_t peeled, std::int32_t output) {
       result.mesh.tets.push_back(tet);
       result.dirty.push_back(dirty ? 1 : 0);

@@ -9,14 +9,23 @@
 namespace remeshd {
 namespace {
 
-/// A facet by its two larger nodes; the smallest names the bucket.
+/// A facet by its nodes, the smallest of which is known from the bucket.
 struct Entry {
   std::int32_t mid, high;
-  FacetRef facet;
-  std::int32_t next;  ///< entry of the same bucket with the same `mid`, -1 at the end
+  FacetRef facet;     ///< of the tet that was met first
+  std::int32_t next;  ///< entry of the same bucket, -1 at the end
   std::int8_t turn;   ///< sign of the permutation that sorts the outward facet
   std::int8_t tets;   ///< met so far, 2 standing for more
 };
+
+/// A tet that clashes with those met before at a facet with this smallest node.
+struct Clash {
+  std::int32_t low, tet;
+};
+
+/// Buckets of facets a smallest node, which are near in memory where tets in turn are near each
+/// other. A node of a usual mesh is the smallest of some ten facets.
+constexpr std::int32_t kBuckets = 8;
 
 /// One bit for each facet of a tet, by the corner opposite.
 using FacetMask = std::uint8_t;
@@ -24,81 +33,50 @@ constexpr FacetMask kAll = 15;
 /// By a mask of corners: the facets that have no other.
 constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 4, 0, 2, 1, 15};
 
-/// Where the facets of each smallest node end, counted one bucket late: `end[n]` is where those of
-/// node n begin.
+/// Counts the tets at each facet, adds the tets that clash to `clashes`, by the facet's smallest
+/// node, and marks in `alone`, by tet, the facets in one tet only. `each`: calls its argument with
+/// the tets that take part, `count` of them, and their facets that do.
 template <class Each>
-std::vector<std::uint32_t> bucket_begins(const CowVector<Tet>& tets, std::size_t node_count,
-                                         const Each& each, Polling& poll) {
-  std::vector<std::uint32_t> end(node_count + 1, 0);
-  each([&](std::size_t t, FacetMask wanted) {
-    poll();
-    // Three of the four facets have the tet's smallest node as theirs, the fourth the second.
-    const Tet& tet = tets[t];
-    const std::int32_t lower = std::min(tet[0], tet[1]), low = std::min(tet[2], tet[3]);
-    const std::int32_t first = std::min(lower, low);
-    const std::int32_t second = std::min(
-        std::max(lower, low), std::min(std::max(tet[0], tet[1]), std::max(tet[2], tet[3])));
-    for (int i = 0; i < 4; ++i)
-      if ((wanted >> i & 1) != 0) ++end[(tet[i] == first ? second : first) + 1];
-  });
-  for (std::size_t n = 1; n <= node_count; ++n) end[n] += end[n - 1];
-  return end;
-}
-
-/// Counts the tets at each facet, adds the tets that clash to `clashes` and marks in `alone`, by
-/// tet, the facets in one tet only. `each`: calls its argument with the tets that take part and
-/// their facets that do, the same each time.
-template <class Each>
-void match(const CowVector<Tet>& tets, std::size_t node_count, const Each& each,
+void match(const CowVector<Tet>& tets, std::size_t node_count, std::size_t count, const Each& each,
            std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
-  std::vector<std::uint32_t> end = bucket_begins(tets, node_count, each, poll);
-  std::vector<Entry> entries(end[node_count]);
+  std::vector<std::int32_t> head(kBuckets * node_count, -1);  // first entry of the bucket
+  std::vector<Entry> entries;
+  entries.reserve(2 * count + count / 4);  // each facet has two tets, but for the surface's
+  std::vector<Clash> found;
   each([&](std::size_t t, FacetMask wanted) {
     poll();
     const Tet tet = tets[t];
     for (int i = 0; i < 4; ++i) {
       if ((wanted >> i & 1) == 0) continue;
-      // Without branches, for which node is the smallest cannot be foreseen; and in place, for a
-      // value that is returned through memory is waited for.
+      // Without branches, for which node is the smallest cannot be foreseen.
       const auto& f = kTetFacets[i];
       const std::int32_t a = tet[f[0]], b = tet[f[1]], c = tet[f[2]];
       const std::int32_t low = std::min(std::min(a, b), c);
       const std::int32_t high = std::max(std::max(a, b), c);
+      const std::int32_t mid = a ^ b ^ c ^ low ^ high;
       const int odd = static_cast<int>(a > b) ^ static_cast<int>(a > c) ^ static_cast<int>(b > c);
-      Entry& entry = entries[end[low]++];
-      entry.mid = a ^ b ^ c ^ low ^ high;
-      entry.high = high;
-      entry.facet = {static_cast<std::int32_t>(t), i};
-      entry.next = -1;
-      entry.turn = static_cast<std::int8_t>(1 - 2 * odd);
-      entry.tets = 1;
-    }
-  });
-
-  std::vector<std::int32_t> head(node_count, -1);  // first entry of this bucket by its `mid`
-  std::uint32_t begin = 0;
-  for (std::size_t n = 0; n < node_count; ++n) {
-    poll();
-    for (std::uint32_t b = begin; b < end[n]; ++b) {
-      Entry& entry = entries[b];
-      std::int32_t a = head[entry.mid];
-      while (a >= 0 && entries[a].high != entry.high) a = entries[a].next;
-      if (a < 0) {
-        entry.next = std::exchange(head[entry.mid], static_cast<std::int32_t>(b));
+      const auto turn = static_cast<std::int8_t>(1 - 2 * odd);
+      std::int32_t& first = head[kBuckets * static_cast<std::size_t>(low) +
+                                 static_cast<std::size_t>((mid ^ high) % kBuckets)];
+      std::int32_t at = first;
+      while (at >= 0 && (entries[at].mid != mid || entries[at].high != high)) at = entries[at].next;
+      if (at < 0) {
+        const FacetRef facet(static_cast<std::int32_t>(t), i);
+        entries.push_back({mid, high, facet, first, turn, 1});
+        first = static_cast<std::int32_t>(entries.size()) - 1;
         continue;
       }
-      entry.tets = 0;
-      if (entries[a].tets == 2 || entries[a].turn == entry.turn)
-        clashes.push_back(entry.facet.tet());
-      entries[a].tets = 2;
+      Entry& entry = entries[at];
+      if (entry.tets == 2 || entry.turn == turn)
+        found.push_back({low, static_cast<std::int32_t>(t)});
+      entry.tets = 2;
     }
-    for (std::uint32_t b = begin; b < end[n]; ++b) {
-      head[entries[b].mid] = -1;
-      if (entries[b].tets == 1)
-        alone[entries[b].facet.tet()] |= static_cast<FacetMask>(1 << entries[b].facet.corner());
-    }
-    begin = end[n];
-  }
+  });
+  for (const Entry& entry : entries)
+    if (entry.tets == 1)
+      alone[entry.facet.tet()] |= static_cast<FacetMask>(1 << entry.facet.corner());
+  std::ranges::stable_sort(found, {}, &Clash::low);
+  for (const Clash& clash : found) clashes.push_back(clash.tet);
 }
 
 std::vector<SurfaceFacet> collect(const CowVector<Tet>& tets, std::span<const FacetMask> alone) {
@@ -121,7 +99,7 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count, Poll
   const auto each = [&](auto&& f) {
     for (std::size_t t = 0; t < tets.size(); ++t) f(t, kAll);
   };
-  match(tets, node_count, each, result.clashes, alone, poll);
+  match(tets, node_count, tets.size(), each, result.clashes, alone, poll);
   result.surface = collect(tets, alone);
   return result;
 }
@@ -142,7 +120,7 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
   };
   FacetMatch result;
   std::vector<FacetMask> alone(tets.size(), 0);
-  match(tets, node_count, each, result.clashes, alone, poll);
+  match(tets, node_count, inherited.near.size(), each, result.clashes, alone, poll);
   for (const SurfaceFacet& facet : parent.surface) {
     poll();
     const std::int32_t t = inherited.same_tet[facet.tet];

@@ -42,7 +42,8 @@ class Checker {
         tolerance_(tolerance::kOnSurface * boundary.bounds.diagonal()),
         run_(run),
         poll_(run) {
-    if (options.parent) inherited_ = correspond(mesh, *options.parent, poll_);
+    if (options.parent && !options.parent->mesh.tets.empty())
+      inherited_ = correspond(mesh, *options.parent, poll_);
   }
 
   Verification check(double exact_volume) {
