@@ -94,6 +94,22 @@ TEST(CowVector, OfOneValueStandInMemoryOnce) {
   EXPECT_EQ(pages[3 * kPage], 3);
 }
 
+TEST(CowVector, APageThatIsWrittenToIsOfOneCopyAlone) {
+  const Numbers original(count_up(2 * kPage + 5));
+  Numbers copy = original;
+  const std::span<int> last = copy.edit_page(2);
+  ASSERT_EQ(last.size(), 5U);
+  std::ranges::fill(last, -1);
+  EXPECT_EQ(copy[2 * kPage], -1);
+  EXPECT_EQ(original.flat(), count_up(2 * kPage + 5));
+  EXPECT_TRUE(copy.shares(1, original));
+  EXPECT_FALSE(copy.shares(2, original));
+  EXPECT_EQ(copy.edit_page(2).data(), last.data());
+  copy.resize(2 * kPage + 7, 4);
+  EXPECT_EQ(copy[2 * kPage + 4], -1);
+  EXPECT_EQ(copy[2 * kPage + 6], 4);
+}
+
 TEST(CowVector, AreWrittenToAloneHoweverManyCopiesGo) {
   const Numbers original(count_up(8 * kPage));
   std::vector<std::thread> threads;
