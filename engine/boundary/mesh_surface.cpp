@@ -95,9 +95,10 @@ void remesh(SurfaceRemesher& remesher, int rounds, double least, std::size_t mos
 
 SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions& options,
                          const Run& run) {
-  const double least = options.least_length * options.edge_length;
+  const double least = options.least_length * (options.share * options.sizes.least());
   const auto longest = [&](const Support& support, const Vec3& p) {
-    return std::min(options.edge_length, longest_on_curve(boundary, support, p, least));
+    return std::min(options.share * options.sizes(p),
+                    longest_on_curve(boundary, support, p, least));
   };
   SurfaceRemesher remesher(tessellated_surface(boundary), boundary, longest, run);
   remesher.flip();

@@ -4,11 +4,13 @@
 
 #include "engine/base/run.h"
 #include "engine/boundary/surface_mesh.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
 struct SurfaceMeshOptions {
-  double edge_length = 0;  ///< target length of sides, model's unit
+  SizeField sizes{0};  ///< target length of sides
+  double share = 1;    ///< of that
   /// Share of the edge length below which thin faces ask for no shorter sides.
   double least_length = 0.125;
   std::size_t most_facets = 300'000;  ///< a surface that would need more is refused

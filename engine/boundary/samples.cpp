@@ -67,29 +67,36 @@ class Wanted {
 };
 
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
-                 const Membership& membership, double spacing, double jitter, const Wanted& wanted,
-                 Random random, const Run& run, std::vector<Sample>& out) {
+                 const Membership& membership, const SizeField& sizes, const SampleOptions& options,
+                 const Wanted& wanted, Random random, const Run& run, std::vector<Sample>& out) {
   const BoundaryFace& face = boundary.faces[index];
   const Support support{Support::Kind::Face, index};
   const double probe = tolerance::kProbe * boundary.bounds.diagonal();
   const Box box = box_of(face.points);
   const std::size_t begin = out.size();
+  const auto relative_area = [&](double length) {
+    return (length / sizes.base()) * (length / sizes.base());
+  };
   bool reached = false;
   Polling poll(run);
   wanted.for_each_part(box, [&](const Box& part, std::size_t number) {
     reached = true;
-    visit_lattice(face.surface, part, spacing, jitter, random, [&](const Vec3& p) {
-      poll();
-      if (!box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
-      const Vec3 outward = outward_normal(face, p);
-      if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward)) return;
-      if (!others.empty()) {
-        const double own = face_distance2(face, p);
-        for (const int other : others)
-          if (face_distance2(boundary.faces[other], p) < own) return;
-      }
-      out.push_back({p, 0, support});
-    });
+    for (const SizeField::EvenPart& even : sizes.even_parts(part)) {
+      const double spacing = options.face_spacing * even.length;
+      visit_lattice(face.surface, even.box, spacing, options.jitter, random, [&](const Vec3& p) {
+        poll();
+        if (!even.holds(p) || !box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
+        const Vec3 outward = outward_normal(face, p);
+        if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
+          return;
+        if (!others.empty()) {
+          const double own = face_distance2(face, p);
+          for (const int other : others)
+            if (face_distance2(boundary.faces[other], p) < own) return;
+        }
+        out.push_back({p, relative_area(even.length), support});
+      });
+    }
   });
   if (!reached) return;
   if (out.size() - begin < kFewSamples) {
@@ -97,23 +104,73 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
     for (const auto& t : face.triangles) {
       const Vec3 centroid = (face.points[t[0]] + face.points[t[1]] + face.points[t[2]]) / 3.0;
       const Vec3 p = project(face.surface, centroid);
-      if (wanted.holds(p)) out.push_back({p, 0, support});
+      if (wanted.holds(p)) out.push_back({p, relative_area(sizes(p)), support});
     }
   }
-  for (std::size_t k = begin; k < out.size(); ++k)
-    out[k].weight = wanted.everywhere() ? face.area / static_cast<double>(out.size() - begin)
-                                        : spacing * spacing;
+  // What stands for all of the face adds up to its area.
+  const double spacing = options.face_spacing * sizes.base();
+  double sum = 0;
+  for (std::size_t k = begin; k < out.size(); ++k) sum += out[k].weight;
+  const double one = wanted.everywhere() ? face.area / sum : spacing * spacing;
+  for (std::size_t k = begin; k < out.size(); ++k) out[k].weight *= one;
 }
 
-void sample_edge(const BoundaryModel& boundary, int index, double spacing, double jitter,
-                 const Wanted& wanted, Random random, std::vector<Sample>& out) {
+/// How far along an edge its pieces end that are equally many local edge lengths long.
+class EdgeStations {
+ public:
+  EdgeStations(const BoundaryEdge& edge, const SizeField& sizes, double spacing)
+      : length_(edge.length), chords_(polyline_length(edge)) {
+    const SizeField::Range range = sizes.in(box_of(edge.points));
+    if (range.least == range.greatest) {
+      needed_ = edge.length / (spacing * range.least);
+      return;
+    }
+    double at = 0;
+    for (stations_.push_back({0, 0}); at < chords_;) {
+      const double length = spacing * sizes(point_at(edge, at));
+      const double step = std::fmin(kStep * length, chords_ - at);
+      at = step < chords_ - at ? at + step : chords_;
+      needed_ += step / length;
+      stations_.push_back({at, needed_});
+    }
+  }
+
+  [[nodiscard]] int count() const { return std::max(3, static_cast<int>(std::ceil(needed_))); }
+  /// Length of chords up to piece `k` of `count()`, and a share of it.
+  [[nodiscard]] double at(double k) const {
+    if (stations_.empty()) return chords_ * k / count();
+    const double passed = needed_ * k / count();
+    const auto after = std::ranges::upper_bound(stations_, passed, {}, &Station::passed);
+    if (after == stations_.end()) return chords_;
+    const Station &a = *(after - 1), &b = *after;
+    return a.at + (b.at - a.at) * (passed - a.passed) / (b.passed - a.passed);
+  }
+  /// Length of piece `k`.
+  [[nodiscard]] double length(int k) const {
+    return stations_.empty() ? length_ / count() : length_ * (at(k + 1) - at(k)) / chords_;
+  }
+
+ private:
+  static constexpr double kStep = 0.5;  // x spacing: between stations
+  struct Station {
+    double at;      ///< length of chords
+    double passed;  ///< spacings
+  };
+  double length_, chords_;
+  double needed_ = 0;              ///< spacings on the edge
+  std::vector<Station> stations_;  ///< none where the field is even along it
+};
+
+void sample_edge(const BoundaryModel& boundary, int index, const SizeField& sizes,
+                 const SampleOptions& options, const Wanted& wanted, Random random,
+                 std::vector<Sample>& out) {
   const BoundaryEdge& edge = boundary.edges[index];
-  const double chords = polyline_length(edge);
-  const int count = std::max(3, static_cast<int>(std::ceil(edge.length / spacing)));
+  const EdgeStations stations(edge, sizes, options.edge_spacing);
+  const int count = stations.count();
   std::size_t k = 1;
   double passed = 0;  // length of the chords before points[k - 1]
   for (int i = 0; i < count; ++i) {
-    const double at = chords * (i + 0.5 + jitter * random.uniform(-0.5, 0.5)) / count;
+    const double at = stations.at(i + 0.5 + options.jitter * random.uniform(-0.5, 0.5));
     while (k + 1 < edge.points.size() &&
            passed + distance(edge.points[k - 1], edge.points[k]) < at) {
       passed += distance(edge.points[k - 1], edge.points[k]);
@@ -123,8 +180,7 @@ void sample_edge(const BoundaryModel& boundary, int index, double spacing, doubl
     const double t = chord > 0 ? (at - passed) / chord : 0;
     const Vec3 p = edge.points[k - 1] + t * (edge.points[k] - edge.points[k - 1]);
     if (wanted.holds(p))
-      out.push_back(
-          {project(boundary, edge, p), edge.length / count, {Support::Kind::Edge, index}});
+      out.push_back({project(boundary, edge, p), stations.length(i), {Support::Kind::Edge, index}});
   }
 }
 
@@ -138,7 +194,7 @@ std::vector<Vec3> Samples::positions() const {
 }
 
 Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
-                        double edge_length, std::uint64_t seed, const SampleOptions& options,
+                        const SizeField& sizes, std::uint64_t seed, const SampleOptions& options,
                         const Run& run) {
   Samples samples;
   const std::vector<std::vector<int>> others = rivals(boundary);
@@ -148,13 +204,12 @@ Samples sample_boundary(const BoundaryModel& boundary, const Membership& members
       [&](std::size_t begin, std::size_t, std::vector<Sample>& found) {
         run.poll();
         const int f = static_cast<int>(begin);
-        sample_face(boundary, f, others[f], membership, options.face_spacing * edge_length,
-                    options.jitter, wanted, Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), run,
-                    found);
+        sample_face(boundary, f, others[f], membership, sizes, options, wanted,
+                    Random(seed * 0x9E3779B97F4A7C15ULL + 2 * f), run, found);
       });
   samples.edges_begin = samples.points.size();
   for (int e = 0; e < static_cast<int>(boundary.edges.size()); ++e)
-    sample_edge(boundary, e, options.edge_spacing * edge_length, options.jitter, wanted,
+    sample_edge(boundary, e, sizes, options, wanted,
                 Random(seed * 0x9E3779B97F4A7C15ULL + 2 * e + 1), samples.points);
   samples.vertices_begin = samples.points.size();
   for (int v = 0; v < static_cast<int>(boundary.vertices.size()); ++v)

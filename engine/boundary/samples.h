@@ -8,6 +8,7 @@
 #include "engine/base/run.h"
 #include "engine/cellular/boundary_model/support.h"
 #include "engine/model/solid.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -44,7 +45,7 @@ struct Samples {
 /// Post: the weights of a face's samples add up to its area, those of an edge's to its length,
 /// where the whole boundary is covered. Source: Sect. 3.1 and 3.3.
 Samples sample_boundary(const BoundaryModel& boundary, const Membership& membership,
-                        double edge_length, std::uint64_t seed, const SampleOptions& options,
+                        const SizeField& sizes, std::uint64_t seed, const SampleOptions& options,
                         const Run& run);
 
 }  // namespace remeshd

@@ -14,6 +14,8 @@ constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_e
 }  // namespace
 
 QualityReference quality_reference(const Revision& revision) {
+  // What a base size lets one expect says nothing where details ask for less.
+  if (!revision.options.sizing.even) return {revision.report.quality.volume_length_mean, 1};
   return {revision.report.quality.volume_length_mean,
           static_cast<double>(revision.report.counts.nodes) /
               expected_nodes(revision.cells.volume, revision.cells.area, revision.edge_length)};

@@ -14,11 +14,11 @@ constexpr double kSpacing = 0.5;  // of the edge length
 /// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
 class FaceVisitor {
  public:
-  FaceVisitor(CopiedNodes& nodes, const CopyPlan& source, double edge_length, const Run& run)
+  FaceVisitor(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes, const Run& run)
       : nodes_(nodes),
         source_(source),
-        grid_(nodes.positions, kGridCell * edge_length),
-        spacing_(kSpacing * edge_length),
+        grid_(nodes.positions, kGridCell * sizes.grid_length()),
+        sizes_(sizes),
         run_(run) {}
 
   void visit(const Solid& solid, const Transform& motion, const Transform& back,
@@ -32,12 +32,13 @@ class FaceVisitor {
         Surface surface = face.surface;
         surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
         Random random(1);  // unjittered, but for where rows begin
-        visit_lattice(surface, overlap, spacing_, 0, random, [&](const Vec3& p) {
-          if (!overlap.contains(p, source_.probe())) return;
-          for (std::size_t earlier = 0; earlier < b; ++earlier)
-            if (where[earlier].contains(p)) return;
-          look_at(solid, back, p, normal(surface, p));
-        });
+        for (const SizeField::EvenPart& part : sizes_.even_parts(overlap))
+          visit_lattice(surface, part.box, kSpacing * part.length, 0, random, [&](const Vec3& p) {
+            if (!part.holds(p) || !overlap.contains(p, source_.probe())) return;
+            for (std::size_t earlier = 0; earlier < b; ++earlier)
+              if (where[earlier].contains(p)) return;
+            look_at(solid, back, p, normal(surface, p));
+          });
       }
     }
   }
@@ -54,15 +55,15 @@ class FaceVisitor {
   CopiedNodes& nodes_;
   const CopyPlan& source_;
   const NearestNode grid_;
-  const double spacing_;
+  const SizeField& sizes_;
   const Run& run_;
 };
 
 }  // namespace
 
-void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, double edge_length,
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes,
                           const Run& run) {
-  FaceVisitor visitor(nodes, source, edge_length, run);
+  FaceVisitor visitor(nodes, source, sizes, run);
   for (const Solid& solid : source.modified().solids())
     visitor.visit(solid, {}, {}, source.changed());
   for (std::size_t t = 0; t < source.transforms().size(); ++t) {

@@ -2,6 +2,7 @@
 
 #include "engine/nodes/node_set.h"
 #include "engine/plan/copy_plan.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -10,8 +11,8 @@ namespace remeshd {
 /// features are looked at, and those of the original features wherever a copy carries them along.
 /// Regularly spaced points on each free their nearest node.
 ///
-/// `edge_length`: target edge length; the points are half of it apart.
-void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, double edge_length,
+/// The points are half an edge length apart.
+void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes,
                           const Run& run);
 
 }  // namespace remeshd

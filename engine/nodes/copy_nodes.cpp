@@ -38,10 +38,10 @@ std::vector<std::int32_t> copying_order(const CopyPlan& source) {
 
 class Copier {
  public:
-  Copier(const CopyPlan& source, const OriginalNodes& original, double edge_length)
+  Copier(const CopyPlan& source, const OriginalNodes& original, const SizeField& sizes)
       : source_(source),
         original_(original),
-        edge_length_(edge_length),
+        sizes_(sizes),
         at_(tets_at_nodes(original)),
         extent_(source.transforms().size()) {
     for (const SourceFeature& s : source.sources())
@@ -88,7 +88,8 @@ class Copier {
       (source_(p + half * (middle - p)) == t ? inside : outside) = half;
     }
     const Vec3 place = p + inside * (middle - p);
-    const double lost = kLimits.nodes_per_layer * distance(p, place) / edge_length_;
+    const double lost =
+        kLimits.nodes_per_layer * distance(p, place) / sizes_(original_.positions[n]);
     Random draw(static_cast<std::uint64_t>(n) ^ std::bit_cast<std::uint64_t>(lost));
     if (draw.uniform() < lost) return std::nullopt;
     return place;
@@ -97,17 +98,17 @@ class Copier {
  private:
   const CopyPlan& source_;
   const OriginalNodes& original_;
-  const double edge_length_;
+  const SizeField& sizes_;
   const Grouping<Tet> at_;                ///< tets by node
   std::vector<std::vector<Box>> extent_;  ///< by transformation: original boxes of its features
 };
 
 }  // namespace
 
-CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
-                       const Run& run) {
+CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original,
+                       const SizeField& sizes, const Run& run) {
   CopiedNodes nodes;
-  const Copier copier(source, original, edge_length);
+  const Copier copier(source, original, sizes);
   const std::vector<std::int32_t> order = copying_order(source);
   const auto add = [&](std::int32_t n, std::int32_t t, const Vec3& place, bool free) {
     nodes.add(place, original.supports[n], free ? NodeState::Free : NodeState::Fixed, n, t);

@@ -5,6 +5,7 @@
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
 #include "engine/plan/copy_plan.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -28,10 +29,10 @@ struct OriginalNodes {
 /// are left out as the lost volume held, or the mesh would thin out or clot along a chain of small
 /// edits.
 ///
-/// `edge_length`: target edge length of the original mesh.
+/// `sizes`: target edge lengths of the original mesh.
 /// Post: every node is the copy of one near the change, fixed but for those set back; supports are
 /// interior or, for nodes that were on the boundary, still those of the original.
-CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original, double edge_length,
-                       const Run& run);
+CopiedNodes copy_nodes(const CopyPlan& source, const OriginalNodes& original,
+                       const SizeField& sizes, const Run& run);
 
 }  // namespace remeshd

@@ -11,13 +11,14 @@ constexpr double kCrowded = 0.46, kCrowdedOnEdge = 0.3;
 
 }  // namespace
 
-void decimate_close_nodes(CopiedNodes& nodes, double edge_length) {
-  const NearestNode grid(nodes.positions, kGridCell * edge_length);
+void decimate_close_nodes(CopiedNodes& nodes, const SizeField& sizes) {
+  const NearestNode grid(nodes.positions, kGridCell * sizes.grid_length());
   std::vector<std::uint8_t> stays(nodes.positions.size());
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     stays[n] = !nodes.is_free(n) || nodes.supports[n].kind == Support::Kind::Vertex;
   using Kind = Support::Kind;
-  const auto too_close = [&](std::int32_t n, std::int32_t other, double distance2) {
+  const auto too_close = [&](std::int32_t n, double edge_length, std::int32_t other,
+                             double distance2) {
     const Support &s = nodes.supports[n], &o = nodes.supports[other];
     if (s.kind == o.kind && s.kind != Kind::Interior && s != o) return false;
     const bool on_edge = s.kind == Kind::Edge && o.kind == Kind::Edge;
@@ -26,10 +27,11 @@ void decimate_close_nodes(CopiedNodes& nodes, double edge_length) {
   };
   const auto crowded = [&](std::int32_t n) {
     bool found = false;
-    grid.for_each_within(nodes.positions[n], kCrowded * edge_length,
-                         [&](std::int32_t other, double distance2) {
-                           found |= other != n && stays[other] && too_close(n, other, distance2);
-                         });
+    const double edge_length = sizes(nodes.positions[n]);
+    grid.for_each_within(
+        nodes.positions[n], kCrowded * edge_length, [&](std::int32_t other, double distance2) {
+          found |= other != n && stays[other] && too_close(n, edge_length, other, distance2);
+        });
     return found;
   };
   for (const Kind kind : {Kind::Edge, Kind::Face, Kind::Interior})

@@ -5,7 +5,7 @@
 namespace remeshd {
 
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
-                    double edge_length, double tolerance, std::int32_t first, const Run& run) {
+                    const SizeField& sizes, double tolerance, std::int32_t first, const Run& run) {
   std::vector<std::int32_t> to_place;
   for (std::int32_t n = first; n < nodes.size(); ++n) {
     if (nodes.is_free(n)) nodes.supports[n] = {};
@@ -13,7 +13,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
   }
   if (to_place.empty()) return;
   const std::vector<Vec3> positions = samples.positions();
-  const NearestNode grid(positions, kGridCell * edge_length);
+  const NearestNode grid(positions, kGridCell * sizes.grid_length());
   Polling poll(run);
   for (const std::int32_t n : to_place) {
     poll();
@@ -22,7 +22,7 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
     // several of a kind the one with the nearest sample.
     Support best;
     double best_d = HUGE_VAL;
-    grid.for_each_within(p, kSupportReach * edge_length, [&](std::int32_t index, double d) {
+    grid.for_each_within(p, kSupportReach * sizes(p), [&](std::int32_t index, double d) {
       const Support& s = samples.points[index].support;
       if (s.kind < best.kind || (s.kind == best.kind && d >= best_d) ||
           s.kind > nodes.supports[n].kind)

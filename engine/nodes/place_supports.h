@@ -13,8 +13,7 @@ inline constexpr double kSupportReach = 1.2;
 /// its piece of boundary is gone.
 ///
 /// `tolerance`: distance within which a node counts as standing on an entity, length.
-/// `edge_length`: target edge length.
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
-                    double edge_length, double tolerance, std::int32_t first, const Run& run);
+                    const SizeField& sizes, double tolerance, std::int32_t first, const Run& run);
 
 }  // namespace remeshd

@@ -20,11 +20,9 @@ ActiveSamples::ActiveSamples(const Samples& samples)
   std::iota(participants_.begin(), participants_.end(), 0U);
 }
 
-ActiveSamples::ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest,
+ActiveSamples::ActiveSamples(const NodeSet& nodes, const SizeField& sizes, NearestToPoints& nearest,
                              const Run& run)
-    : edge_length_(edge_length),
-      states_(nearest.points().size(), State::Resting),
-      nearest_(&nearest) {
+    : sizes_(sizes), states_(nearest.points().size(), State::Resting), nearest_(&nearest) {
   refresh(nodes, run);
 }
 
@@ -34,7 +32,7 @@ void ActiveSamples::refresh(const NodeSet& nodes, const Run& run) {
   std::vector<Vec3> free;
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.is_free(n)) free.push_back(nodes.positions[n]);
-  const Region near_free(free, kReach * edge_length_, 1);
+  const Region near_free(free, kReach * sizes_.base(), 1);
   nearest_->follow(nodes.positions);
   const auto near = collect_in_blocks<std::uint32_t>(
       states_.size(), kCheapBlock, run,
@@ -62,7 +60,8 @@ void ActiveSamples::promote(std::span<const std::uint32_t> pulling) {
 
 void ActiveSamples::activate(std::uint32_t sample) {
   states_[sample] = State::Active;
-  nearest_->grid_of_points().for_each_within(nearest_->points()[sample], kBorder * edge_length_,
+  const Vec3& at = nearest_->points()[sample];
+  nearest_->grid_of_points().for_each_within(at, kBorder * sizes_(at),
                                              [&](std::int32_t other, double) {
                                                if (states_[other] == State::Resting)
                                                  states_[other] = State::Border;

@@ -7,6 +7,7 @@
 #include "engine/boundary/samples.h"
 #include "engine/nodes/nearest_to_points.h"
 #include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -17,9 +18,10 @@ class ActiveSamples {
  public:
   /// All samples are active (a first mesh).
   explicit ActiveSamples(const Samples& samples);
-  /// Those whose nearest node is free are active. `edge_length`: samples within `kBorder` of it are
+  /// Those whose nearest node is free are active. Samples within `kBorder` edge lengths are
   /// neighbours. `nearest`: of the samples; used as long as this lives.
-  ActiveSamples(const NodeSet& nodes, double edge_length, NearestToPoints& nearest, const Run& run);
+  ActiveSamples(const NodeSet& nodes, const SizeField& sizes, NearestToPoints& nearest,
+                const Run& run);
 
   /// Active and border-active samples, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& participants() const { return participants_; }
@@ -37,7 +39,7 @@ class ActiveSamples {
   void activate(std::uint32_t sample);
   void collect();
 
-  double edge_length_ = 0;
+  SizeField sizes_{0};
   std::vector<State> states_;
   NearestToPoints* nearest_ = nullptr;  ///< null where all are active
   std::vector<std::uint32_t> participants_;

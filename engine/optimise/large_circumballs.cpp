@@ -30,21 +30,26 @@ std::optional<Circumball> ball_of(const std::vector<Vec3>& p, const Tet& t, doub
 }  // namespace
 
 std::int32_t insert_at_circumcentres(NodeSet& nodes, std::span<const Tet> tets,
-                                     const InsideTest& inside, double edge_length) {
-  const double l = edge_length;
-  const double least2 = kLargestBall * kLargestBall * l * l;
+                                     const InsideTest& inside, const SizeField& sizes) {
+  const auto least2 = [&](const Vec3& p) {
+    const double l = sizes(p);
+    return kLargestBall * kLargestBall * l * l;
+  };
+  const double flat = sizes.least() * sizes.least() * sizes.least();
   std::vector<Circumball> large_circumballs;
   for (const Tet& t : tets) {
     if (!std::ranges::all_of(
             t, [&](std::int32_t n) { return nodes.supports[n].kind == Support::Kind::Interior; }))
       continue;
-    const std::optional<Circumball> ball = ball_of(nodes.positions, t, kFlat * l * l * l);
-    if (ball && ball->radius2 > least2 && inside(ball->centre)) large_circumballs.push_back(*ball);
+    const std::optional<Circumball> ball = ball_of(nodes.positions, t, kFlat * flat);
+    if (ball && ball->radius2 > least2(ball->centre) && inside(ball->centre))
+      large_circumballs.push_back(*ball);
   }
   std::ranges::stable_sort(large_circumballs, std::ranges::greater(), &Circumball::radius2);
   const std::int32_t first = nodes.size();
   for (const Circumball& v : large_circumballs) {
-    const auto near = [&](const Vec3& p) { return norm2(p - v.centre) <= least2; };
+    const double around2 = least2(v.centre);
+    const auto near = [&](const Vec3& p) { return norm2(p - v.centre) <= around2; };
     if (std::none_of(nodes.positions.begin() + first, nodes.positions.end(), near))
       nodes.add_new(v.centre);
   }

@@ -23,12 +23,14 @@ std::string dump_name(std::uint32_t iteration) {
   return (iteration < 10 ? "07-optimise-0" : "07-optimise-") + std::to_string(iteration);
 }
 
-/// Freezes the free nodes that are less than `distance` from where they were.
-void freeze(NodeSet& nodes, const std::vector<Vec3>& before, double distance) {
-  for (std::size_t n = 0; n < before.size(); ++n)
-    if (nodes.state[n] == NodeState::Free &&
-        norm2(nodes.positions[n] - before[n]) < distance * distance)
+/// Freezes the free nodes that are less than a share of their edge length from where they were.
+void freeze(NodeSet& nodes, const std::vector<Vec3>& before, double share, const SizeField& sizes) {
+  for (std::size_t n = 0; n < before.size(); ++n) {
+    if (nodes.state[n] != NodeState::Free) continue;
+    const double distance = share * sizes(nodes.positions[n]);
+    if (norm2(nodes.positions[n] - before[n]) < distance * distance)
       nodes.state[n] = NodeState::Frozen;
+  }
 }
 
 void thaw_boundary(NodeSet& nodes) {
@@ -77,11 +79,11 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
                         const OptimiseOptions& options, const Run& run) {
   OptimiseResult result;
   const Adjacency adjacency(boundary);
-  const PullOptions pull{.edge_length = options.edge_length};
+  const PullOptions pull{.sizes = options.sizes};
   const bool all_free = nodes.count(NodeState::Free) == nodes.positions.size();
-  NearestToPoints nearest(samples.positions(), kGridCell * options.edge_length);
+  NearestToPoints nearest(samples.positions(), kGridCell * options.sizes.grid_length());
   ActiveSamples active =
-      all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.edge_length, nearest, run);
+      all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.sizes, nearest, run);
   LiveMesh live(std::move(start.mesh), std::move(start.holds), options.rebuild, run);
   const auto pull_now = [&] {
     active.promote(pull_boundary(nodes, boundary, adjacency, samples, active.participants(),
@@ -101,9 +103,9 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
     const bool filled = options.insert_at_circumcentres && k == kFillAt &&
-                        insert_at_circumcentres(nodes, tets, inside, options.edge_length) > 0;
-    relocate(nodes, tets, inside, run);
-    freeze(nodes, before, options.freeze * options.edge_length);
+                        insert_at_circumcentres(nodes, tets, inside, options.sizes) > 0;
+    relocate(nodes, tets, inside, options.sizes, run);
+    freeze(nodes, before, options.freeze, options.sizes);
     if ((k == 1 || k == 4) && !all_free && expand(nodes, live.tets(), inside))
       active.refresh(nodes, run);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
@@ -113,7 +115,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   thaw_boundary(nodes);
   pull_now();
   recover_edges(nodes, boundary, live,
-                {.edge_length = options.edge_length, .wanted = active_edges(samples, active)});
+                {.sizes = options.sizes, .wanted = active_edges(samples, active)});
   result.mesh = live.mesh();
   std::ranges::replace(nodes.state, NodeState::Frozen, NodeState::Free);
   result.samples_active = active.active_count();

@@ -8,16 +8,17 @@
 #include "engine/boundary/samples.h"
 #include "engine/delaunay/delaunay_mesh.h"
 #include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
 struct OptimiseOptions {
-  double edge_length = 0;        ///< target edge length l
+  SizeField sizes{0};            ///< target edge lengths
   std::uint32_t iterations = 0;  ///< loops; 0: until quality stops improving
   std::uint32_t auto_min = 4, auto_max = 30;
   double auto_gain = 0.002;  ///< improvement of the mean volume-length below which `auto` stops
-  /// A free node that moved less than this share of l in an iteration is frozen: it stays where it
-  /// is, on the boundary until the last repositioning, and counts as free.
+  /// A free node that moved less than this share of the edge length in an iteration is frozen: it
+  /// stays where it is, on the boundary until the last repositioning, and counts as free.
   double freeze = 0.01;
   /// Whether voids between the nodes that a remesh starts with get nodes
   /// (`insert_at_circumcentres`).

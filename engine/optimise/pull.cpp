@@ -87,7 +87,7 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
     nodes.supports[winner.node] = {kind, winner.entity};
     nodes.positions[winner.node] = target(boundary, nodes.supports[winner.node], winner);
     const Vec3 placed = nodes.positions[winner.node];
-    const double apart = options.split_distance * options.edge_length;
+    const double apart = options.split_distance * options.sizes(placed);
     for (std::size_t k = first; k < last && options.split; ++k) {
       if (k == strongest || pulls[k].weight < options.split_ratio * winner.weight) continue;
       const Meeting meeting = adjacency.meeting(kind, winner.entity, pulls[k].entity);
@@ -104,7 +104,6 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
 /// Puts a node at every active vertex: the nearest free one within reach, else a new one.
 void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std::uint32_t> active,
                     const NearestNode& grid, const PullOptions& options) {
-  const double reach = options.vertex_reach * options.edge_length;
   std::vector<std::uint8_t> taken(nodes.size(), 0);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     taken[n] = !nodes.is_free(n) && nodes.supports[n].kind == Support::Kind::Vertex;
@@ -113,14 +112,15 @@ void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std:
     std::int32_t best = -1;
     double best_d = HUGE_VAL;
     bool done = false;
-    grid.for_each_within(s.position, reach, [&](std::int32_t n, double d) {
-      if (nodes.supports[n] == s.support && !nodes.is_free(n)) done = true;
-      if (taken[n] || n < nodes.interface_nodes) return;
-      if (d < best_d || (d == best_d && n < best)) {
-        best_d = d;
-        best = n;
-      }
-    });
+    grid.for_each_within(s.position, options.vertex_reach * options.sizes(s.position),
+                         [&](std::int32_t n, double d) {
+                           if (nodes.supports[n] == s.support && !nodes.is_free(n)) done = true;
+                           if (taken[n] || n < nodes.interface_nodes) return;
+                           if (d < best_d || (d == best_d && n < best)) {
+                             best_d = d;
+                             best = n;
+                           }
+                         });
     if (done) continue;
     if (best < 0) {
       nodes.add_new(s.position, s.support);

@@ -7,6 +7,7 @@
 #include "engine/boundary/samples.h"
 #include "engine/nodes/nearest_to_points.h"
 #include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -26,12 +27,13 @@ class Adjacency {
 };
 
 struct PullOptions {
-  double edge_length = 0;  ///< target edge length l
-  /// Sets that meet sharply split a node where they pull it to places this share of l apart: one
-  /// node cannot serve both sides of a narrow wedge.
+  SizeField sizes{0};  ///< target edge lengths
+  /// Sets that meet sharply split a node where they pull it to places this share of the edge length
+  /// apart: one node cannot serve both sides of a narrow wedge.
   double split_distance = 0.3;
   double split_ratio = 0.25;  ///< weaker to stronger pull above which a node is split
-  /// Share of l beyond which a model vertex does not pull in a node but gets a new one.
+  /// Share of the edge length beyond which a model vertex does not pull in a node but gets a new
+  /// one.
   double vertex_reach = 0.75;
   bool split = true;  ///< whether nodes may be added at all
 };

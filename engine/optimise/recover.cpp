@@ -16,11 +16,12 @@ using Link = std::pair<std::int32_t, std::int32_t>;
 /// Where to split the link from a to b: in the middle, or on the shell nearest to it round the one
 /// end that is a model vertex.
 double split_at(const NodeSet& nodes, const NodeOnEdge& a, const NodeOnEdge& b,
-                double edge_length) {
+                const SizeField& sizes) {
   const double length = b.at - a.at;
   const bool from_a = nodes.supports[a.node].kind == Support::Kind::Vertex;
   const bool from_b = nodes.supports[b.node].kind == Support::Kind::Vertex;
   if (from_a == from_b) return a.at + 0.5 * length;
+  const double edge_length = sizes(nodes.positions[from_a ? a.node : b.node]);
   const double shell = edge_length * std::exp2(std::round(std::log2(0.5 * length / edge_length)));
   return from_a ? a.at + shell : b.at - shell;
 }
@@ -78,7 +79,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
         if (at_rim(a) && at_rim(b)) continue;
         if (!std::binary_search(links.begin(), links.end(),
                                 Link(std::min(a.node, b.node), std::max(a.node, b.node))))
-          insert(split_at(nodes, a, b, options.edge_length));
+          insert(split_at(nodes, a, b, options.sizes));
       }
     }
     if (inserted == before) return inserted;

@@ -5,12 +5,13 @@
 
 #include "engine/nodes/node_set.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
 struct RecoverOptions {
-  double edge_length = 0;  ///< target edge length l
-  int rounds = 12;         ///< at most
+  SizeField sizes{0};  ///< target edge lengths
+  int rounds = 12;     ///< at most
   /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
   /// nearer to each other than the edge length would split each other into pieces as short as that.
   double most = 0.2;

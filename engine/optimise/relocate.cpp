@@ -19,11 +19,11 @@ namespace {
 /// What moves a node: sums over its tets.
 struct Pull {
   Vec3 moment;
-  double volume = 0;
+  double mass = 0;
 };
 
-/// Adds a tet to the sums of those of its nodes that have a 1 in `at`.
-void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at,
+/// Adds a tet of a density to the sums of those of its nodes that have a 1 in `at`.
+void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at, double weight,
          std::vector<Pull>& pulls) {
   const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
              &d = nodes.positions[t[3]];
@@ -34,10 +34,33 @@ void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at
   const Vec3 m = (norm2(ad) * nc + norm2(ac) * nb + norm2(ab) * nd) / 12.0;
   for (const std::int32_t n : t) {
     if (!at[n]) continue;
-    pulls[n].moment += m + (six_volume / 6) * (a - nodes.positions[n]);
-    pulls[n].volume += six_volume / 6;
+    pulls[n].moment += weight * (m + (six_volume / 6) * (a - nodes.positions[n]));
+    pulls[n].mass += weight * (six_volume / 6);
   }
 }
+
+/// The density of nodes in a tet, relative to where edges are longest: 1 / h^3, h its nodes' mean.
+class Densities {
+ public:
+  Densities(const NodeSet& nodes, const SizeField& sizes, const Run& run) : base_(sizes.base()) {
+    if (sizes.even()) return;
+    lengths_.resize(nodes.positions.size());
+    in_blocks(lengths_.size(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) lengths_[n] = sizes(nodes.positions[n]);
+    });
+  }
+
+  double operator()(const Tet& t) const {
+    if (lengths_.empty()) return 1;
+    const double of_four = lengths_[t[0]] + lengths_[t[1]] + lengths_[t[2]] + lengths_[t[3]];
+    const double coarser = 4 * base_ / of_four;
+    return coarser * coarser * coarser;
+  }
+
+ private:
+  double base_;
+  std::vector<double> lengths_;  ///< by node; none where the field is even
+};
 
 bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
   return (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) != 0;
@@ -45,13 +68,15 @@ bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
 
 }  // namespace
 
-void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside, const Run& run) {
+void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
+              const SizeField& sizes, const Run& run) {
   const std::vector<std::uint8_t> moves = relocated(nodes);
+  const Densities densities(nodes, sizes, run);
   std::vector<Pull> pulls(moves.size());
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (any(moves, t)) add(nodes, t, moves, pulls);
+    if (any(moves, t)) add(nodes, t, moves, densities(t), pulls);
   }
   std::vector<Vec3> to = nodes.positions;
   std::vector<std::uint8_t> stuck(moves.size(), 0);
@@ -60,8 +85,8 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
         for (std::size_t n = begin; n < end; ++n) {
-          if (!moves[n] || pulls[n].volume <= 0) continue;
-          const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
+          if (!moves[n] || pulls[n].mass <= 0) continue;
+          const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].mass;
           if (inside(p)) {
             to[n] = p;
             continue;
@@ -73,10 +98,11 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
       });
   if (!all_stuck.empty()) {
     for (const Tet& t : tets)
-      if (any(stuck, t) && inside(centroid(nodes.positions, t))) add(nodes, t, stuck, pulls);
+      if (any(stuck, t) && inside(centroid(nodes.positions, t)))
+        add(nodes, t, stuck, densities(t), pulls);
     for (const std::int32_t n : all_stuck) {
-      if (pulls[n].volume <= 0) continue;
-      const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].volume;
+      if (pulls[n].mass <= 0) continue;
+      const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].mass;
       if (inside(p)) to[n] = p;
     }
   }

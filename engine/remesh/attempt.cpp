@@ -10,7 +10,7 @@ namespace remeshd {
 const CopyPlan& Problem::plan() const {
   if (!plan_)
     plan_ = std::make_unique<const CopyPlan>(parent.delaunay_model(), modified.model,
-                                             density.edge_length, run);
+                                             density.sizes.base(), run);
   return *plan_;
 }
 
@@ -24,7 +24,7 @@ const EntityMap& Problem::entities() const {
 
 std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
   return std::make_unique<const CopyPlan>(FeatureModel{}, problem.modified.model,
-                                          problem.density.edge_length, problem.run);
+                                          problem.density.sizes.base(), problem.run);
 }
 
 std::vector<std::string> in_words(std::span<const TriedStrategy> tried) {
@@ -50,7 +50,7 @@ Warning describe_fault(const Candidate& failed, const Problem& problem) {
   }
   const MeshDefect& defect = failed.verification.failures.front();
   FailurePlace place = find_failure(defect, problem.modified.model, problem.plan().modified(),
-                                    problem.modified.cells.boundary, problem.density.edge_length);
+                                    problem.modified.cells.boundary, problem.density.sizes.base());
   warning.message = describe(defect, place);
   if (!place.faces.empty()) warning.point = defect.place;
   warning.features = std::move(place.features);

@@ -14,6 +14,7 @@
 #include "engine/model/solid.h"
 #include "engine/nodes/nearest.h"
 #include "engine/patch/node_map.h"
+#include "engine/remesh/density.h"
 
 namespace remeshd {
 
@@ -135,7 +136,7 @@ struct Worst {
 
 std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
                                                  const Run& run) {
-  const double l = original.edge_length;
+  const double l = sizes_of(original).least();
   const BoundaryModel& boundary = modified.cells.boundary;
   const double bound = motion_bound(original.delaunay_model(), modified.model);
   if (bound > kLimits.motion_bound * l) return NotMorphed{};

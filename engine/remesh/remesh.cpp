@@ -29,8 +29,8 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
     report.geometry_seconds -= attempt.seconds;
   }
   // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
-  const Density density = resolve_density(parent, options, revision.cells, run);
-  revision.edge_length = report.edge_length = density.edge_length;
+  const Density density = resolve_density(parent, options, revision.model, revision.cells, run);
+  revision.edge_length = report.edge_length = density.sizes.base();
   watch.lap(report.seconds.setup);
 
   run.report("difference", 0.06);

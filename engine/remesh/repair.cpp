@@ -14,11 +14,9 @@ constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this
 
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
-                         double edge_length) {
+                         const SizeField& sizes) {
   if (nodes.positions.empty()) return 0;  // a patch that nothing is in
-  const NearestNode grid(nodes.positions, kGridCell * edge_length);
-  const double around2 = kAround * kAround * edge_length * edge_length;
-  const double closest2 = kClosest * kClosest * edge_length * edge_length;
+  const NearestNode grid(nodes.positions, kGridCell * sizes.grid_length());
   std::vector<Sample> added;
   const auto room2 = [&](const Vec3& p) {
     double d = norm2(p - nodes.positions[grid.nearest(p)]);
@@ -26,6 +24,9 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
     return d;
   };
   const auto place_for = [&](const MeshDefect& defect) -> std::optional<Sample> {
+    const double edge_length = sizes(defect.place);
+    const double around2 = kAround * kAround * edge_length * edge_length;
+    const double closest2 = kClosest * kClosest * edge_length * edge_length;
     if (defect.kind == MeshFailure::MissingSegment) {
       const Support edge{Support::Kind::Edge, defect.entity};
       const Vec3 middle = project(boundary, edge, defect.place);
@@ -65,12 +66,12 @@ bool boundary_is_complete(const Verification& v) {
 }
 
 DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,
-                                 NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
-                                 const Run& run) {
+                                 NodeSet& nodes, const BoundaryModel& boundary,
+                                 const SizeField& sizes, const Run& run) {
   std::vector<std::uint8_t> holds(nodes.positions.size(), 0);
   std::fill_n(holds.begin(), first_inserted, 1);
   LiveMesh live(mesh, std::move(holds), false, run);
-  recover_edges(nodes, boundary, live, {.edge_length = edge_length});
+  recover_edges(nodes, boundary, live, {.sizes = sizes});
   return live.mesh();
 }
 

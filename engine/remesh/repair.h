@@ -7,6 +7,7 @@
 #include "engine/delaunay/delaunay_mesh.h"
 #include "engine/extract/peel.h"
 #include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
 #include "engine/verify/verify.h"
 
 namespace remeshd {
@@ -18,7 +19,8 @@ namespace remeshd {
 ///
 /// Returns the number of nodes inserted; 0 where everything near the defects has its node.
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
-                         const BoundaryModel& boundary, const Samples& samples, double edge_length);
+                         const BoundaryModel& boundary, const Samples& samples,
+                         const SizeField& sizes);
 
 /// The nonconforming facets of a peeled mesh as verification would name them.
 std::vector<MeshDefect> nonconforming_facets(const PeeledMesh& mesh);
@@ -29,7 +31,7 @@ bool boundary_is_complete(const Verification& verification);
 
 /// Brings a Delaunay mesh of the first nodes up to all of them, with their model edges recovered.
 DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,
-                                 NodeSet& nodes, const BoundaryModel& boundary, double edge_length,
-                                 const Run& run);
+                                 NodeSet& nodes, const BoundaryModel& boundary,
+                                 const SizeField& sizes, const Run& run);
 
 }  // namespace remeshd

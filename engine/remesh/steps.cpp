@@ -13,7 +13,7 @@
 #include "engine/nodes/copy_nodes.h"
 #include "engine/nodes/decimate_close_nodes.h"
 #include "engine/nodes/dump.h"
-#include "engine/nodes/fill.h"
+#include "engine/nodes/fill/fill.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/revision/delaunay_state.h"
@@ -134,6 +134,22 @@ Density counted(Density density, const Revision& modified) {
   return density;
 }
 
+/// Nodes for what is new (Sects. 3.2, 7).
+std::vector<Vec3> new_nodes(const MeshingTask& task) {
+  const CopyPlan& plan = task.plan;
+  const Density& density = task.density;
+  const auto is_new = [&](const Vec3& p) { return plan(p) == CopyPlan::kNew; };
+  if (!density.sizes.even())
+    return fill_graded(plan.changed(), is_new, density.sizes, task.seed, task.run);
+  const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
+  return fill(plan.changed(), is_new,
+              {.edge_length = density.sizes.base(),
+               .density = density.nodes_per_volume,
+               .count = density.count,
+               .seed = task.seed},
+              task.run);
+}
+
 /// The same with a folder of the strategy's own for dumps.
 Run with_folder(Run run, const Strategy& how) {
   if (run.dumps.empty()) return run;
@@ -158,7 +174,7 @@ MeshingTask::MeshingTask(const Strategy& how, const Problem& problem)
       density(of_nothing_ ? counted(problem.density, problem.modified) : problem.density),
       seed(options.seed + how.other_seed),
       all_free(how.reuse == Reuse::FreedNodes),
-      reach(how.reach * density.edge_length),
+      reach(how.reach * density.sizes.base()),
       entities(std::isfinite(reach) ? &problem.entities() : nullptr),
       run(with_folder(problem.run, how)) {}
 
@@ -167,31 +183,23 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   const Revision& parent = task.parent;
   const CopyPlan& plan = task.plan;
   const Run& run = task.run;
-  const double l = task.density.edge_length;
+  const SizeField& sizes = task.density.sizes;
   run.report("nodes", 0.1);
   dump_text(run, "04-plan", [&] { return to_text(plan, parent.model); });
   const DelaunayState& state = *parent.delaunay_state;
-  const double margin = kNearChange * l;
+  const double margin = kNearChange * sizes.base();
   const bool everything = std::isinf(task.reach);
   const std::vector<std::int32_t> candidates = candidate_nodes(parent, plan, margin, everything);
   const std::vector<Tet> tets = tets_at(state, candidates, [&](const Box& box) {
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });
   CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
-                                parent.edge_length, run);
-  const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
+                                sizes_of(parent), run);
   // What is near in space is to be near in memory: revisions share pages.
-  for (const Vec3& p : along_hilbert_curve(fill(
-           plan.changed(), [&](const Vec3& p) { return plan(p) == CopyPlan::kNew; },
-           {.edge_length = l,
-           .density = task.density.nodes_per_volume,
-           .count = task.density.count,
-           .seed = task.seed},
-           run)))
-    near.add_new(p);
+  for (const Vec3& p : along_hilbert_curve(new_nodes(task))) near.add_new(p);
   if (plan.copies()) {  // new nodes alone are free, and spread evenly
-    free_at_active_faces(near, plan, l, run);
-    decimate_close_nodes(near, l);
+    free_at_active_faces(near, plan, sizes, run);
+    decimate_close_nodes(near, sizes);
   }
   std::optional<PatchNodes> local = extract_patch(
       near, candidates, state, parent.supports(),
@@ -216,12 +224,13 @@ SampledBoundary sample(const MeshingTask& task, PatchNodes& local, Attempt& atte
   Stopwatch watch;
   const BoundaryModel& boundary = task.cells.boundary;
   const Membership& membership = task.plan.modified();
-  const double l = task.density.edge_length;
+  const SizeField& sizes = task.density.sizes;
   SampleOptions sampling;
-  if (std::isfinite(task.reach)) sampling.where = sampled_places(local, l, task.reach);
-  SampledBoundary sampled{sample_boundary(boundary, membership, l, task.seed, sampling, task.run),
-                          inside_test(task.options.inside, membership, boundary, task.run)};
-  place_supports(local.nodes, boundary, sampled.samples, l,
+  if (std::isfinite(task.reach)) sampling.where = sampled_places(local, sizes.base(), task.reach);
+  SampledBoundary sampled{
+      sample_boundary(boundary, membership, sizes, task.seed, sampling, task.run),
+      inside_test(task.options.inside, membership, boundary, task.run)};
+  place_supports(local.nodes, boundary, sampled.samples, sizes,
                  tolerance::kOnSurface * boundary.bounds.diagonal(), local.placed, task.run);
   attempt.counts.samples = static_cast<std::uint32_t>(sampled.samples.points.size());
   attempt.counts.free_at_start = local.nodes.count(NodeState::Free);
@@ -238,7 +247,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
   OptimiseResult loop =
       optimise(nodes, start_mesh(local, task.plan, boundary.bounds, task.run), boundary,
                sampled.inside, sampled.samples,
-               {.edge_length = task.density.edge_length,
+               {.sizes = task.density.sizes,
                 .iterations = task.options.iterations,
                 .insert_at_circumcentres = !task.all_free && task.density.inherited,
                 .rebuild = task.options.rebuild},

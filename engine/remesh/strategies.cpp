@@ -73,7 +73,7 @@ Attempt by_tetgen(const Strategy& how, const Problem& problem, const Attempt* fa
   const MeshOptions& options = problem.modified.options;
   const auto plan = plan_of_nothing(problem);
   Candidate made = tetgen_mesh({problem.modified.model, *plan, problem.modified.cells,
-                                problem.density.edge_length, options.clean_up, options.threshold},
+                                problem.density.sizes, options.clean_up, options.threshold},
                                failed->candidate()->verification, problem.run);
   attempt.tries = std::move(made.given_up);
   attempt.seconds.verify = made.verify_seconds;

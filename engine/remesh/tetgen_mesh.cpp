@@ -115,13 +115,13 @@ bool sound(const Mesh& mesh, const Verification& verification) {
 
 std::uint32_t most_nodes_inside(const TetGenInput& input) {
   const CellularModel& cells = input.cells;
-  const double expected = expected_nodes(cells.volume, cells.area, input.edge_length);
+  const double expected = expected_nodes(cells.volume, cells.area, input.sizes.base());
   return kBounds.most_more +
          static_cast<std::uint32_t>(kBounds.most_times * std::fmin(expected, 1e7));
 }
 
 std::size_t most_facets(const TetGenInput& input) {
-  const double l = input.edge_length;
+  const double l = input.sizes.base();
   const double expected = 4 / std::numbers::sqrt3 * input.cells.area / (l * l);
   return kBounds.most_more +
          static_cast<std::size_t>(kBounds.most_times * std::fmin(expected, 1e7));
@@ -130,7 +130,7 @@ std::size_t most_facets(const TetGenInput& input) {
 /// Throws what run_tetgen throws. The candidate may be invalid; then it has no Delaunay mesh.
 Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGenInput& input,
                      const kernel::TetGenLimits& limits, const Run& run) {
-  const double l = input.edge_length;
+  const double l = input.sizes.base();
   const CellularModel& cells = input.cells;
   const kernel::MarkedSurface marked = mark(surface);
   const kernel::QualityMesh out = kernel::run_tetgen(marked,
@@ -183,7 +183,7 @@ bool is_flat_only(const Candidate& c) {
 
 FailurePlace place_of(const MeshDefect& defect, const TetGenInput& input) {
   return find_failure(defect, input.model, input.plan.modified(), input.cells.boundary,
-                      input.edge_length);
+                      input.sizes.base());
 }
 
 std::string fault_of(const Verification& failed, const TetGenInput& input) {
@@ -217,7 +217,7 @@ Candidate first_valid(const TetGenInput& input, const Run& run,
     const Stopwatch tried;
     const SurfaceMesh surface = mesh_surface(
         input.cells.boundary,
-        {.edge_length = question.surface_length * input.edge_length, .most_facets = facets}, run);
+        {.sizes = input.sizes, .share = question.surface_length, .most_facets = facets}, run);
     limits.seconds = input.limits.seconds - watch.total();
     if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
     try {

@@ -4,6 +4,7 @@
 #include "engine/mesh/quality_goals.h"
 #include "engine/patch/candidate.h"
 #include "engine/plan/copy_plan.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -12,7 +13,7 @@ struct TetGenInput {
   const FeatureModel& model;
   const CopyPlan& plan;  ///< of whatever parent: its modified model is what counts
   const CellularModel& cells;
-  double edge_length;                    ///< target edge length l
+  SizeField sizes;                       ///< target edge lengths
   bool clean_up = true;                  ///< as in MeshOptions
   double threshold = goals::kThreshold;  ///< as in MeshOptions
   kernel::TetGenLimits limits = {};      ///< of TetGen; the time for all attempts

@@ -173,7 +173,7 @@ void finish(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool 
 std::uint32_t finish_repaired(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                               const SampledBoundary& boundary) {
   const CellularModel& cells = task.cells;
-  const double l = task.density.edge_length;
+  const SizeField& sizes = task.density.sizes;
   const bool clean_up = task.options.clean_up;
   const auto most = static_cast<std::uint32_t>(
       few_more_nodes(static_cast<double>(c.nodes.size() + c.nodes.elsewhere)));
@@ -181,9 +181,9 @@ std::uint32_t finish_repaired(Candidate& c, const MeshingTask& task, const MeshP
   const auto insert_at = [&](std::span<const MeshDefect> defects) {
     const std::int32_t first = c.nodes.size();
     if (c.too_fine ||
-        insert_where_missing(c.nodes, defects, cells.boundary, boundary.samples, l) == 0)
+        insert_where_missing(c.nodes, defects, cells.boundary, boundary.samples, sizes) == 0)
       return false;
-    c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, l, task.run);
+    c.loop.mesh = with_nodes_inserted(c.loop.mesh, first, c.nodes, cells.boundary, sizes, task.run);
     repaired += c.nodes.size() - first;
     const double verified = c.verify_seconds;
     c = extract(std::move(c.nodes), std::move(c.loop), task, patch, boundary.inside);

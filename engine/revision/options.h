@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/mesh/quality_goals.h"
+#include "engine/sizing/sizing.h"
 
 namespace remeshd {
 
@@ -34,6 +35,7 @@ struct MeshOptions {
   bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
   double threshold = goals::kThreshold;
+  Sizing sizing;  ///< where the mesh is finer than its edge length
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -93,7 +93,7 @@ void interior_pass(benchmark::State& state) {
   NodeSet nodes = w.nodes;
   while (state.KeepRunning()) {
     nodes.positions = w.nodes.positions;
-    relocate(nodes, w.delaunay, inside, Run{});
+    relocate(nodes, w.delaunay, inside, w.edge_length, Run{});
     benchmark::DoNotOptimize(nodes.positions.data());
   }
   state.SetItemsProcessed(state.iterations() * nodes.size());
@@ -105,7 +105,7 @@ BENCHMARK(interior_pass)->Unit(benchmark::kMillisecond);
 void boundary_pass(benchmark::State& state) {
   const bench::WorkedCase& w = worked_case();
   const Adjacency adjacency(w.cells.boundary);
-  const PullOptions options{.edge_length = w.edge_length, .split = false};
+  const PullOptions options{.sizes = w.edge_length, .split = false};
   while (state.KeepRunning()) {
     NodeSet nodes = w.nodes;
     NearestToPoints nearest(w.samples.positions(), 0.8 * w.edge_length);

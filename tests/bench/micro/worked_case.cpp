@@ -25,8 +25,8 @@ WorkedCase work() {
   w.model = made.model = test::case_features("tool1-a");
   w.cells = made.cells = build_cells(w.model, run);
   w.membership = std::make_unique<const Membership>(w.model);
-  const Density density = resolve_density(Revision::none(), made.options, w.cells, run);
-  w.edge_length = density.edge_length;
+  const Density density = resolve_density(Revision::none(), made.options, made.model, w.cells, run);
+  w.edge_length = density.sizes.base();
   const Problem problem(Revision::none(), made, density, run);
   const MeshingTask task(first_mesh(), problem);
   Attempt attempt("local");

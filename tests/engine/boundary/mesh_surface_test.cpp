@@ -62,7 +62,7 @@ class SurfaceOf : public testing::TestWithParam<const char*> {};
 TEST_P(SurfaceOf, IsClosedOnItsModelAndEven) {
   const CellularModel cells = build_cells(test::case_features(GetParam()), kRun);
   constexpr double kLength = 5;
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = kLength}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = kLength}, kRun);
   expect_sound(mesh, cells.boundary);
   EXPECT_NEAR(enclosed_volume(mesh), cells.volume, 0.02 * cells.volume);
   double sum = 0;
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, SurfaceOf,
 
 TEST(MeshSurface, AnEdgeLengthLargerThanTheModelLeavesWhatItsShapeNeeds) {
   const CellularModel cells = cells_of({cylinder("c", 5, 10)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 100}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = 100}, kRun);
   expect_sound(mesh, cells.boundary);
   EXPECT_LT(mesh.nodes.size(), 60U);
   EXPECT_GT(enclosed_volume(mesh), 0.8 * cells.volume);
@@ -94,7 +94,7 @@ TEST(MeshSurface, AnEdgeLengthLargerThanTheModelLeavesWhatItsShapeNeeds) {
 
 TEST(MeshSurface, SidesBesideAThinFaceAreAboutAsLongAsItIsWide) {
   const CellularModel cells = cells_of({block("plate", 40, 40, 1)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 5}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = 5}, kRun);
   expect_sound(mesh, cells.boundary);
   for (const FaceFacet& f : mesh.facets) {
     const Vec3 n = normal(cells.boundary.faces[f.face].surface, {});
@@ -108,7 +108,7 @@ TEST(MeshSurface, WhereChordsOfNearWallsWouldCutEachOtherFacetsAreSmaller) {
   const CellularModel cells =
       cells_of({cylinder("plate", 50, 12),
                 placed(cylinder("hole", 10, 12), 39.95, 0, 0, Nature::Subtractive)});
-  expect_sound(mesh_surface(cells.boundary, {.edge_length = 6}, kRun), cells.boundary);
+  expect_sound(mesh_surface(cells.boundary, {.sizes = 6}, kRun), cells.boundary);
 }
 
 TEST(MeshSurface, AFaceBetweenAnArcAndItsChordStays) {
@@ -116,7 +116,7 @@ TEST(MeshSurface, AFaceBetweenAnArcAndItsChordStays) {
   const CellularModel cells =
       cells_of({block("plate", 200, 200, 40), placed(block("boss", 47.7, 39.1, 160), 0, 0, 0),
                 placed(cylinder("collar", 25.84, 25.84), 0, 0, 40)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 45}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = 45}, kRun);
   expect_sound(mesh, cells.boundary);
   std::vector<double> area(cells.boundary.faces.size(), 0);
   for (const FaceFacet& f : mesh.facets) {
@@ -131,7 +131,7 @@ TEST(MeshSurface, NoNodeStandsBetweenAnArcAndItsChord) {
   // The boss all but touches the collar's rim from within: 0.003 of its top are left there.
   const CellularModel cells =
       cells_of({cylinder("collar", 2.2036, 3), placed(cylinder("boss", 1.1899, 5), 0, -1.0108, 0)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 2.2}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = 2.2}, kRun);
   expect_sound(mesh, cells.boundary);
   int on_top = 0;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -149,7 +149,7 @@ TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
       {block("b", 34.9971, 53.401, 22.8141),
        placed(test::feature("r", "torus", {{"major_radius", 10.1277}, {"minor_radius", 1.3575}}),
               14.1619, -1.0384, 3.2407)});
-  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.edge_length = 4.702}, kRun);
+  const SurfaceMesh mesh = mesh_surface(cells.boundary, {.sizes = 4.702}, kRun);
   expect_sound(mesh, cells.boundary);
   for (std::size_t e = 0; e < cells.boundary.edges.size(); ++e) {
     Box box;
@@ -163,8 +163,8 @@ TEST(MeshSurface, EachOfTwoEdgesBetweenTheSameFacesHasTheNodesNearIt) {
 
 TEST(MeshSurface, IsTheSameEveryTime) {
   const CellularModel cells = build_cells(test::case_features("tool2-d"), kRun);
-  const SurfaceMesh a = mesh_surface(cells.boundary, {.edge_length = 4}, kRun);
-  const SurfaceMesh b = mesh_surface(cells.boundary, {.edge_length = 4}, kRun);
+  const SurfaceMesh a = mesh_surface(cells.boundary, {.sizes = 4}, kRun);
+  const SurfaceMesh b = mesh_surface(cells.boundary, {.sizes = 4}, kRun);
   EXPECT_EQ(a.nodes, b.nodes);
   EXPECT_EQ(a.supports, b.supports);
   EXPECT_TRUE(std::ranges::equal(a.facets, b.facets, {}, &FaceFacet::nodes, &FaceFacet::nodes));

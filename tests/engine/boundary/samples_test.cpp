@@ -7,6 +7,7 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "engine/nodes/nearest.h"
+#include "engine/sizing/size_rules.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -42,6 +43,31 @@ TEST(Samples, WeightsAddUpToAreasAndLengths) {
   ASSERT_EQ(length.size(), b.edges.size());
   for (const auto& [f, a] : area) EXPECT_NEAR(a, b.faces[f].area, 1e-9 * b.faces[f].area);
   for (const auto& [e, l] : length) EXPECT_NEAR(l, b.edges[e].length, 1e-9 * b.edges[e].length);
+}
+
+TEST(Samples, FollowASizeFieldAndStillAddUp) {
+  const FeatureModel model = test::case_features("tool1-a");
+  const CellularModel cells = build_cells(model, kRun);
+  const BoundaryModel& b = cells.boundary;
+  const SizeField sizes = size_field(b, {.even = false}, 8);
+  ASSERT_LT(sizes.least(), 3);
+  const Samples samples = sample_boundary(b, Membership(model), sizes, 1, {}, kRun);
+  std::vector<double> area(b.faces.size(), 0), length(b.edges.size(), 0);
+  for (const Sample& s : samples.points) {
+    const double h = sizes(s.position);
+    if (s.support.kind == Support::Kind::Face) {
+      area[s.support.entity] += s.weight;
+      ASSERT_GT(s.weight, 0.4 * 0.36 * 0.36 * h * h);
+      ASSERT_LT(s.weight, 2.5 * 0.36 * 0.36 * h * h);
+    } else if (s.support.kind == Support::Kind::Edge) {
+      length[s.support.entity] += s.weight;
+      ASSERT_LT(s.weight, 1.3 * 0.18 * h);
+    }
+  }
+  for (std::size_t f = 0; f < area.size(); ++f)
+    EXPECT_NEAR(area[f], b.faces[f].area, 1e-9 * b.faces[f].area);
+  for (std::size_t e = 0; e < length.size(); ++e)
+    EXPECT_NEAR(length[e], b.edges[e].length, 1e-9 * b.edges[e].length);
 }
 
 TEST(Samples, LieOnTheirEntityAndOnTheBoundary) {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "engine/cellular/cellular_model.h"
-#include "engine/nodes/fill.h"
+#include "engine/nodes/fill/fill.h"
 #include "tests/support/cases.h"
 
 namespace remeshd {
@@ -19,7 +19,7 @@ const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 
 void pull(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
           std::span<const std::uint32_t> active, const PullOptions& options) {
-  NearestToPoints nearest(samples.positions(), options.edge_length);
+  NearestToPoints nearest(samples.positions(), options.sizes.base());
   pull_boundary(nodes, boundary, Adjacency(boundary), samples, active, nearest, options, kRun);
 }
 
@@ -51,7 +51,7 @@ struct Scene {
 TEST(PullBoundary, EveryVertexGetsANode) {
   const Scene s("tool3-a", 5);
   NodeSet nodes = s.random_nodes(1200, 5);
-  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 5});
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.sizes = 5});
   std::vector<int> at(s.cells.boundary.vertices.size(), 0);
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     if (nodes.supports[n].kind == Support::Kind::Vertex) {
@@ -65,7 +65,7 @@ TEST(PullBoundary, PulledNodesStandOnTheirEntityAndTheOthersAreInterior) {
   const Scene s("tool1-a", 5);
   NodeSet nodes = s.random_nodes(1200, 5);
   const NodeSet before = nodes;
-  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 5});
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.sizes = 5});
   int boundary = 0;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
     if (nodes.supports[n].kind == Support::Kind::Interior) {
@@ -83,12 +83,12 @@ TEST(PullBoundary, PulledNodesStandOnTheirEntityAndTheOthersAreInterior) {
 TEST(PullBoundary, FixedNodesStay) {
   const Scene s("simple-a", 8);
   NodeSet nodes = s.random_nodes(600, 8);
-  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.sizes = 8});
   for (std::int32_t n = 0; n < nodes.size(); ++n)
     nodes.state[n] = nodes.positions[n].x > 0 ? NodeState::Free : NodeState::Fixed;
   const NodeSet before = nodes;
   const std::span faces_and_edges(s.everything.data(), s.samples.vertices_begin);
-  pull(nodes, s.cells.boundary, s.samples, faces_and_edges, {.edge_length = 8});
+  pull(nodes, s.cells.boundary, s.samples, faces_and_edges, {.sizes = 8});
   int fixed = 0, fixed_on_boundary = 0, moved = 0;
   for (std::int32_t n = 0; n < before.size(); ++n) {
     if (!before.is_free(n)) {
@@ -110,7 +110,7 @@ TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
   NodeSet nodes = s.random_nodes(600, 8);
   std::ranges::fill(nodes.state, NodeState::Fixed);
   const NodeSet before = nodes;
-  pull(nodes, s.cells.boundary, s.samples, s.everything, {.edge_length = 8});
+  pull(nodes, s.cells.boundary, s.samples, s.everything, {.sizes = 8});
   int at_vertices = 0;
   for (std::int32_t n = 0; n < nodes.size(); ++n) {
     if (!nodes.is_free(n)) {
@@ -133,7 +133,7 @@ TEST(PullBoundary, OfFixedNodesOnlyThoseNearVerticesAreFreed) {
 NodeSet pulled_by_vertices(const Scene& s, NodeSet nodes, double l) {
   std::ranges::fill(nodes.state, NodeState::Fixed);
   const std::span vertices = std::span(s.everything).subspan(s.samples.vertices_begin);
-  pull(nodes, s.cells.boundary, s.samples, vertices, {.edge_length = l});
+  pull(nodes, s.cells.boundary, s.samples, vertices, {.sizes = l});
   return nodes;
 }
 
@@ -180,7 +180,7 @@ TEST(PullBoundary, ANodeBetweenTwoFarSidesIsSplit) {
   NodeSet nodes;
   for (double x = -8; x <= 8; x += 4)
     for (double y = -8; y <= 8; y += 4) nodes.add_new({x, y, 0.5});
-  pull(nodes, cells.boundary, samples, faces, {.edge_length = 4});
+  pull(nodes, cells.boundary, samples, faces, {.sizes = 4});
   EXPECT_GE(nodes.size(), 50);
   int top = 0, bottom = 0;
   for (const Vec3& p : nodes.positions) {

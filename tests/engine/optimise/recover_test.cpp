@@ -23,7 +23,7 @@ class Circles : public testing::Test {
     bounds.add(boundary_.bounds.lo);
     bounds.add(boundary_.bounds.hi);
     LiveMesh live(DelaunayMesh(bounds), std::vector<std::uint8_t>(nodes_.size(), 0), false, kRun);
-    recover_edges(nodes_, boundary_, live, {.edge_length = 20});
+    recover_edges(nodes_, boundary_, live, {.sizes = 20});
   }
 
   const BoundaryModel boundary_ = test::make_cylinder(10, 8, 12, 1).boundary;

@@ -37,7 +37,7 @@ struct Octahedron {
 
 TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
   Octahedron o({0.2, -0.1, 2.15});
-  relocate(o.nodes, o.tets, cube(), {});
+  relocate(o.nodes, o.tets, cube(), 1, {});
   // Formula (1) by hand, with circumcentres from the three bisector planes.
   Vec3 sum{};
   double volume = 0;
@@ -56,18 +56,28 @@ TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
 
 TEST(Relocate, TheCentreOfASymmetricRingStays) {
   Octahedron o({0, 0, 2});
-  relocate(o.nodes, o.tets, cube(), {});
+  relocate(o.nodes, o.tets, cube(), 1, {});
   EXPECT_LT(distance(o.nodes.positions[6], {0, 0, 2}), 1e-14);
+}
+
+TEST(Relocate, ANodeGoesWhereTheFieldIsFiner) {
+  const Surface plane{Surface::Kind::Plane, Transform::translation({0, 0, 3}), 0, 0};
+  const Box all{{-9, -9, -9}, {9, 9, 9}};
+  const SizeField finer_above({.base = 2, .least = 0.5, .slope = 0.3}, {{plane, all, 0.5}}, all);
+  Octahedron o({0, 0, 2});
+  relocate(o.nodes, o.tets, cube(), finer_above, {});
+  EXPECT_GT(o.nodes.positions[6].z, 2.01);
+  EXPECT_LT(norm(o.nodes.positions[6] - Vec3{0, 0, o.nodes.positions[6].z}), 1e-14);
 }
 
 TEST(Relocate, FixedAndBoundaryNodesStay) {
   Octahedron fixed({0.2, 0, 2});
   fixed.nodes.state[6] = NodeState::Fixed;
-  relocate(fixed.nodes, fixed.tets, cube(), {});
+  relocate(fixed.nodes, fixed.tets, cube(), 1, {});
   EXPECT_EQ(fixed.nodes.positions[6], (Vec3{0.2, 0, 2}));
   Octahedron boundary({0.2, 0, 2});
   boundary.nodes.supports[6] = {Support::Kind::Face, 0};
-  relocate(boundary.nodes, boundary.tets, cube(), {});
+  relocate(boundary.nodes, boundary.tets, cube(), 1, {});
   EXPECT_EQ(boundary.nodes.positions[6], (Vec3{0.2, 0, 2}));
 }
 
@@ -76,7 +86,7 @@ TEST(Relocate, ANodeInTheBoundaryThatTetsOutsidePullOutGoesIn) {
   Octahedron o({0.1, 0, 2});
   o.nodes.positions[4].z = 6;
   const InsideTest below = [](const Vec3& p) { return p.z <= 2; };
-  relocate(o.nodes, o.tets, below, {});
+  relocate(o.nodes, o.tets, below, 1, {});
   EXPECT_LT(o.nodes.positions[6].z, 1.99);
   EXPECT_GT(o.nodes.positions[6].z, 1);
 }

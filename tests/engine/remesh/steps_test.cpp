@@ -31,11 +31,12 @@ struct EditTask {
     r.cells = build_cells(r.model, kRun);
     return r;
   }
-  double edge_length() const { return problem.density.edge_length; }
+  double edge_length() const { return problem.density.sizes.base(); }
 
   const Revision base;
   const Revision modified;
-  const Problem problem{base, modified, resolve_density(base, {}, modified.cells, kRun), kRun};
+  const Problem problem{base, modified,
+                        resolve_density(base, {}, modified.model, modified.cells, kRun), kRun};
   const Strategy& how = strategy("local, 4 edge lengths");
   const MeshingTask task{how, problem};
   Attempt attempt{how.name};

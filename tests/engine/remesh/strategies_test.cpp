@@ -26,7 +26,7 @@ class AProblem : public testing::Test {
   }
 
   Revision modified_;
-  const Problem problem_{Revision::none(), modified_, {.edge_length = 1}, kRun};
+  const Problem problem_{Revision::none(), modified_, {.sizes = 1}, kRun};
 };
 
 using Judge = AProblem;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "engine/base/random.h"
-#include "engine/nodes/fill.h"
+#include "engine/nodes/fill/fill.h"
 
 namespace remeshd {
 

@@ -6,6 +6,7 @@
 
 #include "engine/base/inside_test.h"
 #include "engine/base/run.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -27,6 +28,12 @@ struct FillOptions {
 /// Source: Labelle & Shewchuk 2007 for the lattice's tets.
 std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& inside,
                                const FillOptions& options, const Run& run);
+
+/// The same for a field that is not even, without a count: nodes at the corners and centres of
+/// octrees over the cubes of the lattice, divided as the field says, of which those that stand too
+/// close together are left out, of the larger cubes first.
+std::vector<Vec3> fill_graded(const std::vector<Box>& boxes, const InsideTest& inside,
+                              const SizeField& sizes, std::uint64_t seed, const Run& run);
 
 /// The same with random nodes, spread evenly: a grid of half the edge length is traversed in
 /// serpentine order, every grid cell with its centre inside receives its share, and what is not

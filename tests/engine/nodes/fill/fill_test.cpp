@@ -1,4 +1,4 @@
-#include "engine/nodes/fill.h"
+#include "engine/nodes/fill/fill.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "engine/base/parallel.h"
+#include "engine/base/random.h"
+#include "engine/nodes/fill/fill.h"
+#include "engine/nodes/fill/turned_lattice.h"
+#include "engine/nodes/nearest.h"
+
+namespace remeshd {
+
+namespace {
+
+struct GradedFilling {
+  /// Constant of the body-centred cubic lattice with sqrt(2) nodes per cube of an edge length.
+  double constant = 1.122462048309373;
+  /// A cube is divided where it is so many times larger than that of the local edge length.
+  double largest = 1.2;
+  double jitter = 0.05;   ///< x side of the cube: how far off its place a node may be an axis
+  double closest = 0.72;  ///< x local edge length: no node is nearer to another
+  int deepest = 12;       ///< levels
+};
+constexpr GradedFilling kFill;
+
+/// A place for a node: the corner or the centre of a cube of an octree.
+struct Place {
+  std::array<long, 3> at;  ///< in halves of the smallest cubes
+  int level;               ///< of a cube that it belongs to
+};
+
+/// Leaves each place once, with its smallest cube.
+void leave_once(std::vector<Place>& places) {
+  std::ranges::sort(places, [](const Place& a, const Place& b) {
+    return std::tie(a.at, b.level) < std::tie(b.at, a.level);
+  });
+  const auto twice = std::ranges::unique(places, {}, &Place::at);
+  places.erase(twice.begin(), twice.end());
+}
+
+/// Octrees over the cubes of a lattice, divided where the field is finer.
+class Octrees {
+ public:
+  Octrees(const SizeField& sizes, std::uint64_t seed)
+      : sizes_(sizes),
+        seed_(seed),
+        lattice_(kFill.constant * sizes.base(), seed),
+        levels_(std::clamp(static_cast<int>(std::ceil(std::log2(sizes.base() / sizes.least()))), 0,
+                           kFill.deepest)) {}
+
+  [[nodiscard]] const TurnedLattice& lattice() const { return lattice_; }
+  /// Adds the corners and centres of the cubes in a layer that may be in the box.
+  void add_layer(const TurnedLattice::Cubes& cubes, std::size_t layer, const Box& box,
+                 Polling& poll, std::vector<Place>& places) const {
+    const long z = cubes.lo[2] + static_cast<long>(layer);
+    for (long y = cubes.lo[1]; y <= cubes.hi[1]; ++y)
+      for (long x = cubes.lo[0]; x <= cubes.hi[0]; ++x) divide({x, y, z}, 0, box, poll, places);
+  }
+  /// Where a place is, shaken.
+  [[nodiscard]] Vec3 position(const Place& place) const {
+    Random random = TurnedLattice::draw(place.at, seed_);
+    const double unit = 1.0 / static_cast<double>(2L << levels_);
+    const double most = kFill.jitter / static_cast<double>(1L << place.level);
+    const auto along = [&](int axis) {
+      return unit * static_cast<double>(place.at[axis]) + random.uniform(-most, most);
+    };
+    const double u = along(0), v = along(1), w = along(2);
+    return lattice_.place(u, v, w);
+  }
+
+ private:
+  void divide(const std::array<long, 3>& cube, int level, const Box& box, Polling& poll,
+              std::vector<Place>& places) const {
+    poll();
+    const double width = 1.0 / static_cast<double>(1L << level);
+    const auto along = [&](int axis) { return (static_cast<double>(cube[axis]) + 0.5) * width; };
+    const Vec3 middle = lattice_.place(along(0), along(1), along(2));
+    const double constant = width * lattice_.constant();
+    if (!box.contains(middle, constant)) return;
+    if (level < levels_ && constant > kFill.largest * kFill.constant * sizes_(middle)) {
+      for (int octant = 0; octant < 8; ++octant)
+        divide({2 * cube[0] + (octant & 1), 2 * cube[1] + (octant >> 1 & 1),
+                2 * cube[2] + (octant >> 2)},
+               level + 1, box, poll, places);
+      return;
+    }
+    const long half = 1L << (levels_ - level);  // of the cube
+    const std::array<long, 3> low{2 * half * cube[0], 2 * half * cube[1], 2 * half * cube[2]};
+    places.push_back({{low[0] + half, low[1] + half, low[2] + half}, level});
+    for (int corner = 0; corner < 8; ++corner)
+      places.push_back({{low[0] + 2 * half * (corner & 1), low[1] + 2 * half * (corner >> 1 & 1),
+                         low[2] + 2 * half * (corner >> 2)},
+                        level});
+  }
+
+  const SizeField& sizes_;
+  std::uint64_t seed_;
+  TurnedLattice lattice_;
+  int levels_;
+};
+
+/// All places in the boxes that are inside, those of small cubes first.
+std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& boxes,
+                             const InsideTest& inside, const Run& run) {
+  std::vector<Place> places;
+  for (const Box& box : boxes) {
+    if (box.empty()) continue;
+    const TurnedLattice::Cubes cubes = octrees.lattice().cubes_of(box);
+    const auto found = collect_in_blocks<Place>(
+        cubes.layers(), 1, run, [&](std::size_t layer, std::size_t, std::vector<Place>& in_layer) {
+          run.poll();
+          Polling poll(run);  // a layer of a thin body's box may hold millions of places
+          std::vector<Place> all;
+          octrees.add_layer(cubes, layer, box, poll, all);
+          leave_once(all);
+          for (const Place& place : all) {
+            poll();
+            const Vec3 p = octrees.position(place);
+            if (box.contains(p) && inside(p)) in_layer.push_back(place);
+          }
+        });
+    places.insert(places.end(), found.begin(), found.end());
+  }
+  leave_once(places);
+  std::ranges::stable_sort(places, std::ranges::greater(), &Place::level);
+  return places;
+}
+
+/// Leaves out what is nearer to an earlier one than the field allows.
+void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) {
+  const NearestNode grid(nodes, kGridCell * sizes.grid_length());
+  std::vector<std::uint8_t> stays(nodes.size(), 0);
+  Polling poll(run);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    poll();
+    bool crowded = false;
+    grid.for_each_within(nodes[n], kFill.closest * sizes(nodes[n]),
+                         [&](std::int32_t other, double) { crowded |= stays[other] != 0; });
+    stays[n] = crowded ? 0 : 1;
+  }
+  std::size_t left = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    if (stays[n] != 0) nodes[left++] = nodes[n];
+  nodes.resize(left);
+}
+
+}  // namespace
+
+std::vector<Vec3> fill_graded(const std::vector<Box>& boxes, const InsideTest& inside,
+                              const SizeField& sizes, std::uint64_t seed, const Run& run) {
+  const Octrees octrees(sizes, seed);
+  std::vector<Vec3> nodes;
+  for (const Place& place : places_in(octrees, boxes, inside, run))
+    nodes.push_back(octrees.position(place));
+  thin_out(nodes, sizes, run);
+  return nodes;
+}
+
+}  // namespace remeshd

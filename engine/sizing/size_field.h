@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/base/surface.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
+
+namespace remeshd {
+
+/// How a size field follows from its sources.
+struct SizeLimits {
+  double base = 0;   ///< edge length where nothing asks for less
+  double least = 0;  ///< no source asks for less than this
+  double slope = 0;  ///< how much longer edges may get on a way, per length of it
+};
+
+/// A piece of a curved face or of a circular edge that asks for edges of some length: the field is
+/// no more than that length there, and grows away from it.
+struct SizeSource {
+  /// A circle is the thinnest of tori: that surface with its radius, and a tube of none.
+  Surface surface;
+  Box box;          ///< round the piece
+  double size = 0;  ///< of a cone: per length of its radius of curvature
+
+  /// How long edges may be at p on behalf of this source alone, whatever the base; where that is
+  /// `enough` or more, any length from there on that it is not less than.
+  [[nodiscard]] double at(const Vec3& p, const SizeLimits& limits, double enough = HUGE_VAL) const;
+};
+
+/// The target edge length h at each point of space: the least of a base size and what sources ask
+/// for, with a gradient of at most `SizeLimits::slope`.
+///
+/// Sources are closed forms, kept in an octree by where they matter, so that a question costs a
+/// few of them however many there are. A copy shares the octree. Safe from any number of threads.
+class SizeField {
+ public:
+  /// The same edge length everywhere.
+  SizeField(double base);  // NOLINT(google-explicit-constructor): a length is an even field
+  /// `bounds`: round the model; questions beyond it cost more.
+  SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds);
+
+  /// Edge length at a point; length.
+  [[nodiscard]] double operator()(const Vec3& p) const;
+  /// What is asked for at a point whatever the base size; infinite where nothing is.
+  [[nodiscard]] double asked_for(const Vec3& p) const;
+  /// Edge length where nothing asks for less.
+  [[nodiscard]] double base() const { return limits_.base; }
+  /// No edge length is less than this.
+  [[nodiscard]] double least() const { return limits_.least; }
+  /// Whether it is the same everywhere.
+  [[nodiscard]] bool even() const { return tree_ == nullptr; }
+  /// A length between those of the field, for grids of what stands as far apart as the field says.
+  [[nodiscard]] double grid_length() const;
+  /// The least and the greatest that the field may be in a box.
+  struct Range {
+    double least, greatest;
+  };
+  [[nodiscard]] Range in(const Box& box) const;
+
+  /// A part of a box in which the field is nearly even.
+  struct EvenPart {
+    Box box, whole;
+    double length;  ///< the edge length in its middle
+    /// Whether this is the part that a point, moved into the whole box, is in.
+    [[nodiscard]] bool holds(const Vec3& p) const;
+  };
+  /// Parts that cover a box without overlapping.
+  [[nodiscard]] std::vector<EvenPart> even_parts(const Box& box) const;
+
+ private:
+  class Tree;
+  void divide(const Box& box, const Box& whole, std::vector<EvenPart>& parts) const;
+
+  SizeLimits limits_;
+  std::shared_ptr<const Tree> tree_;  ///< null where the field is even
+};
+
+}  // namespace remeshd

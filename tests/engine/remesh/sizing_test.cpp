@@ -1,0 +1,82 @@
+// First meshes and edits under a size field.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/base/angle.h"
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+MeshOptions graded(std::uint32_t nodes) {
+  MeshOptions options{.nodes = nodes};
+  options.sizing.even = false;
+  return options;
+}
+
+/// A plate with a hole and a pin, both much finer than the edge length of so few nodes.
+ModelSource plate() {
+  return test::model_of(
+      {test::block("plate", 60, 60, 8),
+       test::placed(test::cylinder("hole", 2, 10), -15, 0, -1, Nature::Subtractive),
+       test::placed(test::cylinder("pin", 1.5, 6), 15, 0, 7)});
+}
+
+/// Edges on each circle of the boundary over what its share of a turn holds of `per_turn`.
+double fewest_edges_on_circles(const Revision& r) {
+  const BoundaryModel& boundary = r.cells.boundary;
+  std::vector<int> on(boundary.edges.size(), 0);
+  for (const Support& s : r.supports())
+    if (s.kind == Support::Kind::Edge) ++on[s.entity];
+  double fewest = HUGE_VAL;
+  for (std::size_t e = 0; e < on.size(); ++e) {
+    const BoundaryEdge& edge = boundary.edges[e];
+    if (edge.curve.kind != Curve::Kind::Circle) continue;
+    const double turns = edge.length / (kTurn * edge.curve.radius);
+    fewest = std::fmin(fewest, (on[e] + (edge.closed() ? 0 : 1)) / turns);
+  }
+  return fewest;
+}
+
+TEST(Sizing, CirclesGetTheirEdgesAndTheBudgetHolds) {
+  const Revision r = make_revision(Revision::none(), plate(), graded(3000), kRun);
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
+  EXPECT_GE(fewest_edges_on_circles(r), 12);
+  EXPECT_NEAR(r.report.counts.nodes, 3000, 150);
+  EXPECT_GE(r.report.quality.dihedral_min, 20);
+  EXPECT_GE(r.report.quality.volume_length_mean, 0.78);
+}
+
+TEST(Sizing, WithoutItTheSameCirclesAreCoarse) {
+  const Revision r = make_revision(Revision::none(), plate(), {.nodes = 3000}, kRun);
+  EXPECT_LT(fewest_edges_on_circles(r), 8);
+}
+
+TEST(Sizing, AModelWithoutRoundFacesIsMeshedEvenly) {
+  const ModelSource source = test::case_model("simple-a");
+  const Revision even = make_revision(Revision::none(), source, {.nodes = 1500}, kRun);
+  const Revision r = make_revision(Revision::none(), source, graded(1500), kRun);
+  EXPECT_EQ(r.output.mesh.nodes, even.output.mesh.nodes);
+  EXPECT_EQ(r.output.mesh.tets, even.output.mesh.tets);
+}
+
+TEST(Sizing, AnEditKeepsTheBaseSizeAndWhatIsFarFromIt) {
+  const Revision base = make_revision(Revision::none(), plate(), graded(3000), kRun);
+  ModelSource edited = plate();
+  edited.features[1].parameters["radius"] = 2.5;
+  MeshOptions inherited = graded(3000);
+  inherited.nodes.reset();
+  const Revision r = make_revision(base, edited, inherited, kRun);
+  EXPECT_EQ(r.edge_length, base.edge_length);
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
+  EXPECT_GE(fewest_edges_on_circles(r), 12);
+  EXPECT_GE(r.report.counts.nodes_kept, 0.5 * base.report.counts.nodes);
+  EXPECT_GE(r.report.quality.dihedral_min, 20);
+}
+
+}  // namespace
+}  // namespace remeshd

@@ -1,0 +1,125 @@
+#include "engine/sizing/size_field.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/random.h"
+
+namespace remeshd {
+namespace {
+
+const Box kBounds{{-50, -50, -50}, {50, 50, 50}};
+constexpr SizeLimits kTen{.base = 10, .least = 1, .slope = 0.3};
+
+/// A round wall about the z axis from z = 0 to `height`.
+SizeSource pin(double radius, double height, double size, const Vec3& at = {}) {
+  Surface surface{Surface::Kind::Cylinder, Transform::translation(at), radius, 0};
+  const Vec3 r{radius, radius, 0};
+  return {surface, {at - r, at + r + Vec3{0, 0, height}}, size};
+}
+
+/// Many small pins on a plate.
+std::vector<SizeSource> many() {
+  std::vector<SizeSource> sources;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y) sources.push_back(pin(1.5, 5, 2, {10.0 * x, 10.0 * y, 0}));
+  return sources;
+}
+
+Vec3 any_point(Random& random) {
+  return {random.uniform(-60, 60), random.uniform(-60, 60), random.uniform(-60, 60)};
+}
+
+TEST(SizeField, IsEvenWithoutSources) {
+  const SizeField even = 3;
+  EXPECT_TRUE(even.even());
+  EXPECT_EQ(even({1, 2, 3}), 3);
+  EXPECT_EQ(even.least(), 3);
+  EXPECT_EQ(even.grid_length(), 3);
+  EXPECT_TRUE(SizeField(kTen, {}, kBounds).even());
+  EXPECT_TRUE(SizeField(kTen, {pin(20, 5, 10)}, kBounds).even());
+}
+
+TEST(SizeField, IsTheSizeAskedForThereAndGrowsAwayFromIt) {
+  const SizeField field(kTen, {pin(4, 5, 2)}, kBounds);
+  EXPECT_FALSE(field.even());
+  EXPECT_DOUBLE_EQ(field({4, 0, 2}), 2);
+  EXPECT_DOUBLE_EQ(field({14, 0, 2}), 5);
+  EXPECT_DOUBLE_EQ(field({4, 0, 15}), 5);  // beyond the end of the wall
+  EXPECT_DOUBLE_EQ(field({0, 0, 2}), 2 + 0.3 * 4);
+  EXPECT_EQ(field({45, 0, 2}), 10);
+  EXPECT_EQ(field.least(), 2);
+}
+
+TEST(SizeField, AsksForNoLessThanTheLeast) {
+  const SizeField field(kTen, {pin(0.1, 5, 0.05)}, kBounds);
+  EXPECT_EQ(field({0.1, 0, 2}), 1);
+  EXPECT_EQ(field.least(), 1);
+}
+
+TEST(SizeField, TheOctreeTellsWhatAllSourcesTell) {
+  const std::vector<SizeSource> sources = many();
+  const SizeField field(kTen, sources, kBounds);
+  Random random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = any_point(random);
+    double least = 10;
+    for (const SizeSource& s : sources) least = std::fmin(least, s.at(p, kTen));
+    ASSERT_EQ(field(p), least) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+TEST(SizeField, GrowsNoFasterThanAllowed) {
+  const SizeField field(kTen, many(), kBounds);
+  Random random(2);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = any_point(random);
+    const Vec3 q = p + 0.1 * any_point(random);
+    ASSERT_LE(std::fabs(field(p) - field(q)), 0.3 * distance(p, q) + 1e-9);
+  }
+}
+
+TEST(SizeField, OnAConeTheSizeFollowsItsCircles) {
+  const Surface cone{Surface::Kind::Cone, {}, 10, -0.5};
+  const SizeField field(kTen, {{cone, {{-10, -10, 0}, {10, 10, 16}}, 0.5}}, kBounds);
+  EXPECT_NEAR(field({10, 0, 0}), 5, 1e-9);
+  EXPECT_NEAR(field({6, 0, 8}), 3, 1e-9);
+  EXPECT_NEAR(field({2, 0, 16}), 1, 1e-9);
+  EXPECT_EQ(field.least(), 1);
+}
+
+TEST(SizeField, ARangeHoldsWhatABoxHas) {
+  const SizeField field(kTen, many(), kBounds);
+  Random random(3);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 corner = any_point(random);
+    const Box box{corner, corner + Vec3{random.uniform(0, 9), random.uniform(0, 9), 4}};
+    const SizeField::Range range = field.in(box);
+    for (const Vec3& p : corners_of(box)) {
+      ASSERT_GE(field(p), range.least);
+      ASSERT_LE(field(p), range.greatest);
+    }
+  }
+}
+
+TEST(SizeField, EvenPartsCoverABoxOnce) {
+  const SizeField field(kTen, many(), kBounds);
+  const auto parts = field.even_parts(kBounds);
+  EXPECT_GT(parts.size(), 10U);
+  Random random(4);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 p = any_point(random);
+    int holding = 0;
+    for (const auto& part : parts) {
+      if (!part.holds(p)) continue;
+      ++holding;
+      if (kBounds.contains(p)) {
+        ASSERT_LT(std::fabs(part.length / field(p) - 1), 0.5);
+      }
+    }
+    ASSERT_EQ(holding, 1);
+  }
+  EXPECT_EQ(SizeField(3).even_parts(kBounds).size(), 1U);
+}
+
+}  // namespace
+}  // namespace remeshd
