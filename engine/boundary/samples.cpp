@@ -85,7 +85,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
       const double spacing = options.face_spacing * even.length;
       visit_lattice(face.surface, even.box, spacing, options.jitter, random, [&](const Vec3& p) {
         poll();
-        if (!even.holds(p) || !box.contains(p, spacing) || !wanted.holds_first(p, number)) return;
+        if (!box.contains(p, spacing) || !even.holds(p) || !wanted.holds_first(p, number)) return;
         const Vec3 outward = outward_normal(face, p);
         if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
           return;

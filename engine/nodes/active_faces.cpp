@@ -34,7 +34,7 @@ class FaceVisitor {
         Random random(1);  // unjittered, but for where rows begin
         for (const SizeField::EvenPart& part : sizes_.even_parts(overlap))
           visit_lattice(surface, part.box, kSpacing * part.length, 0, random, [&](const Vec3& p) {
-            if (!part.holds(p) || !overlap.contains(p, source_.probe())) return;
+            if (!overlap.contains(p, source_.probe()) || !part.holds(p)) return;
             for (std::size_t earlier = 0; earlier < b; ++earlier)
               if (where[earlier].contains(p)) return;
             look_at(solid, back, p, normal(surface, p));
