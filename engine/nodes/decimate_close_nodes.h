@@ -14,8 +14,8 @@ namespace remeshd {
 ///
 /// Nodes inside go first, then those of faces, then of edges; new ones before copies. Nodes of two
 /// faces, or of two edges, do not crowd each other: both sides of a thin wall keep theirs. Supports
-/// are those of the original boundary. Post: the nodes that are
-/// left are in the order they were in; fixed ones and those at vertices are all there.
+/// are those of the original boundary. Post: the nodes that are left are in the order they were in;
+/// fixed ones and those at vertices are all there.
 void decimate_close_nodes(CopiedNodes& nodes, const SizeField& sizes);
 
 }  // namespace remeshd

@@ -26,7 +26,7 @@ ModelSource plate() {
        test::placed(test::cylinder("pin", 1.5, 6), 15, 0, 7)});
 }
 
-/// Edges on each circle of the boundary over what its share of a turn holds of `per_turn`.
+/// Of all circles and arcs of the boundary, the fewest mesh edges for a whole turn.
 double fewest_edges_on_circles(const Revision& r) {
   const BoundaryModel& boundary = r.cells.boundary;
   std::vector<int> on(boundary.edges.size(), 0);
