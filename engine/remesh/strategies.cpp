@@ -19,7 +19,7 @@ namespace {
 bool may_keep_tets(const Problem& problem, const Attempt*) {
   const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
   return problem.density.inherited && now.clean_up == then.clean_up &&
-         now.threshold == then.threshold;
+         now.threshold == then.threshold && now.sizing == then.sizing;
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {

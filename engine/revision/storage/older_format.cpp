@@ -115,6 +115,7 @@ Revision read_older_format(const std::string& bytes, const Run& run) {
 #ifndef __clang_analyzer__  // it takes what cereal reads into by reference for uninitialised
     archive(revision.source, revision.meshed_source, revision.options, revision.edge_length, parts,
             delaunay_state, revision.output, revision.report, revision.reference, anchored);
+    revision.options.sizing = {.even = true};
     if (anchored) archive(anchor.source, anchor.nodes, anchor.supports);
 #endif
   } catch (const Error&) {

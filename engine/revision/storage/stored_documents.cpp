@@ -12,9 +12,9 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 13;
-// With less of the report, whose latest parts come last.
-constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12;
+constexpr std::uint32_t kFormat = 14;
+// With less of the report, whose latest parts come last, and without the options' sizing after it.
+constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -39,6 +39,9 @@ void serialize(auto& a, Report& r) {
     r.warnings);
 }
 void serialize(auto& a, TriedStrategy& t) { a(t.strategy, t.reason); }
+void serialize(auto& a, Sizing& s) {
+  a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
+}
 
 std::string write_documents(const Revision& revision) {
   std::ostringstream out(std::ios::binary);
@@ -52,7 +55,8 @@ std::string write_documents(const Revision& revision) {
             revision.delaunay_state->next_tet_id, revision.anchor != nullptr);
     if (revision.anchor) archive(revision.anchor->source);
     const Report& report = revision.report;
-    archive(report.attempts, report.geometry, report.geometry_attempts, report.taken);
+    archive(report.attempts, report.geometry, report.geometry_attempts, report.taken,
+            revision.options.sizing);
   }
   return std::move(out).str();
 }
@@ -76,6 +80,8 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (format > kNoAttempts) archive(revision.report.attempts, revision.report.geometry);
     if (format > kNoGeometryAttempts) archive(revision.report.geometry_attempts);
     if (format > kNoTaken) archive(revision.report.taken);
+    revision.options.sizing = {.even = true};
+    if (format > kNoSizing) archive(revision.options.sizing);
 #endif
   } catch (const Error&) {
     throw;

@@ -43,6 +43,7 @@ void serialize(auto& a, FeatureSource& f) {
 void serialize(auto& a, ParameterSource& p) {
   a(p.name, p.value, p.lower, p.upper, p.integer, p.unit, p.description);
 }
+/// But for the sizing, which came later.
 void serialize(auto& a, MeshOptions& o) {
   a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.rebuild, o.clean_up, o.threshold);
 }

@@ -108,7 +108,15 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
   const Revision made =
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
-  ASSERT_EQ(bytes[1], 13);
+  ASSERT_EQ(bytes[1], 14);
+  // Format 13 had no sizing after it: a switch, two counts, no least size, a factor.
+  bytes[1] = 13;
+  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - sizeof(double));
+  Revision even;
+  even.options.sizing.even = false;
+  read_documents(bytes, even);
+  EXPECT_EQ(even.report.taken.strategy, "local, everywhere");
+  EXPECT_EQ(even.options, made.options) << "all meshes of then are even";
   // Format 12 had not what made the mesh: "local, everywhere", and no reason.
   bytes[1] = 12;
   const std::string taken = made.report.taken.strategy;
