@@ -79,6 +79,16 @@ std::optional<MeshOptions::Start> start_of(v1::Start start) {
   }
 }
 
+SizingPatch decode(const v1::Sizing& message) {
+  SizingPatch out;
+  if (message.has_even()) out.even = message.even();
+  if (message.has_edges_per_circle()) out.edges_per_circle = message.edges_per_circle();
+  if (message.has_layers()) out.layers = message.layers();
+  if (message.has_min_size()) out.min_size = message.min_size();
+  if (message.has_growth()) out.growth = message.growth();
+  return out;
+}
+
 }  // namespace
 
 std::vector<WarningCode> fail_on_of(const v1::MeshOptions& message) {
@@ -95,7 +105,6 @@ std::vector<WarningCode> fail_on_of(const v1::MeshOptions& message) {
 }
 
 OptionsPatch decode(const v1::MeshOptions& message) {
-  if (message.has_sizing()) throw error::unsupported("sizing");
   if (message.has_order() && message.order() == 2) throw error::unsupported("order");
   if (message.has_order() && message.order() != 1)
     throw error::option_invalid("order", "is neither 1 nor 2");
@@ -109,6 +118,7 @@ OptionsPatch decode(const v1::MeshOptions& message) {
   if (message.has_threshold()) out.threshold = message.threshold();
   out.inside = inside_of(message.inside());
   out.start = start_of(message.start());
+  out.sizing = decode(message.sizing());
   return out;
 }
 

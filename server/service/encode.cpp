@@ -14,6 +14,16 @@ void put_time(std::int64_t ns, google::protobuf::Timestamp& out) {
   out.set_nanos(static_cast<std::int32_t>(ns % kNano));
 }
 
+/// Of an even mesh no rule holds, so none is told.
+void put(const Sizing& sizing, v1::Sizing& out) {
+  out.set_even(sizing.even);
+  if (sizing.even) return;
+  out.set_edges_per_circle(sizing.edges_per_circle);
+  out.set_layers(sizing.layers);
+  if (sizing.min_size) out.set_min_size(*sizing.min_size);
+  out.set_growth(sizing.growth);
+}
+
 v1::MeshOptions encode_options(const Revision& revision) {
   MeshOptions options = revision.options;
   if (!options.nodes && !options.size) options.size = revision.edge_length;
@@ -34,6 +44,7 @@ v1::MeshOptions encode(const MeshOptions& options) {
   out.set_start(options.start == MeshOptions::Start::Random ? v1::START_RANDOM : v1::START_LATTICE);
   out.set_threshold(options.threshold);
   out.set_order(1);
+  put(options.sizing, *out.mutable_sizing());
   return out;
 }
 

@@ -15,6 +15,15 @@ namespace {
 
 namespace v1 = remesh::v1;
 
+SizingPatch all_of(const Sizing& sizing) {
+  if (sizing.even) return {.even = true};
+  return {.even = false,
+          .edges_per_circle = sizing.edges_per_circle,
+          .layers = sizing.layers,
+          .min_size = sizing.min_size,
+          .growth = sizing.growth};
+}
+
 OptionsPatch all_of(const MeshOptions& options) {
   return {.nodes = options.nodes,
           .size = options.size,
@@ -23,7 +32,8 @@ OptionsPatch all_of(const MeshOptions& options) {
           .inside = options.inside,
           .start = options.start,
           .threshold = options.threshold,
-          .clean_up = options.clean_up};
+          .clean_up = options.clean_up,
+          .sizing = all_of(options.sizing)};
 }
 
 /// Whether it says that a revision cannot be built on as it is.

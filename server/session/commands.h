@@ -15,6 +15,14 @@
 
 namespace remeshd {
 
+/// Rules of a size field as a request gives them.
+struct SizingPatch {
+  std::optional<bool> even;
+  std::optional<std::uint32_t> edges_per_circle, layers;
+  std::optional<double> min_size;  ///< model's unit
+  std::optional<double> growth;
+};
+
 /// Options as a request gives them: what is left out is taken from the default or the base.
 struct OptionsPatch {
   std::optional<std::uint32_t> nodes;
@@ -25,6 +33,7 @@ struct OptionsPatch {
   std::optional<MeshOptions::Start> start;
   std::optional<double> threshold;
   std::optional<bool> clean_up;
+  SizingPatch sizing;
 };
 
 /// Whether the revision made is filed in a design, and becomes its head.

@@ -7,6 +7,18 @@
 namespace remeshd {
 namespace {
 
+void check(const SizingPatch& patch) {
+  if (patch.edges_per_circle && *patch.edges_per_circle != 0 &&
+      (*patch.edges_per_circle < 3 || *patch.edges_per_circle > 360))
+    throw error::option_invalid("sizing.edges_per_circle", "is neither 0 nor between 3 and 360");
+  if (patch.layers && *patch.layers > 16)
+    throw error::option_invalid("sizing.layers", "is more than 16");
+  if (patch.min_size && !(std::isfinite(*patch.min_size) && *patch.min_size > 0))
+    throw error::option_invalid("sizing.min_size", "is not a positive length");
+  if (patch.growth && !(*patch.growth > 1 && *patch.growth <= 2))
+    throw error::option_invalid("sizing.growth", "is not above 1 and at most 2");
+}
+
 void check(const OptionsPatch& patch) {
   if (patch.nodes && patch.size)
     throw error::option_invalid("nodes", "and `size` exclude each other");
@@ -17,6 +29,18 @@ void check(const OptionsPatch& patch) {
     throw error::option_invalid("iterations", "is more than 1000");
   if (patch.threshold && !(*patch.threshold >= 0 && *patch.threshold <= 0.8))
     throw error::option_invalid("threshold", "is not between 0 and 0.8");
+  check(patch.sizing);
+}
+
+/// An even mesh has no rules to leave to its edits: what it says of them is of no account.
+Sizing patched(const SizingPatch& patch, const Sizing& base) {
+  const bool rules = patch.edges_per_circle || patch.layers || patch.min_size || patch.growth;
+  if (patch.even.value_or(base.even && !rules)) return {.even = true};
+  return {.even = false,
+          .edges_per_circle = patch.edges_per_circle.value_or(base.edges_per_circle),
+          .layers = patch.layers.value_or(base.layers),
+          .min_size = patch.min_size ? patch.min_size : base.min_size,
+          .growth = patch.growth.value_or(base.growth)};
 }
 
 /// What the patch leaves out is the base's, but for the density.
@@ -30,6 +54,7 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
   options.start = patch.start.value_or(base.start);
   options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
+  options.sizing = patched(patch.sizing, base.sizing);
   return options;
 }
 

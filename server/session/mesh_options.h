@@ -5,10 +5,11 @@
 
 namespace remeshd {
 
-/// Options of a first mesh; throws Error(`OPTIONS_INVALID`).
+/// Options of a first mesh. Rules of a size field mean that it is not even, where the patch does
+/// not say that it is. Throws Error(`OPTIONS_INVALID`).
 MeshOptions first_options(const OptionsPatch& patch);
 
-/// Options of an edit of a revision that has `base`; throws Error(`OPTIONS_INVALID`).
+/// Likewise of an edit of a revision that has `base`. Throws Error(`OPTIONS_INVALID`).
 MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
 
 }  // namespace remeshd

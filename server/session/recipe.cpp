@@ -132,12 +132,27 @@ ModelSource model_in(const json& j) {
   return m;
 }
 
+json to_json(const Sizing& s) {
+  json j{{"edges_per_circle", s.edges_per_circle}, {"layers", s.layers}, {"growth", s.growth}};
+  if (s.min_size) j["min_size"] = *s.min_size;
+  return j;
+}
+Sizing sizing_in(const json& j) {
+  Sizing s{.even = false};
+  read_number(j, "edges_per_circle", s.edges_per_circle);
+  read_number(j, "layers", s.layers);
+  j.at("growth").get_to(s.growth);
+  if (j.contains("min_size")) s.min_size = j.at("min_size").get<double>();
+  return s;
+}
+
 json to_json(const MeshOptions& o) {
   json j{{"iterations", o.iterations}, {"seed", o.seed},       {"inside", o.inside},
          {"start", o.start},           {"rebuild", o.rebuild}, {"clean_up", o.clean_up},
          {"threshold", o.threshold}};
   if (o.nodes) j["nodes"] = *o.nodes;
   if (o.size) j["size"] = *o.size;
+  if (!o.sizing.even) j["sizing"] = to_json(o.sizing);
   return j;
 }
 MeshOptions options_in(const json& j) {
@@ -151,6 +166,7 @@ MeshOptions options_in(const json& j) {
   j.at("rebuild").get_to(o.rebuild);
   j.at("clean_up").get_to(o.clean_up);
   j.at("threshold").get_to(o.threshold);
+  o.sizing = j.contains("sizing") ? sizing_in(j.at("sizing")) : Sizing{.even = true};
   return o;
 }
 

@@ -102,6 +102,16 @@ class Canonical {
     byte(static_cast<std::uint8_t>(options.start));
     real(options.threshold);
     byte(options.clean_up ? 1 : 0);
+    if (!options.sizing.even) sizing(options.sizing);
+  }
+  /// Ids are older than sizing, so of an even mesh nothing is said. It begins like a text of six
+  /// bytes, and what else may follow the options is a parent's id, which has none or 64.
+  void sizing(const Sizing& sizing) {
+    text("sizing");
+    number(sizing.edges_per_circle);
+    number(sizing.layers);
+    bound(sizing.min_size);
+    real(sizing.growth);
   }
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }

@@ -88,6 +88,11 @@ StoredArrays image_of_fake(const Revision& r) {
   out.value(o.rebuild);
   out.value(o.clean_up);
   out.value(o.threshold);
+  out.value(o.sizing.even);
+  out.value(o.sizing.edges_per_circle);
+  out.value(o.sizing.layers);
+  out.value(o.sizing.min_size.value_or(0));
+  out.value(o.sizing.growth);
   out.value(r.edge_length);
   out.list(r.output.mesh.nodes);
   out.list(r.output.mesh.tets);
@@ -168,6 +173,12 @@ Revision revision_of_fake(const StoredArrays& image) {
   in.value(o.rebuild);
   in.value(o.clean_up);
   in.value(o.threshold);
+  in.value(o.sizing.even);
+  in.value(o.sizing.edges_per_circle);
+  in.value(o.sizing.layers);
+  in.value(o.sizing.min_size.emplace());
+  if (*o.sizing.min_size == 0) o.sizing.min_size.reset();
+  in.value(o.sizing.growth);
   in.value(r.edge_length);
   in.list(r.output.mesh.nodes);
   in.list(r.output.mesh.tets);

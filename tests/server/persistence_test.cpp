@@ -69,6 +69,38 @@ TEST_F(Persistence, AStoredAnswerIsTheCachedOneOfBefore) {
   EXPECT_EQ(engine_.made(), 1);
 }
 
+TEST_F(Persistence, AnEditInheritsTheSizingOfItsBaseAlsoAfterARestart) {
+  auto request = create_request(plate());
+  v1::Sizing& sizing = *request.mutable_options()->mutable_sizing();
+  sizing.set_edges_per_circle(20);
+  sizing.set_layers(3);
+  sizing.set_min_size(0.25);
+  create(request);
+  auto finer = edit_request("plate", set("at", 12));
+  finer.mutable_options()->mutable_sizing()->set_growth(1.5);
+  edit(finer);
+  auto even = edit_request("plate@2", set("at", 13));
+  even.mutable_options()->mutable_sizing()->set_even(true);
+  edit(even);
+  for (int k = 0; k < 2; ++k) {
+    const v1::Sizing first = describe("plate@1").options().sizing();
+    EXPECT_FALSE(first.even());
+    EXPECT_EQ(first.edges_per_circle(), 20U);
+    EXPECT_EQ(first.layers(), 3U);
+    EXPECT_EQ(first.min_size(), 0.25);
+    EXPECT_EQ(first.growth(), 1.3);
+    const v1::Sizing second = describe("plate@2").options().sizing();
+    EXPECT_FALSE(second.even());
+    EXPECT_EQ(second.edges_per_circle(), 20U);
+    EXPECT_EQ(second.min_size(), 0.25);
+    EXPECT_EQ(second.growth(), 1.5);
+    const v1::Sizing third = describe("plate@3").options().sizing();
+    EXPECT_TRUE(third.even());
+    EXPECT_FALSE(third.has_growth()) << "no rule holds";
+    start();
+  }
+}
+
 TEST_F(Persistence, AnEditOfALoadedBaseIsTheEditOfTheOneInMemory) {
   create(plate());
   const auto in_memory = edit("plate@1", set("at", 11));

@@ -141,6 +141,11 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   EXPECT_THAT(describe("plate@1").children(), ElementsAre(child.revision().id()));
 }
 
+TEST_F(Revisions, AMeshThatSaysNothingOfItsSizingIsDescribedAsEven) {
+  create(plate());
+  EXPECT_TRUE(describe("plate").options().sizing().even());
+}
+
 TEST_F(Revisions, AnEditMaySayOtherwise) {
   create(plate());
   auto request = edit_request("plate", set("at", 12));

@@ -48,7 +48,6 @@ class Unsupported : public DaemonTest {
 TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
   expect_no_first_mesh("sizes", [](auto& r) { r.mutable_model()->add_sizes(); });
   expect_no_first_mesh("groups", [](auto& r) { r.mutable_model()->add_groups(); });
-  expect_no_first_mesh("sizing", [](auto& r) { r.mutable_options()->mutable_sizing(); });
   expect_no_first_mesh("order", [](auto& r) { r.mutable_options()->set_order(2); });
   for (const auto code : {v1::Warning::DETAIL_NOT_RESOLVED, v1::Warning::EDGES_STRAIGHT})
     expect_no_first_mesh("fail_on", [&](auto& r) { r.mutable_options()->add_fail_on(code); });
@@ -96,7 +95,8 @@ TEST_F(Unsupported, AnArrayOfAMeshInAStreamIsNamedAndTheStreamLivesOn) {
 TEST_F(Unsupported, AndNotAmongTheCapabilities) {
   const v1::ServerCapabilities can = info().capabilities();
   EXPECT_THAT(can.capabilities(),
-              testing::ElementsAre(v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
+              testing::ElementsAre(v1::ServerCapabilities::CAPABILITY_SIZING,
+                                   v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
                                    v1::ServerCapabilities::CAPABILITY_REMAKE,
                                    v1::ServerCapabilities::CAPABILITY_CACHE));
   EXPECT_THAT(can.orders(), testing::ElementsAre(1));

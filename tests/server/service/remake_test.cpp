@@ -5,6 +5,8 @@
 #include <chrono>
 #include <thread>
 
+#include "proto/document.h"
+#include "server/service/decode.h"
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/answer.h"
 #include "tests/server/session/only_session.h"
@@ -45,6 +47,39 @@ TEST_F(RemakingARevision, HoldsNothingOnceItIsAnswered) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_TRUE(*answered);
   EXPECT_TRUE(remaking.expired());
+}
+
+TEST_F(RemakingARevision, TakesTheSizingOfItsRecipe) {
+  const auto make = [&](Command command) {
+    const Answer answer;
+    session_->make(std::move(command), answer.listener());
+    return answer.made().filed.record.id;
+  };
+  const auto edit = [](double dx, const SizingPatch& sizing) {
+    const std::string document =
+        R"({"edits": [{"setFeatureParameter": {"feature": "plate", "name": "dx", "value": )" +
+        std::to_string(dx) + "}}]}";
+    return EditCommand{.base = "plate",
+                       .edit = decode(parse_edit(document)),
+                       .document = document,
+                       .options = {.sizing = sizing}};
+  };
+  const std::vector<std::string> ids{
+      make(CreateCommand{
+          .source = model_of({block("plate", 80, 40, 10)}),
+          .options = {.nodes = 100, .sizing = {.edges_per_circle = 20, .min_size = 0.5}},
+          .design = "plate"}),
+      make(edit(81, {.layers = 3, .growth = 1.5})), make(edit(82, {.even = true}))};
+  for (const std::string& id : ids) {
+    remesh::v1::RemakeRevisionRequest request;
+    request.set_revision(id);
+    Awaited<Made> again;
+    remake(
+        *session_, request,
+        [heard = again.on_value()](const Made& made, const auto&) { heard(made); },
+        again.on_error());
+    EXPECT_EQ(again.value().filed.record.id, id);
+  }
 }
 
 TEST_F(RemakingARevision, LeavesWhatIsInNoDesignInNone) {

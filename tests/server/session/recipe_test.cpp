@@ -36,6 +36,8 @@ Recipe recipe_with_everything() {
   recipe.options.start = MeshOptions::Start::Random;
   recipe.options.rebuild = true;
   recipe.options.threshold = 0.45;
+  recipe.options.sizing = {
+      .even = false, .edges_per_circle = 20, .layers = 0, .min_size = 1.0 / 3, .growth = 1.1};
   recipe.digests = {{ArrayName::Nodes, std::string(64, 'c')}, {ArrayName::Tets, "d"}};
   return recipe;
 }
@@ -44,6 +46,16 @@ TEST(RecipeText, ComesBackToTheBit) {
   const Recipe recipe = recipe_with_everything();
   EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
   EXPECT_EQ(read_recipe(write_recipe({})), Recipe());
+}
+
+TEST(RecipeText, OfAnEvenMeshIsThatOfBeforeThereWereSizes) {
+  Recipe recipe = recipe_with_everything();
+  EXPECT_NE(write_recipe(recipe).find("sizing"), std::string::npos);
+  recipe.options.sizing = {};
+  EXPECT_EQ(write_recipe(recipe).find("sizing"), std::string::npos);
+  EXPECT_TRUE(read_recipe(write_recipe(recipe)).options.sizing.even);
+  recipe.options.sizing = {.even = false};
+  EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe) << "without a least size";
 }
 
 TEST(RecipeText, ThatIsNoneIsAnError) {

@@ -103,6 +103,27 @@ TEST(RevisionId, DiffersWithOptionsParentAndAlgorithm) {
   EXPECT_TRUE(ids.insert(revision_id(model(), {}, "", 2)).second);
 }
 
+TEST(RevisionId, OfAnEvenMeshSaysNothingOfItsSizing) {
+  MeshOptions options{.nodes = 100};
+  options.sizing = {.even = true, .edges_per_circle = 20, .layers = 3, .min_size = 1, .growth = 2};
+  EXPECT_EQ(revision_id(model(), options, "", 1),
+            "80879f7d9dae109d6d678909e8f79a7c1df845d860d4e582afd81f0aa3c3dce9");
+}
+
+TEST(RevisionId, DiffersWithTheSizing) {
+  std::set<std::string> ids{revision_id(model(), {}, "", 1)};
+  for (const Sizing& sizing :
+       {Sizing{.even = false}, Sizing{.even = false, .edges_per_circle = 20},
+        Sizing{.even = false, .layers = 20}, Sizing{.even = false, .min_size = 20},
+        Sizing{.even = false, .growth = 2}})
+    EXPECT_TRUE(ids.insert(revision_id(model(), {.sizing = sizing}, "", 1)).second);
+  MeshOptions options{.nodes = 100};
+  options.sizing = {
+      .even = false, .edges_per_circle = 20, .layers = 3, .min_size = 0.5, .growth = 1.5};
+  EXPECT_EQ(revision_id(model(), options, "", 1),
+            "897c5bfac1aca64fc3daec668bf4a7386e8a3537c23008e67729aa240b5278d7");
+}
+
 TEST(RevisionId, DoesNotMixUpNeighbouringTexts) {
   ModelSource a = model(), b = model();
   a.name = "xy";
