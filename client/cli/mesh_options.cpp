@@ -22,6 +22,20 @@ std::string check_size(const std::string& text) {
   return {};
 }
 
+std::string check_edges_per_circle(const std::string& text) {
+  std::uint32_t value = 0;
+  if (!CLI::detail::lexical_cast(text, value) || (value != 0 && (value < 3 || value > 360)))
+    return text + " is neither 0 nor within 3..360";
+  return {};
+}
+
+std::string check_growth(const std::string& text) {
+  double value = 0;
+  if (!CLI::detail::lexical_cast(text, value) || !(value > 1 && value <= 2))
+    return text + " is no factor above 1, at most 2";
+  return {};
+}
+
 /// CLI11 alone would take -1 for the largest number there is.
 std::string check_digits(const std::string& text) {
   return text.find_first_not_of("0123456789") == std::string::npos
@@ -98,6 +112,7 @@ void MeshingOptions::add_to(CLI::App& command) {
       ->check(CLI::Range(0.0, 0.8))
       ->type_name("Q");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
+  add_sizing_to(command);
   command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
       ->type_name("NAME");
   command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
@@ -108,6 +123,30 @@ void MeshingOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check(CLI::Validator(check_warning, "", ""))
       ->type_name("CODE[,CODE]");
+}
+
+void MeshingOptions::add_sizing_to(CLI::App& command) {
+  auto* one_length = command.add_flag("--even", even, "One edge length everywhere [the default]");
+  command
+      .add_option("--edges-per-circle", edges_per_circle,
+                  "Edges on a whole circle of any radius; 0: no such rule [12]")
+      ->check(CLI::Validator(check_edges_per_circle, "", ""))
+      ->type_name("N")
+      ->excludes(one_length);
+  command.add_option("--layers", layers, "Edges across walls and gaps; 0: no such rule [1]")
+      ->check(CLI::Range(0U, 16U))
+      ->type_name("N")
+      ->excludes(one_length);
+  command
+      .add_option("--min-size", min_size,
+                  "Edge length below which no rule goes [a tenth of the edge length aimed at]")
+      ->check(CLI::Validator(check_size, "", ""))
+      ->type_name("L")
+      ->excludes(one_length);
+  command.add_option("--growth", growth, "Growth of edge lengths from one tet to the next [1.3]")
+      ->check(CLI::Validator(check_growth, "", ""))
+      ->type_name("G")
+      ->excludes(one_length);
 }
 
 remesh::v1::MeshOptions MeshingOptions::to_message() const {
@@ -123,6 +162,11 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (start == kRandom) message.set_start(remesh::v1::START_RANDOM);
   if (threshold) message.set_threshold(*threshold);
   if (no_clean_up) message.set_clean_up(false);
+  if (even) message.mutable_sizing()->set_even(true);
+  if (edges_per_circle) message.mutable_sizing()->set_edges_per_circle(*edges_per_circle);
+  if (layers) message.mutable_sizing()->set_layers(*layers);
+  if (min_size) message.mutable_sizing()->set_min_size(*min_size);
+  if (growth) message.mutable_sizing()->set_growth(*growth);
   return message;
 }
 

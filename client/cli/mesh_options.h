@@ -25,6 +25,9 @@ struct MeshingOptions {
   std::string start;   ///< empty, `lattice` or `random`
   std::optional<double> threshold;
   bool no_clean_up = false;
+  bool even = false;
+  std::optional<std::uint32_t> edges_per_circle, layers;
+  std::optional<double> min_size, growth;
   std::string design;
   bool keep_head = false;
   std::vector<std::string> fail_on;  ///< names of warnings
@@ -44,6 +47,9 @@ struct MeshingOptions {
     request.set_threads(threads);
     if (keep_head) request.mutable_head()->set_advance(false);
   }
+
+ private:
+  void add_sizing_to(CLI::App& command);
 };
 
 }  // namespace remeshd::cli

@@ -59,6 +59,29 @@ TEST_F(Cli, OptionsThatAreNotGivenStayUnsetSoThatTheDaemonDecides) {
   EXPECT_EQ(service_.requests[1].create().options().iterations(), 0U);
 }
 
+TEST_F(Cli, MeshSendsTheRulesOfASizeFieldThatAreGiven) {
+  const std::vector<std::string> mesh{"mesh", kCases + "/simple-a.json", "-o", file("m.msh")};
+  const auto sent = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments = mesh;
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    EXPECT_EQ(run(arguments), kFine) << err_.str();
+    return service_.requests.back().create().options().sizing();
+  };
+  const auto rules =
+      sent({"--edges-per-circle", "20", "--layers", "0", "--min-size", "0.25", "--growth", "1.5"});
+  EXPECT_EQ(rules.edges_per_circle(), 20U);
+  EXPECT_TRUE(rules.has_layers());
+  EXPECT_EQ(rules.layers(), 0U);
+  EXPECT_EQ(rules.min_size(), 0.25);
+  EXPECT_EQ(rules.growth(), 1.5);
+  EXPECT_FALSE(rules.has_even());
+  const auto even = sent({"--even"});
+  EXPECT_TRUE(even.even());
+  EXPECT_FALSE(even.has_growth());
+  const auto one = sent({"--growth", "2"});
+  EXPECT_EQ(one.ByteSizeLong(), 9U) << "nothing else is set";
+}
+
 TEST_F(Cli, KeepsDataAndMessagesApart) {
   ASSERT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.inp"), "--json", "-"}), kFine);
   EXPECT_EQ(nlohmann::json::parse(out_.str())["revision"], "rev-1");
