@@ -1,0 +1,51 @@
+#include "engine/revision/storage/stored_documents.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+/// A revision of which there are documents alone.
+Revision revision() {
+  Revision r;
+  r.source = r.meshed_source = test::model_of({test::block("plate", 8, 4, 1)});
+  r.cells.parts = std::make_shared<const BoundaryParts>();
+  r.delaunay_state = std::make_shared<const DelaunayState>();
+  return r;
+}
+
+Revision read(const std::string& bytes) {
+  Revision r;
+  r.options.sizing = {.even = false, .layers = 9};  // whatever was there before
+  read_documents(bytes, r);
+  return r;
+}
+
+TEST(StoredDocuments, KeepTheSizing) {
+  Revision r = revision();
+  r.options.sizing = {
+      .even = false, .edges_per_circle = 20, .layers = 3, .min_size = 0.25, .growth = 1.5};
+  EXPECT_EQ(read(write_documents(r)).options, r.options);
+  r.options.sizing = {.even = false};
+  EXPECT_EQ(read(write_documents(r)).options, r.options) << "without a least size";
+  r.options.sizing = {};
+  EXPECT_EQ(read(write_documents(r)).options, r.options);
+}
+
+TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
+  std::string bytes = write_documents(revision());
+  ASSERT_EQ(bytes[1], 14);
+  // Format 13 had no sizing at its end: a switch, two counts, no least size, a factor.
+  bytes[1] = 13;
+  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - sizeof(double));
+  const Revision r = read(bytes);
+  EXPECT_EQ(r.source, revision().source);
+  EXPECT_EQ(r.options.sizing, Sizing{.even = true});
+}
+
+}  // namespace
+}  // namespace remeshd
