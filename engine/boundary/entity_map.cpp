@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/boundary/face_distance.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 
 namespace remeshd {
 

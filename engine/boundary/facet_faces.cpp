@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "engine/boundary/face_distance.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/mesh/grouping.h"
 
 namespace remeshd {

@@ -6,8 +6,8 @@
 #include "engine/base/parallel.h"
 #include "engine/base/tolerance.h"
 #include "engine/boundary/edge_chains.h"
-#include "engine/boundary/face_distance.h"
 #include "engine/boundary/lattice.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 
 namespace remeshd {
 

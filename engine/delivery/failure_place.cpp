@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/boundary/face_distance.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/delivery/facet_names.h"
 
 namespace remeshd {

@@ -1,12 +1,11 @@
-#include "engine/boundary/face_distance.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 
 #include <cmath>
 
 namespace remeshd {
 
-namespace {
-
-double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+double triangle_distance2(const Vec3& p, const std::array<Vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
   // Closest point of a triangle (Ericson 2005, 5.1.5).
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
@@ -28,13 +27,11 @@ double triangle_distance2(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
   return norm2(p - (a + (vb * s) * ab + (vc * s) * ac));
 }
 
-}  // namespace
-
 double face_distance2(const BoundaryFace& face, const Vec3& p) {
   double best = HUGE_VAL;
   for (const auto& t : face.triangles)
     best = std::fmin(
-        best, triangle_distance2(p, face.points[t[0]], face.points[t[1]], face.points[t[2]]));
+        best, triangle_distance2(p, {face.points[t[0]], face.points[t[1]], face.points[t[2]]}));
   return best;
 }
 

@@ -1,4 +1,4 @@
-#include "engine/boundary/face_distance.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 
 #include <gtest/gtest.h>
 
