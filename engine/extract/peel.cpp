@@ -23,13 +23,26 @@ int face_of(const NodeSet& nodes, const FacesOf& faces,
   return faces.common(supports);
 }
 
+/// Whether an edge of the tet between nodes of different faces leaves the model, as does one from
+/// side to side of a gap.
+bool reaches_out(const NodeSet& nodes, const FacesOf& faces, const InsideTest& inside,
+                 const Tet& t) {
+  for (int i = 1; i < 4; ++i)
+    for (int j = 0; j < i; ++j)
+      if (face_of<2>(nodes, faces, {t[i], t[j]}) < 0 &&
+          !inside(0.5 * (nodes.positions[t[i]] + nodes.positions[t[j]])))
+        return true;
+  return false;
+}
+
 bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const FacesOf& faces,
-                 const InsideTest& inside, const Tet& t) {
+                 const InsideTest& inside, const Tet& t, bool edges_too) {
   for (const std::int32_t n : t)
     if (nodes.supports[n].kind == Support::Kind::Interior) return true;
   const int face = face_of(nodes, faces, t);
   if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
-  return inside(centroid(nodes.positions, t));
+  return inside(centroid(nodes.positions, t)) &&
+         !(edges_too && reaches_out(nodes, faces, inside, t));
 }
 
 /// Takes flat tets off the tets that are in the model, and those that were taken off before.
@@ -154,7 +167,7 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
       const Tet t = delaunay.corners(slot);
       if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
       in_model[slot] = peeling.known_of(slot) == KnownClassification::Known::Inside ||
-                               contributes(nodes, boundary, faces, inside, t)
+                               contributes(nodes, boundary, faces, inside, t, options.edges_too)
                            ? 1
                            : 0;
     }

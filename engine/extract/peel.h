@@ -13,6 +13,9 @@
 namespace remeshd {
 
 struct PeelOptions {
+  /// Whether a tet of boundary nodes alone is outside, too, where an edge of it between nodes of
+  /// different faces is, as from side to side of a gap.
+  bool edges_too = false;
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/solid.h"
 #include "tests/support/cases.h"
@@ -46,6 +47,34 @@ TEST(Peel, TellsWhereABoundaryFacetIsOnNoFace) {
   const CellularModel cells = build_cells(model, kRun);
   EXPECT_NEAR(distance(mesh.nonconforming[0], cells.boundary.vertices.back().position),
               2 / std::sqrt(3.0), 1e-9);
+}
+
+/// The mesh of one tet between the two sides of a slot, its centroid in the upper one.
+PeeledMesh peeled_across_a_slot(const PeelOptions& options) {
+  const FeatureModel model = evaluate(
+      test::model_of({test::block("b", 10, 10, 10),
+                      test::placed(test::block("slot", 6, 20, 2), 5, 0, 4, Nature::Subtractive)}));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  const auto face_at = [&](const Vec3& p) {
+    for (std::size_t f = 0; f < cells.boundary.faces.size(); ++f)
+      if (face_distance2(cells.boundary.faces[f], p) < 1e-18) return static_cast<int>(f);
+    return -1;
+  };
+  NodeSet nodes;
+  for (const Vec3& p : {Vec3{5, 0, 9}, Vec3{5, 3, 7}, Vec3{3, 3, 6}, Vec3{5, 1, 3.9}})
+    nodes.add_new(p, {Support::Kind::Face, face_at(p)});
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3};
+  delaunay.insert(nodes.positions, all, kRun);
+  return peel(
+      nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
+      KnownClassification::nothing(delaunay), options, kRun);
+}
+
+TEST(Peel, LeavesOutATetAcrossAGapWhereEdgesAreAsked) {
+  EXPECT_EQ(peeled_across_a_slot({}).tets.size(), 1U);
+  EXPECT_TRUE(peeled_across_a_slot({.edges_too = true}).tets.empty());
 }
 
 /// Two nodes along and two across on a torus's outermost circle, nearly in one plane, and one
