@@ -115,7 +115,9 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   thaw_boundary(nodes);
   pull_now();
   recover_edges(nodes, boundary, live,
-                {.sizes = options.sizes, .wanted = active_edges(samples, active)});
+                {.sizes = options.sizes,
+                 .wanted = active_edges(samples, active),
+                 .fewest_links = options.fewest_links});
   result.mesh = live.mesh();
   std::ranges::replace(nodes.state, NodeState::Frozen, NodeState::Free);
   result.samples_active = active.active_count();

@@ -23,7 +23,8 @@ struct OptimiseOptions {
   /// Whether voids between the nodes that a remesh starts with get nodes
   /// (`insert_at_circumcentres`).
   bool insert_at_circumcentres = false;
-  bool rebuild = false;  ///< see LiveMesh
+  std::vector<int> fewest_links;  ///< see RecoverOptions
+  bool rebuild = false;           ///< see LiveMesh
 };
 
 /// The Delaunay mesh to start from: that of some of the fixed nodes.

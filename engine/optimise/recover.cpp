@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "engine/boundary/edge_chains.h"
@@ -42,6 +44,24 @@ std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const DelaunayM
   return links;
 }
 
+int fewest(const RecoverOptions& options, int edge) {
+  return options.fewest_links.empty() ? 0 : options.fewest_links[edge];
+}
+
+/// As many of the longest links as a chain lacks, all of them at most, by the number of their
+/// second node.
+std::vector<std::size_t> longest_links(const std::vector<NodeOnEdge>& chain, int fewest) {
+  if (chain.empty()) return {};
+  const auto lacking = static_cast<std::ptrdiff_t>(fewest) - std::ssize(chain) + 1;
+  if (lacking <= 0) return {};
+  std::vector<std::size_t> links(chain.size() - 1);
+  std::iota(links.begin(), links.end(), 1);
+  std::ranges::stable_sort(links, std::ranges::greater(),
+                           [&](std::size_t k) { return chain[k].at - chain[k - 1].at; });
+  links.resize(std::min(links.size(), static_cast<std::size_t>(lacking)));
+  return links;
+}
+
 }  // namespace
 
 int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
@@ -74,6 +94,9 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
         for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);
         continue;
       }
+      const auto longest = longest_links(chain[e], elsewhere ? 0 : fewest(options, e));
+      for (const std::size_t k : longest) insert(0.5 * (chain[e][k - 1].at + chain[e][k].at));
+      if (!longest.empty()) continue;
       for (std::size_t k = 1; k < chain[e].size(); ++k) {
         const NodeOnEdge &a = chain[e][k - 1], &b = chain[e][k];
         if (at_rim(a) && at_rim(b)) continue;

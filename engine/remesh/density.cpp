@@ -1,6 +1,9 @@
 #include "engine/remesh/density.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "engine/base/error.h"
 #include "engine/nodes/density.h"
@@ -13,6 +16,65 @@ namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr std::uint32_t kMinNodes = 20;
+
+/// How many nodes there would have to be, and how many edges circles have now.
+Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
+  const auto edges = static_cast<int>(sizing.edges_per_circle / budgeted.weakening);
+  return {.code = WarningCode::DetailNotResolved,
+          .message =
+              "the nodes asked for do not do for the details of the model, whose circles "
+              "get " +
+              std::to_string(edges) + " edges; " +
+              std::to_string(std::lround(budgeted.satisfying)) + " nodes would do"};
+}
+
+/// What is smaller than the least size, by the features of its faces.
+Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
+                    const FeatureModel& model, const BoundaryModel& boundary) {
+  Warning warning{.code = WarningCode::DetailNotResolved};
+  for (const int f : faces)
+    for (const FaceName& name : boundary.faces[f].names) {
+      const std::string& id = model.features[name.feature].id;
+      if (std::ranges::find(warning.features, id) == warning.features.end())
+        warning.features.push_back(id);
+    }
+  const auto& first = boundary.faces[faces.front()];
+  warning.point = first.points.front();
+  warning.message = "details of " + warning.features.front() +
+                    (warning.features.size() > 1
+                         ? " and " + std::to_string(warning.features.size() - 1) + " more features"
+                         : "") +
+                    " are smaller than the least edge length, which is " +
+                    std::to_string(sizes.least());
+  return warning;
+}
+
+/// The size field, for which the edge length is the base size, or a guess at it where a number of
+/// nodes is asked for.
+void set_sizes(Density& density, double edge_length, const Revision& parent,
+               const MeshOptions& options, const FeatureModel& model, const CellularModel& cells,
+               const Run& run) {
+  if (options.sizing.even) {
+    density.sizes = edge_length;
+    return;
+  }
+  const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
+  const SizeRules rules(cells.boundary, options.sizing, most, run);
+  if (density.count) {
+    Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
+    if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
+    density.sizes = std::move(budgeted.sizes);
+    density.weakening = budgeted.weakening;
+  } else {
+    density.weakening = parent.rules_weakening;
+    density.sizes = rules.field(edge_length, density.weakening);
+  }
+  density.fewest_links =
+      rules.fewest_links(cells.boundary, density.sizes.base(), density.weakening);
+  const std::vector<int> faces = rules.unresolved(density.sizes.base(), density.weakening);
+  if (!faces.empty())
+    density.warnings.push_back(below_least(faces, density.sizes, model, cells.boundary));
+}
 
 }  // namespace
 
@@ -45,14 +107,14 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
   }
   edge_length = std::fmin(edge_length, parent.edge_length);
   check_node_limit(parent, extent_of(cells), edge_length, options, run);
-  density.sizes = size_field(cells.boundary, options.sizing, edge_length);
-  if (!density.sizes.even() && density.count)
-    density.sizes = sizes_for_budget(*density.count, density.sizes, options, model, cells, run);
+  set_sizes(density, edge_length, parent, options, model, cells, run);
   return density;
 }
 
-SizeField sizes_of(const Revision& revision) {
-  return size_field(revision.cells.boundary, revision.options.sizing, revision.edge_length);
+SizeField sizes_of(const Revision& revision, const Run& run) {
+  if (revision.sizes) return *revision.sizes;
+  return SizeRules(revision.cells.boundary, revision.options.sizing, revision.edge_length, run)
+      .field(revision.edge_length, revision.rules_weakening);
 }
 
 }  // namespace remeshd

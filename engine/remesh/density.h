@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "engine/base/run.h"
+#include "engine/base/warning.h"
 #include "engine/revision/revision.h"
 #include "engine/sizing/size_field.h"
 
@@ -12,9 +14,12 @@ namespace remeshd {
 /// Target edge lengths and density of new nodes, as the options ask for and the original gives.
 struct Density {
   SizeField sizes{0};                  ///< h: spacing of samples, reach of searches
+  double weakening = 1;                ///< of the rules (`size_field`)
   double nodes_per_volume = 0;         ///< in newcells
   std::optional<std::uint32_t> count;  ///< of a first mesh asked for by number of nodes
+  std::vector<int> fewest_links;       ///< of each model edge; empty where it is even
   bool inherited = false;              ///< an edit keeps its base's density
+  std::vector<Warning> warnings;       ///< details that it does not resolve
 };
 
 /// Throws Error(InvalidArgument): `OPTIONS_INVALID`; `MESH_TOO_LARGE` where a mesh of this density
@@ -23,6 +28,6 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
                         const FeatureModel& model, const CellularModel& cells, const Run& run);
 
 /// The target edge lengths that a revision was meshed with.
-SizeField sizes_of(const Revision& revision);
+SizeField sizes_of(const Revision& revision, const Run& run);
 
 }  // namespace remeshd

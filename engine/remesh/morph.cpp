@@ -136,7 +136,7 @@ struct Worst {
 
 std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
                                                  const Run& run) {
-  const double l = sizes_of(original).least();
+  const double l = sizes_of(original, run).least();
   const BoundaryModel& boundary = modified.cells.boundary;
   const double bound = motion_bound(original.delaunay_model(), modified.model);
   if (bound > kLimits.motion_bound * l) return NotMorphed{};

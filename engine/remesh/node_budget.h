@@ -6,13 +6,25 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/feature_model.h"
 #include "engine/revision/options.h"
-#include "engine/sizing/size_field.h"
+#include "engine/sizing/size_rules.h"
 
 namespace remeshd {
 
-/// The size field whose base size makes a mesh of the model start with about `nodes` nodes, as the
-/// options' rules are. `first`: one with a guess at the base size.
-SizeField sizes_for_budget(std::uint32_t nodes, const SizeField& first, const MeshOptions& options,
-                           const FeatureModel& model, const CellularModel& cells, const Run& run);
+/// A size field with what it follows from.
+struct Budgeted {
+  SizeField sizes{0};
+  double weakening = 1;   ///< of the rules, which ask for edges so many times longer
+  double satisfying = 0;  ///< where they are weakened: nodes that would satisfy them
+};
+
+/// The size field with which a mesh of the model comes out with about `nodes` nodes: the base size
+/// is solved for; where the rules alone need more, all of them are weakened by one factor, at most
+/// until a circle has 6 edges, and what is still too many is too many.
+/// @param rules  for base sizes up to `coarsest_base`
+Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
+                          const FeatureModel& model, const CellularModel& cells, const Run& run);
+
+/// For so many nodes no greater base size is looked for: some times that of an even mesh.
+double coarsest_base(const CellularModel& cells, double nodes);
 
 }  // namespace remeshd

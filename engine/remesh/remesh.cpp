@@ -31,6 +31,9 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
   const Density density = resolve_density(parent, options, revision.model, revision.cells, run);
   revision.edge_length = report.edge_length = density.sizes.base();
+  revision.rules_weakening = density.weakening;
+  revision.sizes = density.sizes;
+  report.warnings = density.warnings;
   watch.lap(report.seconds.setup);
 
   run.report("difference", 0.06);

@@ -194,7 +194,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });
   CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
-                                sizes_of(parent), run);
+                                sizes_of(parent, run), run);
   // What is near in space is to be near in memory: revisions share pages.
   for (const Vec3& p : along_hilbert_curve(new_nodes(task))) near.add_new(p);
   if (plan.copies()) {  // new nodes alone are free, and spread evenly
@@ -250,6 +250,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                {.sizes = task.density.sizes,
                 .iterations = task.options.iterations,
                 .insert_at_circumcentres = !task.all_free && task.density.inherited,
+                .fewest_links = task.density.fewest_links,
                 .rebuild = task.options.rebuild},
                task.run);
   Counts& counts = attempt.counts;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "engine/base/cow_vector.h"
 #include "engine/cellular/boundary_model/support.h"
@@ -10,6 +11,7 @@
 #include "engine/revision/options.h"
 #include "engine/revision/output_mesh.h"
 #include "engine/revision/report.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -41,8 +43,10 @@ struct Revision {
   /// too small to count cannot add up unseen.
   ModelSource meshed_source;
   FeatureModel meshed_model;
-  MeshOptions options;     ///< as resolved; an edit inherits these
-  double edge_length = 0;  ///< target edge length l; an edit inherits it as its density
+  MeshOptions options;             ///< as resolved; an edit inherits these
+  double edge_length = 0;          ///< target edge length l; an edit inherits it as its density
+  double rules_weakening = 1;      ///< of the rules of its size field; an edit inherits it
+  std::optional<SizeField> sizes;  ///< where it is known: it follows from the rest
   CellularModel cells;
   std::shared_ptr<const DelaunayState> delaunay_state;  ///< made for `delaunay_model()`
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its Delaunay mesh gave it

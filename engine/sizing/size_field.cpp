@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
+
+#include "engine/cellular/boundary_model/face_distance.h"
 
 namespace remeshd {
 
 namespace {
 
 struct TreeLimits {
-  std::size_t few = 4;   ///< sources that are asked one by one
-  int deepest = 6;       ///< levels
-  double margin = 0.05;  ///< x diagonal of the bounds: beyond them
+  std::size_t leaf = 4;  ///< sources that are asked one by one
+  double cells = 48;     ///< along the diagonal of the bounds
 };
 constexpr TreeLimits kLimits;
 
@@ -31,129 +34,177 @@ double distance_to(const Box& box, const Vec3& p) {
 
 Vec3 middle_of(const Box& box) { return 0.5 * (box.lo + box.hi); }
 
+/// Cubes that fill a box.
+class BoxGrid {
+ public:
+  explicit BoxGrid(const Box& box) : box_(box), side_(box.diagonal() / kLimits.cells) {
+    const Vec3 sides = box.hi - box.lo;
+    const auto count = [&](double side) {
+      return static_cast<std::size_t>(std::max(std::ceil(side / side_), 1.0));
+    };
+    counts_ = {count(sides.x), count(sides.y), count(sides.z)};
+  }
+  [[nodiscard]] std::size_t cells() const { return counts_[0] * counts_[1] * counts_[2]; }
+  [[nodiscard]] Vec3 middle(std::size_t cell) const {
+    const auto along = [&](std::size_t k) { return (static_cast<double>(k) + 0.5) * side_; };
+    return box_.lo + Vec3{along(cell % counts_[0]), along(cell / counts_[0] % counts_[1]),
+                          along(cell / (counts_[0] * counts_[1]))};
+  }
+  /// From the middle of a cell to its corners.
+  [[nodiscard]] double radius() const { return 0.5 * std::sqrt(3.0) * side_; }
+  [[nodiscard]] std::optional<std::size_t> cell_of(const Vec3& p) const {
+    if (!box_.contains(p)) return std::nullopt;
+    const auto along = [&](double offset, std::size_t count) {
+      return std::min(static_cast<std::size_t>(offset / side_), count - 1);
+    };
+    const Vec3 d = p - box_.lo;
+    return along(d.x, counts_[0]) +
+           counts_[0] * (along(d.y, counts_[1]) + counts_[1] * along(d.z, counts_[2]));
+  }
+
+ private:
+  Box box_;
+  double side_;
+  std::array<std::size_t, 3> counts_;
+};
+
 }  // namespace
 
 double SizeSource::at(const Vec3& p, const SizeLimits& limits, double enough) const {
-  const bool cone = surface.kind == Surface::Kind::Cone;
   const double to_box = distance_to(box, p);
-  const double bound = std::fmax(cone ? 0 : size, limits.least) + limits.slope * to_box;
+  const double bound = std::max(varies() ? 0 : size, limits.least) + limits.slope * to_box;
   if (bound >= enough) return bound;
-  const double wanted = cone ? size * radius_of_curvature(surface, project(surface, p)) : size;
-  return std::fmax(wanted, limits.least) +
-         limits.slope * std::fmax(std::fabs(signed_distance(surface, p)), to_box);
+  if (const auto* triangle = std::get_if<std::array<Vec3, 3>>(&piece))
+    return std::max(size, limits.least) +
+           limits.slope * std::sqrt(triangle_distance2(p, *triangle));
+  const auto& surface = std::get<Surface>(piece);
+  const double wanted = varies() ? size * radius_of_curvature(surface, project(surface, p)) : size;
+  return std::max(wanted, limits.least) +
+         limits.slope * std::max(std::fabs(signed_distance(surface, p)), to_box);
 }
 
-/// Cubes of space, each with the sources that may be the least in it.
+/// A hierarchy of boxes round the sources, searched for the least of them, and a grid that tells
+/// where to begin.
 class SizeField::Tree {
  public:
   Tree(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
-      : limits_(limits), sources_(std::move(sources)) {
-    const bool cones = std::ranges::any_of(
-        sources_, [](const SizeSource& s) { return s.surface.kind == Surface::Kind::Cone; });
+      : limits_(limits), sources_(std::move(sources)), grid_(bounds) {
+    const bool cones = std::ranges::any_of(sources_, &SizeSource::varies);
     steepest_ = (cones ? 2 : 1) * limits.slope;
-    const Vec3 middle = middle_of(bounds);
-    const double half = (0.5 + kLimits.margin) * bounds.diagonal();
-    box_ = {middle - Vec3{half, half, half}, middle + Vec3{half, half, half}};
-    std::vector<std::int32_t> all(sources_.size());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-    cells_.emplace_back();
-    fill(0, middle, half, all, 0);
+    nodes_.reserve(2 * sources_.size() / kLimits.leaf + 1);
+    divide(sources_);
+    begin_at_.assign(grid_.cells(), 0);
+    std::int32_t last = 0;
+    for (std::size_t cell = 0; cell < begin_at_.size(); ++cell) {
+      const Vec3 middle = grid_.middle(cell);
+      Least least{sources_[last].at(middle, limits_), last};
+      search(middle, least);
+      last = least.source;
+      const bool matters = least.size - steepest_ * grid_.radius() < limits_.base;
+      begin_at_[cell] = matters ? last : -1;
+    }
   }
 
   /// How steep the field may be, on cones and beside them.
   [[nodiscard]] double steepest() const { return steepest_; }
-  /// The least that sources ask for.
-  [[nodiscard]] double operator()(const Vec3& p) const {
-    if (!box_.contains(p)) return least_of(p, all_of(sources_.size()));
-    const Cell* cell = cells_.data();
-    Vec3 middle = middle_of(box_);
-    double half = 0.5 * (box_.hi.x - box_.lo.x);
-    while (cell->children >= 0) {
-      const int octant =
-          (p.x > middle.x ? 1 : 0) + (p.y > middle.y ? 2 : 0) + (p.z > middle.z ? 4 : 0);
-      half *= 0.5;
-      middle += half * direction(octant);
-      cell = &cells_[cell->children + octant];
+  /// The least that sources ask for, where that is below `enough`, else that.
+  [[nodiscard]] double operator()(const Vec3& p, double enough = HUGE_VAL) const {
+    Least least{enough, -1};
+    if (const std::optional<std::size_t> cell = grid_.cell_of(p)) {
+      const std::int32_t first = begin_at_[*cell];
+      if (first < 0 && enough <= limits_.base) return enough;
+      if (first >= 0) least.size = std::min(enough, sources_[first].at(p, limits_, enough));
     }
-    return least_of(p, std::span(listed_).subspan(cell->begin, cell->count));
+    search(p, least);
+    return least.size;
   }
 
  private:
-  struct Cell {
-    std::int32_t children = -1;  ///< the first of eight
-    std::uint32_t begin = 0, count = 0;
+  struct Node {
+    Box box;
+    double size;          ///< that all of its sources ask for at least
+    std::int32_t begin;   ///< of its sources
+    std::int32_t count;   ///< of them; 0: it has two children
+    std::int32_t second;  ///< the other child; the first comes next
+    [[nodiscard]] double bound(const Vec3& p, double slope) const {
+      return size + slope * distance_to(box, p);
+    }
+  };
+  struct Least {
+    double size;
+    std::int32_t source;
   };
 
-  static Vec3 direction(int octant) {
-    return {octant & 1 ? 1.0 : -1.0, octant & 2 ? 1.0 : -1.0, octant & 4 ? 1.0 : -1.0};
-  }
-  static std::vector<std::int32_t> all_of(std::size_t count) {
-    std::vector<std::int32_t> all(count);
-    for (std::size_t k = 0; k < count; ++k) all[k] = static_cast<std::int32_t>(k);
-    return all;
-  }
-
-  [[nodiscard]] double least_of(const Vec3& p, std::span<const std::int32_t> sources) const {
-    double least = HUGE_VAL;
-    for (const std::int32_t s : sources)
-      least = std::fmin(least, sources_[s].at(p, limits_, least));
-    return least;
-  }
-
-  void fill(std::int32_t cell, const Vec3& middle, double half,
-            std::span<const std::int32_t> candidates, int level) {
-    const double reach = std::sqrt(3.0) * half;
-    std::vector<double> at_middle;
-    double most = HUGE_VAL;  // that the field may be anywhere in the cell
-    for (const std::int32_t s : candidates) {
-      at_middle.push_back(sources_[s].at(middle, limits_, most + steepest_ * reach));
-      most = std::fmin(most, at_middle.back() + steepest_ * reach);
+  /// Adds the node of sources, which it puts in order, and those below it.
+  void divide(std::span<SizeSource> sources) {
+    const std::size_t at = nodes_.size();
+    Node node{{}, HUGE_VAL, static_cast<std::int32_t>(sources.data() - sources_.data()), 0, 0};
+    Box middles;
+    for (const SizeSource& source : sources) {
+      node.box.add(source.box);
+      middles.add(middle_of(source.box));
+      node.size = std::min(node.size, std::max(source.varies() ? 0 : source.size, limits_.least));
     }
-    std::vector<std::int32_t> near;
-    bool matters = false;
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-      if (at_middle[k] - steepest_ * reach > most) continue;
-      near.push_back(candidates[k]);
-      matters |= at_middle[k] - steepest_ * reach < limits_.base;
-    }
-    if (near.size() <= kLimits.few || !matters || level == kLimits.deepest) {
-      cells_[cell].begin = static_cast<std::uint32_t>(listed_.size());
-      cells_[cell].count = static_cast<std::uint32_t>(near.size());
-      listed_.insert(listed_.end(), near.begin(), near.end());
+    nodes_.push_back(node);
+    if (sources.size() <= kLimits.leaf) {
+      nodes_[at].count = static_cast<std::int32_t>(sources.size());
       return;
     }
-    const auto first = static_cast<std::int32_t>(cells_.size());
-    cells_[cell].children = first;
-    cells_.resize(cells_.size() + 8);
-    for (int octant = 0; octant < 8; ++octant)
-      fill(first + octant, middle + 0.5 * half * direction(octant), 0.5 * half, near, level + 1);
+    const Vec3 sides = middles.hi - middles.lo;
+    const double longest = std::max({sides.x, sides.y, sides.z});
+    const auto axis = sides.x == longest ? &Vec3::x : sides.y == longest ? &Vec3::y : &Vec3::z;
+    const std::size_t half = sources.size() / 2;
+    std::ranges::nth_element(sources, sources.begin() + static_cast<std::ptrdiff_t>(half), {},
+                             [&](const SizeSource& source) { return middle_of(source.box).*axis; });
+    divide(sources.first(half));
+    nodes_[at].second = static_cast<std::int32_t>(nodes_.size());
+    divide(sources.subspan(half));
+  }
+
+  /// Looks for less than `least` at a point.
+  void search(const Vec3& p, Least& least, std::int32_t at = 0) const {
+    const Node& node = nodes_[at];
+    if (node.count > 0) {
+      for (std::int32_t s = node.begin; s < node.begin + node.count; ++s)
+        if (const double size = sources_[s].at(p, limits_, least.size); size < least.size)
+          least = {size, s};
+      return;
+    }
+    std::int32_t near = at + 1, far = node.second;
+    double to_near = nodes_[near].bound(p, limits_.slope);
+    double to_far = nodes_[far].bound(p, limits_.slope);
+    if (to_far < to_near) {
+      std::swap(near, far);
+      std::swap(to_near, to_far);
+    }
+    if (to_near < least.size) search(p, least, near);
+    if (to_far < least.size) search(p, least, far);
   }
 
   SizeLimits limits_;
   std::vector<SizeSource> sources_;
   double steepest_ = 0;
-  Box box_;
-  std::vector<Cell> cells_;
-  std::vector<std::int32_t> listed_;  ///< sources, cell by cell
+  std::vector<Node> nodes_;
+  BoxGrid grid_;
+  std::vector<std::int32_t> begin_at_;  ///< by cell: the source to begin at; -1: none matters
 };
 
 SizeField::SizeField(double base) : limits_{base, base, 0} {}
 
 SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
     : limits_(limits) {
-  std::erase_if(sources, [&](const SizeSource& s) {
-    return s.surface.kind != Surface::Kind::Cone && s.size >= limits.base;
-  });
+  std::erase_if(sources, [&](const SizeSource& s) { return !s.varies() && s.size >= limits.base; });
   double least = limits.base;
-  for (const SizeSource& s : sources)
-    least = std::fmin(least, s.surface.kind == Surface::Kind::Cone ? limits.least : s.size);
+  for (const SizeSource& s : sources) least = std::fmin(least, s.varies() ? limits.least : s.size);
   limits_.least = std::fmax(least, std::fmin(limits.least, limits.base));
   if (!sources.empty()) tree_ = std::make_shared<const Tree>(limits_, std::move(sources), bounds);
 }
 
 double SizeField::asked_for(const Vec3& p) const { return even() ? HUGE_VAL : (*tree_)(p); }
 
-double SizeField::operator()(const Vec3& p) const { return std::fmin(limits_.base, asked_for(p)); }
+double SizeField::operator()(const Vec3& p) const {
+  return even() ? limits_.base : (*tree_)(p, limits_.base);
+}
 
 double SizeField::grid_length() const { return std::sqrt(limits_.base * limits_.least); }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "engine/base/surface.h"
@@ -18,24 +20,30 @@ struct SizeLimits {
   double slope = 0;  ///< how much longer edges may get on a way, per length of it
 };
 
-/// A piece of a curved face or of a circular edge that asks for edges of some length: the field is
-/// no more than that length there, and grows away from it.
+/// A piece of a face or of an edge that asks for edges of some length: the field is no more than
+/// that length there, and grows away from it.
 struct SizeSource {
-  /// A circle is the thinnest of tori: that surface with its radius, and a tube of none.
-  Surface surface;
+  /// A surface in the box; a circle is the thinnest of tori, with its radius and a tube of none. Or
+  /// a triangle.
+  std::variant<Surface, std::array<Vec3, 3>> piece;
   Box box;          ///< round the piece
   double size = 0;  ///< of a cone: per length of its radius of curvature
 
   /// How long edges may be at p on behalf of this source alone, whatever the base; where that is
   /// `enough` or more, any length from there on that it is not less than.
   [[nodiscard]] double at(const Vec3& p, const SizeLimits& limits, double enough = HUGE_VAL) const;
+  /// Whether the size follows the radius of curvature along the piece.
+  [[nodiscard]] bool varies() const {
+    const auto* surface = std::get_if<Surface>(&piece);
+    return surface != nullptr && surface->kind == Surface::Kind::Cone;
+  }
 };
 
 /// The target edge length h at each point of space: the least of a base size and what sources ask
 /// for, with a gradient of at most `SizeLimits::slope`.
 ///
-/// Sources are closed forms, kept in an octree by where they matter, so that a question costs a
-/// few of them however many there are. A copy shares the octree. Safe from any number of threads.
+/// Sources are closed forms in a hierarchy of boxes, so that a question costs a few of them however
+/// many there are. A copy shares the hierarchy. Safe from any number of threads.
 class SizeField {
  public:
   /// The same edge length everywhere.

@@ -1,8 +1,11 @@
 #include "engine/sizing/size_rules.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/angle.h"
+#include "engine/sizing/thin_places.h"
 
 namespace remeshd {
 
@@ -11,6 +14,10 @@ namespace {
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
 /// So many more edges are asked for on circles: they come out unevenly long.
 constexpr double kReserve = 1.2;
+constexpr double kOnFace = 0.92;    // nodes to a square of an edge length
+constexpr double kInVolume = 1.41;  // to a cube of it
+
+constexpr double kRounding = 1e-9;  // of a number of edges
 
 /// A circle as the torus round it that has no tube.
 Surface circle(const Curve& curve) {
@@ -20,31 +27,96 @@ Surface circle(const Curve& curve) {
           curve.radius, 0};
 }
 
+/// What no rule goes below.
+double least_size(const Sizing& sizing, double base) {
+  return std::fmin(base, sizing.min_size.value_or(kLeastShare * base));
+}
+
 }  // namespace
 
-SizeField size_field(const BoundaryModel& boundary, const Sizing& sizing, double base) {
-  if (sizing.even) return SizeField(base);
-  const SizeLimits limits{base, std::fmin(base, sizing.min_size.value_or(kLeastShare * base)),
-                          sizing.growth - 1};
-  std::vector<SizeSource> sources;
-  if (sizing.edges_per_circle > 0) {
-    const double per_radius = kTurn / (kReserve * sizing.edges_per_circle);
-    for (const BoundaryFace& face : boundary.faces) {
-      const Surface& surface = face.surface;
-      if (surface.kind == Surface::Kind::Plane) continue;
-      const Box box = box_of(face.points);
-      // Of a steep cone edges may not grow as fast as its circles do.
-      const double size = surface.kind == Surface::Kind::Cone
-                              ? std::fmin(per_radius, limits.slope / std::fabs(surface.r2))
-                              : per_radius * radius_of_curvature(surface, face.points.front());
-      sources.push_back({surface, box, size});
-    }
-    for (const BoundaryEdge& edge : boundary.edges)
-      if (edge.curve.kind == Curve::Kind::Circle)
-        sources.push_back(
-            {circle(edge.curve), box_of(edge.points), per_radius * edge.curve.radius});
+std::vector<SizeRules::Circle> SizeRules::circles_of(const BoundaryModel& boundary,
+                                                     double per_radius, double slope) {
+  std::vector<Circle> circles;
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+    const BoundaryFace& face = boundary.faces[f];
+    const Surface& surface = face.surface;
+    if (surface.kind == Surface::Kind::Plane) continue;
+    // Of a steep cone edges may not grow as fast as its circles do.
+    const double size = surface.kind == Surface::Kind::Cone
+                            ? std::fmin(per_radius, slope / std::fabs(surface.r2))
+                            : per_radius * radius_of_curvature(surface, face.points.front());
+    circles.push_back({static_cast<int>(f), {surface, box_of(face.points), size}});
   }
-  return SizeField(limits, std::move(sources), boundary.bounds);
+  for (const BoundaryEdge& edge : boundary.edges)
+    if (edge.curve.kind == Curve::Kind::Circle)
+      circles.push_back(
+          {edge.faces.front(),
+           {circle(edge.curve), box_of(edge.points), per_radius * edge.curve.radius}});
+  return circles;
+}
+
+SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most,
+                     const Run& run)
+    : sizing_(sizing), bounds_(boundary.bounds) {
+  if (sizing.even) return;
+  if (sizing.edges_per_circle > 0)
+    circles_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
+  if (sizing.layers > 0)
+    thin_places_ = thin_places(boundary,
+                               {.most = sizing.layers * most,
+                                .least = sizing.layers * least_size(sizing, most),
+                                .slope = sizing.layers * slope()},
+                               run);
+}
+
+SizeField SizeRules::field(double base, double weakening) const {
+  std::vector<SizeSource> sources;
+  sources.reserve(circles_.size() + thin_places_.size());
+  for (const Circle& circle : circles_) sources.push_back(circle.source);
+  for (const ThinPlace& place : thin_places_)
+    sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
+  for (SizeSource& source : sources) source.size *= weakening;
+  return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
+}
+
+std::vector<int> SizeRules::unresolved(double base, double weakening) const {
+  const double least = least_size(sizing_, base);
+  std::vector<int> faces;
+  for (const Circle& circle : circles_)
+    if (!circle.source.varies() && weakening * circle.source.size < least)
+      faces.push_back(circle.face);
+  for (const ThinPlace& place : thin_places_)
+    if (weakening * size_of(place) < least) faces.push_back(place.face);
+  std::ranges::sort(faces);
+  const auto twice = std::ranges::unique(faces);
+  faces.erase(twice.begin(), twice.end());
+  return faces;
+}
+
+std::vector<int> SizeRules::fewest_links(const BoundaryModel& boundary, double base,
+                                         double weakening) const {
+  std::vector<int> fewest(boundary.edges.size(), 0);
+  const double least = least_size(sizing_, base);
+  for (std::size_t e = 0; e < fewest.size(); ++e) {
+    const BoundaryEdge& edge = boundary.edges[e];
+    if (edge.curve.kind != Curve::Kind::Circle) continue;
+    const double circle = kTurn * edge.curve.radius;
+    const double links = std::fmin(sizing_.edges_per_circle / weakening, circle / least);
+    fewest[e] = static_cast<int>(links * edge.length / circle + kRounding);
+  }
+  return fewest;
+}
+
+double SizeRules::nodes_of_sides(const SizeField& field) const {
+  double nodes = 0;
+  for (const ThinPlace& place : thin_places_) {
+    const auto& [a, b, c] = place.triangle;
+    const double area = 0.5 * norm(cross(b - a, c - a));
+    const double h = field((1.0 / 3) * (a + b + c));
+    const double more = kOnFace - 0.5 * kInVolume * place.thickness / h;
+    nodes += std::fmax(more, 0) * area / (h * h);
+  }
+  return nodes;
 }
 
 }  // namespace remeshd

@@ -1,13 +1,52 @@
 #pragma once
 
+#include <vector>
+
+#include "engine/base/run.h"
 #include "engine/cellular/boundary_model/boundary_model.h"
 #include "engine/sizing/size_field.h"
 #include "engine/sizing/sizing.h"
+#include "engine/sizing/thin_places.h"
 
 namespace remeshd {
 
-/// The size field that a model's boundary and the rules make of a base size: round faces and
-/// circular edges of radius r ask for edges of 2 pi r / `edges_per_circle`.
-SizeField size_field(const BoundaryModel& boundary, const Sizing& sizing, double base);
+/// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
+/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across.
+class SizeRules {
+ public:
+  /// `most`: no base size is greater. Throws Cancelled.
+  SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most, const Run& run);
+
+  /// The size field with that base size.
+  /// @param weakening  >= 1: the rules ask for edges so many times longer
+  [[nodiscard]] SizeField field(double base, double weakening) const;
+  /// Nodes that walls and gaps need beyond those of a start with that field: both of their sides
+  /// take nodes where it has a layer of them between.
+  [[nodiscard]] double nodes_of_sides(const SizeField& field) const;
+  /// By model edge: mesh edges along a circle, or as many of an arc as there are whole ones; else 0.
+  [[nodiscard]] std::vector<int> fewest_links(const BoundaryModel& boundary, double base,
+                                              double weakening) const;
+  /// Faces where the least size of such a field is more than the rules ask for; ascending.
+  [[nodiscard]] std::vector<int> unresolved(double base, double weakening) const;
+
+ private:
+  [[nodiscard]] double slope() const { return sizing_.growth - 1; }
+
+  struct Circle {
+    int face;
+    SizeSource source;
+  };
+  static std::vector<Circle> circles_of(const BoundaryModel& boundary, double per_radius,
+                                        double slope);
+  /// What is asked for across a thin place.
+  [[nodiscard]] double size_of(const ThinPlace& place) const {
+    return place.thickness / sizing_.layers;
+  }
+
+  std::vector<Circle> circles_;
+  std::vector<ThinPlace> thin_places_;
+  Sizing sizing_;
+  Box bounds_;
+};
 
 }  // namespace remeshd

@@ -49,7 +49,7 @@ TEST(Samples, FollowASizeFieldAndStillAddUp) {
   const FeatureModel model = test::case_features("tool1-a");
   const CellularModel cells = build_cells(model, kRun);
   const BoundaryModel& b = cells.boundary;
-  const SizeField sizes = size_field(b, {.even = false}, 8);
+  const SizeField sizes = SizeRules(b, {.even = false}, 8, {}).field(8, 1);
   ASSERT_LT(sizes.least(), 3);
   const Samples samples = sample_boundary(b, Membership(model), sizes, 1, {}, kRun);
   std::vector<double> area(b.faces.size(), 0), length(b.edges.size(), 0);

@@ -1,7 +1,9 @@
 // First meshes and edits under a size field.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "engine/base/angle.h"
 #include "engine/remesh/remesh.h"
@@ -76,6 +78,49 @@ TEST(Sizing, AnEditKeepsTheBaseSizeAndWhatIsFarFromIt) {
   EXPECT_GE(fewest_edges_on_circles(r), 12);
   EXPECT_GE(r.report.counts.nodes_kept, 0.5 * base.report.counts.nodes);
   EXPECT_GE(r.report.quality.dihedral_min, 20);
+}
+
+TEST(Sizing, AGrooveInARimStaysOpen) {
+  // Nodes of both flanges lie on one cylinder: tets between them are outside, wherever their
+  // centroids are.
+  const ModelSource wheel = test::model_of(
+      {test::cylinder("disc", 24, 10), test::placed(test::cylinder("rim", 30, 3.5), 0, 0, 0),
+       test::placed(test::cylinder("rim2", 30, 3.5), 0, 0, 6.5)});
+  const Revision r = make_revision(Revision::none(), wheel, graded(4000), kRun);
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
+  EXPECT_TRUE(r.report.attempts.empty());
+  EXPECT_GE(r.report.quality.dihedral_min, 20);
+}
+
+TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
+  ModelSource pins = test::model_of({test::block("plate", 60, 60, 8)});
+  for (int k = 0; k < 9; ++k)
+    pins.features.push_back(test::placed(test::cylinder("pin" + std::to_string(k), 1.5, 6),
+                                         -20 + 20 * (k % 3), -20 + 20 * (k / 3), 7));
+  const Revision r = make_revision(Revision::none(), pins, graded(1200), kRun);
+  EXPECT_GT(r.rules_weakening, 1.05);
+  EXPECT_GE(fewest_edges_on_circles(r), 6);
+  const auto told =
+      std::ranges::find(r.report.warnings, WarningCode::DetailNotResolved, &Warning::code);
+  ASSERT_NE(told, r.report.warnings.end());
+  EXPECT_NE(told->message.find("nodes would do"), std::string::npos);
+  // The count that is told makes them whole.
+  const std::size_t at = told->message.find("; ") + 2;
+  const auto enough = static_cast<std::uint32_t>(std::stoi(told->message.substr(at)));
+  const Revision whole = make_revision(Revision::none(), pins, graded(enough * 21 / 20), kRun);
+  EXPECT_EQ(whole.rules_weakening, 1);
+  EXPECT_GE(fewest_edges_on_circles(whole), 12);
+}
+
+TEST(Sizing, WhatTheLeastSizeLeavesOutIsToldByFeature) {
+  MeshOptions options = graded(3000);
+  options.sizing.min_size = 1.5;
+  const Revision r = make_revision(Revision::none(), plate(), options, kRun);
+  const auto told =
+      std::ranges::find(r.report.warnings, WarningCode::DetailNotResolved, &Warning::code);
+  ASSERT_NE(told, r.report.warnings.end());
+  EXPECT_NE(std::ranges::find(told->features, "pin"), told->features.end());
+  EXPECT_NE(std::ranges::find(told->features, "hole"), told->features.end());
 }
 
 }  // namespace

@@ -56,8 +56,22 @@ TEST(SizeField, AsksForNoLessThanTheLeast) {
   EXPECT_EQ(field.least(), 1);
 }
 
-TEST(SizeField, TheOctreeTellsWhatAllSourcesTell) {
-  const std::vector<SizeSource> sources = many();
+TEST(SizeField, GrowsAwayFromATriangle) {
+  const std::array<Vec3, 3> triangle{Vec3{0, 0, 0}, Vec3{9, 0, 0}, Vec3{0, 9, 0}};
+  const SizeField field(kTen, {{triangle, box_of(triangle), 2}}, kBounds);
+  EXPECT_DOUBLE_EQ(field({2, 2, 0}), 2);
+  EXPECT_DOUBLE_EQ(field({2, 2, 10}), 5);
+  EXPECT_DOUBLE_EQ(field({-10, 0, 0}), 5);
+  EXPECT_EQ(field.least(), 2);
+}
+
+TEST(SizeField, TellsWhatAllSourcesTell) {
+  std::vector<SizeSource> sources = many();
+  for (int k = 0; k < 9; ++k) {
+    const Vec3 at{3.0 * k, 20 - 4.0 * k, 5};
+    const std::array<Vec3, 3> triangle{at, at + Vec3{1, 0, 2}, at + Vec3{0, 2, 1}};
+    sources.push_back({triangle, box_of(triangle), 1.0 + 0.1 * k});
+  }
   const SizeField field(kTen, sources, kBounds);
   Random random(1);
   for (int k = 0; k < 2000; ++k) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
+
+namespace remeshd {
+
+/// A triangle on a face that another face, which does not meet that one, is near to: across a wall,
+/// a gap, or a narrow face between them.
+struct ThinPlace {
+  int face;
+  std::array<Vec3, 3> triangle;
+  double thickness;  ///< least distance to the other face at its corners and its middle
+};
+
+struct ThinPlaceLimits {
+  double most;   ///< length: where walls and gaps are thicker there is no place
+  double least;  ///< length > 0: thinner ones count as this thick
+  double slope;  ///< where thickness grows faster than this along a face there need be no place
+};
+
+/// The thin places of all faces. They are divided until the thickness is nearly even on each, or
+/// they are about as small as it: what a large one misses, the other side's small ones have.
+///
+/// Faces that share an edge or a vertex are left out: they are near each other in any corner. By
+/// triangulations, so that round walls are off by the heights of their chords.
+std::vector<ThinPlace> thin_places(const BoundaryModel& boundary, const ThinPlaceLimits& limits,
+                                   const Run& run);
+
+}  // namespace remeshd

@@ -1,0 +1,60 @@
+#include "engine/sizing/size_rules.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/cellular/cellular_model.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+BoundaryModel plate_with_hole() {
+  return build_cells(evaluate(test::model_of({test::block("b", 60, 60, 3),
+                                              test::placed(test::cylinder("hole", 2, 10), 0, 0, -1,
+                                                           Nature::Subtractive)})),
+                     kRun)
+      .boundary;
+}
+
+TEST(SizeRules, CirclesAskForTheirEdgesAndWallsForTheirLayers) {
+  const BoundaryModel boundary = plate_with_hole();
+  const SizeField field = SizeRules(boundary, {.even = false}, 8, kRun).field(8, 1);
+  EXPECT_NEAR(field({2, 0, 1}), 6.28 * 2 / 12, 0.2);
+  EXPECT_NEAR(field({25, 25, 0}), 3, 1e-9);
+  const SizeField two = SizeRules(boundary, {.even = false, .layers = 2}, 8, kRun).field(8, 1);
+  EXPECT_NEAR(two({25, 25, 0}), 1.5, 1e-9);
+  const SizeField none = SizeRules(boundary, {.even = false, .layers = 0}, 8, kRun).field(8, 1);
+  EXPECT_NEAR(none({29, 29, 0}), 8, 1e-9);
+}
+
+TEST(SizeRules, AreWeakenedAllAlike) {
+  const SizeRules rules(plate_with_hole(), {.even = false}, 8, kRun);
+  const SizeField strong = rules.field(8, 1), weak = rules.field(8, 1.5);
+  EXPECT_NEAR(weak({2, 0, 1}), 1.5 * strong({2, 0, 1}), 1e-9);
+  EXPECT_NEAR(weak({25, 25, 0}), 1.5 * strong({25, 25, 0}), 1e-9);
+}
+
+TEST(SizeRules, NameTheFacesThatTheLeastSizeLeavesUnresolved) {
+  const BoundaryModel boundary = plate_with_hole();
+  Sizing sizing{.even = false, .layers = 0, .min_size = 1.5};
+  const auto faces = SizeRules(boundary, sizing, 8, kRun).unresolved(8, 1);
+  ASSERT_FALSE(faces.empty());
+  for (const int f : faces)
+    EXPECT_TRUE(boundary.faces[f].surface.kind == Surface::Kind::Cylinder ||
+                boundary.faces[f].names.front().face == "top" ||
+                boundary.faces[f].names.front().face == "bottom");
+  sizing.min_size = 0.5;
+  EXPECT_TRUE(SizeRules(boundary, sizing, 8, kRun).unresolved(8, 1).empty());
+}
+
+TEST(SizeRules, BothSidesOfAThinWallTakeNodes) {
+  const SizeRules rules(plate_with_hole(), {.even = false, .edges_per_circle = 0}, 8, kRun);
+  // A layer of tets has a node to 3^2 on each side, a start one to each 3^3 / sqrt(2).
+  EXPECT_NEAR(rules.nodes_of_sides(rules.field(8, 1)), 2 * 3600 / 9.0 * (0.92 - 0.5 * 1.41), 20);
+  EXPECT_EQ(rules.nodes_of_sides(SizeField(0.5)), 0);
+}
+
+}  // namespace
+}  // namespace remeshd
