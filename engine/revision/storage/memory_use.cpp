@@ -28,6 +28,9 @@ class Blocks {
   void add(const std::vector<T>& values) {
     if (!values.empty()) found_.push_back({values.data(), values.capacity() * sizeof(T)});
   }
+  void add(const SizeField& sizes) {
+    if (const std::size_t bytes = sizes.bytes(); bytes > 0) found_.push_back({sizes.tree(), bytes});
+  }
   template <class... Arrays>
   void add_all(const Arrays&... arrays) {
     (add(arrays), ...);
@@ -59,6 +62,7 @@ std::vector<MemoryBlock> memory_blocks(const Revision& revision) {
     m->mesh.visit_arrays([&](const auto&... arrays) { blocks.add_all(arrays...); });
     blocks.add_all(m->supports, m->tet_of_slot, m->cavities);
   }
+  if (revision.sizes) blocks.add(*revision.sizes);
   if (const Anchor* a = revision.anchor.get()) blocks.add_all(a->nodes, a->supports);
   return blocks.take();
 }

@@ -56,7 +56,7 @@ std::string write_documents(const Revision& revision) {
     if (revision.anchor) archive(revision.anchor->source);
     const Report& report = revision.report;
     archive(report.attempts, report.geometry, report.geometry_attempts, report.taken,
-            revision.options.sizing);
+            revision.options.sizing, revision.rules_weakening);
   }
   return std::move(out).str();
 }
@@ -81,7 +81,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (format > kNoGeometryAttempts) archive(revision.report.geometry_attempts);
     if (format > kNoTaken) archive(revision.report.taken);
     revision.options.sizing = {.even = true};
-    if (format > kNoSizing) archive(revision.options.sizing);
+    if (format > kNoSizing) archive(revision.options.sizing, revision.rules_weakening);
 #endif
   } catch (const Error&) {
     throw;

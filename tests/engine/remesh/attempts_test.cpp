@@ -109,9 +109,9 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
   ASSERT_EQ(bytes[1], 14);
-  // Format 13 had no sizing after it: a switch, two counts, no least size, a factor.
+  // Format 13 had no sizing after it: a switch, two counts, no least size, two factors.
   bytes[1] = 13;
-  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - sizeof(double));
+  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double));
   Revision even;
   even.options.sizing.even = false;
   read_documents(bytes, even);

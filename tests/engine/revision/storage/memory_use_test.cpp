@@ -64,5 +64,16 @@ TEST(MemoryBlocks, OfTheSameGeometryAreAllShared) {
   EXPECT_EQ(own_bytes(grandchild, child), facets);
 }
 
+TEST(MemoryBlocks, OfASizeFieldAreItsOwn) {
+  MeshOptions options{.nodes = 1000, .iterations = 1};
+  options.sizing.even = false;
+  Revision r = make_revision(Revision::none(), test::case_model("tool1-a"), options, kRun);
+  const std::size_t bytes = bytes_of(r);
+  EXPECT_GT(r.sizes->bytes(), 1000U);
+  const std::size_t field = r.sizes->bytes();
+  r.sizes.reset();
+  EXPECT_EQ(bytes - bytes_of(r), field);
+}
+
 }  // namespace
 }  // namespace remeshd

@@ -36,12 +36,20 @@ TEST(StoredDocuments, KeepTheSizing) {
   EXPECT_EQ(read(write_documents(r)).options, r.options);
 }
 
+TEST(StoredDocuments, KeepByHowMuchTheRulesOfSizesAreWeakened) {
+  Revision r = revision();
+  r.rules_weakening = 1.25;
+  Revision back;
+  read_documents(write_documents(r), back);
+  EXPECT_EQ(back.rules_weakening, 1.25);
+}
+
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
   std::string bytes = write_documents(revision());
   ASSERT_EQ(bytes[1], 14);
-  // Format 13 had no sizing at its end: a switch, two counts, no least size, a factor.
+  // Format 13 had no sizing at its end: a switch, two counts, no least size, two factors.
   bytes[1] = 13;
-  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - sizeof(double));
+  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double));
   const Revision r = read(bytes);
   EXPECT_EQ(r.source, revision().source);
   EXPECT_EQ(r.options.sizing, Sizing{.even = true});
