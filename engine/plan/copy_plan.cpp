@@ -119,6 +119,14 @@ void CopyPlan::measure(double edge_length, const Run& run) {
       [](const SourceFeature& a, const SourceFeature& b) { return a.volume > b.volume; });
 }
 
+CopyPlan CopyPlan::with_new_in(const Region& region) const {
+  CopyPlan plan = *this;
+  plan.new_in_ = std::make_shared<const Region>(region);
+  const std::vector<Box> boxes = region.boxes();
+  plan.changed_.insert(plan.changed_.end(), boxes.begin(), boxes.end());
+  return plan;
+}
+
 bool CopyPlan::in_changed(const Vec3& p, double margin) const {
   return std::any_of(changed_.begin(), changed_.end(),
                      [&](const Box& box) { return box.contains(p, margin); });
@@ -132,6 +140,7 @@ bool CopyPlan::meets_changed(const Box& box) const {
 std::int32_t CopyPlan::operator()(const Vec3& p) const {
   if (!modified_.inside(p)) return kOutside;
   if (!in_changed(p)) return identity_;
+  if (new_in_ && new_in_->holds(p)) return kNew;
   for (const SourceFeature& s : sources_) {
     if (!modified_.contains(s.modified, p)) continue;
     const Vec3 q = s.to_original.apply(p);

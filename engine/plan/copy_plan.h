@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/base/region.h"
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/model/solid.h"
@@ -36,6 +38,9 @@ class CopyPlan {
   /// copying volumes are measured.
   CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
            const Run& run);
+
+  /// The same with all material in a region new: its nodes are made anew, not copied.
+  [[nodiscard]] CopyPlan with_new_in(const Region& region) const;
 
   /// kOutside, kNew or the index of the transformation that carries the material at p.
   [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
@@ -81,6 +86,7 @@ class CopyPlan {
   std::vector<Transform> transforms_, inverses_;
   std::vector<SourceFeature> sources_;
   std::vector<Box> changed_;
+  std::shared_ptr<const Region> new_in_;  ///< null: nothing is new but newcells
   std::int32_t identity_ = -1;
   double probe_ = 0;  ///< how far both sides of a face are looked at
 };

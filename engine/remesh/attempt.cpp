@@ -1,11 +1,17 @@
 #include "engine/remesh/attempt.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/base/tolerance.h"
 #include "engine/delivery/failure_place.h"
 
 namespace remeshd {
+
+namespace {
+constexpr double kMargin = 2.5;  // x edge length: what is made anew round what was wrong
+constexpr int kSteps = 2;        // cubes to that
+}  // namespace
 
 const CopyPlan& Problem::plan() const {
   if (!plan_)
@@ -25,6 +31,29 @@ const EntityMap& Problem::entities() const {
 std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
   return std::make_unique<const CopyPlan>(FeatureModel{}, problem.modified.model,
                                           problem.density.sizes.base(), problem.run);
+}
+
+std::vector<Vec3> Attempt::faulty_places() const {
+  std::vector<Vec3> places;
+  if (candidate() == nullptr) return places;
+  for (const MeshDefect& defect : candidate()->verification.failures)
+    if (defect.entity >= 0 || defect.kind == MeshFailure::NonconformingFacet)
+      places.push_back(defect.place);
+  return places;
+}
+
+Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes) {
+  double longest = 0;
+  for (const Vec3& p : faulty_places) longest = std::fmax(longest, sizes(p));
+  return {faulty_places, kMargin * longest, kSteps};
+}
+
+double share_in(const Region& region, const Attempt& attempt) {
+  const PagedMesh& mesh = attempt.candidate()->whole.mesh;
+  std::size_t in = 0;
+  mesh.tets.for_each(
+      [&](std::size_t, const Tet& t) { in += region.holds(centroid(mesh.nodes, t)) ? 1 : 0; });
+  return static_cast<double>(in) / static_cast<double>(mesh.tets.size());
 }
 
 std::vector<std::string> in_words(std::span<const TriedStrategy> tried) {

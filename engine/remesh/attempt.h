@@ -66,10 +66,19 @@ struct Attempt {
   double free_share = 1;
   std::vector<Warning> warnings;
   std::vector<TriedStrategy> tries;  ///< given up on the way to it
+  double last_resort_share = 0;      ///< of the tets: those made anew where a mesh was wrong
 
   [[nodiscard]] bool taken() const { return serves && reason.empty(); }
+  /// Where its mesh was found to be wrong.
+  [[nodiscard]] std::vector<Vec3> faulty_places() const;
   [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
 };
+
+/// What is made anew round faulty places: some edge lengths about them.
+Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes);
+
+/// Of the tets of an attempt's mesh those with their centroids in a region.
+double share_in(const Region& region, const Attempt& attempt);
 
 /// Each with its reason, as an Error has them: `full: an inverted tet at (1, 2, 3)`.
 std::vector<std::string> in_words(std::span<const TriedStrategy> tried);

@@ -88,10 +88,10 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
 }
 
 /// Tets that an edit keeps are as likely of a last resort as those of its parent.
-double last_resort_share(const Revision& parent, const Report& report) {
+double last_resort_share(const Revision& parent, const Report& report, double made) {
   if (report.strategy == MeshStrategy::TetGen) return 1;
   if (report.counts.tets == 0) return 0;
-  return parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
+  return made + parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
 }
 
 }  // namespace
@@ -103,11 +103,12 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   const bool renewable = new_nodes && taken.copies && problem.density.inherited;
   const std::string name = taken.name;
   const double seconds = taken.seconds.total;
+  const double made_anew = taken.last_resort_share;
   deliver(std::move(taken), problem, revision);
   const bool begins_anew = !problem.density.inherited || report.strategy == MeshStrategy::Fresh;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
-  report.last_resort_share = last_resort_share(parent, report);
+  report.last_resort_share = last_resort_share(parent, report, made_anew);
   for (auto& found : {lost_names(parent, revision), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());
   report.seconds.total = watch.total();

@@ -45,10 +45,10 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   return revision;
 }
 
-Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*) {
+Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt* failed) {
   Attempt attempt(how.name);
   // With the plan, which tells where material is copied from.
-  const MeshingTask task(how, problem);
+  const MeshingTask task(how, problem, failed);
   try {
     // Nodes are copied to copycells (Sect. 6.4) and filled into newcells (Sects. 3.2, 7), fixed and
     // free: steps 2 and 3 of Sect. 5.
@@ -60,6 +60,9 @@ Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*
     // Extraction of the model's mesh (Sect. 3.4), put back into the parent's and verified.
     attempt.mesh = extract_verified(task, std::move(*nodes), std::move(loop), boundary, attempt);
     judge(how, problem, attempt);
+    if (how.refines && attempt.taken())
+      attempt.last_resort_share =
+          share_in(region_of(task.refined_at, problem.density.sizes), attempt);
   } catch (const PatchTooSmall& where) {
     attempt.reason = std::string("the part cut out of the base did not suffice for ") + where.where;
   }

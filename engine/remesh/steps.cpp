@@ -25,6 +25,7 @@ constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for 
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
 constexpr int kSampledSteps = 4;        // cubes to the reach
+constexpr double kRefined = 0.5;        // x edge length where a mesh was wrong
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within
 /// `margin` of them. `everything`: all nodes.
@@ -150,6 +151,16 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
               task.run);
 }
 
+/// The plan of a strategy that does not go by the problem's: of a mesh of new nodes, or one with
+/// what was wrong made anew.
+std::unique_ptr<const CopyPlan> own_plan(const Strategy& how, const Problem& problem,
+                                         const Attempt* failed) {
+  if (how.reuse == Reuse::Nothing) return plan_of_nothing(problem);
+  if (!how.refines) return nullptr;
+  return std::make_unique<const CopyPlan>(
+      problem.plan().with_new_in(region_of(failed->faulty_places(), problem.density.sizes)));
+}
+
 /// The same with a folder of the strategy's own for dumps.
 Run with_folder(Run run, const Strategy& how) {
   if (run.dumps.empty()) return run;
@@ -165,18 +176,23 @@ Run with_folder(Run run, const Strategy& how) {
 
 }  // namespace
 
-MeshingTask::MeshingTask(const Strategy& how, const Problem& problem)
-    : of_nothing_(how.reuse == Reuse::Nothing ? plan_of_nothing(problem) : nullptr),
-      parent(of_nothing_ ? Revision::none() : problem.parent),
-      plan(of_nothing_ ? *of_nothing_ : problem.plan()),
+MeshingTask::MeshingTask(const Strategy& how, const Problem& problem, const Attempt* failed)
+    : own_plan_(own_plan(how, problem, failed)),
+      parent(how.reuse == Reuse::Nothing ? Revision::none() : problem.parent),
+      plan(own_plan_ ? *own_plan_ : problem.plan()),
       cells(problem.modified.cells),
       options(problem.modified.options),
-      density(of_nothing_ ? counted(problem.density, problem.modified) : problem.density),
+      density(how.reuse == Reuse::Nothing ? counted(problem.density, problem.modified)
+                                          : problem.density),
       seed(options.seed + how.other_seed),
       all_free(how.reuse == Reuse::FreedNodes),
       reach(how.reach * density.sizes.base()),
       entities(std::isfinite(reach) ? &problem.entities() : nullptr),
-      run(with_folder(problem.run, how)) {}
+      run(with_folder(problem.run, how)) {
+  if (!how.refines) return;
+  refined_at = failed->faulty_places();
+  density.sizes = density.sizes.refined(refined_at, kRefined, cells.boundary.bounds);
+}
 
 std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attempt) {
   Stopwatch watch;

@@ -20,10 +20,11 @@ namespace remeshd {
 /// Keeps references.
 class MeshingTask {
  private:
-  std::unique_ptr<const CopyPlan> of_nothing_;  // before `plan`, which may be this
+  std::unique_ptr<const CopyPlan> own_plan_;  // before `plan`, which may be this
 
  public:
-  MeshingTask(const Strategy& how, const Problem& problem);
+  /// `failed`: the last attempt that made nodes; null if none did.
+  MeshingTask(const Strategy& how, const Problem& problem, const Attempt* failed);
 
   const Revision& parent;  ///< what nodes are copied from; `Revision::none()` where all are new
   const CopyPlan& plan;    ///< of that
@@ -31,10 +32,11 @@ class MeshingTask {
   const MeshOptions& options;
   Density density;
   std::uint64_t seed;
-  bool all_free;              ///< copied nodes are optimised too, all of them
-  double reach;               ///< how far from what changes the parent is cut open; length
-  const EntityMap* entities;  ///< for nodes that are not in the patch; null where all are
-  const Run run;              ///< with a folder of its own for dumps: `3-local-4-edge-lengths`
+  bool all_free;                 ///< copied nodes are optimised too, all of them
+  double reach;                  ///< how far from what changes the parent is cut open; length
+  std::vector<Vec3> refined_at;  ///< where the last mesh was wrong, for a strategy that refines
+  const EntityMap* entities;     ///< for nodes that are not in the patch; null where all are
+  const Run run;                 ///< with a folder of its own for dumps: `3-local-4-edge-lengths`
 };
 
 /// Copied and new nodes, free and fixed (Sects. 6 and 7), with the patch of the parent's mesh that

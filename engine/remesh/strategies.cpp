@@ -38,6 +38,14 @@ bool has_patches(const Problem& problem, const Attempt* failed) {
          problem.modified.options.clean_up == problem.parent.options.clean_up;
 }
 
+/// Whether it is known where the last mesh was wrong.
+bool has_places(const Problem& problem, const Attempt* failed) {
+  return may_place_nodes(problem, failed) && failed != nullptr && !failed->faulty_places().empty();
+}
+bool has_places_in_patches(const Problem& problem, const Attempt* failed) {
+  return has_patches(problem, failed) && has_places(problem, failed);
+}
+
 /// New places for all nodes would lose the boundary again that the parent has by its many nodes.
 bool may_free_nodes(const Problem& problem, const Attempt* failed) {
   const Revision& parent = problem.parent;
@@ -96,14 +104,18 @@ constexpr std::array kStrategies{
              6},
     Strategy{MeshStrategy::Local, "local, 8 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              8, true},
+    Strategy{MeshStrategy::Local, "local, refined", has_places_in_patches, remesh_nodes,
+             Reuse::Nodes, 8, true, 0, true, "made anew there, finer"},
     Strategy{MeshStrategy::Local, "local, everywhere", may_place_nodes, remesh_nodes, Reuse::Nodes,
              HUGE_VAL},
     Strategy{MeshStrategy::Full, "full", may_free_nodes, remesh_nodes, Reuse::FreedNodes, HUGE_VAL,
-             false, 0, "all nodes were optimised anew"},
+             false, 0, false, "all nodes were optimised anew"},
     Strategy{MeshStrategy::Fresh, "fresh", may_place_nodes, remesh_nodes, Reuse::Nothing, HUGE_VAL,
-             false, kOtherSeed, "meshed from another seed"},
+             false, kOtherSeed, false, "meshed from another seed"},
+    Strategy{MeshStrategy::Fresh, "fresh, refined", has_places, remesh_nodes, Reuse::Nothing,
+             HUGE_VAL, false, 0, true, "made finer there"},
     Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
-             "meshed by TetGen"}};
+             false, "meshed by TetGen"}};
 
 constexpr Strategy kRenewed{MeshStrategy::Renewed, "renewed",      always,
                             remesh_nodes,          Reuse::Nothing, HUGE_VAL};

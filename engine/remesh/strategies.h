@@ -27,6 +27,7 @@ struct Strategy {
   double reach = 0;
   bool last_reach = false;        ///< no patch that is larger will be tried
   std::uint64_t other_seed = 0;   ///< added to the seed of the options
+  bool refines = false;           ///< finer where the last attempt's mesh was wrong, and new there
   const char* instead = nullptr;  ///< told with the fault of the mesh that it takes the place of
 };
 

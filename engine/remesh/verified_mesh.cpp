@@ -103,7 +103,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
   task.run.report("extract", 0.8);
   c.delaunay = peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
                     known_classification(c.nodes, c.loop.mesh, patch, task.plan),
-                    {.edges_too = !task.options.sizing.even}, task.run);
+                    {.edges_too = !task.density.sizes.even()}, task.run);
   drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
   dump_nodes(task.run, "08-peel", c.nodes, c.delaunay.tets);
   return c;

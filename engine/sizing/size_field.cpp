@@ -19,6 +19,11 @@ struct TreeLimits {
 };
 constexpr TreeLimits kLimits;
 
+struct Refinement {
+  double slope = 0.3;  ///< of what was even
+};
+constexpr Refinement kRefinement;
+
 struct PartLimits {
   double even = 1.2;   ///< the greatest edge length of a part over the least
   double least = 1.5;  ///< x edge length: a part that small is not divided
@@ -107,6 +112,11 @@ class SizeField::Tree {
 
   /// How steep the field may be, on cones and beside them.
   [[nodiscard]] double steepest() const { return steepest_; }
+  [[nodiscard]] const std::vector<SizeSource>& sources() const { return sources_; }
+  [[nodiscard]] std::size_t bytes() const {
+    return sources_.capacity() * sizeof(SizeSource) + nodes_.capacity() * sizeof(Node) +
+           begin_at_.capacity() * sizeof(std::int32_t);
+  }
   /// The least that sources ask for, where that is below `enough`, else that.
   [[nodiscard]] double operator()(const Vec3& p, double enough = HUGE_VAL) const {
     Least least{enough, -1};
@@ -199,6 +209,23 @@ SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, 
   limits_.least = std::fmax(least, std::fmin(limits.least, limits.base));
   if (!sources.empty()) tree_ = std::make_shared<const Tree>(limits_, std::move(sources), bounds);
 }
+
+SizeField SizeField::refined(std::span<const Vec3> places, double share, const Box& bounds) const {
+  SizeLimits limits = limits_;
+  if (even()) limits.slope = kRefinement.slope;
+  std::vector<SizeSource> sources;
+  if (!even()) sources = tree_->sources();
+  for (SizeSource& source : sources)
+    if (!source.varies()) source.size = std::fmax(source.size, limits_.least);
+  for (const Vec3& p : places) {
+    const double size = share * (*this)(p);
+    sources.push_back({std::array<Vec3, 3>{p, p, p}, {p, p}, size});
+    limits.least = std::fmin(limits.least, size);
+  }
+  return SizeField(limits, std::move(sources), bounds);
+}
+
+std::size_t SizeField::bytes() const { return even() ? 0 : tree_->bytes(); }
 
 double SizeField::asked_for(const Vec3& p) const { return even() ? HUGE_VAL : (*tree_)(p); }
 

@@ -51,6 +51,11 @@ class SizeField {
   /// `bounds`: round the model; questions beyond it cost more.
   SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds);
 
+  /// The same, finer round some places: `share` of what it is there, growing away from them.
+  /// `bounds`: round the model.
+  [[nodiscard]] SizeField refined(std::span<const Vec3> places, double share,
+                                  const Box& bounds) const;
+
   /// Edge length at a point; length.
   [[nodiscard]] double operator()(const Vec3& p) const;
   /// What is asked for at a point whatever the base size; infinite where nothing is.
@@ -61,6 +66,9 @@ class SizeField {
   [[nodiscard]] double least() const { return limits_.least; }
   /// Whether it is the same everywhere.
   [[nodiscard]] bool even() const { return tree_ == nullptr; }
+  /// Memory that its copies share, where any is, and how much.
+  [[nodiscard]] const void* tree() const { return tree_.get(); }
+  [[nodiscard]] std::size_t bytes() const;
   /// A length between those of the field, for grids of what stands as far apart as the field says.
   [[nodiscard]] double grid_length() const;
   /// The least and the greatest that the field may be in a box.

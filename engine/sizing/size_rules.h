@@ -23,7 +23,8 @@ class SizeRules {
   /// Nodes that walls and gaps need beyond those of a start with that field: both of their sides
   /// take nodes where it has a layer of them between.
   [[nodiscard]] double nodes_of_sides(const SizeField& field) const;
-  /// By model edge: mesh edges along a circle, or as many of an arc as there are whole ones; else 0.
+  /// By model edge: mesh edges along a circle, or as many of an arc as there are whole ones; else
+  /// 0.
   [[nodiscard]] std::vector<int> fewest_links(const BoundaryModel& boundary, double base,
                                               double weakening) const;
   /// Faces where the least size of such a field is more than the rules ask for; ascending.

@@ -28,7 +28,7 @@ WorkedCase work() {
   const Density density = resolve_density(Revision::none(), made.options, made.model, w.cells, run);
   w.edge_length = density.sizes.base();
   const Problem problem(Revision::none(), made, density, run);
-  const MeshingTask task(first_mesh(), problem);
+  const MeshingTask task(first_mesh(), problem, nullptr);
   Attempt attempt("local");
   PatchNodes nodes = *copy_and_fill(task, attempt);
   SampledBoundary boundary = sample(task, nodes, attempt);

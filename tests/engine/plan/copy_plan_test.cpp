@@ -94,5 +94,18 @@ TEST(CopyPlan, FeaturesThatMoveTogetherShareATransformation) {
   EXPECT_EQ(source.transforms().size(), 2U);
 }
 
+TEST(CopyPlan, InARegionToBeMadeAnewEverythingIsNew) {
+  const FeatureModel model = test::case_features("simple-a");
+  const CopyPlan same(model, model, kEdge, kRun);
+  EXPECT_EQ(same({0, 0, 20}), same.identity());
+  const std::vector<Vec3> places{{0, 0, 20}};
+  const CopyPlan plan = same.with_new_in(Region(places, 5, 2));
+  EXPECT_EQ(plan({0, 0, 20}), CopyPlan::kNew);
+  EXPECT_EQ(plan({0, 0, 70}), CopyPlan::kOutside);
+  EXPECT_EQ(plan({12, 0, 20}), plan.identity());
+  EXPECT_TRUE(plan.in_changed({0, 0, 20}));
+  EXPECT_FALSE(plan.in_changed({12, 0, 20}));
+}
+
 }  // namespace
 }  // namespace remeshd

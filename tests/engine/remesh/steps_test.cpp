@@ -38,7 +38,7 @@ struct EditTask {
   const Problem problem{base, modified,
                         resolve_density(base, {}, modified.model, modified.cells, kRun), kRun};
   const Strategy& how = strategy("local, 4 edge lengths");
-  const MeshingTask task{how, problem};
+  const MeshingTask task{how, problem, nullptr};
   Attempt attempt{how.name};
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/error.h"
+#include "engine/remesh/remesh.h"
 #include "engine/remesh/steps.h"
 #include "tests/support/cases.h"
 
@@ -160,6 +161,70 @@ TEST_F(FirstTaken, TheFaultOfAMeshIsToldWithWhatTakesItsPlace) {
                                0, "meshed anew"}};
   first_taken(problem_, report, of);
   EXPECT_THAT(messages(report.warnings), ElementsAre("a fault of near; meshed anew"));
+}
+
+/// An attempt whose mesh was found wrong at a place.
+Attempt wrong_at(const Vec3& place) {
+  Attempt attempt("local, 8 edge lengths");
+  Candidate mesh;
+  mesh.verification.failures = {
+      {MeshFailure::NonManifoldEdge, 7, place, "at a place"},
+      {MeshFailure::Volume, -1, {}, "of the whole mesh, which is at no place"}};
+  attempt.mesh = std::move(mesh);
+  attempt.reason = "an edge";
+  return attempt;
+}
+
+TEST(Refined, TheMeshIsMadeAnewWhereItWasWrongAndKeptElsewhere) {
+  const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
+  const Revision base = make_revision(Revision::none(), source, {.nodes = 1500}, kRun);
+  Revision modified;
+  modified.source = source;
+  modified.model = evaluate(source);
+  modified.cells = build_cells(modified.model, kRun);
+  const Problem problem(base, modified,
+                        resolve_density(base, {}, modified.model, modified.cells, kRun), kRun);
+  const Vec3 place{25, 0, 5};
+  const Attempt failed = wrong_at(place);
+  ASSERT_THAT(failed.faulty_places(), ElementsAre(place));
+  const auto how = std::ranges::find(strategies(), std::string("local, refined"), &Strategy::name);
+  ASSERT_NE(how, strategies().end());
+  EXPECT_TRUE(how->applies(problem, &failed));
+  const Attempt attempt = how->make(*how, problem, &failed);
+  ASSERT_EQ(attempt.reason, "");
+  const double l = base.edge_length;
+  EXPECT_GT(attempt.last_resort_share, 0.02);
+  EXPECT_LT(attempt.last_resort_share, 0.6);
+  const auto near_place = [&](const CowVector<Vec3>& nodes) {
+    int count = 0;
+    nodes.for_each([&](std::size_t, const Vec3& p) { count += distance(p, place) < l ? 1 : 0; });
+    return count;
+  };
+  const PagedMesh& mesh = attempt.candidate()->whole.mesh;
+  EXPECT_GT(near_place(mesh.nodes), 2 * near_place(base.output.mesh.nodes));
+  // The bar's other end is the base's.
+  int kept = 0, all = 0;
+  attempt.candidate()->whole.map.original_node.for_each([&](std::size_t n, std::int32_t was) {
+    if (mesh.nodes[n].x > 0) return;
+    ++all;
+    kept += was >= 0 ? 1 : 0;
+  });
+  EXPECT_EQ(kept, all);
+}
+
+TEST(Refined, IsNothingWhereNoPlaceIsKnown) {
+  const auto how = std::ranges::find(strategies(), std::string("fresh, refined"), &Strategy::name);
+  ASSERT_NE(how, strategies().end());
+  Revision modified;
+  modified.source = test::one_feature(test::block("block", 1, 1, 1));
+  modified.model = evaluate(modified.source);
+  const Problem problem(Revision::none(), modified, {.sizes = 1}, kRun);
+  EXPECT_FALSE(how->applies(problem, nullptr));
+  const Attempt failed = wrong_at({0, 0, 0});
+  EXPECT_TRUE(how->applies(problem, &failed));
+  Attempt without("local, everywhere");
+  without.mesh = Candidate{};
+  EXPECT_FALSE(how->applies(problem, &without));
 }
 
 }  // namespace

@@ -101,6 +101,18 @@ TEST(SizeField, OnAConeTheSizeFollowsItsCircles) {
   EXPECT_EQ(field.least(), 1);
 }
 
+TEST(SizeField, RefinedIsFinerRoundSomePlacesAlone) {
+  const std::vector<Vec3> places{{0, 0, 0}};
+  const SizeField was(kTen, {pin(0.1, 5, 0.05, {30, 0, 0})}, kBounds);
+  const SizeField field = was.refined(places, 0.5, kBounds);
+  EXPECT_DOUBLE_EQ(field({0, 0, 0}), 0.5 * was({0, 0, 0}));
+  EXPECT_EQ(field({30.1, 0, 2}), was({30.1, 0, 2})) << "what the least size limits stays so";
+  EXPECT_EQ(field({-40, 0, 0}), was({-40, 0, 0}));
+  const SizeField even = SizeField(8).refined(places, 0.5, kBounds);
+  EXPECT_EQ(even({0, 0, 0}), 4);
+  EXPECT_EQ(even({45, 0, 0}), 8);
+}
+
 TEST(SizeField, ARangeHoldsWhatABoxHas) {
   const SizeField field(kTen, many(), kBounds);
   Random random(3);
