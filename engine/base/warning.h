@@ -55,6 +55,7 @@ struct Warning {
   std::vector<std::string> features;  ///< ids, the first foremost
   std::vector<std::string> groups;    ///< `hole.wall`
   std::optional<Vec3> point;          ///< model's unit
+  std::uint32_t nodes_needed = 0;     ///< of DetailNotResolved: that would resolve all; 0: not told
 };
 
 }  // namespace remeshd

@@ -25,7 +25,8 @@ Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
               "the nodes asked for do not do for the details of the model, whose circles "
               "get " +
               std::to_string(edges) + " edges; " +
-              std::to_string(std::lround(budgeted.satisfying)) + " nodes would do"};
+              std::to_string(std::lround(budgeted.satisfying)) + " nodes would do",
+          .nodes_needed = static_cast<std::uint32_t>(std::lround(budgeted.satisfying))};
 }
 
 /// What is smaller than the least size, by the features of its faces.

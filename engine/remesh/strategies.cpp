@@ -105,17 +105,17 @@ constexpr std::array kStrategies{
     Strategy{MeshStrategy::Local, "local, 8 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              8, true},
     Strategy{MeshStrategy::Local, "local, refined", has_places_in_patches, remesh_nodes,
-             Reuse::Nodes, 8, true, 0, true, "made anew there, finer"},
+             Reuse::Nodes, 8, true, 0, "made anew there, finer", true},
     Strategy{MeshStrategy::Local, "local, everywhere", may_place_nodes, remesh_nodes, Reuse::Nodes,
              HUGE_VAL},
     Strategy{MeshStrategy::Full, "full", may_free_nodes, remesh_nodes, Reuse::FreedNodes, HUGE_VAL,
-             false, 0, false, "all nodes were optimised anew"},
+             false, 0, "all nodes were optimised anew"},
     Strategy{MeshStrategy::Fresh, "fresh", may_place_nodes, remesh_nodes, Reuse::Nothing, HUGE_VAL,
-             false, kOtherSeed, false, "meshed from another seed"},
+             false, kOtherSeed, "meshed from another seed"},
     Strategy{MeshStrategy::Fresh, "fresh, refined", has_places, remesh_nodes, Reuse::Nothing,
-             HUGE_VAL, false, 0, true, "made finer there"},
+             HUGE_VAL, false, 0, "made finer there", true},
     Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
-             false, "meshed by TetGen"}};
+             "meshed by TetGen"}};
 
 constexpr Strategy kRenewed{MeshStrategy::Renewed, "renewed",      always,
                             remesh_nodes,          Reuse::Nothing, HUGE_VAL};

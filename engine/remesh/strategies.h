@@ -27,8 +27,8 @@ struct Strategy {
   double reach = 0;
   bool last_reach = false;        ///< no patch that is larger will be tried
   std::uint64_t other_seed = 0;   ///< added to the seed of the options
-  bool refines = false;           ///< finer where the last attempt's mesh was wrong, and new there
   const char* instead = nullptr;  ///< told with the fault of the mesh that it takes the place of
+  bool refines = false;           ///< finer where the last attempt's mesh was wrong, and new there
 };
 
 /// The road of the paper, Sects. 5 to 8 (remesh.cpp): nodes copied and new, free and fixed,

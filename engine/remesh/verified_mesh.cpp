@@ -101,9 +101,10 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   task.run.report("extract", 0.8);
-  c.delaunay = peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
-                    known_classification(c.nodes, c.loop.mesh, patch, task.plan),
-                    {.edges_too = !task.density.sizes.even()}, task.run);
+  c.delaunay =
+      peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
+           known_classification(c.nodes, c.loop.mesh, patch, task.plan),
+           {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
   drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
   dump_nodes(task.run, "08-peel", c.nodes, c.delaunay.tets);
   return c;

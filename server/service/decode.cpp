@@ -97,9 +97,8 @@ std::vector<WarningCode> fail_on_of(const v1::MeshOptions& message) {
     if (!v1::Warning::Code_IsValid(code) || code == v1::Warning::CODE_UNSPECIFIED)
       throw error::option_invalid("fail_on", "names no warning");
     out.push_back(static_cast<WarningCode>(code - 1));
-    // No mesh of this daemon has them: to promise that they are errors would be a lie.
-    if (out.back() == WarningCode::DetailNotResolved || out.back() == WarningCode::EdgesStraight)
-      throw error::unsupported("fail_on");
+    // No mesh of this daemon has it: to promise that it is an error would be a lie.
+    if (out.back() == WarningCode::EdgesStraight) throw error::unsupported("fail_on");
   }
   return out;
 }

@@ -127,6 +127,7 @@ v1::Warning encode(const Warning& warning) {
   out.mutable_features()->Assign(warning.features.begin(), warning.features.end());
   out.mutable_groups()->Assign(warning.groups.begin(), warning.groups.end());
   if (warning.point) put_point(*warning.point, *out.mutable_point());
+  out.set_nodes_needed(warning.nodes_needed);
   return out;
 }
 

@@ -43,6 +43,18 @@ void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
 }
 
+/// Of each warning, apart: they are stored as they were before there were such numbers.
+std::vector<std::uint32_t> nodes_needed(const Report& report) {
+  std::vector<std::uint32_t> needed;
+  for (const Warning& warning : report.warnings) needed.push_back(warning.nodes_needed);
+  return needed;
+}
+void put_nodes_needed(const std::vector<std::uint32_t>& needed, Report& report) {
+  if (needed.size() != report.warnings.size())
+    throw error::internal("store", "a stored revision has other warnings than numbers of nodes");
+  for (std::size_t k = 0; k < needed.size(); ++k) report.warnings[k].nodes_needed = needed[k];
+}
+
 std::string write_documents(const Revision& revision) {
   std::ostringstream out(std::ios::binary);
   {
@@ -56,7 +68,7 @@ std::string write_documents(const Revision& revision) {
     if (revision.anchor) archive(revision.anchor->source);
     const Report& report = revision.report;
     archive(report.attempts, report.geometry, report.geometry_attempts, report.taken,
-            revision.options.sizing, revision.rules_weakening);
+            revision.options.sizing, revision.rules_weakening, nodes_needed(report));
   }
   return std::move(out).str();
 }
@@ -81,7 +93,11 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (format > kNoGeometryAttempts) archive(revision.report.geometry_attempts);
     if (format > kNoTaken) archive(revision.report.taken);
     revision.options.sizing = {.even = true};
-    if (format > kNoSizing) archive(revision.options.sizing, revision.rules_weakening);
+    if (format > kNoSizing) {
+      std::vector<std::uint32_t> needed;
+      archive(revision.options.sizing, revision.rules_weakening, needed);
+      put_nodes_needed(needed, revision.report);
+    }
 #endif
   } catch (const Error&) {
     throw;

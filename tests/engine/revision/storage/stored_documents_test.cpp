@@ -44,12 +44,25 @@ TEST(StoredDocuments, KeepByHowMuchTheRulesOfSizesAreWeakened) {
   EXPECT_EQ(back.rules_weakening, 1.25);
 }
 
+TEST(StoredDocuments, KeepHowManyNodesADetailNeeds) {
+  Revision r = revision();
+  r.report.warnings = {{.code = WarningCode::Fallback, .message = "another"},
+                       {.code = WarningCode::DetailNotResolved, .nodes_needed = 4440}};
+  Revision back;
+  read_documents(write_documents(r), back);
+  ASSERT_EQ(back.report.warnings.size(), 2U);
+  EXPECT_EQ(back.report.warnings[0].nodes_needed, 0U);
+  EXPECT_EQ(back.report.warnings[1].nodes_needed, 4440U);
+}
+
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
   std::string bytes = write_documents(revision());
   ASSERT_EQ(bytes[1], 14);
-  // Format 13 had no sizing at its end: a switch, two counts, no least size, two factors.
+  // Format 13 had no sizing at its end: a switch, two counts, no least size, two factors;
+  // nor an empty list.
   bytes[1] = 13;
-  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double));
+  bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double) -
+               sizeof(std::uint64_t));
   const Revision r = read(bytes);
   EXPECT_EQ(r.source, revision().source);
   EXPECT_EQ(r.options.sizing, Sizing{.even = true});
