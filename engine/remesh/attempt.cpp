@@ -49,10 +49,12 @@ Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes) {
 }
 
 double share_in(const Region& region, const Attempt& attempt) {
-  const PagedMesh& mesh = attempt.candidate()->whole.mesh;
+  const StitchedMesh& whole = attempt.candidate()->whole;
+  const PagedMesh& mesh = whole.mesh;
   std::size_t in = 0;
-  mesh.tets.for_each(
-      [&](std::size_t, const Tet& t) { in += region.holds(centroid(mesh.nodes, t)) ? 1 : 0; });
+  mesh.tets.for_each([&](std::size_t k, const Tet& t) {
+    in += whole.map.original_tet[k] < 0 && region.holds(centroid(mesh.nodes, t)) ? 1 : 0;
+  });
   return static_cast<double>(in) / static_cast<double>(mesh.tets.size());
 }
 

@@ -77,7 +77,7 @@ struct Attempt {
 /// What is made anew round faulty places: some edge lengths about them.
 Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes);
 
-/// Of the tets of an attempt's mesh those with their centroids in a region.
+/// Of the tets of an attempt's mesh those that are new and have their centroids in a region.
 double share_in(const Region& region, const Attempt& attempt);
 
 /// Each with its reason, as an Error has them: `full: an inverted tet at (1, 2, 3)`.

@@ -247,7 +247,10 @@ TEST_F(RevisionByTetGen, LeavesItsShareToTheTetsThatAnEditKeeps) {
 
   const Revision flush = make_revision(original_, test::case_model("tool2-c"), {}, kRun);
   const Counts& counts = flush.report.counts;
-  EXPECT_EQ(flush.report.last_resort_share, 1.0 * counts.tets_kept / counts.tets);
+  // The place that failed at first is made anew, which is a last resort too.
+  EXPECT_EQ(flush.report.taken.strategy, "local, refined");
+  EXPECT_GT(flush.report.last_resort_share, 1.0 * counts.tets_kept / counts.tets);
+  EXPECT_LT(flush.report.last_resort_share, 1);
   const Revision after = make_revision(flush, flush.source, {}, kRun);
   EXPECT_EQ(after.report.last_resort_share, flush.report.last_resort_share);
   const Revision regular =
