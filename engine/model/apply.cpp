@@ -4,6 +4,7 @@
 #include "engine/model/expression.h"
 #include "engine/model/feature_model.h"
 #include "engine/model/feature_types.h"
+#include "engine/model/selection/size_error.h"
 
 namespace remeshd {
 namespace {
@@ -66,6 +67,24 @@ struct Editor {
 
   void operator()(const RemoveFeature& edit) const {
     model.features.erase(feature_named(model, edit.feature));
+  }
+
+  void operator()(const SetSize& edit) const {
+    const auto found = std::ranges::find(model.sizes, edit.id, &SizeControlSource::id);
+    if (found != model.sizes.end()) {
+      if (edit.place) found->place = *edit.place;
+      if (edit.size) found->size = *edit.size;
+      return;
+    }
+    if (!edit.place) throw error::incomplete_size(edit.id, "on");
+    if (!edit.size) throw error::incomplete_size(edit.id, "size");
+    model.sizes.push_back({edit.id, *edit.place, *edit.size});
+  }
+
+  void operator()(const RemoveSize& edit) const {
+    const auto found = std::ranges::find(model.sizes, edit.id, &SizeControlSource::id);
+    if (found == model.sizes.end()) throw error::unknown_size(edit.id);
+    model.sizes.erase(found);
   }
 };
 

@@ -5,6 +5,7 @@
 #include "engine/model/feature_model.h"
 #include "engine/model/limits.h"
 #include "engine/model/placement.h"
+#include "engine/model/selection/evaluate_sizes.h"
 #include "engine/model/shape.h"
 #include "engine/model/solid.h"
 
@@ -62,6 +63,7 @@ FeatureModel evaluate(const ModelSource& source) {
   model.features.reserve(source.features.size());
   for (const FeatureSource& feature : source.features)
     model.features.push_back(evaluate_feature(feature, scope));
+  model.sizes = evaluate_sizes(source, model.features, scope);
   return model;
 }
 

@@ -205,4 +205,20 @@ double Scope::value(const Scalar& scalar, std::string_view feature,
   return number;
 }
 
+double Scope::value(const Scalar& scalar, const std::map<std::string, double>& before,
+                    std::string_view feature, std::string_view parameter) const {
+  const auto* text = std::get_if<std::string>(&scalar);
+  if (text == nullptr) return value(scalar, feature, parameter);
+  Parser inner;
+  const auto& parameters = parser_->mu.GetConst();
+  for (const std::string& name : inner.unknowns(*text, feature, parameter)) {
+    if (const auto own = before.find(name); own != before.end()) {
+      inner.mu.DefineConst(name, own->second);
+    } else if (const auto known = parameters.find(name); known != parameters.end()) {
+      inner.mu.DefineConst(name, known->second);
+    }
+  }
+  return inner.evaluate(*text, feature, parameter);
+}
+
 }  // namespace remeshd

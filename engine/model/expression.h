@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +39,9 @@ class Scope {
   /// Value of a number or expression. Throws Error(InvalidArgument) that names the place.
   [[nodiscard]] double value(const Scalar& scalar, std::string_view feature,
                              std::string_view parameter) const;
+  /// The same of an expression that sees other names before the parameters.
+  [[nodiscard]] double value(const Scalar& scalar, const std::map<std::string, double>& before,
+                             std::string_view feature, std::string_view parameter) const;
 
  private:
   struct Parser;

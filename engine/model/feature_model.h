@@ -70,10 +70,38 @@ struct Feature {
   Transform alignment;
 };
 
+/// Faces of one feature, and the target edge length that a size control asks for on them.
+struct SizedFaces {
+  int feature = -1;                ///< index in history
+  std::vector<std::string> faces;  ///< as `faces_of` names them, each once
+  double size = 0;
+  friend bool operator==(const SizedFaces&, const SizedFaces&) = default;
+};
+struct SizedBall {
+  Vec3 centre;
+  double radius = 0;
+  double size = 0;
+  friend bool operator==(const SizedBall&, const SizedBall&) = default;
+};
+struct SizedBox {
+  Vec3 lo, hi;
+  double size = 0;
+  friend bool operator==(const SizedBox&, const SizedBox&) = default;
+};
+
+/// An evaluated size control.
+struct SizeControl {
+  std::string id;
+  /// The faces that its selector names, feature by feature, maybe none; or a part of space.
+  std::variant<std::vector<SizedFaces>, SizedBall, SizedBox> place;
+  friend bool operator==(const SizeControl&, const SizeControl&) = default;
+};
+
 /// An evaluated, validated model; features in history order.
 struct FeatureModel {
   std::string name;
   std::vector<Feature> features;
+  std::vector<SizeControl> sizes;  ///< in the order of the document
 
   [[nodiscard]] int index_of(const std::string& id) const;  ///< -1 if absent
 };
@@ -83,12 +111,13 @@ struct FeatureModel {
 /// Throws Error(InvalidArgument) with feature and parameter set: unknown or duplicate or malformed
 /// names, missing or extra parameters, non-finite or non-positive sizes, degenerate frames,
 /// self-intersecting profiles, cycles and unknown names in expressions, comma lists, assignments.
+/// What is wrong with a size control has its id and field in the parameter: `sizes.holes.size`.
 FeatureModel evaluate(const ModelSource& source);
 
 /// Applies the edits in order and returns the edited document; the argument is left as it was.
 ///
-/// Throws Error with `edit_index` set for an unknown feature, parameter or anchor, or a duplicate
-/// id. The result is not validated: call `evaluate`.
+/// Throws Error with `edit_index` set for an unknown feature, parameter, size or anchor, a
+/// duplicate id, or a new size that lacks a part. The result is not validated: call `evaluate`.
 ModelSource apply(const ModelSource& source, const ModelEdit& edit);
 
 /// Bound of the distance by which any surface of any feature moves between two models of the same

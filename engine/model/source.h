@@ -55,12 +55,28 @@ struct ParameterSource {
   friend bool operator==(const ParameterSource&, const ParameterSource&) = default;
 };
 
+/// Centre x y z, and radius.
+using BallSource = std::array<Scalar, 4>;
+/// Least x y z, greatest x y z.
+using BoxSource = std::array<Scalar, 6>;
+/// Faces, by a selector, or a part of space.
+using SizePlaceSource = std::variant<std::string, BallSource, BoxSource>;
+
+/// Asks for a target edge length at a place.
+struct SizeControlSource {
+  std::string id;
+  SizePlaceSource place;
+  Scalar size;  ///< of faces it sees their feature's parameters before those of the model
+  friend bool operator==(const SizeControlSource&, const SizeControlSource&) = default;
+};
+
 /// A model document: what users write, edit and get back. Nothing is evaluated yet.
 struct ModelSource {
   std::string name;
   std::string unit;                         ///< a label; scales nothing
   std::vector<ParameterSource> parameters;  ///< in the order written, which is kept
   std::vector<FeatureSource> features;      ///< in history order
+  std::vector<SizeControlSource> sizes{};   ///< in the order written
   friend bool operator==(const ModelSource&, const ModelSource&) = default;
 };
 
@@ -85,8 +101,17 @@ struct AddFeature {
 struct RemoveFeature {
   std::string feature;
 };
-using Edit =
-    std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature, RemoveFeature>;
+/// Adds a size control, which needs both, or changes the one of that id: what is left out stays.
+struct SetSize {
+  std::string id;
+  std::optional<SizePlaceSource> place{};
+  std::optional<Scalar> size{};
+};
+struct RemoveSize {
+  std::string id;
+};
+using Edit = std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature,
+                          RemoveFeature, SetSize, RemoveSize>;
 
 /// Edits of one request: run in order, all or none.
 struct ModelEdit {

@@ -142,6 +142,8 @@ class Shrinker {
       std::string operator()(const SetPlacement& e) const { return e.feature; }
       std::string operator()(const AddFeature& e) const { return e.feature.id; }
       std::string operator()(const RemoveFeature& e) const { return e.feature; }
+      std::string operator()(const SetSize&) const { return {}; }
+      std::string operator()(const RemoveSize&) const { return {}; }
     };
     return std::visit(Feature{}, edit) == id;
   }

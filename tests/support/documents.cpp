@@ -15,9 +15,14 @@ Scalar scalar(const json& j) {
   return j.get<double>();
 }
 
-std::array<Scalar, 3> triple(const json& j) {
-  return {scalar(j.at(0)), scalar(j.at(1)), scalar(j.at(2))};
+template <std::size_t n>
+std::array<Scalar, n> tuple(const json& j) {
+  std::array<Scalar, n> result;
+  for (std::size_t k = 0; k < n; ++k) result[k] = scalar(j.at(k));
+  return result;
 }
+
+std::array<Scalar, 3> triple(const json& j) { return tuple<3>(j); }
 
 std::map<std::string, Scalar> scalars(const json& j) {
   std::map<std::string, Scalar> result;
@@ -76,6 +81,25 @@ FeatureSource feature_of(const json& j) {
   return result;
 }
 
+/// Where a size control holds; nothing where an edit leaves that as it is.
+std::optional<SizePlaceSource> size_place(const json& j) {
+  if (j.contains("on")) return j.at("on").get<std::string>();
+  if (!j.contains("in")) return std::nullopt;
+  const json& region = j.at("in");
+  if (region.contains("ball")) return tuple<4>(region.at("ball"));
+  return tuple<6>(region.at("box"));
+}
+
+SizeControlSource size_of(const json& j) {
+  return {j.at("id").get<std::string>(), size_place(j).value(), scalar(j.at("size"))};
+}
+
+SetSize set_size(const json& j) {
+  SetSize edit{.id = j.at("id").get<std::string>(), .place = size_place(j)};
+  if (j.contains("size")) edit.size = scalar(j.at("size"));
+  return edit;
+}
+
 Edit edit_of(const json& j) {
   const json& body = j.begin().value();
   const std::string& kind = j.begin().key();
@@ -95,6 +119,8 @@ Edit edit_of(const json& j) {
   if (kind == "addFeature")
     return AddFeature{feature_of(body.at("feature")), body.value("after", std::string())};
   if (kind == "removeFeature") return RemoveFeature{body.at("feature").get<std::string>()};
+  if (kind == "setSize") return set_size(body);
+  if (kind == "removeSize") return RemoveSize{body.at("id").get<std::string>()};
   throw std::runtime_error("unknown edit " + kind);
 }
 
@@ -102,8 +128,11 @@ json to_json(const Scalar& s) {
   return std::visit([](const auto& value) { return json(value); }, s);
 }
 
-json to_json(const std::array<Scalar, 3>& v) {
-  return json::array({to_json(v[0]), to_json(v[1]), to_json(v[2])});
+template <std::size_t n>
+json to_json(const std::array<Scalar, n>& values) {
+  json result = json::array();
+  for (const Scalar& value : values) result.push_back(to_json(value));
+  return result;
 }
 
 json to_json(const std::vector<ProfileEntry>& outline) {
@@ -155,6 +184,22 @@ json to_json(const FeatureSource& f) {
   return result;
 }
 
+void put(const SizePlaceSource& place, json& size) {
+  if (const auto* on = std::get_if<std::string>(&place)) {
+    size["on"] = *on;
+  } else if (const auto* ball = std::get_if<BallSource>(&place)) {
+    size["in"] = {{"ball", to_json(*ball)}};
+  } else {
+    size["in"] = {{"box", to_json(std::get<BoxSource>(place))}};
+  }
+}
+
+json to_json(const SizeControlSource& s) {
+  json result{{"id", s.id}, {"size", to_json(s.size)}};
+  put(s.place, result);
+  return result;
+}
+
 /// One overload per edit.
 struct EditWriter {
   json operator()(const SetParameter& edit) const {
@@ -176,6 +221,13 @@ struct EditWriter {
   json operator()(const RemoveFeature& edit) const {
     return {{"removeFeature", {{"feature", edit.feature}}}};
   }
+  json operator()(const SetSize& edit) const {
+    json body{{"id", edit.id}};
+    if (edit.place) put(*edit.place, body);
+    if (edit.size) body["size"] = to_json(*edit.size);
+    return {{"setSize", body}};
+  }
+  json operator()(const RemoveSize& edit) const { return {{"removeSize", {{"id", edit.id}}}}; }
 };
 
 }  // namespace
@@ -188,6 +240,8 @@ ModelSource read_model(const json& j) {
     for (const auto& [name, value] : j.at("parameters").items())
       model.parameters.push_back(parameter_of(name, value));
   for (const json& f : j.at("features")) model.features.push_back(feature_of(f));
+  if (j.contains("sizes"))
+    for (const json& s : j.at("sizes")) model.sizes.push_back(size_of(s));
   return model;
 }
 
@@ -204,6 +258,7 @@ json write_model(const ModelSource& model) {
   for (const FeatureSource& f : model.features) features.push_back(to_json(f));
   json result{{"name", model.name}, {"parameters", parameters}, {"features", features}};
   if (!model.unit.empty()) result["unit"] = model.unit;
+  for (const SizeControlSource& s : model.sizes) result["sizes"].push_back(to_json(s));
   return result;
 }
 

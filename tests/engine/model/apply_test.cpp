@@ -149,5 +149,32 @@ TEST(Apply, AFeatureOfUnknownTypeHasNoParametersToSet) {
   EXPECT_EQ(info.edit_index, 1);
 }
 
+TEST(Apply, SetSizeAddsAControlAtTheEnd) {
+  const ModelSource model =
+      edited({SetSize{"a", "base.top", 2.0}, SetSize{"b", BallSource{0.0, 0.0, 0.0, 1.0}, "w/9"}});
+  ASSERT_EQ(model.sizes.size(), 2U);
+  EXPECT_EQ(model.sizes[0], (SizeControlSource{"a", "base.top", 2.0}));
+  EXPECT_EQ(model.sizes[1], (SizeControlSource{"b", BallSource{0.0, 0.0, 0.0, 1.0}, "w/9"}));
+}
+
+TEST(Apply, SetSizeOfOneThatIsThereKeepsWhatItLeavesOut) {
+  const SetSize a{"a", "base.top", 2.0}, b{"b", "rib", 3.0};
+  EXPECT_EQ(edited({a, b, SetSize{"a", {}, Scalar("w")}}).sizes,
+            (std::vector<SizeControlSource>{{"a", "base.top", "w"}, {"b", "rib", 3.0}}));
+  EXPECT_EQ(edited({a, b, SetSize{"a", "base", {}}}).sizes,
+            (std::vector<SizeControlSource>{{"a", "base", 2.0}, {"b", "rib", 3.0}}));
+}
+
+TEST(Apply, RemoveSizeTakesOneOut) {
+  EXPECT_EQ(edited({SetSize{"a", "base", 2.0}, SetSize{"b", "rib", 3.0}, RemoveSize{"a"}}).sizes,
+            (std::vector<SizeControlSource>{{"b", "rib", 3.0}}));
+}
+
+TEST(Apply, TellsWhatIsWrongWithAnEditOfASize) {
+  EXPECT_EQ(failure_of(SetSize{"a", "base", {}}), "1 MISSING_FIELD - sizes.a.size");
+  EXPECT_EQ(failure_of(SetSize{"a", {}, 1.0}), "1 MISSING_FIELD - sizes.a.on");
+  EXPECT_EQ(failure_of(RemoveSize{"a"}), "1 UNKNOWN_SIZE - sizes.a");
+}
+
 }  // namespace
 }  // namespace remeshd

@@ -1,0 +1,138 @@
+#include "engine/model/selection/evaluate_sizes.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "engine/base/error.h"
+#include "engine/model/expression.h"
+#include "engine/model/feature_types.h"
+#include "engine/model/limits.h"
+#include "engine/model/selection/selector.h"
+#include "engine/model/selection/size_error.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+namespace {
+
+/// Of one model: what its selectors may ask, feature by feature and term by term.
+constexpr std::size_t kMaxQuestions = 1'000'000;
+
+double checked_length(double value, const std::string& parameter) {
+  if (value < kMinSize || value > kMaxLength)
+    throw error::value_out_of_range("", parameter, value, "between 1e-9 and 1e9");
+  return value;
+}
+
+/// The numbers of a feature by name, as its expressions would see them.
+std::map<std::string, double> numbers_of(const FeatureSource& feature, const Scope& scope) {
+  std::map<std::string, double> numbers;
+  for (const auto& [name, value] : feature.parameters)
+    numbers[name] = scope.value(value, feature.id, name);
+  if (const FeatureTypeInfo* type = find_feature_type(feature.type))
+    for (const ParameterInfo& info : type->parameters)
+      if (!info.default_value.empty() && !numbers.contains(info.name))
+        numbers[info.name] = scope.value(info.default_value, feature.id, info.name);
+  return numbers;
+}
+
+/// What evaluates the sizes of one model.
+class Sizes {
+ public:
+  Sizes(const ModelSource& source, const std::vector<Feature>& features, const Scope& scope)
+      : source_(source), features_(features), scope_(scope) {}
+
+  std::vector<SizeControl> operator()() {
+    if (source_.sizes.size() > kMaxSizes)
+      throw error::limit_exceeded("", "sizes", "sizes", source_.sizes.size(), kMaxSizes);
+    std::set<std::string_view> ids;
+    std::vector<SizeControl> sizes;
+    for (std::size_t k = 0; k < source_.sizes.size(); ++k) {
+      const SizeControlSource& size = source_.sizes[k];
+      check_name(size.id, "", "sizes[" + std::to_string(k) + "].id");
+      if (!ids.insert(size.id).second) throw error::duplicate_size(size.id);
+      where_ = "sizes." + size.id;
+      sizes.push_back({size.id, std::visit(
+                                    [&](const auto& place) -> decltype(SizeControl::place) {
+                                      return evaluate(place, size.size);
+                                    },
+                                    size.place)});
+    }
+    return sizes;
+  }
+
+ private:
+  [[nodiscard]] double length(const Scalar& value, const std::string& field) const {
+    const std::string parameter = where_ + field;
+    return checked_length(scope_.value(value, "", parameter), parameter);
+  }
+  [[nodiscard]] double coordinate(const Scalar& value, const std::string& field) const {
+    const std::string parameter = where_ + field;
+    return checked_coordinate(scope_.value(value, "", parameter), "", parameter);
+  }
+
+  [[nodiscard]] SizedBall evaluate(const BallSource& ball, const Scalar& size) const {
+    return {.centre = {coordinate(ball[0], ".in.ball[0]"), coordinate(ball[1], ".in.ball[1]"),
+                       coordinate(ball[2], ".in.ball[2]")},
+            .radius = length(ball[3], ".in.ball[3]"),
+            .size = length(size, ".size")};
+  }
+
+  [[nodiscard]] SizedBox evaluate(const BoxSource& box, const Scalar& size) const {
+    std::array<double, 6> at{};
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const std::string field = ".in.box[" + std::to_string(k) + "]";
+      at[k] = coordinate(box[k], field);
+      if (k >= 3 && !(at[k] > at[k - 3]))
+        throw error::value_out_of_range("", where_ + field, at[k],
+                                        "greater than the least on that axis");
+    }
+    return {
+        .lo = {at[0], at[1], at[2]}, .hi = {at[3], at[4], at[5]}, .size = length(size, ".size")};
+  }
+
+  [[nodiscard]] std::vector<SizedFaces> evaluate(const std::string& on, const Scalar& size) {
+    const Selector selector(on, where_ + ".on");
+    questions_ += selector.terms() * features_.size();
+    if (questions_ > kMaxQuestions)
+      throw error::limit_exceeded("", where_ + ".on", "terms of selectors, times features,",
+                                  questions_, kMaxQuestions);
+    // A number is wrong whether it is selected for anything or not.
+    const bool is_number = std::holds_alternative<double>(size);
+    const double everywhere = is_number ? length(size, ".size") : 0;
+    std::vector<SizedFaces> selected;
+    for (std::size_t k = 0; k < features_.size(); ++k) {
+      SizedFaces sized{.feature = static_cast<int>(k), .faces = {}};
+      for (const SolidFace& face : faces_of(features_[k]))
+        if (selector.names(features_[k].id, face.name) &&
+            std::ranges::find(sized.faces, face.name) == sized.faces.end())
+          sized.faces.push_back(face.name);
+      if (sized.faces.empty()) continue;
+      sized.size = is_number ? everywhere : length_on(source_.features[k], size);
+      selected.push_back(std::move(sized));
+    }
+    return selected;
+  }
+
+  [[nodiscard]] double length_on(const FeatureSource& feature, const Scalar& size) const {
+    const std::string parameter = where_ + ".size";
+    return checked_length(scope_.value(size, numbers_of(feature, scope_), feature.id, parameter),
+                          parameter);
+  }
+
+  const ModelSource& source_;
+  const std::vector<Feature>& features_;
+  const Scope& scope_;
+  std::string where_;          ///< the size being evaluated
+  std::size_t questions_ = 0;  ///< of selectors so far
+};
+
+}  // namespace
+
+std::vector<SizeControl> evaluate_sizes(const ModelSource& source,
+                                        const std::vector<Feature>& features, const Scope& scope) {
+  return Sizes(source, features, scope)();
+}
+
+}  // namespace remeshd

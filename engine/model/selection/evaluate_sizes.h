@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/model/feature_model.h"
+
+namespace remeshd {
+
+class Scope;
+
+/// The size controls of a document, with their numbers. `features`: its features, evaluated;
+/// `scope`: its parameters.
+///
+/// Throws Error(InvalidArgument) with id and field of the size: names that are bad or stand twice,
+/// selectors that cannot be read, lengths that are not positive, boxes without a volume, and
+/// whatever evaluating the numbers finds. A selector may name nothing.
+std::vector<SizeControl> evaluate_sizes(const ModelSource& source,
+                                        const std::vector<Feature>& features, const Scope& scope);
+
+}  // namespace remeshd

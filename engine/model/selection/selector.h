@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace remeshd {
+
+/// Longest term of a selector, in characters: no name is longer.
+inline constexpr std::size_t kMaxTermLength = 160;
+/// Most terms of one selector.
+inline constexpr std::size_t kMaxTerms = 64;
+
+/// Names faces of features: globs with `|` between them, each over names of faces (`hole*.wall`) or
+/// over ids of features, all of whose faces it names (`rib`). `*` stands for any characters, `?`
+/// for any one.
+class Selector {
+ public:
+  /// Throws Error(SELECTOR_INVALID), or UNSUPPORTED for a condition (`plate.top & z > 10`).
+  /// `parameter` says whose selector it is.
+  Selector(std::string_view text, std::string_view parameter);
+
+  [[nodiscard]] std::size_t terms() const { return terms_.size(); }
+  /// Whether it names all faces of the feature of that id.
+  [[nodiscard]] bool names(std::string_view feature) const;
+  /// Whether it names this one of its faces.
+  [[nodiscard]] bool names(std::string_view feature, std::string_view face) const;
+
+ private:
+  std::vector<std::string> terms_;
+};
+
+}  // namespace remeshd
