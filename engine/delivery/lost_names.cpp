@@ -10,6 +10,7 @@
 
 #include "engine/delivery/group_areas.h"
 #include "engine/model/solid.h"
+#include "engine/sizing/size_controls.h"
 
 namespace remeshd {
 namespace {
@@ -189,16 +190,34 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
   return warnings;
 }
 
+/// Appends the size controls whose selectors name no face of the boundary, but for those that named
+/// none in the original.
+void add_emptied_sizes(const Revision& original, const FeatureModel& model,
+                       const BoundaryModel& boundary, std::vector<Warning>& warnings) {
+  if (model.sizes.empty()) return;
+  const auto before = sizes_of_nothing(original.model.sizes, original.cells.boundary);
+  for (const std::string& size : sizes_of_nothing(model.sizes, boundary))
+    if (std::ranges::find(before, size) == before.end())
+      warnings.push_back({.code = WarningCode::GroupEmptied,
+                          .message = "the size " + size + " selects no face of the boundary",
+                          .groups = {size}});
+}
+
 }  // namespace
 
 std::vector<Warning> lost_names(const Revision& original, const Revision& made) {
-  if (same_names(original, made)) return {};
-  return losses(original, made.model, Names(made.output.groups));
+  std::vector<Warning> warnings;
+  if (!same_names(original, made))
+    warnings = losses(original, made.model, Names(made.output.groups));
+  add_emptied_sizes(original, made.model, made.cells.boundary, warnings);
+  return warnings;
 }
 
 std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureModel& model,
                                       const BoundaryModel& boundary) {
-  return losses(original, model, NamesToCome(model, boundary));
+  std::vector<Warning> warnings = losses(original, model, NamesToCome(model, boundary));
+  add_emptied_sizes(original, model, boundary, warnings);
+  return warnings;
 }
 
 }  // namespace remeshd

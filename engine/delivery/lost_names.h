@@ -8,12 +8,12 @@
 namespace remeshd {
 
 /// What a reader looks for in vain in a mesh: faces and groups of facets that the original's mesh
-/// names and this one does not, and features that neither add nor remove anything. Told by names
-/// and boxes alone.
+/// names and this one does not, features that neither add nor remove anything, and size controls
+/// whose selectors name no face. Told by names and boxes alone.
 ///
 /// A feature that lost all of its faces is told once, as one without effect where that is certain.
-/// Of features that the original had without effect already nothing is said again. `original`: null
-/// for a first mesh.
+/// Of features and sizes that the original had without effect already nothing is said again.
+/// `original`: null for a first mesh.
 std::vector<Warning> lost_names(const Revision& original, const Revision& made);
 
 /// Those of them that are certain before there is a mesh, from the model and the boundary alone: a

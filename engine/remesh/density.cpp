@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "engine/base/error.h"
+#include "engine/model/selection/size_error.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/node_budget.h"
 #include "engine/remesh/node_limit.h"
+#include "engine/sizing/size_controls.h"
 #include "engine/sizing/size_rules.h"
 
 namespace remeshd {
@@ -60,7 +62,8 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     return;
   }
   const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
-  const SizeRules rules(cells.boundary, options.sizing, most, run);
+  const SizeRules rules(cells.boundary, options.sizing, most, run,
+                        size_sources(model.sizes, cells.boundary));
   if (density.count) {
     Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
     if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
@@ -89,6 +92,9 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
     throw error::options_invalid("size", "the edge length has to be a positive number");
   const double volume = cells.volume, area = cells.area;
   const bool first = parent.output.mesh.tets.empty();
+  if (first)
+    for (const std::string& size : sizes_of_nothing(model.sizes, cells.boundary))
+      throw error::selector_empty(size);
   Density density;
   double edge_length = 0;
   if (options.size) {
@@ -114,7 +120,9 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
 
 SizeField sizes_of(const Revision& revision, const Run& run) {
   if (revision.sizes) return *revision.sizes;
-  return SizeRules(revision.cells.boundary, revision.options.sizing, revision.edge_length, run)
+  const BoundaryModel& boundary = revision.cells.boundary;
+  return SizeRules(boundary, revision.options.sizing, revision.edge_length, run,
+                   size_sources(revision.model.sizes, boundary))
       .field(revision.edge_length, revision.rules_weakening);
 }
 

@@ -15,11 +15,18 @@
 namespace remeshd {
 namespace {
 
+/// Whether the parent's edge lengths follow from the same rules and size controls.
+bool is_sized_alike(const Problem& problem) {
+  const Sizing& now = problem.modified.options.sizing;
+  return now == problem.parent.options.sizing &&
+         (now.even || problem.modified.model.sizes == problem.parent.model.sizes);
+}
+
 /// Whether an edit with these options may answer with the tets of its parent.
 bool may_keep_tets(const Problem& problem, const Attempt*) {
   const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
   return problem.density.inherited && now.clean_up == then.clean_up &&
-         now.threshold == then.threshold && now.sizing == then.sizing;
+         now.threshold == then.threshold && is_sized_alike(problem);
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {

@@ -77,15 +77,15 @@ class BoxGrid {
 
 double SizeSource::at(const Vec3& p, const SizeLimits& limits, double enough) const {
   const double to_box = distance_to(box, p);
-  const double bound = std::max(varies() ? 0 : size, limits.least) + limits.slope * to_box;
+  const double bound = lowest(limits) + limits.slope * to_box;
   if (bound >= enough) return bound;
   if (const auto* triangle = std::get_if<std::array<Vec3, 3>>(&piece))
-    return std::max(size, limits.least) +
-           limits.slope * std::sqrt(triangle_distance2(p, *triangle));
+    return lowest(limits) + limits.slope * std::sqrt(triangle_distance2(p, *triangle));
   const auto& surface = std::get<Surface>(piece);
   const double wanted = varies() ? size * radius_of_curvature(surface, project(surface, p)) : size;
-  return std::max(wanted, limits.least) +
-         limits.slope * std::max(std::fabs(signed_distance(surface, p)), to_box);
+  const double beside = signed_distance(surface, p);
+  return std::max(wanted, lowest(limits)) +
+         limits.slope * std::max(filled ? beside : std::fabs(beside), to_box);
 }
 
 /// A hierarchy of boxes round the sources, searched for the least of them, and a grid that tells
@@ -113,6 +113,8 @@ class SizeField::Tree {
   /// How steep the field may be, on cones and beside them.
   [[nodiscard]] double steepest() const { return steepest_; }
   [[nodiscard]] const std::vector<SizeSource>& sources() const { return sources_; }
+  /// That no rule goes below.
+  [[nodiscard]] double least() const { return limits_.least; }
   [[nodiscard]] std::size_t bytes() const {
     return sources_.capacity() * sizeof(SizeSource) + nodes_.capacity() * sizeof(Node) +
            begin_at_.capacity() * sizeof(std::int32_t);
@@ -153,7 +155,7 @@ class SizeField::Tree {
     for (const SizeSource& source : sources) {
       node.box.add(source.box);
       middles.add(middle_of(source.box));
-      node.size = std::min(node.size, std::max(source.varies() ? 0 : source.size, limits_.least));
+      node.size = std::min(node.size, source.lowest(limits_));
     }
     nodes_.push_back(node);
     if (sources.size() <= kLimits.leaf) {
@@ -204,10 +206,14 @@ SizeField::SizeField(double base) : limits_{base, base, 0} {}
 SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
     : limits_(limits) {
   std::erase_if(sources, [&](const SizeSource& s) { return !s.varies() && s.size >= limits.base; });
-  double least = limits.base;
-  for (const SizeSource& s : sources) least = std::fmin(least, s.varies() ? limits.least : s.size);
+  double least = limits.base, asked = limits.base;
+  for (const SizeSource& s : sources) {
+    double& of_its_kind = s.asked ? asked : least;
+    of_its_kind = std::fmin(of_its_kind, s.varies() ? limits.least : s.size);
+  }
   limits_.least = std::fmax(least, std::fmin(limits.least, limits.base));
   if (!sources.empty()) tree_ = std::make_shared<const Tree>(limits_, std::move(sources), bounds);
+  limits_.least = std::fmin(limits_.least, asked);
 }
 
 SizeField SizeField::refined(std::span<const Vec3> places, double share, const Box& bounds) const {
@@ -216,7 +222,7 @@ SizeField SizeField::refined(std::span<const Vec3> places, double share, const B
   std::vector<SizeSource> sources;
   if (!even()) sources = tree_->sources();
   for (SizeSource& source : sources)
-    if (!source.varies()) source.size = std::fmax(source.size, limits_.least);
+    if (!source.varies() && !source.asked) source.size = std::fmax(source.size, tree_->least());
   for (const Vec3& p : places) {
     const double size = share * (*this)(p);
     sources.push_back({std::array<Vec3, 3>{p, p, p}, {p, p}, size});

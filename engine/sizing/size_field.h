@@ -20,14 +20,16 @@ struct SizeLimits {
   double slope = 0;  ///< how much longer edges may get on a way, per length of it
 };
 
-/// A piece of a face or of an edge that asks for edges of some length: the field is no more than
-/// that length there, and grows away from it.
+/// A piece of a face or of an edge, or a part of space, that asks for edges of some length: the
+/// field is no more than that length there, and grows away from it.
 struct SizeSource {
   /// A surface in the box; a circle is the thinnest of tori, with its radius and a tube of none. Or
   /// a triangle.
   std::variant<Surface, std::array<Vec3, 3>> piece;
-  Box box;          ///< round the piece
-  double size = 0;  ///< of a cone: per length of its radius of curvature
+  Box box;              ///< round the piece
+  double size = 0;      ///< of a rule on a cone: per length of its radius of curvature
+  bool asked = false;   ///< by the model, not by a rule: the least length of rules does not hold
+  bool filled = false;  ///< what of the box lies behind the surface is of the piece too
 
   /// How long edges may be at p on behalf of this source alone, whatever the base; where that is
   /// `enough` or more, any length from there on that it is not less than.
@@ -35,7 +37,11 @@ struct SizeSource {
   /// Whether the size follows the radius of curvature along the piece.
   [[nodiscard]] bool varies() const {
     const auto* surface = std::get_if<Surface>(&piece);
-    return surface != nullptr && surface->kind == Surface::Kind::Cone;
+    return !asked && surface != nullptr && surface->kind == Surface::Kind::Cone;
+  }
+  /// It asks for no less than this anywhere.
+  [[nodiscard]] double lowest(const SizeLimits& limits) const {
+    return std::fmax(varies() ? 0 : size, asked ? 0 : limits.least);
   }
 };
 

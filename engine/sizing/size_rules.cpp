@@ -56,9 +56,10 @@ std::vector<SizeRules::Circle> SizeRules::circles_of(const BoundaryModel& bounda
 }
 
 SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most,
-                     const Run& run)
+                     const Run& run, std::vector<SizeSource> asked)
     : sizing_(sizing), bounds_(boundary.bounds) {
   if (sizing.even) return;
+  asked_ = std::move(asked);
   if (sizing.edges_per_circle > 0)
     circles_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
   if (sizing.layers > 0)
@@ -71,11 +72,12 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double
 
 SizeField SizeRules::field(double base, double weakening) const {
   std::vector<SizeSource> sources;
-  sources.reserve(circles_.size() + thin_places_.size());
+  sources.reserve(circles_.size() + thin_places_.size() + asked_.size());
   for (const Circle& circle : circles_) sources.push_back(circle.source);
   for (const ThinPlace& place : thin_places_)
     sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
   for (SizeSource& source : sources) source.size *= weakening;
+  sources.insert(sources.end(), asked_.begin(), asked_.end());
   return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
 }
 

@@ -11,14 +11,16 @@
 namespace remeshd {
 
 /// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
-/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across.
+/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across. Beside them
+/// what the model's size controls ask for.
 class SizeRules {
  public:
-  /// `most`: no base size is greater. Throws Cancelled.
-  SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most, const Run& run);
+  /// `most`: no base size is greater. `asked`: by controls (`size_sources`). Throws Cancelled.
+  SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most, const Run& run,
+            std::vector<SizeSource> asked = {});
 
   /// The size field with that base size.
-  /// @param weakening  >= 1: the rules ask for edges so many times longer
+  /// @param weakening  >= 1: the rules ask for edges so many times longer, the controls do not
   [[nodiscard]] SizeField field(double base, double weakening) const;
   /// Nodes that walls and gaps need beyond those of a start with that field: both of their sides
   /// take nodes where it has a layer of them between.
@@ -46,6 +48,7 @@ class SizeRules {
 
   std::vector<Circle> circles_;
   std::vector<ThinPlace> thin_places_;
+  std::vector<SizeSource> asked_;
   Sizing sizing_;
   Box bounds_;
 };

@@ -203,5 +203,21 @@ TEST(NamesToBeLost, AreThoseThatTheMeshLosesForCertain) {
   }
 }
 
+TEST(LostNames, ASizeThatSelectsNothingAnyMoreIsToldOnce) {
+  const auto revision = [](double hole_x, const std::string& on) {
+    ModelSource source = plate(hole_x);
+    source.sizes = {{"rim", on, 1.0}};
+    Revision r = named(source, kPlateWithHole);
+    r.cells = build_cells(r.model, kRun);
+    return r;
+  };
+  const Revision there = revision(10, "hole"), gone = revision(90, "hole");
+  EXPECT_THAT(told(lost_names(there, there)), IsEmpty());
+  EXPECT_THAT(told(lost_names(there, gone)), ElementsAre("GROUP_EMPTIED | rim"));
+  EXPECT_THAT(told(lost_names(gone, gone)), IsEmpty());
+  EXPECT_THAT(told(names_to_be_lost(there, gone.model, gone.cells.boundary)),
+              testing::Contains("GROUP_EMPTIED | rim"));
+}
+
 }  // namespace
 }  // namespace remeshd

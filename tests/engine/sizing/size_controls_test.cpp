@@ -1,0 +1,105 @@
+#include "engine/sizing/size_controls.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/cellular/cellular_model.h"
+#include "engine/sizing/size_rules.h"
+#include "tests/support/cases.h"
+
+namespace remeshd {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+/// A plate with a hole of radius 4, a cone on it, and a pin inside of the plate.
+struct Plate {
+  explicit Plate(std::vector<SizeControlSource> sizes) {
+    ModelSource source = test::model_of(
+        {test::block("plate", 60, 60, 8), test::placed(test::cylinder("inner", 2, 4), 20, 20, 2),
+         test::placed(test::cylinder("hole", 4, 10), -15, 0, -1, Nature::Subtractive),
+         test::placed(test::feature("tip", "cone",
+                                    {{"radius_bottom", 6.0}, {"radius_top", 3.0}, {"height", 6.0}}),
+                      15, 0, 8)});
+    source.sizes = std::move(sizes);
+    model = evaluate(source);
+    cells = build_cells(model, kRun);
+  }
+  [[nodiscard]] SizeField field(double base = 5, std::optional<double> least = {}) const {
+    const Sizing no_rules{.even = false, .edges_per_circle = 0, .layers = 0, .min_size = least};
+    return SizeRules(cells.boundary, no_rules, base, kRun,
+                     size_sources(model.sizes, cells.boundary))
+        .field(base, 2);
+  }
+  FeatureModel model;
+  CellularModel cells;
+};
+
+TEST(SizeControls, OnAFaceHoldThereAndGrowAwayFromIt) {
+  const SizeField field = Plate({{"a", "hole.wall", "radius/4"}}).field();
+  EXPECT_NEAR(field({-11, 0, 4}), 1, 1e-9);
+  EXPECT_NEAR(field({-15, 4, 0}), 1, 0.01);  // the face's box is that of its triangles
+  EXPECT_NEAR(field({-5, 0, 4}), 1 + 0.3 * 6, 1e-9);
+  EXPECT_EQ(field({29, 29, 4}), 5);
+}
+
+TEST(SizeControls, OnAPlaneFaceHoldAllOverIt) {
+  const SizeField field = Plate({{"a", "plate.top", 1.0}}).field();
+  EXPECT_NEAR(field({25, -25, 8}), 1, 1e-9);
+  EXPECT_NEAR(field({0, 0, 8}), 1, 1e-9);
+  EXPECT_NEAR(field({0, 25, 3}), 1 + 0.3 * 5, 1e-9);
+}
+
+TEST(SizeControls, OnAConeAreTheLengthItself) {
+  const SizeField field = Plate({{"a", "tip.wall", 1.0}}).field();
+  EXPECT_NEAR(field({21, 0, 8}), 1, 1e-9);
+  EXPECT_NEAR(field({18, 0, 14}), 1, 1e-9);
+}
+
+TEST(SizeControls, InABallHoldAllThroughIt) {
+  const SizeField field = Plate({{"a", BallSource{0.0, 0.0, 4.0, 5.0}, 0.75}}).field();
+  EXPECT_NEAR(field({0, 0, 4}), 0.75, 1e-9);
+  EXPECT_NEAR(field({4, 2, 5}), 0.75, 1e-9);
+  EXPECT_NEAR(field({9, 0, 4}), 0.75 + 0.3 * 4, 1e-9);
+}
+
+TEST(SizeControls, InABoxHoldAllThroughIt) {
+  const SizeField field = Plate({{"a", BoxSource{0.0, 0.0, 0.0, 10.0, 10.0, 2.0}, 0.75}}).field();
+  EXPECT_NEAR(field({5, 5, 1}), 0.75, 1e-9);
+  EXPECT_NEAR(field({0, 10, 0}), 0.75, 1e-9);
+  EXPECT_NEAR(field({5, 5, 6}), 0.75 + 0.3 * 4, 1e-9);
+  EXPECT_NEAR(field({5, 5, -2}), 0.75 + 0.3 * 2, 1e-9);
+  EXPECT_NEAR(field({13, 14, 1}), 0.75 + 0.3 * 5, 1e-9);
+}
+
+TEST(SizeControls, OfSeveralTheLeastCounts) {
+  const SizeField field =
+      Plate({{"a", "hole", 2.0}, {"b", "hole.wall", 1.0}, {"c", "hole*", 3.0}}).field();
+  EXPECT_NEAR(field({-11, 0, 4}), 1, 1e-9);
+}
+
+TEST(SizeControls, GoBelowTheLeastLengthOfRules) {
+  const SizeField field = Plate({{"a", "hole.wall", 0.25}}).field(5, 2.0);
+  EXPECT_NEAR(field({-11, 0, 4}), 0.25, 1e-9);
+  EXPECT_EQ(field.least(), 0.25);
+}
+
+TEST(SizeControls, ThatAskForMoreThanTheBaseSizeChangeNothing) {
+  EXPECT_TRUE(Plate({{"a", "hole.wall", 6.0}, {"b", "tip.wall", 6.0}}).field().even());
+}
+
+TEST(SizeControls, OnFacesThatAreNotThereAreOfNothing) {
+  const Plate plate({{"a", "hole.wall", 1.0},
+                     {"b", "inner", 1.0},
+                     {"c", "gone*", 1.0},
+                     {"d", BallSource{0.0, 0.0, 90.0, 1.0}, 1.0}});
+  EXPECT_THAT(sizes_of_nothing(plate.model.sizes, plate.cells.boundary), ElementsAre("b", "c"));
+  EXPECT_THAT(sizes_of_nothing({}, plate.cells.boundary), IsEmpty());
+  EXPECT_EQ(size_sources(plate.model.sizes, plate.cells.boundary).size(), 2U);
+}
+
+}  // namespace
+}  // namespace remeshd
