@@ -12,9 +12,11 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 14;
-// With less of the report, whose latest parts come last, and without the options' sizing after it.
-constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13;
+constexpr std::uint32_t kFormat = 15;
+// With less of the report, whose latest parts come last, and without the options' sizing and the
+// models' sizes after it.
+constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
+                        kNoSizes = 14;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -31,6 +33,7 @@ struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> 
 
 namespace remeshd {
 
+/// But for the sizes, which came later.
 void serialize(auto& a, ModelSource& m) { a(m.name, m.unit, m.parameters, m.features); }
 /// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry's.
 void serialize(auto& a, Report& r) {
@@ -39,6 +42,7 @@ void serialize(auto& a, Report& r) {
     r.warnings);
 }
 void serialize(auto& a, TriedStrategy& t) { a(t.strategy, t.reason); }
+void serialize(auto& a, SizeControlSource& s) { a(s.id, s.place, s.size); }
 void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
 }
@@ -68,7 +72,9 @@ std::string write_documents(const Revision& revision) {
     if (revision.anchor) archive(revision.anchor->source);
     const Report& report = revision.report;
     archive(report.attempts, report.geometry, report.geometry_attempts, report.taken,
-            revision.options.sizing, revision.rules_weakening, nodes_needed(report));
+            revision.options.sizing, revision.rules_weakening, nodes_needed(report),
+            revision.source.sizes, revision.meshed_source.sizes);
+    if (revision.anchor) archive(revision.anchor->source.sizes);
   }
   return std::move(out).str();
 }
@@ -97,6 +103,10 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
       std::vector<std::uint32_t> needed;
       archive(revision.options.sizing, revision.rules_weakening, needed);
       put_nodes_needed(needed, revision.report);
+    }
+    if (format > kNoSizes) {
+      archive(revision.source.sizes, revision.meshed_source.sizes);
+      if (documents.anchored) archive(documents.anchor_source.sizes);
     }
 #endif
   } catch (const Error&) {

@@ -108,8 +108,14 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
   const Revision made =
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
-  ASSERT_EQ(bytes[1], 14);
-  // Format 13 had no sizing after it: a switch, two counts, no least size, two factors; nor
+  ASSERT_EQ(bytes[1], 15);
+  // Format 14 had no sizes of the two models after it, none here.
+  bytes[1] = 14;
+  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t));
+  Revision without_sizes;
+  read_documents(bytes, without_sizes);
+  EXPECT_EQ(without_sizes.source, made.source);
+  // Format 13 had no sizing before them: a switch, two counts, no least size, two factors; nor
   // the nodes that warnings tell of, of which there are none.
   bytes[1] = 13;
   bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double) -

@@ -55,10 +55,29 @@ TEST(StoredDocuments, KeepHowManyNodesADetailNeeds) {
   EXPECT_EQ(back.report.warnings[1].nodes_needed, 4440U);
 }
 
+TEST(StoredDocuments, KeepTheSizesOfEachModel) {
+  Revision r = revision();
+  r.source.sizes = {{"holes", "hole*.wall", "radius/4"},
+                    {"spot", BallSource{1.0, "p", 0.1, 2.0}, 0.5}};
+  r.meshed_source.sizes = {{"end", BoxSource{0.0, 0.0, 0.0, 1.0, 2.0, "q"}, 1.0}};
+  Anchor anchor;
+  anchor.source.sizes = {{"top", "plate.top", 2.0}};
+  r.anchor = std::make_shared<const Anchor>(anchor);
+  const std::string bytes = write_documents(r);
+  EXPECT_EQ(read(bytes).source, r.source);
+  EXPECT_EQ(read(bytes).meshed_source, r.meshed_source);
+  Revision with_anchor;
+  EXPECT_EQ(read_documents(bytes, with_anchor).anchor_source, anchor.source);
+}
+
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
   std::string bytes = write_documents(revision());
-  ASSERT_EQ(bytes[1], 14);
-  // Format 13 had no sizing at its end: a switch, two counts, no least size, two factors;
+  ASSERT_EQ(bytes[1], 15);
+  // Format 14 had no sizes of the two models after it, none here.
+  bytes[1] = 14;
+  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t));
+  EXPECT_EQ(read(bytes).source, revision().source);
+  // Format 13 had no sizing before them: a switch, two counts, no least size, two factors;
   // nor an empty list.
   bytes[1] = 13;
   bytes.resize(bytes.size() - 2 - 2 * sizeof(std::uint32_t) - 2 * sizeof(double) -
