@@ -79,7 +79,27 @@ const Json* in_feature(const Json* feature, std::string_view parameter) {
   return value != nullptr ? follow(value, rest) : feature;
 }
 
+/// `holes` of `sizes.holes.in.ball[3]`, which is left with `.in.ball[3]`; empty of no size's.
+std::string_view take_size(std::string_view& path) {
+  std::string_view rest = path;
+  if (take_name(rest) != "sizes" || !rest.starts_with('.')) return {};
+  const std::string_view id = take_name(rest);
+  path = rest;
+  return id;
+}
+
+const Json* in_sizes(const Json* sizes, std::string_view id, std::string_view path) {
+  const auto* list = sizes != nullptr ? std::get_if<Json::List>(&sizes->value) : nullptr;
+  if (list == nullptr) return nullptr;
+  for (const Json& size : std::views::reverse(*list))
+    if (text_of(member(&size, "id")) == id) return follow(&size, path);
+  return nullptr;
+}
+
 const Json* in_model(const Json* model, const ValueAtFault& what) {
+  std::string_view of_size = what.parameter;
+  if (const std::string_view size = take_size(of_size); !size.empty())
+    return in_sizes(member(model, "sizes"), size, of_size);
   if (what.feature.empty()) return member(member(model, "parameters"), what.parameter);
   const Json* features = member(model, "features");
   const auto* list = features != nullptr ? std::get_if<Json::List>(&features->value) : nullptr;
@@ -109,6 +129,10 @@ const Json* in_edit(const Json* edit, const ValueAtFault& what) {
     return is(member(set, "feature"), what.feature) && first == "placement"
                ? follow(member(set, "placement"), rest)
                : nullptr;
+  if (const Json* set = member(edit, "setSize")) {
+    std::string_view of_size = what.parameter;
+    return is(member(set, "id"), take_size(of_size)) ? follow(set, of_size) : nullptr;
+  }
   if (const Json* added = member(member(edit, "addFeature"), "feature"))
     return is(member(added, "id"), what.feature) ? in_feature(added, what.parameter) : nullptr;
   return nullptr;

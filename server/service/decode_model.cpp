@@ -79,6 +79,36 @@ FeatureSource feature(const v1::Feature& message, DocumentPlace place, const std
   return out;
 }
 
+std::optional<SizePlaceSource> size_place(const v1::SizeControl& message,
+                                          const DocumentPlace& place) {
+  switch (message.place_case()) {
+    case v1::SizeControl::kOn:
+      return text_of(message.on(), below(place, "on"));
+    case v1::SizeControl::kRegion:
+      if (message.region().has_ball())
+        return ball_of(message.region().ball(), below(place, "in.ball"));
+      if (message.region().has_box()) return box_of(message.region().box(), below(place, "in.box"));
+      throw error::missing_field(below(place, "in"), "box");
+    default:
+      return std::nullopt;
+  }
+}
+
+SizeControlSource size(const v1::SizeControl& message, const DocumentPlace& place) {
+  const auto where = size_place(message, place);
+  if (!where) throw error::missing_field(place, "in");
+  if (!message.has_size()) throw error::missing_field(place, "size");
+  return {.id = text_of(message.id(), below(place, "id")),
+          .place = *where,
+          .size = scalar_of(message.size(), below(place, "size"))};
+}
+
+SetSize set_size(const v1::SizeControl& message, const DocumentPlace& place) {
+  SetSize out{.id = text_of(message.id(), below(place, "id")), .place = size_place(message, place)};
+  if (message.has_size()) out.size = scalar_of(message.size(), below(place, "size"));
+  return out;
+}
+
 Error unsupported_edit(const char* kind, int index) {
   Error failure = error::unsupported(kind);
   failure.info().edit_index = index;
@@ -118,9 +148,9 @@ Edit edit(const v1::Edit& message, DocumentPlace place) {
     case v1::Edit::kRemoveFeature:
       return RemoveFeature{text_of(message.remove_feature().feature(), place)};
     case v1::Edit::kSetSize:
-      throw unsupported_edit("set_size", *place.edit_index);
+      return set_size(message.set_size(), place);
     case v1::Edit::kRemoveSize:
-      throw unsupported_edit("remove_size", *place.edit_index);
+      return RemoveSize{text_of(message.remove_size().id(), place)};
     case v1::Edit::kSetGroup:
       throw unsupported_edit("set_group", *place.edit_index);
     case v1::Edit::kRemoveGroup:
@@ -145,7 +175,6 @@ ParameterSource parameter(const v1::Parameter& message) {
 }
 
 ModelSource model(const v1::FeatureModel& message) {
-  if (!message.sizes().empty()) throw error::unsupported("sizes");
   if (!message.groups().empty()) throw error::unsupported("groups");
   ModelSource out;
   out.name = text_of(message.name(), {.feature = "", .path = "name"});
@@ -153,6 +182,9 @@ ModelSource model(const v1::FeatureModel& message) {
   for (const v1::Parameter& each : message.parameters()) out.parameters.push_back(parameter(each));
   for (int i = 0; i < message.features_size(); ++i)
     out.features.push_back(feature(message.features(i), {}, "features[" + std::to_string(i) + "]"));
+  for (int i = 0; i < message.sizes_size(); ++i)
+    out.sizes.push_back(
+        size(message.sizes(i), {.feature = "", .path = "sizes[" + std::to_string(i) + "]"}));
   return out;
 }
 

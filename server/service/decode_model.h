@@ -25,7 +25,7 @@ auto checked(Read&& read) {
 /// decode_value.h says of values.
 ///
 /// Both throw Error(InvalidArgument), stage `document`, with feature, parameter and edit index set;
-/// Error(UNSUPPORTED) for sizes and groups.
+/// Error(UNSUPPORTED) for groups.
 ModelSource decode(const remesh::v1::FeatureModel& message);
 ModelEdit decode(const remesh::v1::ModelEdit& message);
 

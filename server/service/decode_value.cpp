@@ -103,6 +103,14 @@ std::array<Scalar, 3> triple_of(const Values& values, const DocumentPlace& place
   return tuple<3>(values, place);
 }
 
+BallSource ball_of(const google::protobuf::ListValue& values, const DocumentPlace& place) {
+  return tuple<4>(values.values(), place);
+}
+
+BoxSource box_of(const google::protobuf::ListValue& values, const DocumentPlace& place) {
+  return tuple<6>(values.values(), place);
+}
+
 std::vector<ProfileEntry> profile_of(const Value& value, const DocumentPlace& place) {
   if (value.kind_case() != Value::kListValue)
     throw error::wrong_kind(place, "a list of points and arcs", kind_of(value));

@@ -18,6 +18,8 @@ Scalar scalar_of(const google::protobuf::Value& value, const DocumentPlace& plac
 std::array<Scalar, 3> triple_of(
     const google::protobuf::RepeatedPtrField<google::protobuf::Value>& values,
     const DocumentPlace& place);
+BallSource ball_of(const google::protobuf::ListValue& values, const DocumentPlace& place);
+BoxSource box_of(const google::protobuf::ListValue& values, const DocumentPlace& place);
 std::vector<ProfileEntry> profile_of(const google::protobuf::Value& value,
                                      const DocumentPlace& place);
 

@@ -97,6 +97,20 @@ void put_feature(const FeatureSource& source, v1::Feature& out) {
   }
 }
 
+void put_size(const SizeControlSource& source, v1::SizeControl& out) {
+  out.set_id(source.id);
+  if (const auto* on = std::get_if<std::string>(&source.place)) {
+    out.set_on(*on);
+  } else if (const auto* ball = std::get_if<BallSource>(&source.place)) {
+    auto& values = *out.mutable_region()->mutable_ball();
+    put_all(*ball, [&] { return values.add_values(); });
+  } else {
+    auto& values = *out.mutable_region()->mutable_box();
+    put_all(std::get<BoxSource>(source.place), [&] { return values.add_values(); });
+  }
+  put(source.size, *out.mutable_size());
+}
+
 }  // namespace
 
 v1::FeatureModel encode(const ModelSource& source) {
@@ -106,6 +120,7 @@ v1::FeatureModel encode(const ModelSource& source) {
   for (const ParameterSource& parameter : source.parameters)
     put_parameter(parameter, *out.add_parameters());
   for (const FeatureSource& feature : source.features) put_feature(feature, *out.add_features());
+  for (const SizeControlSource& size : source.sizes) put_size(size, *out.add_sizes());
   return out;
 }
 

@@ -33,9 +33,9 @@ void check(const OptionsPatch& patch) {
 }
 
 /// An even mesh has no rules to leave to its edits: what it says of them is of no account.
-Sizing patched(const SizingPatch& patch, const Sizing& base) {
+Sizing patched(const SizingPatch& patch, const Sizing& base, bool sizes) {
   const bool rules = patch.edges_per_circle || patch.layers || patch.min_size || patch.growth;
-  if (patch.even.value_or(base.even && !rules)) return {.even = true};
+  if (patch.even.value_or(base.even && !rules && !sizes)) return {.even = true};
   return {.even = false,
           .edges_per_circle = patch.edges_per_circle.value_or(base.edges_per_circle),
           .layers = patch.layers.value_or(base.layers),
@@ -43,8 +43,9 @@ Sizing patched(const SizingPatch& patch, const Sizing& base) {
           .growth = patch.growth.value_or(base.growth)};
 }
 
-/// What the patch leaves out is the base's, but for the density.
-MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
+/// What the patch leaves out is the base's, but for the density. `sizes`: the request gives some of
+/// the model.
+MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base, bool sizes) {
   MeshOptions options;
   options.nodes = patch.nodes;
   options.size = patch.size;
@@ -54,23 +55,25 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
   options.start = patch.start.value_or(base.start);
   options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
-  options.sizing = patched(patch.sizing, base.sizing);
+  options.sizing = patched(patch.sizing, base.sizing, sizes);
   return options;
 }
 
 }  // namespace
 
-MeshOptions first_options(const OptionsPatch& patch) {
+MeshOptions first_options(const OptionsPatch& patch, const ModelSource& model) {
   constexpr std::uint32_t kDefaultNodes = 15000;
   check(patch);
-  MeshOptions options = patched(patch, MeshOptions{});
+  MeshOptions options = patched(patch, MeshOptions{}, !model.sizes.empty());
   if (!options.nodes && !options.size) options.nodes = kDefaultNodes;
   return options;
 }
 
-MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base) {
+MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base,
+                         const ModelSource& model, const ModelSource& edited) {
   check(patch);
-  return patched(patch, base);  // both left out means the base's density
+  const bool sizes = !edited.sizes.empty() && edited.sizes != model.sizes;
+  return patched(patch, base, sizes);  // no target means the base's density
 }
 
 }  // namespace remeshd

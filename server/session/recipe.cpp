@@ -116,6 +116,29 @@ FeatureSource feature_in(const json& j) {
   return f;
 }
 
+json to_json(const SizeControlSource& s) {
+  json j{{"id", s.id}, {"size", to_json(s.size)}};
+  if (const auto* on = std::get_if<std::string>(&s.place)) {
+    j["on"] = *on;
+  } else if (const auto* ball = std::get_if<BallSource>(&s.place)) {
+    j["ball"] = to_json(*ball);
+  } else {
+    j["box"] = to_json(std::get<BoxSource>(s.place));
+  }
+  return j;
+}
+SizeControlSource size_in(const json& j) {
+  SizeControlSource s{.id = j.at("id"), .place = {}, .size = scalar_in(j.at("size"))};
+  if (j.contains("on")) {
+    s.place = j.at("on").get<std::string>();
+  } else if (j.contains("ball")) {
+    s.place = scalars_in<4>(j.at("ball"));
+  } else {
+    s.place = scalars_in<6>(j.at("box"));
+  }
+  return s;
+}
+
 json to_json(const ModelSource& m) {
   json j{{"name", m.name},
          {"unit", m.unit},
@@ -123,12 +146,15 @@ json to_json(const ModelSource& m) {
          {"features", json::array()}};
   for (const ParameterSource& p : m.parameters) j["parameters"].push_back(to_json(p));
   for (const FeatureSource& f : m.features) j["features"].push_back(to_json(f));
+  for (const SizeControlSource& s : m.sizes) j["sizes"].push_back(to_json(s));
   return j;
 }
 ModelSource model_in(const json& j) {
   ModelSource m{.name = j.at("name"), .unit = j.at("unit")};
   for (const json& p : j.at("parameters")) m.parameters.push_back(parameter_in(p));
   for (const json& f : j.at("features")) m.features.push_back(feature_in(f));
+  if (j.contains("sizes"))
+    for (const json& s : j.at("sizes")) m.sizes.push_back(size_in(s));
   return m;
 }
 

@@ -90,6 +90,25 @@ class Canonical {
     for (const ParameterSource& each : source.parameters) parameter(each);
     number(source.features.size());
     for (const FeatureSource& each : source.features) feature(each);
+    if (!source.sizes.empty()) sizes(source.sizes);
+  }
+  /// Ids are older than sizes, so of a model without them nothing is said. They begin like a text
+  /// of five bytes; what else may follow a model are options, whose first byte is 0 or 1.
+  void sizes(const std::vector<SizeControlSource>& sizes) {
+    text("sizes");
+    number(sizes.size());
+    for (const SizeControlSource& size : sizes) {
+      text(size.id);
+      byte(static_cast<std::uint8_t>(size.place.index()));
+      if (const auto* on = std::get_if<std::string>(&size.place)) {
+        text(*on);
+      } else if (const auto* ball = std::get_if<BallSource>(&size.place)) {
+        for (const Scalar& value : *ball) scalar(value);
+      } else {
+        for (const Scalar& value : std::get<BoxSource>(size.place)) scalar(value);
+      }
+      scalar(size.size);
+    }
   }
   void options(const MeshOptions& options) {
     byte(options.nodes ? 1 : 0);

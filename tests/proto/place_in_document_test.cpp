@@ -54,6 +54,22 @@ TEST(PlaceInAModel, OfWhatIsNotThereIsTheFeatureThatLacksIt) {
   EXPECT_EQ(place(kModel, {.feature = "rib", .parameter = "profile[7]"}), "8:43");
 }
 
+TEST(PlaceInAModel, OfASizeIsItsFieldOrTheSizeThatLacksIt) {
+  const char* const model = R"({"features": [],
+ "sizes": [{"id": "holes", "on": "hole*.wall", "size": "radius/4"},
+  {"id": "spot", "in": {"ball": [0, 0, "q", 1]}, "size": 2}]})";
+  EXPECT_EQ(place(model, {.feature = "", .parameter = "sizes.holes.on"}), "2:34");
+  EXPECT_EQ(place(model, {.feature = "hole1", .parameter = "sizes.holes.size"}), "2:56");
+  EXPECT_EQ(place(model, {.feature = "", .parameter = "sizes.spot.in.ball[2]"}), "3:40");
+  EXPECT_EQ(place(model, {.feature = "", .parameter = "sizes.spot.on"}), "3:3");
+  EXPECT_EQ(place(model, {.feature = "", .parameter = "sizes.gone.on"}), "-");
+  const char* const edit = R"({"edits": [{"removeSize": {"id": "gone"}},
+  {"setSize": {"id": "spot", "in": {"box": [0, 0, 0, 1, 1, 0]}}}]})";
+  EXPECT_EQ(place(edit, {.feature = "", .parameter = "sizes.gone", .edit_index = 0}), "1:12");
+  EXPECT_EQ(place(edit, {.feature = "", .parameter = "sizes.spot.in.box[5]"}), "2:60");
+  EXPECT_EQ(place(edit, {.feature = "", .parameter = "sizes.holes.on"}), "-");
+}
+
 TEST(PlaceInAModel, IsNoneOfWhatItDoesNotTellOf) {
   EXPECT_EQ(place(kModel, {.feature = "hub", .parameter = "radius"}), "-");
   EXPECT_EQ(place(kModel, {.feature = "", .parameter = "nodes"}), "-");

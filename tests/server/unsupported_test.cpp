@@ -46,7 +46,6 @@ class Unsupported : public DaemonTest {
 };
 
 TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
-  expect_no_first_mesh("sizes", [](auto& r) { r.mutable_model()->add_sizes(); });
   expect_no_first_mesh("groups", [](auto& r) { r.mutable_model()->add_groups(); });
   expect_no_first_mesh("order", [](auto& r) { r.mutable_options()->set_order(2); });
   expect_no_first_mesh(
@@ -57,9 +56,17 @@ TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
   create(request);
 }
 
-TEST_F(Unsupported, EditsOfSizesAndGroupsAreNamed) {
-  expect_no_edit("set_size", [](v1::Edit& e) { e.mutable_set_size(); });
-  expect_no_edit("remove_size", [](v1::Edit& e) { e.mutable_remove_size(); });
+TEST_F(Unsupported, ASelectorWithAConditionIsNamedByItsSize) {
+  auto request = create_request(plate(6));
+  v1::SizeControl& size = *request.mutable_model()->add_sizes();
+  size.set_id("top");
+  size.set_on("plate.top & x > 1");
+  size.mutable_size()->set_number_value(1);
+  v1::RevisionResult result;
+  expect_refused(try_create(request, &result), "sizes.top.on");
+}
+
+TEST_F(Unsupported, EditsOfGroupsAreNamed) {
   expect_no_edit("set_group", [](v1::Edit& e) { e.mutable_set_group(); });
   expect_no_edit("remove_group", [](v1::Edit& e) { e.mutable_remove_group(); });
 }
@@ -96,6 +103,7 @@ TEST_F(Unsupported, AndNotAmongTheCapabilities) {
   const v1::ServerCapabilities can = info().capabilities();
   EXPECT_THAT(can.capabilities(),
               testing::ElementsAre(v1::ServerCapabilities::CAPABILITY_SIZING,
+                                   v1::ServerCapabilities::CAPABILITY_SIZES,
                                    v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
                                    v1::ServerCapabilities::CAPABILITY_REMAKE,
                                    v1::ServerCapabilities::CAPABILITY_CACHE));

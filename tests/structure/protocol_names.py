@@ -14,8 +14,7 @@ LATER = {
     "REASON_UNSPECIFIED",
     "DEADLINE_PASSED", "COMPUTE_LIMIT_REACHED",       # limits on time
     "REVISION_OUTDATED", "NOT_REPRODUCIBLE", "TIER_UNAVAILABLE",          # recipes, shared tier
-    "DUPLICATE_NAME", "UNKNOWN_SIZE", "UNKNOWN_GROUP",                    # sizes and groups
-    "SELECTOR_INVALID", "SELECTOR_EMPTY", "POLICY_BROKEN",
+    "UNKNOWN_GROUP", "POLICY_BROKEN",                                     # groups
     "TOO_MANY_STREAMS", "STARTING",                                       # load
     "NOT_ALLOWED",                                                        # access
     "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients

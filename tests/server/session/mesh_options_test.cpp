@@ -10,10 +10,10 @@
 namespace remeshd {
 namespace {
 
-Sizing first(const SizingPatch& sizing) { return first_options({.sizing = sizing}).sizing; }
+Sizing first(const SizingPatch& sizing) { return first_options({.sizing = sizing}, {}).sizing; }
 
 Sizing edited(const SizingPatch& sizing, const Sizing& base) {
-  return edit_options({.sizing = sizing}, {.sizing = base}).sizing;
+  return edit_options({.sizing = sizing}, {.sizing = base}, {}, {}).sizing;
 }
 
 /// The option that is at fault.
@@ -69,6 +69,27 @@ TEST(SizingOptions, OfAnEvenMeshAreTheSameWhateverItSaidBeside) {
   // Ids tell even meshes apart by nothing, and edits inherit these.
   EXPECT_EQ(first({.even = true, .edges_per_circle = 20}), first({}));
   EXPECT_EQ(edited({.even = true}, kUneven), first({}));
+}
+
+TEST(SizingOptions, OfARequestThatGivesSizesOfTheModelAreNotEven) {
+  const ModelSource without;
+  ModelSource with, other;
+  with.sizes = {{"holes", "hole*.wall", "radius/4"}};
+  other.sizes = {{"holes", "hole*.wall", 1.0}};
+  const auto even_first = [](const SizingPatch& sizing, const ModelSource& model) {
+    return first_options({.sizing = sizing}, model).sizing.even;
+  };
+  const auto even_edit = [](const SizingPatch& sizing, const ModelSource& model,
+                            const ModelSource& edited) {
+    return edit_options({.sizing = sizing}, {}, model, edited).sizing.even;
+  };
+  EXPECT_FALSE(even_first({}, with));
+  EXPECT_TRUE(even_first({.even = true}, with));
+  EXPECT_FALSE(even_edit({}, without, with));
+  EXPECT_FALSE(even_edit({}, other, with));
+  EXPECT_TRUE(even_edit({.even = true}, without, with));
+  EXPECT_TRUE(even_edit({}, with, with)) << "of an even base, whose sizes stay";
+  EXPECT_TRUE(even_edit({}, with, without));
 }
 
 TEST(SizingOptions, OutOfRangeAreNamed) {

@@ -30,6 +30,9 @@ Recipe recipe_with_everything() {
   recipe.model.features.back().nature = Nature::Subtractive;
   recipe.model.features.push_back(block("last", 1, 2, 3));
   recipe.model.features.back().reference = ReferenceKind::Centre;
+  recipe.model.sizes = {{"holes", "hole*.wall", "radius/4"},
+                        {"spot", BallSource{1.0, "p", 0.1, 2.0}, 0.5},
+                        {"end", BoxSource{0.0, 0.0, 0.0, 1.0, 2.0, "q"}, 1.0 / 3}};
   recipe.options.size = 0.1;
   recipe.options.seed = ~std::uint64_t{0};
   recipe.options.inside = MeshOptions::Inside::ControlMesh;
@@ -46,6 +49,14 @@ TEST(RecipeText, ComesBackToTheBit) {
   const Recipe recipe = recipe_with_everything();
   EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
   EXPECT_EQ(read_recipe(write_recipe({})), Recipe());
+}
+
+TEST(RecipeText, OfAModelWithoutSizesIsThatOfBeforeThereWereAny) {
+  Recipe recipe = recipe_with_everything();
+  EXPECT_NE(write_recipe(recipe).find("\"sizes\""), std::string::npos);
+  recipe.model.sizes.clear();
+  EXPECT_EQ(write_recipe(recipe).find("\"sizes\""), std::string::npos);
+  EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
 }
 
 TEST(RecipeText, OfAnEvenMeshIsThatOfBeforeThereWereSizes) {

@@ -75,6 +75,28 @@ TEST(RevisionId, DiffersWithEverythingThatADocumentSays) {
   }
 }
 
+TEST(RevisionId, DiffersWithTheSizesOfTheModel) {
+  const std::vector<std::vector<SizeControlSource>> all{
+      {},
+      {{"a", "b", "c"}},
+      {{"b", "b", "c"}},
+      {{"a", "c", "c"}},
+      {{"a", "b", 1.0}},
+      {{"a", "b", "c"}, {"d", "b", "c"}},
+      {{"d", "b", "c"}, {"a", "b", "c"}},
+      {{"a", BallSource{0.0, 0.0, 0.0, 1.0}, "c"}},
+      {{"a", BallSource{0.0, 0.0, 0.0, 2.0}, "c"}},
+      {{"a", BoxSource{0.0, 0.0, 0.0, 1.0, 1.0, 1.0}, "c"}},
+      {{"a", BoxSource{0.0, 0.0, 0.0, 1.0, 1.0, 2.0}, "c"}}};
+  std::set<std::string> ids, digests;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ModelSource changed = model();
+    changed.sizes = all[i];
+    EXPECT_TRUE(ids.insert(revision_id(changed, {}, "", 1)).second) << "sizes " << i;
+    EXPECT_TRUE(digests.insert(model_digest(changed)).second) << "sizes " << i;
+  }
+}
+
 TEST(RevisionId, DescriptionsOfParametersAreForPeople) {
   ModelSource described = model();
   described.parameters[0].description = "radius of the hole";
