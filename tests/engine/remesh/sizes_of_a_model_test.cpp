@@ -1,0 +1,74 @@
+// First meshes and edits of models that ask for edge lengths at places.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+
+/// The model's sizes hold, and no rule does.
+MeshOptions sized() {
+  MeshOptions options{.size = 4};
+  options.sizing = {.even = false, .edges_per_circle = 0, .layers = 0};
+  return options;
+}
+
+ModelSource plate(std::vector<SizeControlSource> sizes) {
+  ModelSource source =
+      test::model_of({test::block("plate", 40, 40, 8),
+                      test::placed(test::cylinder("hole", 4, 10), -8, 0, -1, Nature::Subtractive)});
+  source.sizes = std::move(sizes);
+  return source;
+}
+
+/// Facets of the mesh that lie on a face of a feature.
+std::ptrdiff_t facets_on(const Revision& r, const std::string& face) {
+  const MeshGroups& groups = r.output.groups;
+  return std::ranges::count_if(groups.facets, [&](const MeshFacet& f) {
+    const auto& names = groups.facet_groups[f.group];
+    return std::ranges::find(names, face) != names.end();
+  });
+}
+
+TEST(SizesOfAModel, MakeItsMeshFinerThere) {
+  const Revision plain = make_revision(Revision::none(), plate({}), sized(), kRun);
+  const Revision fine =
+      make_revision(Revision::none(), plate({{"rim", "hole.wall", "radius/4"}}), sized(), kRun);
+  EXPECT_GE(facets_on(fine, "hole.wall"), 6 * facets_on(plain, "hole.wall"));
+  EXPECT_LE(facets_on(fine, "plate.x_max"), 2 * facets_on(plain, "plate.x_max"));
+}
+
+TEST(SizesOfAModel, DoNotHoldInAnEvenMesh) {
+  const MeshOptions even{.size = 4};
+  const Revision plain = make_revision(Revision::none(), plate({}), even, kRun);
+  const Revision asked =
+      make_revision(Revision::none(), plate({{"rim", "hole.wall", "radius/4"}}), even, kRun);
+  EXPECT_EQ(asked.output.mesh.nodes, plain.output.mesh.nodes);
+}
+
+TEST(SizesOfAModel, ThatSelectNothingAreAnErrorOfAFirstMesh) {
+  const ErrorInfo info = test::error_of([] {
+    make_revision(Revision::none(), plate({{"rim", "bore*.wall", 1.0}}), sized(), kRun);
+  });
+  EXPECT_EQ(test::place_of(info), "SELECTOR_EMPTY - sizes.rim.on");
+}
+
+TEST(SizesOfAModel, ThatSelectNothingAnyMoreAreAWarningOfAnEdit) {
+  const ModelSource source = plate({{"rim", "hole.wall", "radius/4"}});
+  const Revision base = make_revision(Revision::none(), source, sized(), kRun);
+  MeshOptions inherited = sized();
+  inherited.size.reset();
+  const Revision r = make_revision(base, apply(source, {{RemoveFeature{"hole"}}}), inherited, kRun);
+  EXPECT_TRUE(std::ranges::any_of(r.report.warnings, [](const Warning& w) {
+    return w.code == WarningCode::GroupEmptied && w.groups == std::vector<std::string>{"rim"};
+  }));
+}
+
+}  // namespace
+}  // namespace remeshd
