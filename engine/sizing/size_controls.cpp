@@ -25,16 +25,17 @@ double asked_on(const BoundaryFace& face, const Selected& selected) {
 
 SizeSource source_of(const SizedBall& ball) {
   const Vec3 reach{ball.radius, ball.radius, ball.radius};
-  return {.surface = {Surface::Kind::Sphere, Transform::translation(ball.centre), ball.radius, 0},
-          .box = {ball.centre - reach, ball.centre + reach},
-          .size = ball.size,
-          .asked = true,
-          .filled = true};
+  return {
+      .piece = Surface{Surface::Kind::Sphere, Transform::translation(ball.centre), ball.radius, 0},
+      .box = {ball.centre - reach, ball.centre + reach},
+      .size = ball.size,
+      .asked = true,
+      .filled = true};
 }
 
 /// What of the box lies below the plane of its top is all of it.
 SizeSource source_of(const SizedBox& box) {
-  return {.surface = {Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
+  return {.piece = Surface{Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
           .box = {box.lo, box.hi},
           .size = box.size,
           .asked = true,
@@ -59,7 +60,7 @@ std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
   }
   for (std::size_t f = 0; f < on.size(); ++f)
     if (std::isfinite(on[f]))
-      sources.push_back({.surface = boundary.faces[f].surface,
+      sources.push_back({.piece = boundary.faces[f].surface,
                          .box = box_of(boundary.faces[f].points),
                          .size = on[f],
                          .asked = true});
