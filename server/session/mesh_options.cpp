@@ -33,9 +33,9 @@ void check(const OptionsPatch& patch) {
 }
 
 /// An even mesh has no rules to leave to its edits: what it says of them is of no account.
-Sizing patched(const SizingPatch& patch, const Sizing& base, bool sizes) {
+Sizing patched(const SizingPatch& patch, const Sizing& base) {
   const bool rules = patch.edges_per_circle || patch.layers || patch.min_size || patch.growth;
-  if (patch.even.value_or(base.even && !rules && !sizes)) return {.even = true};
+  if (patch.even.value_or(base.even && !rules)) return {.even = true};
   return {.even = false,
           .edges_per_circle = patch.edges_per_circle.value_or(base.edges_per_circle),
           .layers = patch.layers.value_or(base.layers),
@@ -43,9 +43,8 @@ Sizing patched(const SizingPatch& patch, const Sizing& base, bool sizes) {
           .growth = patch.growth.value_or(base.growth)};
 }
 
-/// What the patch leaves out is the base's, but for the density. `sizes`: the request gives some of
-/// the model.
-MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base, bool sizes) {
+/// What the patch leaves out is the base's, but for the density.
+MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
   MeshOptions options;
   options.nodes = patch.nodes;
   options.size = patch.size;
@@ -55,25 +54,23 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base, bool siz
   options.start = patch.start.value_or(base.start);
   options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
-  options.sizing = patched(patch.sizing, base.sizing, sizes);
+  options.sizing = patched(patch.sizing, base.sizing);
   return options;
 }
 
 }  // namespace
 
-MeshOptions first_options(const OptionsPatch& patch, const ModelSource& model) {
+MeshOptions first_options(const OptionsPatch& patch) {
   constexpr std::uint32_t kDefaultNodes = 15000;
   check(patch);
-  MeshOptions options = patched(patch, MeshOptions{}, !model.sizes.empty());
+  MeshOptions options = patched(patch, {.sizing = {.even = false}});
   if (!options.nodes && !options.size) options.nodes = kDefaultNodes;
   return options;
 }
 
-MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base,
-                         const ModelSource& model, const ModelSource& edited) {
+MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base) {
   check(patch);
-  const bool sizes = !edited.sizes.empty() && edited.sizes != model.sizes;
-  return patched(patch, base, sizes);  // no target means the base's density
+  return patched(patch, base);  // no target means the base's density
 }
 
 }  // namespace remeshd

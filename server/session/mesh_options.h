@@ -5,13 +5,12 @@
 
 namespace remeshd {
 
-/// Options of a first mesh of a model. Rules of a size field and sizes of the model mean that it is
-/// not even, where the patch does not say that it is. Throws Error(`OPTIONS_INVALID`).
-MeshOptions first_options(const OptionsPatch& patch, const ModelSource& model);
+/// Options of a first mesh: what the patch leaves out has the defaults of requests, which the
+/// engine's own are not: 15,000 nodes, sized by all rules. Throws Error(`OPTIONS_INVALID`).
+MeshOptions first_options(const OptionsPatch& patch);
 
-/// Likewise of an edit of a revision that has `base` and `model`, which it makes `edited`: so do
-/// sizes that the edit changes.
-MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base,
-                         const ModelSource& model, const ModelSource& edited);
+/// Options of an edit of a revision that has `base`. Rules of a size field mean that the mesh is not
+/// even, where the patch does not say that it is. Throws Error(`OPTIONS_INVALID`).
+MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
 
 }  // namespace remeshd

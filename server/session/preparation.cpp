@@ -69,7 +69,7 @@ Prepared Preparation::prepare(const Command& command, const std::optional<EditBa
 
 Prepared Preparation::prepare_create(const CreateCommand& command, const Run& run) const {
   Prepared prepared;
-  prepared.options = first_options(command.options, command.source);
+  prepared.options = first_options(command.options);
   if (command.head.file.value_or(true)) {
     prepared.design = command.design.empty() ? command.source.name : command.design;
     if (prepared.design.empty()) prepared.design = "model";
@@ -96,8 +96,7 @@ Prepared Preparation::prepare_edit(const EditCommand& command, const EditBase& b
   const Revision& original = prepared.base->revision;
   prepared.edit = command.document;
   prepared.source = engine_.apply(original.source, command.edit);
-  prepared.options =
-      edit_options(command.options, original.options, original.source, prepared.source);
+  prepared.options = edit_options(command.options, original.options);
   prepared.nodes =
       engine_.check_node_limit(&original, engine_.evaluate(prepared.source), prepared.options, run);
   prepared.head = command.head;

@@ -127,7 +127,7 @@ ModelComparison Session::compare(const ComparisonSide& original, const Compariso
 
 Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
                             const Run& run) {
-  return validated(nullptr, source, first_options(options, source), run);
+  return validated(nullptr, source, first_options(options), run);
 }
 
 Validated Session::validated(const Revision* base, const ModelSource& source,
@@ -147,9 +147,8 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
   if (reference.empty()) throw error::reference_missing("base");
   const HeldRevisionPtr held = get(reference, run);
   const Revision& revision = held->revision;
-  const ModelSource edited = engine().apply(revision.source, edit);
-  return validated(&revision, edited,
-                   edit_options(options, revision.options, revision.source, edited), run);
+  return validated(&revision, engine().apply(revision.source, edit),
+                   edit_options(options, revision.options), run);
 }
 
 std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const RevisionPage& page) {

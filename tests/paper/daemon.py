@@ -9,10 +9,11 @@ from pathlib import Path
 
 
 class Daemon:
-    """`remeshd` on a free loopback port with an empty store; ends with the `with` block."""
+    """`remeshd` on a free loopback port with an empty store; ends with the `with` block. Its meshes
+    are even, which is the paper, unless they are to be `sized` by the default rules."""
 
-    def __init__(self, binaries, *options):
-        self.binaries, self.options = Path(binaries), options
+    def __init__(self, binaries, *options, sized=False):
+        self.binaries, self.options, self.sized = Path(binaries), options, sized
 
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="remesh-paper-")
@@ -47,6 +48,8 @@ class Daemon:
     def run(self, command, *arguments, out):
         """Runs `remesh command`; returns the Report. The mesh lies in file(out + ".vtu")."""
         report = self.file(out + ".json")
+        if command == "mesh" and not self.sized:
+            arguments += ("--even",)
         done = self._cli(command, *arguments, "-o", self.file(out + ".vtu"), "--json", report)
         if done.returncode != 0:
             raise RuntimeError(f"remesh {command} {' '.join(map(str, arguments))}: exit "

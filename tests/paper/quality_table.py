@@ -59,9 +59,9 @@ class Record:
     """What has been measured of the meshes of the same daemon, a line of JSON for each case, number of
     nodes and seed. Without a file it remembers nothing."""
 
-    def __init__(self, file, binaries):
+    def __init__(self, file, binaries, sized):
         self.file = file
-        self.daemon = hashlib.sha256((Path(binaries) / "remeshd").read_bytes()).hexdigest()
+        self.daemon = hashlib.sha256((Path(binaries) / "remeshd").read_bytes()).hexdigest() + sized * " sized"
         self.lines = {}
         if file and file.exists():
             for line in map(json.loads, file.read_text().splitlines()):
@@ -139,14 +139,15 @@ def main():
     parser.add_argument("--seeds", nargs="+", type=int, default=list(range(1, 11)))
     parser.add_argument("--cases", nargs="+", choices=[c.name for c in CASES])
     parser.add_argument("--record", type=Path, help="file of what has been measured, to go on with")
+    parser.add_argument("--sized", action="store_true", help="by the default rules, not even")
     options = parser.parse_args()
 
-    record = Record(options.record, options.binaries)
+    record = Record(options.record, options.binaries, options.sized)
     rows, drawn = {}, {}
     for case in CASES:
         if options.cases and case.name not in options.cases:
             continue
-        with Daemon(options.binaries) as daemon:
+        with Daemon(options.binaries, sized=options.sized) as daemon:
             for nodes in options.nodes:
                 for seed in options.seeds:
                     to_draw = case.name in DRAWN and nodes == DRAWN_NODES and case.name not in drawn

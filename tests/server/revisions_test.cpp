@@ -141,9 +141,13 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   EXPECT_THAT(describe("plate@1").children(), ElementsAre(child.revision().id()));
 }
 
-TEST_F(Revisions, AMeshThatSaysNothingOfItsSizingIsDescribedAsEven) {
+TEST_F(Revisions, AMeshThatSaysNothingOfItsSizingIsDescribedWithTheDefaults) {
   create(plate());
-  EXPECT_TRUE(describe("plate").options().sizing().even());
+  const v1::Sizing sizing = describe("plate").options().sizing();
+  EXPECT_FALSE(sizing.even());
+  EXPECT_EQ(sizing.edges_per_circle(), 12U);
+  EXPECT_EQ(sizing.layers(), 1U);
+  EXPECT_EQ(sizing.growth(), 1.3);
 }
 
 TEST_F(Revisions, AnEditMaySayOtherwise) {

@@ -68,16 +68,13 @@ TEST_F(SizesOfAModel, ComeBackAsTheyWereSent) {
     for (int s = 0; s < 2; ++s)
       EXPECT_EQ(known.model().sizes(s).SerializeAsString(), model.sizes(s).SerializeAsString());
     EXPECT_THAT(known.model_document(), HasSubstr(R"("on": "hole*.wall")"));
-    EXPECT_FALSE(known.options().sizing().even());
     start();
   }
 }
 
 TEST_F(SizesOfAModel, AreSetChangedAndRemovedByEdits) {
   create(plate());
-  EXPECT_TRUE(describe("plate").options().sizing().even());
   edit("plate", setting(on("holes", "hole.wall", "radius/4")));
-  EXPECT_FALSE(describe("plate@2").options().sizing().even());
   v1::SizeControl coarser;
   coarser.set_id("holes");
   coarser.mutable_size()->set_number_value(2);

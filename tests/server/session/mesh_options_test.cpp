@@ -10,10 +10,10 @@
 namespace remeshd {
 namespace {
 
-Sizing first(const SizingPatch& sizing) { return first_options({.sizing = sizing}, {}).sizing; }
+Sizing first(const SizingPatch& sizing) { return first_options({.sizing = sizing}).sizing; }
 
 Sizing edited(const SizingPatch& sizing, const Sizing& base) {
-  return edit_options({.sizing = sizing}, {.sizing = base}, {}, {}).sizing;
+  return edit_options({.sizing = sizing}, {.sizing = base}).sizing;
 }
 
 /// The option that is at fault.
@@ -30,18 +30,19 @@ std::string refused(const SizingPatch& sizing) {
 const Sizing kUneven{
     .even = false, .edges_per_circle = 20, .layers = 3, .min_size = 0.25, .growth = 1.5};
 
-TEST(SizingOptions, OfAMeshThatAsksForNoneAreEven) {
-  EXPECT_TRUE(first({}).even);
-  EXPECT_TRUE(edited({}, {}).even);
-}
-
-TEST(SizingOptions, OfWhichAnyIsGivenAreNotEven) {
+TEST(SizingOptions, OfAFirstMeshAreAllRulesUnlessItSaysOtherwise) {
+  EXPECT_EQ(first({}), (Sizing{.even = false}));
   EXPECT_EQ(first({.edges_per_circle = 20}), (Sizing{.even = false, .edges_per_circle = 20}));
   EXPECT_EQ(first({.layers = 3}), (Sizing{.even = false, .layers = 3}));
   EXPECT_EQ(first({.min_size = 0.5}), (Sizing{.even = false, .min_size = 0.5}));
   EXPECT_EQ(first({.growth = 1.5}), (Sizing{.even = false, .growth = 1.5}));
-  EXPECT_EQ(first({.even = false}), (Sizing{.even = false}));
-  EXPECT_EQ(edited({.layers = 3}, {}), (Sizing{.even = false, .layers = 3}));
+  EXPECT_EQ(first({.even = true}), (Sizing{.even = true}));
+}
+
+TEST(SizingOptions, OfAnEditOfAnEvenMeshAreEvenUnlessItGivesARule) {
+  EXPECT_EQ(edited({}, {.even = true}), (Sizing{.even = true}));
+  EXPECT_EQ(edited({.layers = 3}, {.even = true}), (Sizing{.even = false, .layers = 3}));
+  EXPECT_EQ(edited({.even = false}, {.even = true}), (Sizing{.even = false}));
 }
 
 TEST(SizingOptions, ThatSayEvenAreEvenWhateverTheRules) {
@@ -67,29 +68,8 @@ TEST(SizingOptions, OfAnEditAreItsBasesButForWhatItGives) {
 
 TEST(SizingOptions, OfAnEvenMeshAreTheSameWhateverItSaidBeside) {
   // Ids tell even meshes apart by nothing, and edits inherit these.
-  EXPECT_EQ(first({.even = true, .edges_per_circle = 20}), first({}));
-  EXPECT_EQ(edited({.even = true}, kUneven), first({}));
-}
-
-TEST(SizingOptions, OfARequestThatGivesSizesOfTheModelAreNotEven) {
-  const ModelSource without;
-  ModelSource with, other;
-  with.sizes = {{"holes", "hole*.wall", "radius/4"}};
-  other.sizes = {{"holes", "hole*.wall", 1.0}};
-  const auto even_first = [](const SizingPatch& sizing, const ModelSource& model) {
-    return first_options({.sizing = sizing}, model).sizing.even;
-  };
-  const auto even_edit = [](const SizingPatch& sizing, const ModelSource& model,
-                            const ModelSource& edited) {
-    return edit_options({.sizing = sizing}, {}, model, edited).sizing.even;
-  };
-  EXPECT_FALSE(even_first({}, with));
-  EXPECT_TRUE(even_first({.even = true}, with));
-  EXPECT_FALSE(even_edit({}, without, with));
-  EXPECT_FALSE(even_edit({}, other, with));
-  EXPECT_TRUE(even_edit({.even = true}, without, with));
-  EXPECT_TRUE(even_edit({}, with, with)) << "of an even base, whose sizes stay";
-  EXPECT_TRUE(even_edit({}, with, without));
+  EXPECT_EQ(first({.even = true, .edges_per_circle = 20}), first({.even = true}));
+  EXPECT_EQ(edited({.even = true}, kUneven), first({.even = true}));
 }
 
 TEST(SizingOptions, OutOfRangeAreNamed) {
