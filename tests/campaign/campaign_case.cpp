@@ -8,6 +8,14 @@ namespace remeshd::campaign {
 
 using nlohmann::json;
 
+std::vector<std::string> CaseRequest::arguments() const {
+  std::vector<std::string> result{"--seed", std::to_string(seed), "--case", std::to_string(number)};
+  if (!parts) return result;
+  result.insert(result.end(), {"--parts", "--nodes", std::to_string(parts->nodes)});
+  if (parts->sized) result.emplace_back("--sized");
+  return result;
+}
+
 ModelSource model_after(const CampaignCase& c, std::size_t k) {
   ModelSource model = c.model;
   for (std::size_t i = 0; i < k; ++i)
@@ -16,7 +24,9 @@ ModelSource model_after(const CampaignCase& c, std::size_t k) {
 }
 
 json write_case(const CampaignCase& c) {
-  json options{{"iterations", c.options.iterations}, {"seed", c.options.seed}};
+  json options{{"iterations", c.options.iterations},
+               {"seed", c.options.seed},
+               {"even", c.options.sizing.even}};
   if (c.options.nodes) options["nodes"] = *c.options.nodes;
   if (c.options.size) options["size"] = *c.options.size;
   json steps = json::array();
@@ -25,11 +35,8 @@ json write_case(const CampaignCase& c) {
                      {"size", step.size},
                      {"undone", step.undone},
                      {"edit", test::write_edit(step.edit)}});
-  return {{"seed", c.seed},
-          {"case", c.number},
-          {"note", c.note},
-          {"options", options},
-          {"model", test::write_model(c.model)},
+  return {{"seed", c.seed}, {"case", c.number},   {"part", c.part},
+          {"note", c.note}, {"options", options}, {"model", test::write_model(c.model)},
           {"steps", steps}};
 }
 
@@ -37,6 +44,7 @@ CampaignCase read_case(const json& j) {
   CampaignCase c;
   c.seed = j.value("seed", std::uint64_t{0});
   c.number = j.value("case", std::uint64_t{0});
+  c.part = j.value("part", std::string());
   c.note = j.value("note", std::string());
   c.model = test::read_model(j.at("model"));
   const json& options = j.at("options");
@@ -44,6 +52,7 @@ CampaignCase read_case(const json& j) {
   if (options.contains("size")) c.options.size = options.at("size").get<double>();
   c.options.iterations = options.value("iterations", 0U);
   c.options.seed = options.value("seed", std::uint64_t{1});
+  c.options.sizing.even = options.value("even", true);
   for (const json& step : j.at("steps"))
     c.steps.push_back({test::read_edit(step.at("edit")), step.value("kind", std::string()),
                        step.value("size", 0.0), step.value("undone", false)});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace remeshd::campaign {
 
 struct Step {
   ModelEdit edit;
-  std::string kind;  ///< of the edit, as in documents
+  std::string kind;  ///< of the edit, as in documents; of a part's: `drift`, `sweep`, ...
   double size = 0;   ///< by the model's diagonal
   /// The CAD kernel fails at its model, which is therefore no base: later edits do without it.
   bool undone = false;
@@ -21,10 +22,26 @@ struct Step {
 /// last revision that could be made, and applied to the document before it in any case.
 struct CampaignCase {
   std::uint64_t seed = 0, number = 0;
+  std::string part;  ///< of a detailed part its name or the kind of its body, else empty
   std::string note;  ///< what was found, for readers of a stored case
   ModelSource model;
   MeshOptions options;
   std::vector<Step> steps;
+};
+
+/// What a campaign can be asked for beside its seed: edits of detailed parts.
+struct PartOptions {
+  std::uint32_t nodes = 15000;  ///< of the first meshes
+  bool sized = false;           ///< with a size field
+};
+
+/// What tells a case from all others.
+struct CaseRequest {
+  std::uint64_t seed = 1, number = 0;
+  std::optional<PartOptions> parts{};  ///< a detailed part; nothing: good-natured or other
+
+  /// As arguments of a command.
+  [[nodiscard]] std::vector<std::string> arguments() const;
 };
 
 /// The document after k steps.

@@ -27,9 +27,16 @@ struct Options {
   std::uint64_t seed = 1, number = 0, from = 0;
   int edits = 300, jobs = 1;
   std::string file, out, json, record;
-  bool only_gentle = false, only_others = false, keep_refusals = false, keep_fallbacks = false,
-       strict = false, verbose = false;
+  bool only_gentle = false, only_others = false, parts = false;
+  PartOptions part_options;
+  bool keep_refusals = false, keep_fallbacks = false, strict = false, verbose = false;
   double shrink_seconds = 60;
+
+  [[nodiscard]] CaseRequest request(std::uint64_t k) const {
+    CaseRequest result{seed, k};
+    if (parts) result.parts = part_options;
+    return result;
+  }
 };
 
 constexpr double kCaseSeconds = 1500;  // wall clock; each step has its own limit
@@ -96,18 +103,18 @@ class Cases {
   };
 
   void start_one() {
-    for (;; ++next_) {
+    for (; !options_.parts; ++next_) {
       const bool gentle = is_gentle(options_.seed, next_);
       if (!(gentle ? options_.only_others : options_.only_gentle)) break;
     }
-    ahead_.push_back(std::async(std::launch::async, [this, number = next_++] {
-      if (auto done = record_.find(options_.seed, number)) return std::move(*done);
+    ahead_.push_back(std::async(std::launch::async, [this, request = options_.request(next_++)] {
+      if (auto done = record_.find(request)) return std::move(*done);
       const Job job(free_jobs_);
       if (enough_) return WorkedCase{};
-      WorkedCase worked = have_worked(options_.seed, number, kCaseSeconds);
-      worked.campaign_case.number = number;  // which a worker that ends early does not tell
+      WorkedCase worked = have_worked(request, kCaseSeconds);
+      worked.campaign_case.number = request.number;  // which a worker that ends early does not tell
       const std::lock_guard lock(writing_);
-      record_.add(options_.seed, number, worked);
+      record_.add(request, worked);
       return worked;
     }));
   }
@@ -169,16 +176,25 @@ void print_facts(const ModelFacts& facts, double length) {
 }
 
 int describe(const Options& options) {
-  const RandomCase made = make_case(options.seed, options.number, [](const CampaignCase&) {});
+  const RandomCase made = make_case(options.request(options.number), [](const CampaignCase&) {});
   const CampaignCase& c = made.campaign_case;
   std::cout << write_case(c).dump(1) << "\n";
   for (std::size_t k = 0; k < made.facts.size(); ++k) {
     std::cout << "model " << k << ": " << model_after(c, k).features.size() << " features\n";
-    print_facts(made.facts[k], made.length);
+    if (made.measured) print_facts(made.facts[k], made.length);
   }
   for (const auto& [reason, n] : made.discarded)
     std::cout << "discarded " << n << ": " << reason << "\n";
   return 0;
+}
+
+void add_case_options(CLI::App* command, Options& options) {
+  command->add_option("--seed", options.seed, "of the campaign");
+  CLI::Option* parts =
+      command->add_flag("--parts", options.parts, "edits in loops of detailed parts");
+  command->add_option("--nodes", options.part_options.nodes, "of the parts' first meshes")
+      ->needs(parts);
+  command->add_flag("--sized", options.part_options.sized, "with a size field")->needs(parts);
 }
 
 }  // namespace
@@ -189,7 +205,7 @@ int main(int argc, char** argv) try {
   Options options;
 
   CLI::App* run_command = app.add_subcommand("run", "mesh and verify edits until there are enough");
-  run_command->add_option("--seed", options.seed, "of the campaign");
+  add_case_options(run_command, options);
   run_command->add_option("--edits", options.edits, "how many at least");
   run_command->add_option("--from", options.from, "the first case");
   run_command->add_option("--out", options.out, "folder for what failed");
@@ -199,7 +215,9 @@ int main(int argc, char** argv) try {
   run_command->add_option("--shrink", options.shrink_seconds, "seconds for each failure; 0: none");
   CLI::Option* gentle = run_command->add_flag("--good-natured", options.only_gentle,
                                               "only cases made to be good-natured");
-  run_command->add_flag("--others", options.only_others, "only the others")->excludes(gentle);
+  CLI::Option* others = run_command->add_flag("--others", options.only_others, "only the others");
+  gentle->excludes(others)->excludes("--parts");
+  others->excludes("--parts");
   run_command->add_flag("--keep-refusals", options.keep_refusals, "store refused edits too");
   run_command->add_flag("--keep-fallbacks", options.keep_fallbacks, "store edits that fell back");
   run_command->add_flag("--strict", options.strict, "exit with 1 where anything failed");
@@ -211,10 +229,10 @@ int main(int argc, char** argv) try {
   shrink_command->add_option("file", options.file)->required();
   shrink_command->add_option("--seconds", options.shrink_seconds);
   CLI::App* describe_command = app.add_subcommand("describe", "print a case and its measures");
-  describe_command->add_option("--seed", options.seed);
+  add_case_options(describe_command, options);
   describe_command->add_option("--case", options.number);
   CLI::App* work_command = app.add_subcommand("work", "what the other commands start");
-  work_command->add_option("--seed", options.seed);
+  add_case_options(work_command, options);
   work_command->add_option("--case", options.number);
   work_command->add_option("--file", options.file);
   CLI11_PARSE(app, argc, argv);
@@ -227,7 +245,7 @@ int main(int argc, char** argv) try {
     return 0;
   }
   if (options.file.empty())
-    work_on_number(options.seed, options.number);
+    work_on_request(options.request(options.number));
   else
     work_on_file(options.file);
   return 0;

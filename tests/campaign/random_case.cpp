@@ -8,6 +8,7 @@
 #include "engine/nodes/density.h"
 #include "tests/campaign/bodies.h"
 #include "tests/campaign/mean_features.h"
+#include "tests/campaign/parts/part_case.h"
 #include "tests/campaign/random_edit.h"
 #include "tests/campaign/site_features.h"
 
@@ -190,6 +191,12 @@ bool is_gentle(std::uint64_t seed, std::uint64_t number) {
 RandomCase make_case(std::uint64_t seed, std::uint64_t number,
                      const std::function<void(const CampaignCase&)>& before_look) {
   return CaseMaker(seed, number, before_look)();
+}
+
+RandomCase make_case(const CaseRequest& request,
+                     const std::function<void(const CampaignCase&)>& before_look) {
+  return request.parts ? make_part_case(request, before_look)
+                       : make_case(request.seed, request.number, before_look);
 }
 
 }  // namespace remeshd::campaign

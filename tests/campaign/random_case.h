@@ -16,6 +16,7 @@ struct RandomCase {
   bool gentle = false;  ///< made to be good-natured
   double length = 0;    ///< target edge length l of all its meshes
   std::vector<ModelFacts> facts;
+  bool measured = true;                  ///< facts hold measures; of detailed parts they do not
   std::map<std::string, int> discarded;  ///< models not used, by the reason of their refusal
 };
 
@@ -28,6 +29,9 @@ bool is_gentle(std::uint64_t seed, std::uint64_t number);
 ///
 /// `before_look`: called with each model before it is looked at, which may crash.
 RandomCase make_case(std::uint64_t seed, std::uint64_t number,
+                     const std::function<void(const CampaignCase&)>& before_look);
+/// The same, or that of a detailed part.
+RandomCase make_case(const CaseRequest& request,
                      const std::function<void(const CampaignCase&)>& before_look);
 
 }  // namespace remeshd::campaign

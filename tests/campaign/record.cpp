@@ -28,23 +28,20 @@ Record::Record(std::filesystem::path file) : file_(std::move(file)) {
   for (std::string line; std::getline(in, line);) {
     const json j = json::parse(line, nullptr, false);  // the last may not be whole
     if (j.is_discarded() || j.at("build").get<std::uint64_t>() != build_) continue;
-    lines_[{j.at("seed").get<std::uint64_t>(), j.at("number").get<std::uint64_t>()}] = line;
+    lines_[j.at("request").get<std::vector<std::string>>()] = line;
   }
 }
 
-std::optional<WorkedCase> Record::find(std::uint64_t seed, std::uint64_t number) const {
-  const auto line = lines_.find({seed, number});
+std::optional<WorkedCase> Record::find(const CaseRequest& request) const {
+  const auto line = lines_.find(request.arguments());
   if (line == lines_.end()) return {};
   return read_worked(json::parse(line->second).at("worked"));
 }
 
-void Record::add(std::uint64_t seed, std::uint64_t number, const WorkedCase& worked) const {
+void Record::add(const CaseRequest& request, const WorkedCase& worked) const {
   if (file_.empty()) return;
   std::ofstream out(file_, std::ios::app);
-  out << json{{"build", build_},
-              {"seed", seed},
-              {"number", number},
-              {"worked", write_worked(worked)}}
+  out << json{{"build", build_}, {"request", request.arguments()}, {"worked", write_worked(worked)}}
              .dump()
       << std::endl;
   if (!out) throw std::runtime_error("cannot write " + file_.string());

@@ -17,14 +17,14 @@ class Record {
   /// An empty path remembers nothing.
   explicit Record(std::filesystem::path file);
 
-  [[nodiscard]] std::optional<WorkedCase> find(std::uint64_t seed, std::uint64_t number) const;
+  [[nodiscard]] std::optional<WorkedCase> find(const CaseRequest& request) const;
   /// Throws std::runtime_error where the file cannot be written.
-  void add(std::uint64_t seed, std::uint64_t number, const WorkedCase& worked) const;
+  void add(const CaseRequest& request, const WorkedCase& worked) const;
 
  private:
   std::filesystem::path file_;
-  std::uint64_t build_ = 0;  ///< of this program
-  std::map<std::pair<std::uint64_t, std::uint64_t>, std::string> lines_;
+  std::uint64_t build_ = 0;                                ///< of this program
+  std::map<std::vector<std::string>, std::string> lines_;  ///< by arguments of the request
 };
 
 }  // namespace remeshd::campaign

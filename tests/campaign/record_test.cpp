@@ -36,32 +36,42 @@ struct RecordTest : testing::Test {
 };
 
 TEST_F(RecordTest, GivesBackWhatWasAddedToEarlierOnes) {
-  Record(file).add(3, 14, some_case());
+  Record(file).add({3, 14}, some_case());
   const Record record(file);
-  const auto found = record.find(3, 14);
+  const auto found = record.find({3, 14});
   ASSERT_TRUE(found);
   EXPECT_EQ(write_worked(*found), write_worked(some_case()));
-  EXPECT_FALSE(record.find(3, 15));
-  EXPECT_FALSE(record.find(4, 14));
+  EXPECT_FALSE(record.find({3, 15}));
+  EXPECT_FALSE(record.find({4, 14}));
+}
+
+TEST_F(RecordTest, TellsCasesOfPartsFromOthersAndByTheirMeshes) {
+  const CaseRequest part{3, 14, PartOptions{.nodes = 800, .sized = true}};
+  Record(file).add(part, some_case());
+  const Record record(file);
+  EXPECT_TRUE(record.find(part));
+  EXPECT_FALSE(record.find({3, 14}));
+  EXPECT_FALSE(record.find({3, 14, PartOptions{.nodes = 900, .sized = true}}));
+  EXPECT_FALSE(record.find({3, 14, PartOptions{.nodes = 800, .sized = false}}));
 }
 
 TEST_F(RecordTest, PassesOverLinesOfOtherBuildsAndAnEndThatIsMissing) {
-  Record(file).add(3, 14, some_case());
+  Record(file).add({3, 14}, some_case());
   std::string line;
   std::getline(std::ifstream(file), line);
   nlohmann::json other = nlohmann::json::parse(line);
   other["build"] = 1;
-  other["number"] = 15;
+  other["request"] = CaseRequest{3, 15}.arguments();
   std::ofstream(file, std::ios::app) << other.dump() << "\n" << line.substr(0, 100);
   const Record record(file);
-  EXPECT_TRUE(record.find(3, 14));
-  EXPECT_FALSE(record.find(3, 15));
+  EXPECT_TRUE(record.find({3, 14}));
+  EXPECT_FALSE(record.find({3, 15}));
 }
 
 TEST_F(RecordTest, OfNoFileRemembersNothing) {
   const Record record{fs::path()};
-  record.add(3, 14, some_case());
-  EXPECT_FALSE(record.find(3, 14));
+  record.add({3, 14}, some_case());
+  EXPECT_FALSE(record.find({3, 14}));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tests/campaign/run_case.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -21,6 +23,31 @@ using nlohmann::json;
 double since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
+
+/// Of this process and of helpers that have ended.
+double processor_seconds() {
+  double sum = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    ::getrusage(who, &usage);
+    for (const timeval& t : {usage.ru_utime, usage.ru_stime})
+      sum += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  }
+  return sum;
+}
+
+/// Since it was made.
+class Watch {
+ public:
+  void tell(Outcome& outcome) const {
+    outcome.seconds = since(start_);
+    outcome.processor_seconds = processor_seconds() - processor_start_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double processor_start_ = processor_seconds();
+};
 
 /// A revision with the permanent ids that it and its ancestors have had.
 struct Base {
@@ -57,10 +84,11 @@ void check_foretold(std::span<const Warning> certain, const Report& report, Find
       findings.add("foretold", warning.message);
 }
 
+/// `of_part`: a detailed one, so that it counts how far from a change nodes are lost.
 Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,
-                 std::unique_ptr<Base>& base) {
+                 bool of_part, std::unique_ptr<Base>& base) {
   Outcome outcome{.step = step, .kind = "valid"};
-  const auto start = std::chrono::steady_clock::now();
+  const Watch watch;
   try {
     auto next = std::make_unique<Base>();
     std::vector<Warning> certain;
@@ -69,7 +97,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
       certain.insert(certain.end(), warnings.begin(), warnings.end());
     };
     next->revision = make_revision(base ? base->revision : Revision::none(), model, options, run);
-    outcome.seconds = since(start);
+    watch.tell(outcome);
     const Report& report = next->revision.report;
     outcome.strategy = test::name_of(report.strategy);
     outcome.inserted = static_cast<int>(report.counts.nodes_inserted);
@@ -77,6 +105,8 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
     outcome.kept =
         report.counts.nodes == 0 ? 0.0 : 1.0 * report.counts.nodes_kept / report.counts.nodes;
     outcome.least_angle = report.quality.dihedral_min;
+    outcome.away_angle = report.quality_away.dihedral_min;
+    outcome.last_resort = report.last_resort_share;
     outcome.least_quality = report.quality.volume_length_min;
     if (base) {
       next->node_ids = base->node_ids;
@@ -87,6 +117,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
                                              next->node_ids, next->tet_ids);
     outcome.verifier_seconds = since(made);
     check_foretold(certain, report, findings);
+    if (base && of_part) outcome.lost = lost_nodes(base->revision, next->revision);
     if (findings.empty()) {
       base = std::move(next);
     } else {
@@ -94,7 +125,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
       describe(findings, outcome);
     }
   } catch (const Error& failure) {
-    outcome.seconds = since(start);
+    watch.tell(outcome);
     describe(failure, outcome);
   } catch (const std::exception& failure) {
     outcome.kind = "exception";
@@ -114,11 +145,17 @@ json write_outcome(const Outcome& o) {
           {"way", o.strategy},
           {"inserted", o.inserted},
           {"seconds", o.seconds},
+          {"processor_seconds", o.processor_seconds},
           {"verifier_seconds", o.verifier_seconds},
           {"least_angle", o.least_angle},
           {"least_quality", o.least_quality},
           {"nodes", o.nodes},
-          {"kept", o.kept}};
+          {"kept", o.kept},
+          {"away_angle", o.away_angle},
+          {"last_resort", o.last_resort},
+          {"lost", o.lost.all},
+          {"lost_far", o.lost.far},
+          {"furthest_lost", o.lost.furthest}};
 }
 
 Outcome read_outcome(const json& j) {
@@ -131,11 +168,17 @@ Outcome read_outcome(const json& j) {
   j.at("way").get_to(o.strategy);
   j.at("inserted").get_to(o.inserted);
   j.at("seconds").get_to(o.seconds);
+  j.at("processor_seconds").get_to(o.processor_seconds);
   j.at("verifier_seconds").get_to(o.verifier_seconds);
   j.at("least_angle").get_to(o.least_angle);
   j.at("least_quality").get_to(o.least_quality);
   j.at("nodes").get_to(o.nodes);
   j.at("kept").get_to(o.kept);
+  j.at("away_angle").get_to(o.away_angle);
+  j.at("last_resort").get_to(o.last_resort);
+  j.at("lost").get_to(o.lost.all);
+  j.at("lost_far").get_to(o.lost.far);
+  j.at("furthest_lost").get_to(o.lost.furthest);
   return o;
 }
 
@@ -147,7 +190,8 @@ void run_case(const CampaignCase& c, const std::function<void(std::size_t)>& bef
   inherited.size.reset();
   for (std::size_t step = 0; step <= c.steps.size(); ++step) {
     before(step);
-    after(try_step(step, model_after(c, step), step == 0 ? c.options : inherited, base));
+    after(try_step(step, model_after(c, step), step == 0 ? c.options : inherited, !c.part.empty(),
+                   base));
     if (!base) return;
   }
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/campaign/campaign_case.h"
+#include "tests/campaign/parts/lost_nodes.h"
 
 namespace remeshd::campaign {
 
@@ -19,9 +20,14 @@ struct Outcome {
   std::string strategy;  ///< as in Report
   int inserted = 0;      ///< nodes, to make the boundary complete
   double seconds = 0, verifier_seconds = 0;
+  double processor_seconds =
+      0;  ///< for `seconds`, with those of helpers; other work leaves it as it is
   double least_angle = 0, least_quality = 0;  ///< degrees; volume-length
   int nodes = 0;
-  double kept = 0;  ///< share of nodes
+  double kept = 0;         ///< share of nodes
+  double away_angle = 0;   ///< least dihedral angle away from the model's sharp places, degrees
+  double last_resort = 0;  ///< share of the tets that a last resort made
+  LostNodes lost;          ///< of an edit of a detailed part
 
   [[nodiscard]] bool valid() const { return kind == "valid"; }
   /// Of what failed: kind and reason.

@@ -15,6 +15,7 @@ std::filesystem::path store_failure(const std::filesystem::path& folder, const W
   std::string name = outcome.kind + "-" + outcome.reason.substr(0, outcome.reason.find(','));
   for (char& letter : name)
     if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '-';
+  if (!c.part.empty()) name += "-" + c.part;
   name += "-" + std::to_string(c.seed) + "-" + std::to_string(c.number) + "-" +
           std::to_string(outcome.step) + ".json";
   std::filesystem::create_directories(folder);

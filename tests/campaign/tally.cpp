@@ -44,6 +44,7 @@ void print_counts(const char* what, const std::map<std::string, int>& counts, st
 }
 
 void print_results(const char* what, const Results& r, std::ostream& out) {
+  if (r.runs == 0) return;
   out << what << ": " << r.runs << " runs, " << percent(r.valid, r.runs) << " valid, " << r.invalid
       << " invalid, " << r.crashes << " crashes, " << r.hangs << " hangs, "
       << percent(r.refused, r.runs) << " refused (" << r.unplaced
@@ -112,13 +113,15 @@ void Tally::add(const WorkedCase& worked) {
   ++cases;
   gentle_cases += worked.gentle;
   for (const auto& [reason, n] : worked.discarded) discarded[reason] += n;
+  part_figures.add(worked);
+  const bool of_part = !worked.campaign_case.part.empty();
   for (const Outcome& o : worked.outcomes) {
     const StepFacts facts = o.step < worked.facts.size() ? worked.facts[o.step] : StepFacts{};
     if (o.step == 0) {
-      (facts.good_natured ? first_good : first_rest).add(o);
+      (of_part ? first_parts : facts.good_natured ? first_good : first_rest).add(o);
       continue;
     }
-    (facts.good_natured ? good : rest).add(o);
+    (of_part ? parts : facts.good_natured ? good : rest).add(o);
     ++edits;
     good_natured += facts.good_natured;
     unmeasured += !facts.measured;
@@ -149,6 +152,9 @@ void print(const Tally& t, std::ostream& out) {
   print_results("first meshes, others", t.first_rest, out);
   print_results("edits, good-natured", t.good, out);
   print_results("edits, others", t.rest, out);
+  print_results("first meshes, detailed parts", t.first_parts, out);
+  print_results("edits, detailed parts", t.parts, out);
+  if (t.part_figures.edits > 0) print(t.part_figures, out);
 }
 
 json write_tally(const Tally& t) {
@@ -169,7 +175,10 @@ json write_tally(const Tally& t) {
           {"first_good_natured", to_json(t.first_good)},
           {"first_others", to_json(t.first_rest)},
           {"edits_good_natured", to_json(t.good)},
-          {"edits_others", to_json(t.rest)}};
+          {"edits_others", to_json(t.rest)},
+          {"first_parts", to_json(t.first_parts)},
+          {"edits_parts", to_json(t.parts)},
+          {"parts", write_figures(t.part_figures)}};
 }
 
 }  // namespace remeshd::campaign

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "tests/campaign/parts/part_goals.h"
 #include "tests/campaign/work.h"
 
 namespace remeshd::campaign {
@@ -32,6 +33,8 @@ struct Tally {
   std::map<std::string, int> types, kinds, sizes, feature_counts, discarded;
   Results first_good, first_rest;  ///< first meshes
   Results good, rest;              ///< edits: both models good-natured; all others
+  Results first_parts, parts;      ///< of detailed parts, which are neither
+  PartFigures part_figures;
 
   void add(const WorkedCase& worked);
 };

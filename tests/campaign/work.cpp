@@ -1,5 +1,6 @@
 #include "tests/campaign/work.h"
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -55,14 +56,17 @@ std::vector<StepFacts> step_facts(const RandomCase& made) {
     while (base > 0 && c.steps[base - 1].undone) --base;
     const ModelFacts& before = made.facts[base];
     StepFacts f;
-    f.measured = now.refused.empty() && before.refused.empty();
+    f.measured = made.measured && now.refused.empty() && before.refused.empty();
     f.good_natured = f.measured && now.measure.good_natured(made.length) &&
                      before.measure.good_natured(made.length);
-    f.topology_changed = f.measured && now.topology != before.topology;
+    f.topology_changed =
+        now.refused.empty() && before.refused.empty() && now.topology != before.topology;
     f.tangent = now.measure.tangent;
     f.coincident = now.measure.coincident;
-    f.wedge = now.refused.empty() && now.measure.wedge();
-    f.smallest = now.refused.empty() ? std::min(1e9, now.measure.smallest() / made.length) : 0;
+    f.wedge = made.measured && now.refused.empty() && now.measure.wedge();
+    f.smallest = made.measured && now.refused.empty()
+                     ? std::min(1e9, now.measure.smallest() / made.length)
+                     : 0;
     if (k > 0) f.kind = c.steps[k - 1].kind;
     if (k > 0) f.size = c.steps[k - 1].size;
     for (const FeatureSource& feature : model_after(c, k).features) f.types.push_back(feature.type);
@@ -146,8 +150,8 @@ WorkedCase read_worked(const json& j) {
   return worked;
 }
 
-void work_on_number(std::uint64_t seed, std::uint64_t number) {
-  const RandomCase made = make_case(seed, number, [](const CampaignCase& c) {
+void work_on_request(const CaseRequest& request) {
+  const RandomCase made = make_case(request, [](const CampaignCase& c) {
     test::limit_processor_time(kProcessorSeconds);
     print({{"looking", write_case(c)}});
   });
@@ -168,10 +172,11 @@ void work_on_file(const std::string& file) {
   run_and_print(c);
 }
 
-WorkedCase have_worked(std::uint64_t seed, std::uint64_t number, double seconds) {
-  return collect(
-      {"remesh-campaign", "work", "--seed", std::to_string(seed), "--case", std::to_string(number)},
-      seconds);
+WorkedCase have_worked(const CaseRequest& request, double seconds) {
+  std::vector<std::string> arguments{"remesh-campaign", "work"};
+  const std::vector<std::string> which = request.arguments();
+  arguments.insert(arguments.end(), which.begin(), which.end());
+  return collect(arguments, seconds);
 }
 
 WorkedCase have_worked(const std::string& file, double seconds) {

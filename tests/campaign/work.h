@@ -37,11 +37,11 @@ nlohmann::json write_worked(const WorkedCase& worked);
 WorkedCase read_worked(const nlohmann::json& j);
 
 /// The worker's side: prints an event a line.
-void work_on_number(std::uint64_t seed, std::uint64_t number);
+void work_on_request(const CaseRequest& request);
 void work_on_file(const std::string& file);
 
 /// The runner's side: has another process work on it, for this long at most (wall clock).
-WorkedCase have_worked(std::uint64_t seed, std::uint64_t number, double seconds);
+WorkedCase have_worked(const CaseRequest& request, double seconds);
 WorkedCase have_worked(const std::string& file, double seconds);
 
 }  // namespace remeshd::campaign

@@ -1,0 +1,101 @@
+#include "tests/campaign/parts/part_case.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/cellular/cellular_model.h"
+#include "tests/campaign/parts/drawing.h"
+#include "tests/campaign/parts/drawn_part.h"
+
+namespace remeshd::campaign {
+namespace {
+
+constexpr std::uint32_t kNodes = 2000;
+
+RandomCase make(std::uint64_t seed, std::uint64_t number, bool sized = false) {
+  return make_case(CaseRequest{seed, number, PartOptions{.nodes = kNodes, .sized = sized}},
+                   [](const CampaignCase&) {});
+}
+
+/// A block, made once.
+const RandomCase& some_case() {
+  static const RandomCase made = make(1, 5);
+  return made;
+}
+
+TEST(PartCase, IsTheSameForTheSameSeedAndNumber) {
+  EXPECT_EQ(write_case(make(1, 5).campaign_case), write_case(some_case().campaign_case));
+}
+
+TEST(PartCase, IsAnotherForAnotherNumberOrSeed) {
+  const nlohmann::json some = write_case(some_case().campaign_case).at("model");
+  EXPECT_NE(write_case(make(1, 2).campaign_case).at("model"), some);
+  EXPECT_NE(write_case(make(2, 5).campaign_case).at("model"), some);
+}
+
+TEST(PartCase, AsksForTheMeshesOfItsRequestAndComesBackFromItsFile) {
+  const CampaignCase c = make(1, 5, true).campaign_case;
+  EXPECT_EQ(c.options.nodes, kNodes);
+  EXPECT_FALSE(c.options.sizing.even);
+  EXPECT_TRUE(some_case().campaign_case.options.sizing.even);
+  EXPECT_EQ(c.part, "block");
+  const nlohmann::json document = write_case(c);
+  const CampaignCase back = read_case(nlohmann::json::parse(document.dump()));
+  EXPECT_EQ(write_case(back), document);
+  EXPECT_EQ(back.options, c.options);
+  EXPECT_EQ(back.part, c.part);
+}
+
+TEST(PartCase, HasALoopOfEditsEachOfTheModelBefore) {
+  const RandomCase& made = some_case();
+  const CampaignCase& c = made.campaign_case;
+  EXPECT_GE(c.steps.size(), 10U);
+  EXPECT_LE(c.steps.size(), 20U);
+  EXPECT_EQ(made.facts.size(), c.steps.size() + 1);
+  const std::set<std::string> kinds{"drift",    "sweep",   "jump", "move",
+                                    "addition", "removal", "given"};
+  ModelSource before = c.model;
+  for (std::size_t k = 0; k < c.steps.size(); ++k) {
+    EXPECT_TRUE(kinds.contains(c.steps[k].kind)) << c.steps[k].kind;
+    const ModelSource after = apply(before, c.steps[k].edit);
+    EXPECT_EQ(after, model_after(c, k + 1));
+    EXPECT_FALSE(same_geometry(evaluate(before), evaluate(after)));
+    if (!c.steps[k].undone) before = after;
+  }
+}
+
+TEST(PartCase, IsDrawnNoWorseByAnEditThanItWas) {
+  const CampaignCase& c = some_case().campaign_case;
+  Drawing before;
+  for (std::size_t k = 0; k <= c.steps.size(); ++k) {
+    if (k > 0 && c.steps[k - 1].undone) continue;
+    const FeatureModel model = evaluate(model_after(c, k));
+    const Drawing now = look_at_drawing(model, build_cells(model, remeshd::Run{}).boundary);
+    if (k > 0 && c.steps[k - 1].kind != "given") {
+      EXPECT_TRUE(now.as_good_as(before)) << k;
+    }
+    before = now;
+  }
+}
+
+TEST(DrawnPart, HasDetailsOfThreeScalesAndManyBodies) {
+  std::set<std::string> bodies;
+  int fine = 0, large = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    const DrawnPart part = draw_part(seed, 15000);
+    bodies.insert(part.body);
+    const FeatureModel model = evaluate(part.model);
+    for (const Feature& feature : model.features) {
+      fine += least_size(feature) < 1;
+      large += least_size(feature) > 8 && feature.id.starts_with("d");
+    }
+  }
+  EXPECT_EQ(bodies, (std::set<std::string>{"plate", "block", "disc", "flange"}));
+  EXPECT_GT(fine, 10);
+  EXPECT_GT(large, 5);
+}
+
+}  // namespace
+}  // namespace remeshd::campaign
