@@ -81,7 +81,8 @@ class Cases {
 
   WorkedCase next() {
     constexpr std::size_t kAheadPerJob = 16;
-    while (ahead_.size() < kAheadPerJob * jobs_) start_one();
+    // One job waits for each case whatever comes after it.
+    while (ahead_.size() < (jobs_ == 1 ? 1 : kAheadPerJob * jobs_)) start_one();
     WorkedCase worked = ahead_.front().get();
     ahead_.pop_front();
     return worked;

@@ -10,7 +10,7 @@ namespace {
 
 Drawing drawing(const ModelSource& source) {
   const FeatureModel model = evaluate(source);
-  return look_at_drawing(model, build_cells(model, Run{}).boundary);
+  return look_at_drawing(model, build_cells(model, remeshd::Run{}).boundary);
 }
 
 /// A plate of 6 with a hole of radius 2 and another of radius 4, `wall` apart.
@@ -39,6 +39,13 @@ TEST(Drawing, TellsAGapBetweenBosses) {
   EXPECT_NEAR(drawing(part).narrowest, 1.0 / 8, 1e-9);
 }
 
+TEST(Drawing, OfAWedgeHasNothingNarrowWhereItsFacesMeet) {
+  const ModelSource part = test::model_of({test::feature(
+      "wedge", "prism", {test::point(0.0, 0.0), test::point(60.0, 0.0), test::point(0.0, 30.0)},
+      {{"height", 20.0}})});
+  EXPECT_EQ(drawing(part).narrowest, kNarrow);
+}
+
 TEST(Drawing, TellsAnEdgeThatIsASliver) {
   ModelSource part = test::model_of(
       {test::block("plate", 60, 40, 6), test::placed(test::block("step", 20, 20, 3), 20.2, 0, 6)});
@@ -48,10 +55,10 @@ TEST(Drawing, TellsAnEdgeThatIsASliver) {
 TEST(Drawing, CountsPairsThatTouch) {
   ModelSource part = two_holes(8);
   EXPECT_EQ(drawing(part).touching, 0);
-  part.features[2] = test::placed(test::block("slit", 10, 4, 8), 1, 0, -1, Nature::Subtractive);
-  part.features[2].placement.origin[1] = 4.0;  // its side at y = 2
-  part.features[2].placement.origin[0] = -6.0;
-  EXPECT_EQ(drawing(part).touching, 1);
+  const BoundaryModel boundary = build_cells(evaluate(part), remeshd::Run{}).boundary;
+  // Inside the material, where it changes no boundary, against the wall of the small hole.
+  part.features.push_back(test::placed(test::cylinder("core", 3, 4), -1, 0, 1));
+  EXPECT_EQ(look_at_drawing(evaluate(part), boundary).touching, 1);
 }
 
 TEST(Drawing, IsAsGoodAsOneThatIsNoBetter) {

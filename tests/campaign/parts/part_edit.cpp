@@ -17,9 +17,7 @@ constexpr double kLargest = 0.2;  // share of the part's volume: what has more i
 
 Vec3 axis_of(const Feature& feature) { return feature.placement.rotate({0, 0, 1}); }
 
-std::string stem(const std::string& id) {
-  return id.substr(0, id.find_last_not_of("0123456789") + 1);
-}
+std::string stem(const std::string& id) { return id.substr(0, id.find_first_of("0123456789")); }
 
 /// A number of the part that can be set: given by how much it changes, 0 is as it is.
 struct Handle {

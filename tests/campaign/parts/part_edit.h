@@ -30,7 +30,7 @@ struct ChangeSteps {
 ChangeSteps random_change(const ModelSource& part, Change change, Random& random, int& serial);
 
 /// For each feature, those of its pattern, itself among them: the same type, nature and
-/// measurements, and names that differ in their last digits.
+/// measurements, and names that are alike up to their first digit.
 std::vector<std::vector<int>> patterns(const ModelSource& part);
 
 /// A feature and the smaller ones on its axis that touch it, in history order.

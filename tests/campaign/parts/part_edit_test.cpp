@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "tests/support/cases.h"
@@ -32,6 +33,17 @@ TEST(Patterns, AreFeaturesOfTheSameMeasurementsAndStem) {
                                                     {"spline0", 12}, {"win0", 3},  {"pin0", 3},
                                                     {"dowel0", 3},   {"groove", 1}};
   EXPECT_EQ(sizes, expected);
+}
+
+TEST(Patterns, GoOverWholeCirclesAndKeepOtherNamesApart) {
+  ModelSource part = test::case_model("detailed/valve");
+  std::size_t largest = 0;
+  for (const std::vector<int>& pattern : patterns(part))
+    largest = std::max(largest, pattern.size());
+  EXPECT_EQ(largest, 12U);
+  const std::size_t before = patterns(part).size();
+  part.features.back().id = "drain";
+  EXPECT_EQ(patterns(part).size(), before + 1);
 }
 
 TEST(WhatAFeatureCarries, AreSmallerOnesOnItsAxis) {

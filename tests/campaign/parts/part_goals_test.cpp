@@ -96,7 +96,7 @@ TEST(PartFigures, TakeTheLeastAngleOfEdits) {
   Outcome first = valid(0, 1), worse = valid(2, 1);
   first.away_angle = 3;
   worse.away_angle = 12;
-  EXPECT_DOUBLE_EQ(figures({first, valid(1, 1), worse}).away_angle, 12);
+  EXPECT_DOUBLE_EQ(figures({first, valid(1, 1), worse, valid(3, 1)}).away_angle, 12);
 }
 
 TEST(PartFigures, LeaveOutCasesOfNoPart) {
