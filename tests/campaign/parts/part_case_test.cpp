@@ -30,6 +30,28 @@ TEST(PartCase, IsTheSameForTheSameSeedAndNumber) {
   EXPECT_EQ(write_case(make(1, 5).campaign_case), write_case(some_case().campaign_case));
 }
 
+/// Points of all edges.
+std::vector<Vec3> edge_points(const BoundaryModel& boundary) {
+  std::vector<Vec3> result;
+  for (const BoundaryEdge& edge : boundary.edges)
+    result.insert(result.end(), edge.points.begin(), edge.points.end());
+  return result;
+}
+
+TEST(PartCase, ChangesTheBoundaryWithEveryEdit) {
+  const RandomCase made = make(1, 2);
+  const CampaignCase& c = made.campaign_case;
+  std::vector<Vec3> before;
+  for (std::size_t k = 0; k < made.facts.size(); ++k) {
+    if (!made.facts[k].refused.empty()) continue;
+    const CellularModel cells = build_cells(evaluate(model_after(c, k)), remeshd::Run{});
+    EXPECT_DOUBLE_EQ(made.facts[k].volume, cells.volume);
+    const std::vector<Vec3> now = edge_points(cells.boundary);
+    EXPECT_NE(now, before) << k;
+    before = now;
+  }
+}
+
 /// Of a case that nothing more is made of.
 ModelSource first_model(std::uint64_t seed, std::uint64_t number) {
   struct Enough {};

@@ -28,7 +28,7 @@ std::string name_of(const CampaignCase& c, const Outcome& o) {
 }
 
 void print_row(const char* what, const std::string& value, const char* goal, std::ostream& out) {
-  out << "  " << std::left << std::setw(24) << what << std::setw(40) << value << "goal: " << goal
+  out << "  " << std::left << std::setw(26) << what << std::setw(42) << value << "goal: " << goal
       << "\n";
 }
 
