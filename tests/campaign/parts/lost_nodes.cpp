@@ -32,7 +32,7 @@ ChangedPlaces::ChangedPlaces(const Revision& base, const Revision& edited)
 }
 
 void ChangedPlaces::add_changes(const Revision& of, const Membership& own) {
-  const SizeField sizes = sizes_of(of);
+  const SizeField sizes = sizes_of(of, Run{});
   const BoundaryModel& boundary = of.cells.boundary;
   SampleOptions options;
   options.face_spacing = kSpacing;
@@ -69,7 +69,7 @@ LostNodes lost_nodes(const Revision& base, const Revision& edited) {
   result.all = static_cast<int>(std::ranges::count(stays, 0));
   if (result.all == 0) return result;
   const ChangedPlaces changed(base, edited);
-  const SizeField sizes = sizes_of(base);
+  const SizeField sizes = sizes_of(base, Run{});
   for (std::size_t n = 0; n < stays.size(); ++n) {
     const Vec3& p = base.output.mesh.nodes[n];
     const double local = sizes(p);
