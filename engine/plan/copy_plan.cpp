@@ -119,9 +119,9 @@ void CopyPlan::measure(double edge_length, const Run& run) {
       [](const SourceFeature& a, const SourceFeature& b) { return a.volume > b.volume; });
 }
 
-CopyPlan CopyPlan::with_new_in(const Region& region) const {
+CopyPlan CopyPlan::with_new_in(const Region& region, Anew which) const {
   CopyPlan plan = *this;
-  plan.new_in_ = std::make_shared<const Region>(region);
+  plan.new_in_.push_back({std::make_shared<const Region>(region), which});
   const std::vector<Box> boxes = region.boxes();
   plan.changed_.insert(plan.changed_.end(), boxes.begin(), boxes.end());
   return plan;
@@ -140,7 +140,17 @@ bool CopyPlan::meets_changed(const Box& box) const {
 std::int32_t CopyPlan::operator()(const Vec3& p) const {
   if (!modified_.inside(p)) return kOutside;
   if (!in_changed(p)) return identity_;
-  if (new_in_ && new_in_->holds(p)) return kNew;
+  if (is_new(p, Anew::Everything)) return kNew;
+  const std::int32_t t = copied_by(p);
+  return t == identity_ && is_new(p, Anew::InPlace) ? kNew : t;
+}
+
+bool CopyPlan::is_new(const Vec3& p, Anew which) const {
+  return std::ranges::any_of(
+      new_in_, [&](const NewIn& in) { return in.which == which && in.region->holds(p); });
+}
+
+std::int32_t CopyPlan::copied_by(const Vec3& p) const {
   for (const SourceFeature& s : sources_) {
     if (!modified_.contains(s.modified, p)) continue;
     const Vec3 q = s.to_original.apply(p);

@@ -39,8 +39,13 @@ class CopyPlan {
   CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
            const Run& run);
 
-  /// The same with all material in a region new: its nodes are made anew, not copied.
-  [[nodiscard]] CopyPlan with_new_in(const Region& region) const;
+  /// What of a region is made anew, not copied.
+  enum class Anew : std::uint8_t {
+    Everything,
+    InPlace,  ///< what would stay where it is; what moves there with its feature is copied
+  };
+  /// The same with the material in a region new.
+  [[nodiscard]] CopyPlan with_new_in(const Region& region, Anew which = Anew::Everything) const;
 
   /// kOutside, kNew or the index of the transformation that carries the material at p.
   [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
@@ -77,6 +82,8 @@ class CopyPlan {
   [[nodiscard]] double probe() const { return probe_; }
 
  private:
+  [[nodiscard]] bool is_new(const Vec3& p, Anew which) const;
+  [[nodiscard]] std::int32_t copied_by(const Vec3& p) const;
   void match(const FeatureModel& original, const FeatureModel& modified);
   void measure(double edge_length, const Run& run);
   std::int32_t find_transform(const Feature& original, const Feature& modified);
@@ -86,7 +93,11 @@ class CopyPlan {
   std::vector<Transform> transforms_, inverses_;
   std::vector<SourceFeature> sources_;
   std::vector<Box> changed_;
-  std::shared_ptr<const Region> new_in_;  ///< null: nothing is new but newcells
+  struct NewIn {
+    std::shared_ptr<const Region> region;
+    Anew which;
+  };
+  std::vector<NewIn> new_in_;  ///< what is new beside newcells
   std::int32_t identity_ = -1;
   double probe_ = 0;  ///< how far both sides of a face are looked at
 };

@@ -5,6 +5,7 @@
 
 #include "engine/base/tolerance.h"
 #include "engine/delivery/failure_place.h"
+#include "engine/remesh/node_sizes.h"
 
 namespace remeshd {
 
@@ -14,10 +15,19 @@ constexpr int kSteps = 2;        // cubes to that
 }  // namespace
 
 const CopyPlan& Problem::plan() const {
-  if (!plan_)
-    plan_ = std::make_unique<const CopyPlan>(parent.delaunay_model(), modified.model,
-                                             density.sizes.base(), run);
+  if (!plan_) {
+    CopyPlan plan(parent.delaunay_model(), modified.model, density.sizes.base(), run);
+    const std::vector<Region> regions = resized_places(parent, modified, density.sizes, plan, run);
+    for (const Region& region : regions) plan = plan.with_new_in(region, CopyPlan::Anew::InPlace);
+    is_resized_ = !regions.empty();
+    plan_ = std::make_unique<const CopyPlan>(std::move(plan));
+  }
   return *plan_;
+}
+
+bool Problem::is_resized() const {
+  static_cast<void>(plan());
+  return is_resized_;
 }
 
 const EntityMap& Problem::entities() const {

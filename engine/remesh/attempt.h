@@ -31,8 +31,10 @@ class Problem {
   const Density density;
   const Run& run;
 
-  /// Copycells and newcells of the modified model (Sect. 5).
+  /// Copycells and newcells of the modified model (Sect. 5). New too is what the parent has nodes
+  /// in that were made for other edge lengths (`resized_places`).
   [[nodiscard]] const CopyPlan& plan() const;
+  [[nodiscard]] bool is_resized() const;  ///< whether there are such nodes
   /// Where the entities of the parent's boundary are in the modified one.
   [[nodiscard]] const EntityMap& entities() const;
   /// Whether there are features that nodes may be copied of.
@@ -40,6 +42,7 @@ class Problem {
 
  private:
   mutable std::unique_ptr<const CopyPlan> plan_;
+  mutable bool is_resized_ = false;
   mutable std::unique_ptr<const EntityMap> entities_;
 };
 

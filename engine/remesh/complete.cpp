@@ -8,6 +8,7 @@
 #include "engine/delivery/lost_names.h"
 #include "engine/delivery/quality_drift.h"
 #include "engine/delivery/shortfalls.h"
+#include "engine/remesh/node_sizes.h"
 #include "engine/remesh/strategies.h"
 
 namespace remeshd {
@@ -108,6 +109,7 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   const bool begins_anew = !problem.density.inherited || report.strategy == MeshStrategy::Fresh;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
+  revision.node_sizes = made_for(parent, revision, problem.run);
   report.last_resort_share = last_resort_share(parent, report, made_anew);
   for (auto& found : {lost_names(parent, revision), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());

@@ -8,6 +8,8 @@
 #include "engine/base/error.h"
 #include "engine/model/selection/size_error.h"
 #include "engine/nodes/density.h"
+#include "engine/nodes/fill/fill.h"
+#include "engine/plan/copy_plan.h"
 #include "engine/remesh/node_budget.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/sizing/size_controls.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr std::uint32_t kMinNodes = 20;
+constexpr double kBallsApart = 1.5, kBallRadius = 0.5;  // x edge length, of those in newcells
 
 /// How many nodes there would have to be, and how many edges circles have now.
 Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
@@ -52,6 +55,28 @@ Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
   return warning;
 }
 
+/// What asks for edge lengths beside the rules: the model, and densities that edits were given.
+std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryModel& boundary,
+                                    const std::vector<SizedBall>& dense_places) {
+  std::vector<SizeSource> sources = size_sources(model.sizes, boundary);
+  for (const SizedBall& place : dense_places) sources.push_back(size_source(place));
+  return sources;
+}
+
+/// The newcells of an edit, as balls that ask for an edge length.
+std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& model,
+                                double edge_length, const Run& run) {
+  const CopyPlan plan(parent.delaunay_model(), model, edge_length, run);
+  // No point of space is further from the lattice than the balls and half an edge length.
+  const double constant = kBallsApart * edge_length;
+  std::vector<SizedBall> balls;
+  for (const Vec3& p : fill_lattice(
+           plan.changed(), [&](const Vec3& at) { return plan(at) == CopyPlan::kNew; },
+           {.edge_length = edge_length, .density = 2 / (constant * constant * constant)}, run))
+    balls.push_back({p, kBallRadius * edge_length, edge_length});
+  return balls;
+}
+
 /// The size field, for which the edge length is the base size, or a guess at it where a number of
 /// nodes is asked for.
 void set_sizes(Density& density, double edge_length, const Revision& parent,
@@ -61,9 +86,18 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     density.sizes = edge_length;
     return;
   }
+  if (!density.count) {
+    density.dense_places = parent.dense_places;
+    if (edge_length < parent.edge_length && !parent.output.mesh.tets.empty()) {
+      // It holds in newcells alone, and in them from now on.
+      const std::vector<SizedBall> more = newcells(parent, model, edge_length, run);
+      density.dense_places.insert(density.dense_places.end(), more.begin(), more.end());
+      edge_length = parent.edge_length;
+    }
+  }
   const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
   const SizeRules rules(cells.boundary, options.sizing, most, run,
-                        size_sources(model.sizes, cells.boundary));
+                        asked_sizes(model, cells.boundary, density.dense_places));
   if (density.count) {
     Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
     if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
@@ -122,7 +156,7 @@ SizeField sizes_of(const Revision& revision, const Run& run) {
   if (revision.sizes) return *revision.sizes;
   const BoundaryModel& boundary = revision.cells.boundary;
   return SizeRules(boundary, revision.options.sizing, revision.edge_length, run,
-                   size_sources(revision.model.sizes, boundary))
+                   asked_sizes(revision.model, boundary, revision.dense_places))
       .field(revision.edge_length, revision.rules_weakening);
 }
 

@@ -19,6 +19,7 @@ struct Density {
   std::optional<std::uint32_t> count;  ///< of a first mesh asked for by number of nodes
   std::vector<int> fewest_links;       ///< of each model edge; empty where it is even
   bool inherited = false;              ///< an edit keeps its base's density
+  std::vector<SizedBall> dense_places;  ///< `Revision::dense_places`
   std::vector<Warning> warnings;       ///< details that it does not resolve
 };
 

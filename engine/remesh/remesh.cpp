@@ -33,6 +33,7 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   revision.edge_length = report.edge_length = density.sizes.base();
   revision.rules_weakening = density.weakening;
   revision.sizes = density.sizes;
+  revision.dense_places = density.dense_places;
   report.warnings = density.warnings;
   watch.lap(report.seconds.setup);
 

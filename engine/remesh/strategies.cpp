@@ -15,11 +15,10 @@
 namespace remeshd {
 namespace {
 
-/// Whether the parent's edge lengths follow from the same rules and size controls.
+/// Whether edge lengths are one, or everywhere nearly what the parent's nodes were made for.
 bool is_sized_alike(const Problem& problem) {
-  const Sizing& now = problem.modified.options.sizing;
-  return now == problem.parent.options.sizing &&
-         (now.even || problem.modified.model.sizes == problem.parent.model.sizes);
+  const bool even = problem.modified.options.sizing.even && problem.parent.options.sizing.even;
+  return even || !problem.is_resized();
 }
 
 /// Whether an edit with these options may answer with the tets of its parent.

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "engine/base/cow_vector.h"
 #include "engine/cellular/boundary_model/support.h"
@@ -47,10 +48,15 @@ struct Revision {
   double edge_length = 0;          ///< target edge length l; an edit inherits it as its density
   double rules_weakening = 1;      ///< of the rules of its size field; an edit inherits it
   std::optional<SizeField> sizes;  ///< where it is known: it follows from the rest
+  /// Filled by edits with a density of their own, which holds there ever after.
+  std::vector<SizedBall> dense_places;
   CellularModel cells;
   std::shared_ptr<const DelaunayState> delaunay_state;  ///< made for `delaunay_model()`
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its Delaunay mesh gave it
   OutputMesh output;
+  /// By output node the edge length that it was made for; none in an even mesh. What an edit keeps
+  /// has its parent's, so that many small steps do not creep.
+  CowVector<double> node_sizes;
   CowVector<TetMeasure> measures;  ///< of the output tets
   CowVector<Box> boxes;            ///< round the output tets, one for each page of them
   Report report;

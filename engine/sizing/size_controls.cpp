@@ -23,16 +23,6 @@ double asked_on(const BoundaryFace& face, const Selected& selected) {
   return size;
 }
 
-SizeSource source_of(const SizedBall& ball) {
-  const Vec3 reach{ball.radius, ball.radius, ball.radius};
-  return {
-      .piece = Surface{Surface::Kind::Sphere, Transform::translation(ball.centre), ball.radius, 0},
-      .box = {ball.centre - reach, ball.centre + reach},
-      .size = ball.size,
-      .asked = true,
-      .filled = true};
-}
-
 /// What of the box lies below the plane of its top is all of it.
 SizeSource source_of(const SizedBox& box) {
   return {.piece = Surface{Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
@@ -44,6 +34,16 @@ SizeSource source_of(const SizedBox& box) {
 
 }  // namespace
 
+SizeSource size_source(const SizedBall& ball) {
+  const Vec3 reach{ball.radius, ball.radius, ball.radius};
+  return {
+      .piece = Surface{Surface::Kind::Sphere, Transform::translation(ball.centre), ball.radius, 0},
+      .box = {ball.centre - reach, ball.centre + reach},
+      .size = ball.size,
+      .asked = true,
+      .filled = true};
+}
+
 std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
                                      const BoundaryModel& boundary) {
   std::vector<double> on(boundary.faces.size(), HUGE_VAL);
@@ -53,7 +53,7 @@ std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
       for (std::size_t f = 0; f < on.size(); ++f)
         on[f] = std::fmin(on[f], asked_on(boundary.faces[f], *selected));
     } else if (const auto* ball = std::get_if<SizedBall>(&control.place)) {
-      sources.push_back(source_of(*ball));
+      sources.push_back(size_source(*ball));
     } else {
       sources.push_back(source_of(std::get<SizedBox>(control.place)));
     }

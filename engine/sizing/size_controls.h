@@ -14,6 +14,9 @@ namespace remeshd {
 std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
                                      const BoundaryModel& boundary);
 
+/// The same of parts of space that nobody named.
+SizeSource size_source(const SizedBall& ball);
+
 /// Ids of the controls whose selectors name no face of the boundary, in their order.
 std::vector<std::string> sizes_of_nothing(const std::vector<SizeControl>& sizes,
                                           const BoundaryModel& boundary);

@@ -10,9 +10,8 @@ using nlohmann::json;
 
 std::vector<std::string> CaseRequest::arguments() const {
   std::vector<std::string> result{"--seed", std::to_string(seed), "--case", std::to_string(number)};
-  if (!parts) return result;
-  result.insert(result.end(), {"--parts", "--nodes", std::to_string(parts->nodes)});
-  if (parts->sized) result.emplace_back("--sized");
+  if (part_nodes) result.insert(result.end(), {"--parts", "--nodes", std::to_string(*part_nodes)});
+  if (even) result.emplace_back("--even");
   return result;
 }
 

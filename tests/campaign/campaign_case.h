@@ -29,16 +29,12 @@ struct CampaignCase {
   std::vector<Step> steps;
 };
 
-/// What a campaign can be asked for beside its seed: edits of detailed parts.
-struct PartOptions {
-  std::uint32_t nodes = 15000;  ///< of the first meshes
-  bool sized = false;           ///< with a size field
-};
-
 /// What tells a case from all others.
 struct CaseRequest {
   std::uint64_t seed = 1, number = 0;
-  std::optional<PartOptions> parts{};  ///< a detailed part; nothing: good-natured or other
+  /// Of the first mesh of a detailed part; nothing: the case is good-natured or another.
+  std::optional<std::uint32_t> part_nodes{};
+  bool even = false;  ///< one edge length everywhere, not sized by the rules
 
   /// As arguments of a command.
   [[nodiscard]] std::vector<std::string> arguments() const;

@@ -27,14 +27,15 @@ struct Options {
   std::uint64_t seed = 1, number = 0, from = 0;
   int edits = 300, jobs = 1;
   std::string file, out, json, record;
-  bool only_gentle = false, only_others = false, parts = false;
-  PartOptions part_options;
+  bool only_gentle = false, only_others = false, parts = false, even = false;
+  std::uint32_t part_nodes = 15000;
   bool keep_refusals = false, keep_fallbacks = false, strict = false, verbose = false;
   double shrink_seconds = 60;
 
   [[nodiscard]] CaseRequest request(std::uint64_t k) const {
     CaseRequest result{seed, k};
-    if (parts) result.parts = part_options;
+    if (parts) result.part_nodes = part_nodes;
+    result.even = even;
     return result;
   }
 };
@@ -193,9 +194,8 @@ void add_case_options(CLI::App* command, Options& options) {
   command->add_option("--seed", options.seed, "of the campaign");
   CLI::Option* parts =
       command->add_flag("--parts", options.parts, "edits in loops of detailed parts");
-  command->add_option("--nodes", options.part_options.nodes, "of the parts' first meshes")
-      ->needs(parts);
-  command->add_flag("--sized", options.part_options.sized, "with a size field")->needs(parts);
+  command->add_option("--nodes", options.part_nodes, "of the parts' first meshes")->needs(parts);
+  command->add_flag("--even", options.even, "one edge length everywhere");
 }
 
 }  // namespace

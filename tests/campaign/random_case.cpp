@@ -195,8 +195,10 @@ RandomCase make_case(std::uint64_t seed, std::uint64_t number,
 
 RandomCase make_case(const CaseRequest& request,
                      const std::function<void(const CampaignCase&)>& before_look) {
-  return request.parts ? make_part_case(request, before_look)
-                       : make_case(request.seed, request.number, before_look);
+  RandomCase made = request.part_nodes ? make_part_case(request, before_look)
+                                       : make_case(request.seed, request.number, before_look);
+  made.campaign_case.options.sizing.even = request.even;
+  return made;
 }
 
 }  // namespace remeshd::campaign

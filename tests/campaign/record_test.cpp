@@ -46,13 +46,14 @@ TEST_F(RecordTest, GivesBackWhatWasAddedToEarlierOnes) {
 }
 
 TEST_F(RecordTest, TellsCasesOfPartsFromOthersAndByTheirMeshes) {
-  const CaseRequest part{3, 14, PartOptions{.nodes = 800, .sized = true}};
+  const CaseRequest part{3, 14, 800, false};
   Record(file).add(part, some_case());
   const Record record(file);
   EXPECT_TRUE(record.find(part));
   EXPECT_FALSE(record.find({3, 14}));
-  EXPECT_FALSE(record.find({3, 14, PartOptions{.nodes = 900, .sized = true}}));
-  EXPECT_FALSE(record.find({3, 14, PartOptions{.nodes = 800, .sized = false}}));
+  EXPECT_FALSE(record.find({3, 14, {}, true}));
+  EXPECT_FALSE(record.find({3, 14, 900, false}));
+  EXPECT_FALSE(record.find({3, 14, 800, true}));
 }
 
 TEST_F(RecordTest, PassesOverLinesOfOtherBuildsAndAnEndThatIsMissing) {

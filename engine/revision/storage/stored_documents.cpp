@@ -14,7 +14,8 @@ namespace {
 /// formats of whole revisions.
 constexpr std::uint32_t kFormat = 15;
 // With less of the report, whose latest parts come last, and without the options' sizing and the
-// models' sizes after it.
+// models' sizes
+// and dense places after it.
 constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
                         kNoSizes = 14;
 
@@ -42,6 +43,7 @@ void serialize(auto& a, Report& r) {
     r.warnings);
 }
 void serialize(auto& a, TriedStrategy& t) { a(t.strategy, t.reason); }
+void serialize(auto& a, SizedBall& b) { a(b.centre, b.radius, b.size); }
 void serialize(auto& a, SizeControlSource& s) { a(s.id, s.place, s.size); }
 void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
@@ -73,7 +75,7 @@ std::string write_documents(const Revision& revision) {
     const Report& report = revision.report;
     archive(report.attempts, report.geometry, report.geometry_attempts, report.taken,
             revision.options.sizing, revision.rules_weakening, nodes_needed(report),
-            revision.source.sizes, revision.meshed_source.sizes);
+            revision.source.sizes, revision.meshed_source.sizes, revision.dense_places);
     if (revision.anchor) archive(revision.anchor->source.sizes);
   }
   return std::move(out).str();
@@ -105,7 +107,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
       put_nodes_needed(needed, revision.report);
     }
     if (format > kNoSizes) {
-      archive(revision.source.sizes, revision.meshed_source.sizes);
+      archive(revision.source.sizes, revision.meshed_source.sizes, revision.dense_places);
       if (documents.anchored) archive(documents.anchor_source.sizes);
     }
 #endif

@@ -21,6 +21,7 @@ static_assert(std::endian::native == std::endian::little,
               "arrays are stored as they lie in memory");
 
 constexpr const char* kDocuments = "documents";
+constexpr const char* kNodeSizes = "sizes.nodes";  // of a mesh that is not even
 
 /// Of what numbers an element consists, in memory without gaps.
 struct Layout {
@@ -33,6 +34,7 @@ constexpr Layout layout_of() {
   if constexpr (std::is_same_v<T, Box>) return {StoredType::F64, 6};
   if constexpr (std::is_same_v<T, Tet>) return {StoredType::I32, 4};
   if constexpr (std::is_same_v<T, Triangle>) return {StoredType::I32, 3};
+  if constexpr (std::is_same_v<T, double>) return {StoredType::F64, 1};
   if constexpr (std::is_same_v<T, std::int32_t>) return {StoredType::I32, 1};
   if constexpr (std::is_same_v<T, std::uint64_t>) return {StoredType::U64, 1};
   if constexpr (std::is_same_v<T, std::uint8_t> || std::is_same_v<T, NodeOrigin>)
@@ -294,6 +296,7 @@ StoredArrays image_of(const Revision& revision) {
     write("anchor.nodes", anchor->nodes, "delivery.nodes");
     write_supports(write, "anchor.supports", anchor->supports, "master.supports");
   }
+  if (!revision.node_sizes.empty()) write(kNodeSizes, revision.node_sizes);
   write.bytes(kDocuments, write_documents(revision));
   return write.take();
 }
@@ -305,6 +308,8 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   Revision revision;
   Documents documents = read_documents(read.bytes(kDocuments), revision);
   read_output(read, member(alike, &Revision::output), revision.output);
+  if (image.find(kNodeSizes) != nullptr)
+    read(kNodeSizes, revision.node_sizes, member(alike, &Revision::node_sizes));
   DelaunayState state = std::move(documents.delaunay_state);
   read_delaunay_state(read, alike ? alike->delaunay_state.get() : nullptr, state);
   if (documents.anchored)

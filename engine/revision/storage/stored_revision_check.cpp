@@ -156,6 +156,19 @@ void check_piece(const BoundaryPiece& piece, const FeatureModel& model) {
   check_names(piece.other_names, model);
 }
 
+/// Of nodes, where there are any, and of places.
+void check_sizes(const Revision& revision) {
+  constexpr const char* kArray = "sizes.nodes";
+  for (const SizedBall& ball : revision.dense_places)
+    expect_finite(is_place(ball.centre) && std::isfinite(ball.radius) && ball.radius >= 0 &&
+                  std::isfinite(ball.size) && ball.size > 0);
+  if (revision.node_sizes.empty()) return;
+  expect_size(revision.node_sizes.size(), revision.output.mesh.nodes.size(), kArray);
+  revision.node_sizes.for_each([&](std::size_t, double size) {
+    if (!std::isfinite(size) || size <= 0) fail(kArray);
+  });
+}
+
 }  // namespace
 
 void check_parts(const BoundaryParts& parts, const FeatureModel& model) {
@@ -180,6 +193,7 @@ void check_indices(const Revision& revision) {
   for (const Transform& transform : revision.output.map.transforms)
     for (const double number : transform.m) expect_finite(std::isfinite(number));
   check_delivery(revision.output);
+  check_sizes(revision);
   check_master(*revision.delaunay_state, revision.output, revision.cells.boundary);
   if (const Anchor* anchor = revision.anchor.get()) {
     check_places(anchor->nodes, "anchor.nodes");

@@ -35,8 +35,7 @@ class PartCaseMaker {
     c.seed = request.seed;
     c.number = request.number;
     c.options.seed = 1 + random_.below(1000);
-    c.options.nodes = request.parts->nodes;
-    c.options.sizing.even = !request.parts->sized;
+    c.options.nodes = request.part_nodes;
     made_.measured = false;
   }
 

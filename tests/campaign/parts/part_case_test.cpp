@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t kNodes = 2000;
 
-RandomCase make(std::uint64_t seed, std::uint64_t number, bool sized = false) {
-  return make_case(CaseRequest{seed, number, PartOptions{.nodes = kNodes, .sized = sized}},
+RandomCase make(std::uint64_t seed, std::uint64_t number, bool even = false) {
+  return make_case(CaseRequest{seed, number, kNodes, even},
                    [](const CampaignCase&) {});
 }
 
@@ -57,7 +57,7 @@ ModelSource first_model(std::uint64_t seed, std::uint64_t number) {
   struct Enough {};
   ModelSource first;
   try {
-    make_case(CaseRequest{seed, number, PartOptions{}}, [&](const CampaignCase& c) {
+    make_case(CaseRequest{seed, number, 15000}, [&](const CampaignCase& c) {
       first = c.model;
       throw Enough{};
     });
@@ -82,8 +82,8 @@ TEST(PartCase, IsOneOfTheFourDetailedPartsInThreeOfTen) {
 TEST(PartCase, AsksForTheMeshesOfItsRequestAndComesBackFromItsFile) {
   const CampaignCase c = make(1, 5, true).campaign_case;
   EXPECT_EQ(c.options.nodes, kNodes);
-  EXPECT_FALSE(c.options.sizing.even);
-  EXPECT_TRUE(some_case().campaign_case.options.sizing.even);
+  EXPECT_TRUE(c.options.sizing.even);
+  EXPECT_FALSE(some_case().campaign_case.options.sizing.even);
   EXPECT_EQ(c.part, "block");
   const nlohmann::json document = write_case(c);
   const CampaignCase back = read_case(nlohmann::json::parse(document.dump()));
