@@ -126,7 +126,8 @@ void MeshingOptions::add_to(CLI::App& command) {
 }
 
 void MeshingOptions::add_sizing_to(CLI::App& command) {
-  auto* one_length = command.add_flag("--even", even, "One edge length everywhere: no rule, and no size of the model, holds");
+  auto* one_length = command.add_flag(
+      "--even", even, "One edge length everywhere: no rule, and no size of the model, holds");
   command
       .add_option("--edges-per-circle", edges_per_circle,
                   "Edges on a whole circle of any radius; 0: no such rule [12]")

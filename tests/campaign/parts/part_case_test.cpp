@@ -16,8 +16,7 @@ namespace {
 constexpr std::uint32_t kNodes = 2000;
 
 RandomCase make(std::uint64_t seed, std::uint64_t number, bool even = false) {
-  return make_case(CaseRequest{seed, number, kNodes, even},
-                   [](const CampaignCase&) {});
+  return make_case(CaseRequest{seed, number, kNodes, even}, [](const CampaignCase&) {});
 }
 
 /// A block, made once.

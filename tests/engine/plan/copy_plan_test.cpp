@@ -107,5 +107,24 @@ TEST(CopyPlan, InARegionToBeMadeAnewEverythingIsNew) {
   EXPECT_FALSE(plan.in_changed({12, 0, 20}));
 }
 
+TEST(CopyPlan, InARegionToBeMadeAnewInPlaceMovedMaterialIsCopied) {
+  const CopyPlan source(test::case_features("fig6-a"), edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const Box& box = source.modified().bounds();
+  std::vector<Vec3> stays, moves;
+  for (int k = 0; k < 20 * 20 * 20; ++k) {
+    const Vec3 share{(k % 20 + 0.5) / 20, (k / 20 % 20 + 0.5) / 20, (k / 400 + 0.5) / 20};
+    const Vec3 extent = box.hi - box.lo;
+    const Vec3 p = box.lo + Vec3{share.x * extent.x, share.y * extent.y, share.z * extent.z};
+    const std::int32_t t = source(p);
+    if (t >= 0) (t == source.identity() ? stays : moves).push_back(p);
+  }
+  ASSERT_FALSE(stays.empty());
+  ASSERT_FALSE(moves.empty());
+  const CopyPlan plan = source.with_new_in(Region(stays, 1, 1), CopyPlan::Anew::InPlace)
+                            .with_new_in(Region(moves, 1, 1), CopyPlan::Anew::InPlace);
+  for (const Vec3& p : stays) EXPECT_EQ(plan(p), CopyPlan::kNew);
+  for (const Vec3& p : moves) EXPECT_EQ(plan(p), source(p));
+}
+
 }  // namespace
 }  // namespace remeshd

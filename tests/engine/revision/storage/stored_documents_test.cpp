@@ -55,6 +55,15 @@ TEST(StoredDocuments, KeepHowManyNodesADetailNeeds) {
   EXPECT_EQ(back.report.warnings[1].nodes_needed, 4440U);
 }
 
+TEST(StoredDocuments, KeepPlacesWithADensityOfTheirOwn) {
+  Revision r = revision();
+  r.dense_places = {{.centre = {1, 2, 3}, .radius = 0.5, .size = 1},
+                    {.centre = {4, 5, 6}, .size = 2}};
+  Revision back;
+  read_documents(write_documents(r), back);
+  EXPECT_EQ(back.dense_places, r.dense_places);
+}
+
 TEST(StoredDocuments, KeepTheSizesOfEachModel) {
   Revision r = revision();
   r.source.sizes = {{"holes", "hole*.wall", "radius/4"},

@@ -1,0 +1,135 @@
+// Edits that change sizes: what was made for other edge lengths is made anew, and nothing else.
+#include "engine/remesh/node_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/remesh/density.h"
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/stored.h"
+
+namespace remeshd {
+namespace {
+
+const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+const Vec3 kCorner{30, 30, 8};
+
+/// The model's sizes hold, and no rule does.
+MeshOptions sized(std::optional<double> size = {}) {
+  MeshOptions options{.size = size};
+  options.sizing = {.even = false, .edges_per_circle = 0, .layers = 0};
+  return options;
+}
+
+/// A plate with a hole in the middle.
+ModelSource plate() {
+  return test::model_of(
+      {test::block("plate", 60, 60, 8),
+       test::placed(test::cylinder("hole", 4, 10), 0, 0, -1, Nature::Subtractive)});
+}
+
+SetSize in_corner(double size) {
+  return {"spot", BallSource{kCorner.x, kCorner.y, kCorner.z, 2.0}, size};
+}
+
+Revision edited(const Revision& base, const Edit& edit, const MeshOptions& options = sized()) {
+  return make_revision(base, apply(base.source, {{edit}}), options, kRun);
+}
+
+/// Mean length of the mesh's edges near a place.
+double edges_near(const Revision& r, const Vec3& place, double reach) {
+  const PagedMesh& mesh = r.output.mesh;
+  double sum = 0;
+  int edges = 0;
+  for (const Tet& t : mesh.tets) {
+    if (distance(centroid(mesh.nodes, t), place) > reach) continue;
+    for (int a = 0; a < 4; ++a)
+      for (int b = a + 1; b < 4; ++b, ++edges) sum += distance(mesh.nodes[t[a]], mesh.nodes[t[b]]);
+  }
+  return sum / edges;
+}
+
+/// Of the base's nodes further than `reach` from a place, the share that stayed where it was.
+double kept_beyond(const Revision& base, const Revision& r, const Vec3& place, double reach) {
+  int far = 0, kept = 0;
+  for (const Vec3& p : base.output.mesh.nodes) far += distance(p, place) > reach ? 1 : 0;
+  for (std::size_t n = 0; n < r.output.mesh.nodes.size(); ++n)
+    kept += r.output.map.node_origin[n] == NodeOrigin::Kept &&
+                    distance(r.output.mesh.nodes[n], place) > reach
+                ? 1
+                : 0;
+  return static_cast<double>(kept) / far;
+}
+
+TEST(NodeSizes, OfAnEditOfSizesAloneItIsMadeFinerThereAndNowhereElse) {
+  const Revision base = make_revision(Revision::none(), plate(), sized(4), kRun);
+  const Revision fine = edited(base, in_corner(1));
+  EXPECT_EQ(fine.report.strategy, MeshStrategy::Local);
+  EXPECT_LT(edges_near(fine, kCorner, 3), 0.45 * edges_near(base, kCorner, 3));
+  // At .3 a length the field is four fifths of the base's 2 + 2.2 / .3 = 9.3 away.
+  EXPECT_GE(kept_beyond(base, fine, kCorner, 20), 0.99);
+  EXPECT_GE(fine.report.quality.dihedral_min, 15);
+}
+
+TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
+  ModelSource source = plate();
+  source.sizes = {{"spot", *in_corner(1).place, 1.0}};
+  const Revision fine = make_revision(Revision::none(), source, sized(4), kRun);
+  const Revision r = edited(fine, RemoveSize{"spot"});
+  EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
+  EXPECT_GT(edges_near(r, kCorner, 3), 2 * edges_near(fine, kCorner, 3));
+  EXPECT_GE(kept_beyond(fine, r, kCorner, 20), 0.99);
+}
+
+TEST(NodeSizes, ASmallChangeOfASizeKeepsTheMeshAndManyDoNotCreep) {
+  ModelSource source = plate();
+  source.sizes = {{"spot", *in_corner(1).place, 1.0}};
+  Revision r = make_revision(Revision::none(), source, sized(4), kRun);
+  const double first = edges_near(r, kCorner, 3);
+  int kept = 0;
+  double size = 1;
+  for (int step = 0; step < 12; ++step) {
+    size *= 1.08;
+    r = edited(r, in_corner(size));
+    kept += r.report.strategy == MeshStrategy::Unchanged ? 1 : 0;
+  }
+  EXPECT_GE(kept, 6);
+  EXPECT_GT(edges_near(r, kCorner, 3), 1.7 * first) << "of a size that grew to " << size;
+}
+
+TEST(NodeSizes, AreKeptWithTheRevision) {
+  ModelSource source = plate();
+  source.sizes = {{"spot", *in_corner(1).place, 1.0}};
+  const Revision base = make_revision(Revision::none(), source, sized(4), kRun);
+  ASSERT_EQ(base.node_sizes.size(), base.output.mesh.nodes.size());
+  const Revision once = edited(base, in_corner(1.2));
+  const Revision loaded = test::stored_and_loaded(once);
+  ASSERT_EQ(loaded.node_sizes.size(), once.node_sizes.size());
+  EXPECT_EQ(edited(loaded, in_corner(1.4)).output.mesh.nodes,
+            edited(once, in_corner(1.4)).output.mesh.nodes);
+}
+
+TEST(NodeSizes, ThereAreNoneOfAnEvenMesh) {
+  EXPECT_TRUE(make_revision(Revision::none(), plate(), {.size = 4}, kRun).node_sizes.empty());
+}
+
+TEST(NodeSizes, ADensityOfAnEditHoldsInItsNewcellsAloneAndIsKept) {
+  const Revision base = make_revision(Revision::none(), plate(), sized(4), kRun);
+  const AddFeature boss{test::placed(test::cylinder("boss", 5, 8), -18, -18, 8), ""};
+  const Vec3 middle{-18, -18, 12};
+  const Revision dense = edited(base, boss, sized(1.5));
+  EXPECT_EQ(dense.edge_length, base.edge_length);
+  EXPECT_LT(edges_near(dense, middle, 4), 2);
+  EXPECT_GE(kept_beyond(base, dense, {-18, -18, 8}, 20), 0.98);
+  // An edit elsewhere goes on from that, also from what was stored.
+  const SetFeatureParameter wider{"hole", "radius", 4.4};
+  const Revision next = edited(dense, wider);
+  EXPECT_GE(kept_beyond(dense, next, {0, 0, 4}, 14), 0.98);
+  EXPECT_EQ(edited(test::stored_and_loaded(dense), wider).output.mesh.nodes,
+            next.output.mesh.nodes);
+}
+
+}  // namespace
+}  // namespace remeshd
