@@ -27,15 +27,18 @@ constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it
 constexpr int kSampledSteps = 4;        // cubes to the reach
 constexpr double kRefined = 0.5;        // x edge length where a mesh was wrong
 
-/// Nodes of the parent that may not stay as they are: those in the changed boxes or within
-/// `margin` of them. `everything`: all nodes.
+/// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
+/// edge lengths of them. `everything`: all nodes.
 std::vector<std::int32_t> candidate_nodes(const Revision& parent, const CopyPlan& plan,
-                                          double margin, bool everything) {
+                                          const SizeField& sizes, bool everything) {
   std::vector<std::int32_t> nodes;
   const CowVector<Vec3>& positions = parent.delaunay_state->positions();
+  const auto is_near = [&](const Vec3& p) {
+    return plan.in_changed(p, kNearChange * sizes.base()) &&
+           (sizes.even() || plan.in_changed(p, kNearChange * sizes(p)));
+  };
   for (std::size_t n = 0; n < positions.size(); ++n)
-    if (everything || plan.in_changed(positions[n], margin))
-      nodes.push_back(static_cast<std::int32_t>(n));
+    if (everything || is_near(positions[n])) nodes.push_back(static_cast<std::int32_t>(n));
   return nodes;
 }
 
@@ -205,7 +208,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   const DelaunayState& state = *parent.delaunay_state;
   const double margin = kNearChange * sizes.base();
   const bool everything = std::isinf(task.reach);
-  const std::vector<std::int32_t> candidates = candidate_nodes(parent, plan, margin, everything);
+  const std::vector<std::int32_t> candidates = candidate_nodes(parent, plan, sizes, everything);
   const std::vector<Tet> tets = tets_at(state, candidates, [&](const Box& box) {
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });

@@ -3,6 +3,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "tests/bench/statistics.h"
 #include "tests/support/cases.h"
 #include "tests/support/child_process.h"
+#include "tests/support/circle_edges.h"
 #include "tests/support/documents.h"
 #include "tests/support/strategy_name.h"
 
@@ -33,7 +35,8 @@ json write_run(const EngineRun& run) {
           {"iterations", run.iterations},
           {"seed", run.seed},
           {"paper", run.switches.paper},
-          {"length", run.length}};
+          {"length", run.length},
+          {"sized", run.sized}};
 }
 
 EngineRun read_run(const json& j) {
@@ -46,6 +49,7 @@ EngineRun read_run(const json& j) {
   j.at("seed").get_to(run.seed);
   j.at("paper").get_to(run.switches.paper);
   j.at("length").get_to(run.length);
+  j.at("sized").get_to(run.sized);
   return run;
 }
 
@@ -55,8 +59,9 @@ ModelSource model_of_file(const std::string& file) {
   return test::read_model(json::parse(in));
 }
 
-/// All of a sample that the report knows.
-Sample sample_of(const Report& report) {
+/// All of a sample that the revision tells.
+Sample sample_of(const Revision& revision) {
+  const Report& report = revision.report;
   Sample s;
   const PhaseSeconds& t = report.seconds;
   s.phases = {.setup = t.setup,
@@ -70,6 +75,11 @@ Sample sample_of(const Report& report) {
   s.free_share = report.free_share;
   s.strategy = test::name_of(report.strategy);
   s.quality = report.quality;
+  s.away_mean = report.quality_away.volume_length_mean;
+  s.away_angle = report.quality_away.dihedral_min;
+  s.kept = report.counts.nodes_kept / static_cast<double>(report.counts.nodes);
+  if (const double edges = test::fewest_edges_on_circles(revision); std::isfinite(edges))
+    s.circle_edges = edges;
   return s;
 }
 
@@ -87,9 +97,12 @@ class Workshop {
                 Sample& sample) {
     meter_->start();
     Revision revision = make_revision(original, source, options, Run{});
-    Sample made = sample_of(revision.report);
-    meter_->stop(made);
-    sample = made;
+    Sample time;
+    meter_->stop(time);
+    sample = sample_of(revision);
+    sample.cpu = time.cpu;
+    sample.wall = time.wall;
+    sample.peak_bytes = time.peak_bytes;
     return revision;
   }
 
@@ -115,9 +128,8 @@ Samples run_remesh(const EngineRun& run) {
   const ModelSource original = model_of_file(run.original), modified = model_of_file(run.modified);
   Workshop workshop;
   Samples samples;
-  Sample first;
   const MeshOptions options = mesh_options(run);
-  const Revision base = workshop.make(Revision::none(), original, options, first);
+  const Revision base = workshop.make(Revision::none(), original, options, samples["first"]);
   workshop.make(base, modified, inherited(options), samples["remesh"]);
   return samples;
 }
@@ -194,7 +206,7 @@ Samples all_failed(const EngineRun& run, const std::string& why) {
     case RunKind::Regular:
       return {{"regular", failed}};
     case RunKind::Remesh:
-      return {{"remesh", failed}};
+      return {{"first", failed}, {"remesh", failed}};
     case RunKind::Chain:
       break;
   }
@@ -205,6 +217,7 @@ Samples all_failed(const EngineRun& run, const std::string& why) {
 
 MeshOptions mesh_options(const EngineRun& run) {
   MeshOptions options{.nodes = run.nodes, .iterations = run.iterations, .seed = run.seed};
+  options.sizing.even = !run.sized;
   if (run.switches.paper) {
     options.start = MeshOptions::Start::Random;
     options.rebuild = true;

@@ -28,12 +28,13 @@ struct EngineRun {
   std::uint32_t nodes = 15000;     ///< of the original, or of the regular run
   std::uint32_t iterations = 10;   ///< 0: until quality stops improving
   std::uint64_t seed = 1;
-  Switches switches;  ///< of a regular run
-  int length = 20;    ///< of a chain
+  Switches switches;   ///< of a regular run
+  int length = 20;     ///< of a chain
+  bool sized = false;  ///< by the rules, not even
 };
 
-/// The samples by name: `regular`, `remesh`, or `single` and `chain`. A failure to mesh is a sample
-/// with that failure.
+/// The samples by name: `regular`, `first` (of the original) and `remesh`, or `single` and `chain`.
+/// A failure to mesh is a sample with that failure.
 using Samples = std::map<std::string, Sample>;
 
 /// Starts this program again to do the run, for at most `seconds` of wall clock.

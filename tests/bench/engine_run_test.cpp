@@ -16,6 +16,8 @@ TEST(MeshOptionsOfARun, FollowItsSwitches) {
   EXPECT_EQ(mesh_options(ours).iterations, 5U);
   EXPECT_EQ(mesh_options(ours).seed, 3U);
   EXPECT_EQ(mesh_options(ours).start, MeshOptions::Start::Lattice);
+  EXPECT_TRUE(mesh_options(ours).sizing.even);
+  EXPECT_FALSE(mesh_options({.sized = true}).sizing.even);
   const EngineRun papers{.switches = {.paper = true}};
   EXPECT_EQ(mesh_options(papers).start, MeshOptions::Start::Random);
   EXPECT_TRUE(mesh_options(papers).rebuild);

@@ -129,7 +129,7 @@ bool all_well(const Results& results) {
 }
 
 void print_report(const Results& results, const Options& options) {
-  std::string text = report(results);
+  std::string text = report(results, options.settings.sized);
   if (!options.growth.empty()) {
     const fs::path plots =
         fs::relative(options.growth, fs::absolute(options.markdown).parent_path());
@@ -177,7 +177,8 @@ int main(int argc, char** argv) try {
   Options options;
   std::vector<std::string> known;
   for (const Peer& peer : all_peers()) known.push_back(peer.name);
-  app.add_option("--cases", options.cases, "edits of tests/cases, or none; all seven");
+  app.add_option("--cases", options.cases,
+                 "edits of tests/cases, detailed parts, or none; all seven");
   app.add_option("--sizes", options.sizes,
                  "nodes; 15k 30k 100k, for simple-ab and tool1-ac 300k 1M too");
   app.add_option("--iterations", options.iterations, "numbers or auto; 5 10 auto");
@@ -194,6 +195,8 @@ int main(int argc, char** argv) try {
                  "edits of a chain at the smallest size; 0: none")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--limit", options.settings.limit_seconds, "seconds for a run");
+  app.add_flag("--sized", options.settings.sized,
+               "ours sized by its rules, Gmsh's by curvature with 12 edges a circle");
   app.add_flag("--goals", options.goals, "print the goals, met or missed");
   CLI::Option* json = app.add_option("--json", options.json, "file for all samples");
   app.add_flag("--keep", options.keep, "go on with what that file has")->needs(json);

@@ -102,10 +102,11 @@ bool available(const Peer& peer) {
 }
 
 PeerSession::PeerSession(fs::path folder, const std::string& name, const std::string& model_file,
-                         double exact_volume, double limit_seconds)
+                         double exact_volume, bool sized, double limit_seconds)
     : folder_(std::move(folder)),
       name_(name),
       geometry_((folder_ / (name + ".brep")).string()),
+      sized_(sized),
       limit_seconds_(limit_seconds) {
   const json made = ask(beside_this_program("remesh-peer-gmsh"),
                         {"geometry", model_file, geometry_}, limit_seconds_);
@@ -119,7 +120,8 @@ PeerSession::PeerSession(fs::path folder, const std::string& name, const std::st
 
 Sample PeerSession::run(const Peer& peer, std::uint32_t nodes, double start) {
   try {
-    const std::string key = peer.name + " " + name_ + " " + std::to_string(nodes);
+    const std::string key =
+        peer.name + " " + name_ + " " + std::to_string(nodes) + (sized_ ? " sized" : "");
     if (!sizes_.contains(key)) {
       sizes_[key] = find_size(peer, nodes, start);
       write_sizes();
@@ -163,6 +165,9 @@ Sample PeerSession::mesh(const Peer& peer, double size) const {
   if (peer.name == "netgen")
     return read_sample(
         ask(beside_this_program("remesh-peer-netgen"), {geometry_, exact(size)}, limit_seconds_));
+  if (sized_)
+    return read_sample(ask(beside_this_program("remesh-peer-gmsh"),
+                           {"mesh", geometry_, exact(size), peer.name, "12"}, limit_seconds_));
   return read_sample(ask(beside_this_program("remesh-peer-gmsh"),
                          {"mesh", geometry_, exact(size), peer.name}, limit_seconds_));
 }

@@ -30,12 +30,12 @@ const Peer& peer_named(const std::string& name);
 class PeerSession {
  public:
   /// Builds the merged solid of a model document in `folder`, where the sizes that lead to a number
-  /// of nodes are kept too.
+  /// of nodes are kept too. `sized`: peers take the curvature into account.
   ///
   /// Throws std::runtime_error where its volume is not `exact_volume`, or `remesh-peer-gmsh` is not
   /// there.
   PeerSession(std::filesystem::path folder, const std::string& name, const std::string& model_file,
-              double exact_volume, double limit_seconds);
+              double exact_volume, bool sized, double limit_seconds);
 
   /// Faces of their geometry.
   [[nodiscard]] std::size_t faces() const { return faces_; }
@@ -63,6 +63,7 @@ class PeerSession {
   std::string name_;
   std::string geometry_;  ///< file
   std::size_t faces_ = 0;
+  bool sized_;
   double limit_seconds_;
   std::map<std::string, Size> sizes_;  ///< by peer, geometry and nodes asked for
 };

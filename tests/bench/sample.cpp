@@ -54,6 +54,9 @@ json write_sample(const Sample& s) {
   j["way"] = s.strategy;
   j["iterations"] = s.iterations;
   j["free_share"] = s.free_share;
+  j["kept"] = s.kept;
+  j["circle_edges"] = s.circle_edges;
+  j["away"] = {{"mean", s.away_mean}, {"angle", s.away_angle}};
   j["phases"] = {{"setup", s.phases.setup},
                  {"optimise", s.phases.optimise},
                  {"extract", s.phases.extract},
@@ -86,6 +89,12 @@ Sample read_sample(const json& j) {
   s.strategy = j.value("way", std::string());
   s.iterations = j.value("iterations", 0U);
   s.free_share = j.value("free_share", 0.0);
+  s.kept = j.value("kept", 0.0);
+  s.circle_edges = j.value("circle_edges", 0.0);
+  if (j.contains("away")) {
+    j.at("away").at("mean").get_to(s.away_mean);
+    j.at("away").at("angle").get_to(s.away_angle);
+  }
   if (j.contains("phases")) {
     const json& p = j.at("phases");
     p.at("setup").get_to(s.phases.setup);

@@ -1,5 +1,6 @@
 #include "tests/bench/session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -40,20 +41,25 @@ Subject case_subject(const std::string& name) {
       const ModelSource original = test::case_model(c.original);
       return {name, original, apply(original, test::case_edit(name))};
     }
-  throw std::runtime_error("there is no case " + name);
+  const std::vector<std::string>& parts = test::detailed_parts();
+  if (std::ranges::find(parts, name) == parts.end())
+    throw std::runtime_error("there is no case " + name);
+  const ModelSource original = test::case_model("detailed/" + name);
+  return {name, original, apply(original, test::case_edit("detailed/" + name))};
 }
 
 Group measure_group(const Subject& subject, std::uint32_t nodes, const Settings& settings) {
   std::filesystem::create_directories(settings.folder);
   EngineRun run{.original = store(settings.folder, subject.name + "-original", subject.original),
                 .modified = store(settings.folder, subject.name + "-modified", subject.modified),
-                .nodes = nodes};
+                .nodes = nodes,
+                .sized = settings.sized};
   std::optional<PeerSession> peers;
   std::optional<CellularModel> cells;
   if (!settings.peers.empty()) {
     cells = build_cells(evaluate(subject.modified), Run{});
     peers.emplace(settings.folder, subject.name, run.modified, exact_volume(subject, *cells),
-                  settings.limit_seconds);
+                  settings.sized, settings.limit_seconds);
     if (peers->faces() != cells->boundary.faces.size())
       std::cerr << subject.name << ": the peers' geometry has " << peers->faces()
                 << " faces, the model " << cells->boundary.faces.size() << "\n";
@@ -76,7 +82,9 @@ Group measure_group(const Subject& subject, std::uint32_t nodes, const Settings&
         run.nodes = count;
         run.iterations = iterations;
         run.switches = switches;
-        const Sample sample = measure(run, settings.limit_seconds).begin()->second;
+        const Samples samples = measure(run, settings.limit_seconds);
+        if (kind == RunKind::Remesh) keep(series_name("first", iterations), samples.at("first"));
+        const Sample& sample = samples.at(kind == RunKind::Remesh ? "remesh" : "regular");
         keep(series_name(name, iterations), sample);
         return sample.nodes;
       };

@@ -17,7 +17,7 @@ struct Subject {
   ModelSource original, modified;
 };
 
-/// One of the seven cases by its edit's name.
+/// One of the seven cases by its edit's name, or a detailed part by its own, with its edit.
 /// Throws std::runtime_error where there is none of this name.
 Subject case_subject(const std::string& name);
 
@@ -29,6 +29,7 @@ struct Settings {
   std::vector<Peer> peers;
   bool paper_regular = false;    ///< regular runs as the paper has them, too
   int chain = 0;                 ///< edits to and fro; 0: none
+  bool sized = false;            ///< by the rules, and peers by curvature; not even
   double limit_seconds = 1800;   ///< of a run
   std::filesystem::path folder;  ///< for models, geometries and the peers' sizes
 };

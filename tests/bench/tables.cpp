@@ -10,6 +10,7 @@
 
 #include "tests/bench/paper_figures.h"
 #include "tests/bench/peers.h"
+#include "tests/bench/sized_table.h"
 
 namespace remeshd::bench {
 namespace {
@@ -250,9 +251,15 @@ std::optional<std::string> between_marks(const std::string& document, const std:
   return document.substr(0, begin) + kBeginMark + "\n" + tables + document.substr(end);
 }
 
-std::string report(const Results& results) {
+std::string report(const Results& results, bool sized) {
   std::string text = fmt::format("{}, {}:\n\n    {}\n\n", results.machine, results.date,
                                  fmt::join(results.commands, "\n    "));
+  if (sized) {
+    text += "### Meshes sized by the rules\n\n" + sized_table(results);
+    if (const std::string failed = failures(results); !failed.empty())
+      text += "\n### What failed\n\n" + failed;
+    return text;
+  }
   text += "### Remesh and regular run\n\n" + timing_table(results);
   const std::string peers = peer_table(results);
   if (std::ranges::count(peers, '\n') > 2) text += "\n### Peers\n\n" + peers;

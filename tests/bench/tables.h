@@ -27,7 +27,7 @@ std::optional<std::string> between_marks(const std::string& document, const std:
 inline constexpr const char* kBeginMark = "<!-- remesh-bench begin -->";
 inline constexpr const char* kEndMark = "<!-- remesh-bench end -->";
 
-/// All of it with machine, date and command, in Markdown.
-std::string report(const Results& results);
+/// All of it with machine, date and command, in Markdown; of runs that were `sized` that table.
+std::string report(const Results& results, bool sized = false);
 
 }  // namespace remeshd::bench

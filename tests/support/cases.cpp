@@ -41,6 +41,11 @@ const std::vector<EditCase>& seven_cases() {
   return cases;
 }
 
+const std::vector<std::string>& detailed_parts() {
+  static const std::vector<std::string> parts{"valve", "mount", "coldplate", "carrier"};
+  return parts;
+}
+
 ModelSource one_feature(FeatureSource only) { return model_of({std::move(only)}); }
 
 ModelSource model_of(std::vector<FeatureSource> features) {

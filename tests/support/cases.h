@@ -28,6 +28,10 @@ struct EditCase {
 /// The paper's six cases (Fig. 17) and tool2-cd.
 const std::vector<EditCase>& seven_cases();
 
+/// Parts with details finer than one edge length, by their names: models `detailed/valve` and edits
+/// of the same name.
+const std::vector<std::string>& detailed_parts();
+
 /// Models for tests that need no document.
 ModelSource one_feature(FeatureSource feature);
 ModelSource model_of(std::vector<FeatureSource> features);

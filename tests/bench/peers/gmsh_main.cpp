@@ -2,7 +2,7 @@
 // which must not meet other editions of them.
 //
 //   remesh-peer-gmsh geometry MODEL.json OUT.brep       the merged solid
-//   remesh-peer-gmsh mesh GEOMETRY.brep SIZE hxt|delaunay
+//   remesh-peer-gmsh mesh GEOMETRY.brep SIZE hxt|delaunay [EDGES_PER_CIRCLE]
 //   remesh-peer-gmsh surface GEOMETRY.brep SIZE OUT.smesh
 //
 // Each prints a line of JSON.
@@ -81,8 +81,11 @@ int make_geometry(const std::string& model_file, const std::string& out) {
   return 0;
 }
 
+/// Of the size, that edges have at least: as in ours where they follow the curvature.
+double least_share = 1;
+
 void set_size(double size) {
-  gmsh::option::setNumber("Mesh.MeshSizeMin", size);
+  gmsh::option::setNumber("Mesh.MeshSizeMin", least_share * size);
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
 }
 
@@ -169,6 +172,10 @@ int main(int argc, char** argv) try {
   if (arguments[0] == "geometry") return make_geometry(arguments[1], arguments[2]);
   if (arguments.size() < 4) return 2;
   const double size = std::stod(arguments[2]);
+  if (arguments.size() > 4) {
+    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", std::stod(arguments[4]));
+    least_share = 0.1;
+  }
   if (arguments[0] == "mesh") return make_mesh(arguments[1], size, arguments[3]);
   if (arguments[0] == "surface") return make_surface(arguments[1], size, arguments[3]);
   return 2;

@@ -16,7 +16,6 @@ namespace remeshd::campaign {
 namespace {
 
 constexpr double kDetailed = 0.3;  // share of cases
-constexpr std::array<const char*, 4> kNames{"valve", "mount", "coldplate", "carrier"};
 constexpr int kChangeTries = 30;  // in a row that come to nothing, before the loop ends
 constexpr double kEffect = 1e-9;  // of the part's size: an edit that changes less changes nothing
 
@@ -96,7 +95,7 @@ class PartCaseMaker {
     const bool detailed = random_.uniform() < kDetailed;
     for (;;) {
       if (detailed) {
-        c.part = kNames[random_.below(kNames.size())];
+        c.part = test::detailed_parts()[random_.below(test::detailed_parts().size())];
         c.model = test::case_model("detailed/" + c.part);
       } else {
         DrawnPart drawn = draw_part(random_.next(), *c.options.nodes);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/base/angle.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/circle_edges.h"
 
 namespace remeshd {
 namespace {
@@ -28,26 +28,10 @@ ModelSource plate() {
        test::placed(test::cylinder("pin", 1.5, 6), 15, 0, 7)});
 }
 
-/// Of all circles and arcs of the boundary, the fewest mesh edges for a whole turn.
-double fewest_edges_on_circles(const Revision& r) {
-  const BoundaryModel& boundary = r.cells.boundary;
-  std::vector<int> on(boundary.edges.size(), 0);
-  for (const Support& s : r.supports())
-    if (s.kind == Support::Kind::Edge) ++on[s.entity];
-  double fewest = HUGE_VAL;
-  for (std::size_t e = 0; e < on.size(); ++e) {
-    const BoundaryEdge& edge = boundary.edges[e];
-    if (edge.curve.kind != Curve::Kind::Circle) continue;
-    const double turns = edge.length / (kTurn * edge.curve.radius);
-    fewest = std::fmin(fewest, (on[e] + (edge.closed() ? 0 : 1)) / turns);
-  }
-  return fewest;
-}
-
 TEST(Sizing, CirclesGetTheirEdgesAndTheBudgetHolds) {
   const Revision r = make_revision(Revision::none(), plate(), graded(3000), kRun);
   EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
-  EXPECT_GE(fewest_edges_on_circles(r), 12);
+  EXPECT_GE(test::fewest_edges_on_circles(r), 12);
   EXPECT_NEAR(r.report.counts.nodes, 3000, 150);
   EXPECT_GE(r.report.quality.dihedral_min, 20);
   EXPECT_GE(r.report.quality.volume_length_mean, 0.78);
@@ -55,7 +39,7 @@ TEST(Sizing, CirclesGetTheirEdgesAndTheBudgetHolds) {
 
 TEST(Sizing, WithoutItTheSameCirclesAreCoarse) {
   const Revision r = make_revision(Revision::none(), plate(), {.nodes = 3000}, kRun);
-  EXPECT_LT(fewest_edges_on_circles(r), 8);
+  EXPECT_LT(test::fewest_edges_on_circles(r), 8);
 }
 
 TEST(Sizing, AModelWithoutRoundFacesIsMeshedEvenly) {
@@ -75,7 +59,7 @@ TEST(Sizing, AnEditKeepsTheBaseSizeAndWhatIsFarFromIt) {
   const Revision r = make_revision(base, edited, inherited, kRun);
   EXPECT_EQ(r.edge_length, base.edge_length);
   EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
-  EXPECT_GE(fewest_edges_on_circles(r), 12);
+  EXPECT_GE(test::fewest_edges_on_circles(r), 12);
   EXPECT_GE(r.report.counts.nodes_kept, 0.5 * base.report.counts.nodes);
   EXPECT_GE(r.report.quality.dihedral_min, 20);
 }
@@ -99,7 +83,7 @@ TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
                                          -20 + 20 * (k % 3), -20 + 20 * (k / 3), 7));
   const Revision r = make_revision(Revision::none(), pins, graded(1200), kRun);
   EXPECT_GT(r.rules_weakening, 1.05);
-  EXPECT_GE(fewest_edges_on_circles(r), 6);
+  EXPECT_GE(test::fewest_edges_on_circles(r), 6);
   const auto told =
       std::ranges::find(r.report.warnings, WarningCode::DetailNotResolved, &Warning::code);
   ASSERT_NE(told, r.report.warnings.end());
@@ -109,7 +93,7 @@ TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
   const auto enough = static_cast<std::uint32_t>(std::stoi(told->message.substr(at)));
   const Revision whole = make_revision(Revision::none(), pins, graded(enough * 21 / 20), kRun);
   EXPECT_EQ(whole.rules_weakening, 1);
-  EXPECT_GE(fewest_edges_on_circles(whole), 12);
+  EXPECT_GE(test::fewest_edges_on_circles(whole), 12);
 }
 
 TEST(Sizing, WhatTheLeastSizeLeavesOutIsToldByFeature) {
