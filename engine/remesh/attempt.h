@@ -59,6 +59,7 @@ struct Attempt {
   std::variant<std::monostate, MorphedMesh, Candidate> mesh;
   std::string reason;            ///< why it was not taken; empty where it is
   std::optional<Warning> fault;  ///< what is wrong with the mesh, and where
+  std::vector<Vec3> refined_at;  ///< where its edges were to be finer
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
   bool copies = false;    ///< its nodes may be copies of the parent's
   bool serves = true;     ///< false: the problem is none for this strategy; nothing is told of it

@@ -61,7 +61,8 @@ Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*
     // Extraction of the model's mesh (Sect. 3.4), put back into the parent's and verified.
     attempt.mesh = extract_verified(task, std::move(*nodes), std::move(loop), boundary, attempt);
     judge(how, problem, attempt);
-    if (how.refines && attempt.taken())
+    attempt.refined_at = task.refined_at;
+    if (how.refined > 0 && attempt.taken())
       attempt.last_resort_share =
           share_in(region_of(task.refined_at, problem.density.sizes), attempt);
   } catch (const PatchTooSmall& where) {

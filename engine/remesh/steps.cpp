@@ -25,7 +25,6 @@ constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for 
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
 constexpr int kSampledSteps = 4;        // cubes to the reach
-constexpr double kRefined = 0.5;        // x edge length where a mesh was wrong
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
 /// edge lengths of them. `everything`: all nodes.
@@ -154,14 +153,22 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
               task.run);
 }
 
+/// Where the last attempt's mesh was wrong, and those that it was to be better than.
+std::vector<Vec3> wrong_so_far(const Attempt& failed) {
+  std::vector<Vec3> places = failed.refined_at;
+  const std::vector<Vec3> more = failed.faulty_places();
+  places.insert(places.end(), more.begin(), more.end());
+  return places;
+}
+
 /// The plan of a strategy that does not go by the problem's: of a mesh of new nodes, or one with
 /// what was wrong made anew.
 std::unique_ptr<const CopyPlan> own_plan(const Strategy& how, const Problem& problem,
                                          const Attempt* failed) {
   if (how.reuse == Reuse::Nothing) return plan_of_nothing(problem);
-  if (!how.refines) return nullptr;
+  if (how.refined == 0) return nullptr;
   return std::make_unique<const CopyPlan>(
-      problem.plan().with_new_in(region_of(failed->faulty_places(), problem.density.sizes)));
+      problem.plan().with_new_in(region_of(wrong_so_far(*failed), problem.density.sizes)));
 }
 
 /// The same with a folder of the strategy's own for dumps.
@@ -192,9 +199,9 @@ MeshingTask::MeshingTask(const Strategy& how, const Problem& problem, const Atte
       reach(how.reach * density.sizes.base()),
       entities(std::isfinite(reach) ? &problem.entities() : nullptr),
       run(with_folder(problem.run, how)) {
-  if (!how.refines) return;
-  refined_at = failed->faulty_places();
-  density.sizes = density.sizes.refined(refined_at, kRefined, cells.boundary.bounds);
+  if (how.refined == 0) return;
+  refined_at = wrong_so_far(*failed);
+  density.sizes = density.sizes.refined(refined_at, how.refined, cells.boundary.bounds);
 }
 
 std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attempt) {

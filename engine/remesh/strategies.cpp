@@ -51,6 +51,17 @@ bool has_places(const Problem& problem, const Attempt* failed) {
 bool has_places_in_patches(const Problem& problem, const Attempt* failed) {
   return has_patches(problem, failed) && has_places(problem, failed);
 }
+/// A field that is not even may be as fine as it takes.
+bool has_fine_places(const Problem& problem, const Attempt* failed) {
+  return has_places(problem, failed) && !problem.modified.options.sizing.even;
+}
+bool has_fine_places_in_patches(const Problem& problem, const Attempt* failed) {
+  return has_places_in_patches(problem, failed) && has_fine_places(problem, failed);
+}
+/// A larger patch is of no use where it is known what is wrong inside of the last one.
+bool needs_larger_patch(const Problem& problem, const Attempt* failed) {
+  return has_patches(problem, failed) && !has_fine_places(problem, failed);
+}
 
 /// New places for all nodes would lose the boundary again that the parent has by its many nodes.
 bool may_free_nodes(const Problem& problem, const Attempt* failed) {
@@ -106,12 +117,16 @@ constexpr std::array kStrategies{
     Strategy{MeshStrategy::Morphed, "morphed", may_keep_tets, morph, Reuse::Mesh},
     Strategy{MeshStrategy::Local, "local, 4 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              4},
-    Strategy{MeshStrategy::Local, "local, 6 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
-             6},
-    Strategy{MeshStrategy::Local, "local, 8 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
-             8, true},
+    Strategy{MeshStrategy::Local, "local, 6 edge lengths", needs_larger_patch, remesh_nodes,
+             Reuse::Nodes, 6},
+    Strategy{MeshStrategy::Local, "local, 8 edge lengths", needs_larger_patch, remesh_nodes,
+             Reuse::Nodes, 8, true},
     Strategy{MeshStrategy::Local, "local, refined", has_places_in_patches, remesh_nodes,
-             Reuse::Nodes, 8, true, 0, "made anew there, finer", true},
+             Reuse::Nodes, 8, true, 0, "made anew there, finer", 0.5},
+    Strategy{MeshStrategy::Local, "local, refined by 8", has_fine_places_in_patches, remesh_nodes,
+             Reuse::Nodes, 8, true, 0, "made anew there, finer still", 0.125},
+    Strategy{MeshStrategy::Local, "local, refined by 32", has_fine_places_in_patches, remesh_nodes,
+             Reuse::Nodes, 8, true, 0, "made anew there, finer still", 1.0 / 32},
     Strategy{MeshStrategy::Local, "local, everywhere", may_place_nodes, remesh_nodes, Reuse::Nodes,
              HUGE_VAL},
     Strategy{MeshStrategy::Full, "full", may_free_nodes, remesh_nodes, Reuse::FreedNodes, HUGE_VAL,
@@ -119,7 +134,9 @@ constexpr std::array kStrategies{
     Strategy{MeshStrategy::Fresh, "fresh", may_place_nodes, remesh_nodes, Reuse::Nothing, HUGE_VAL,
              false, kOtherSeed, "meshed from another seed"},
     Strategy{MeshStrategy::Fresh, "fresh, refined", has_places, remesh_nodes, Reuse::Nothing,
-             HUGE_VAL, false, 0, "made finer there", true},
+             HUGE_VAL, false, 0, "made finer there", 0.5},
+    Strategy{MeshStrategy::Fresh, "fresh, refined by 8", has_fine_places, remesh_nodes,
+             Reuse::Nothing, HUGE_VAL, false, 0, "made finer still", 0.125},
     Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
              "meshed by TetGen"}};
 

@@ -28,7 +28,8 @@ struct Strategy {
   bool last_reach = false;        ///< no patch that is larger will be tried
   std::uint64_t other_seed = 0;   ///< added to the seed of the options
   const char* instead = nullptr;  ///< told with the fault of the mesh that it takes the place of
-  bool refines = false;           ///< finer where the last attempt's mesh was wrong, and new there
+  /// x edge length where the last attempts' meshes were wrong, which are made anew there; 0: none.
+  double refined = 0;
 };
 
 /// The road of the paper, Sects. 5 to 8 (remesh.cpp): nodes copied and new, free and fixed,
