@@ -4,18 +4,14 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "engine/boundary/edge_chains.h"
 #include "engine/mesh/grouping.h"
-#include "engine/nodes/nearest.h"
 
 namespace remeshd {
 
 namespace {
-
-constexpr double kEndShare = 0.15;  // of a link: nearer to its ends it is not split
 
 using Link = std::pair<std::int32_t, std::int32_t>;
 
@@ -30,26 +26,6 @@ double split_at(const NodeSet& nodes, const NodeOnEdge& a, const NodeOnEdge& b,
   const double edge_length = sizes(nodes.positions[from_a ? a.node : b.node]);
   const double shell = edge_length * std::exp2(std::round(std::log2(0.5 * length / edge_length)));
   return from_a ? a.at + shell : b.at - shell;
-}
-
-/// Where the node that is deepest in the diametral ball of a link from a to b faces it; nothing
-/// where none does, or one of the ends. Two chains beside each other get their nodes in pairs so,
-/// and do not split each other into pieces as short as the way between them.
-std::optional<double> facing(const NodeSet& nodes, const NearestNode& grid, const NodeOnEdge& a,
-                             const NodeOnEdge& b) {
-  const Vec3 &from = nodes.positions[a.node], &to = nodes.positions[b.node];
-  const Vec3 along = to - from, middle = 0.5 * (from + to);
-  const double length2 = norm2(along);
-  double least = 0.25 * length2;
-  std::optional<double> at;
-  grid.for_each_within(middle, 0.5 * std::sqrt(length2), [&](std::int32_t n, double distance2) {
-    if (n == a.node || n == b.node || distance2 >= least) return;
-    least = distance2;
-    const double share = dot(nodes.positions[n] - from, along) / length2;
-    at = share > kEndShare && share < 1 - kEndShare ? std::optional(a.at + share * (b.at - a.at))
-                                                    : std::nullopt;
-  });
-  return at;
 }
 
 std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const DelaunayMesh& mesh) {
@@ -98,19 +74,6 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
     const std::vector<std::vector<NodeOnEdge>> chain =
         edge_chains(boundary, nodes.supports, nodes.positions);
     const int before = inserted;
-    const std::int32_t count = nodes.size();
-    std::optional<NearestNode> grid;  // of those, made where it is asked
-    const auto place_of = [&](const NodeOnEdge& a, const NodeOnEdge& b) {
-      const bool at_vertex = nodes.supports[a.node].kind == Support::Kind::Vertex ||
-                             nodes.supports[b.node].kind == Support::Kind::Vertex;
-      if (!options.sizes.even() && !at_vertex) {
-        if (!grid)
-          grid.emplace(std::span(nodes.positions).first(count),
-                       kGridCell * options.sizes.grid_length());
-        if (const auto at = facing(nodes, *grid, a, b)) return *at;
-      }
-      return split_at(nodes, a, b, options.sizes);
-    };
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
       const BoundaryEdge& edge = boundary.edges[e];
       const double length = polyline_length(edge);
@@ -139,7 +102,7 @@ int recover_edges(NodeSet& nodes, const BoundaryModel& boundary, LiveMesh& live,
         if (at_rim(a) && at_rim(b)) continue;
         if (!std::binary_search(links.begin(), links.end(),
                                 Link(std::min(a.node, b.node), std::max(a.node, b.node))))
-          insert(place_of(a, b));
+          insert(split_at(nodes, a, b, options.sizes));
       }
     }
     if (inserted == before) return inserted;

@@ -1,5 +1,7 @@
 #include "engine/remesh/repair.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "engine/nodes/nearest.h"
@@ -16,16 +18,18 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          const SizeField& sizes) {
   if (nodes.positions.empty()) return 0;  // a patch that nothing is in
-  const NearestNode grid(nodes.positions, kGridCell * sizes.grid_length());
+  const double cell = kGridCell * sizes.grid_length();
+  const NearestNode grid(nodes.positions, cell), grid_of_samples(samples.positions(), cell);
   std::vector<Sample> added;
+  std::vector<Vec3> places;  // of those
+  NearestNode grid_of_added(places, cell);
   const auto room2 = [&](const Vec3& p) {
-    double d = norm2(p - nodes.positions[grid.nearest(p)]);
-    for (const Sample& s : added) d = std::fmin(d, norm2(p - s.position));
-    return d;
+    const double d = norm2(p - nodes.positions[grid.nearest(p)]);
+    const std::int32_t other = grid_of_added.nearest(p);
+    return other < 0 ? d : std::fmin(d, norm2(p - places[other]));
   };
   const auto place_for = [&](const MeshDefect& defect) -> std::optional<Sample> {
     const double edge_length = sizes(defect.place);
-    const double around2 = kAround * kAround * edge_length * edge_length;
     const double closest2 = kClosest * kClosest * edge_length * edge_length;
     if (defect.kind == MeshFailure::MissingSegment) {
       const Support edge{Support::Kind::Edge, defect.entity};
@@ -34,8 +38,12 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
     }
     std::optional<Sample> best;
     double farthest = closest2;
-    for (const Sample& s : samples.points) {
-      if (norm2(s.position - defect.place) > around2) continue;
+    std::vector<std::int32_t> near;
+    grid_of_samples.for_each_within(defect.place, kAround * edge_length,
+                                    [&](std::int32_t s, double) { near.push_back(s); });
+    std::ranges::sort(near);
+    for (const std::int32_t k : near) {
+      const Sample& s = samples.points[k];
       const double d = room2(s.position);
       if (d <= farthest) continue;
       farthest = d;
@@ -43,8 +51,14 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
     }
     return best;
   };
-  for (const MeshDefect& defect : defects)
-    if (const std::optional<Sample> place = place_for(defect)) added.push_back(*place);
+  for (const MeshDefect& defect : defects) {
+    const std::optional<Sample> place = place_for(defect);
+    if (!place) continue;
+    added.push_back(*place);
+    places.push_back(place->position);
+    const auto last = static_cast<std::int32_t>(places.size()) - 1;
+    grid_of_added.follow(places, {&last, 1});
+  }
   for (const Sample& s : added) nodes.add_new(s.position, s.support);
   return static_cast<int>(added.size());
 }

@@ -12,6 +12,7 @@
 #include "engine/nodes/active_faces.h"
 #include "engine/nodes/copy_nodes.h"
 #include "engine/nodes/decimate_close_nodes.h"
+#include "engine/nodes/density.h"
 #include "engine/nodes/dump.h"
 #include "engine/nodes/fill/fill.h"
 #include "engine/nodes/place_supports.h"
@@ -24,6 +25,7 @@ namespace {
 constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for rounding
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
+constexpr double kMostRefined = 2;      // x nodes of an even mesh: more new ones are hopeless
 constexpr int kSampledSteps = 4;        // cubes to the reach
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
@@ -161,6 +163,13 @@ std::vector<Vec3> wrong_so_far(const Attempt& failed) {
   return places;
 }
 
+/// New nodes for a mesh that is refined where it was wrong: as many as an even mesh has.
+std::size_t most_refined(const MeshingTask& task) {
+  const CellularModel& cells = task.cells;
+  return static_cast<std::size_t>(
+      kMostRefined * expected_nodes(cells.volume, cells.area, task.density.sizes.base()));
+}
+
 /// The plan of a strategy that does not go by the problem's: of a mesh of new nodes, or one with
 /// what was wrong made anew.
 std::unique_ptr<const CopyPlan> own_plan(const Strategy& how, const Problem& problem,
@@ -222,7 +231,12 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
                                 sizes_of(parent, run), run);
   // What is near in space is to be near in memory: revisions share pages.
-  for (const Vec3& p : along_hilbert_curve(new_nodes(task))) near.add_new(p);
+  const std::vector<Vec3> fill = new_nodes(task);
+  if (!task.refined_at.empty() && fill.size() > most_refined(task)) {
+    attempt.reason = "it would take " + std::to_string(fill.size()) + " new nodes";
+    return std::nullopt;
+  }
+  for (const Vec3& p : along_hilbert_curve(fill)) near.add_new(p);
   if (plan.copies()) {  // new nodes alone are free, and spread evenly
     free_at_active_faces(near, plan, sizes, run);
     decimate_close_nodes(near, sizes);
