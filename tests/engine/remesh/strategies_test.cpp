@@ -127,6 +127,20 @@ TEST_F(FirstTaken, AnErrorTellsWhatWasTriedBeforeIt) {
   }
 }
 
+TEST_F(FirstTaken, WhereNoneIsTakenTheErrorTellsWhatWasWrongWithTheLast) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
+                      Strategy{MeshStrategy::Local, "far", always, rejected, Reuse::Nodes}};
+  try {
+    first_taken(problem_, report, of);
+    ADD_FAILURE() << "no error";
+  } catch (const remeshd::Error& error) {
+    EXPECT_EQ(error.info().reason, "BOUNDARY_NOT_RECOVERED");
+    EXPECT_THAT(error.info().message, testing::HasSubstr("no good"));
+    EXPECT_THAT(error.info().attempts, ElementsAre("near: no good", "far: no good"));
+  }
+}
+
 TEST_F(FirstTaken, WhatMadeTheMeshIsTold) {
   Report report;
   const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
@@ -210,6 +224,31 @@ TEST(Refined, TheMeshIsMadeAnewWhereItWasWrongAndKeptElsewhere) {
     kept += was >= 0 ? 1 : 0;
   });
   EXPECT_EQ(kept, all);
+}
+
+const Strategy& named(const std::string& name) {
+  return *std::ranges::find(strategies(), name, &Strategy::name);
+}
+
+TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherAndHasNoLargerPatchesAndNoTetGen) {
+  const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
+  const Revision base = make_revision(Revision::none(), source, {.nodes = 300}, kRun);
+  Revision modified;
+  modified.source = source;
+  modified.model = evaluate(source);
+  modified.cells = build_cells(modified.model, kRun);
+  const Attempt failed = wrong_at({25, 0, 5});
+  for (const bool even : {true, false}) {
+    modified.options.sizing.even = even;
+    const Density density = resolve_density(base, {}, modified.model, modified.cells, kRun);
+    const Problem edit(base, modified, density, kRun);
+    EXPECT_EQ(named("local, 6 edge lengths").applies(edit, &failed), even);
+    EXPECT_TRUE(named("local, refined").applies(edit, &failed));
+    EXPECT_EQ(named("local, refined by 8").applies(edit, &failed), !even);
+    EXPECT_EQ(named("TetGen").applies(edit, &failed), even);
+    const Problem first(Revision::none(), modified, density, kRun);
+    EXPECT_TRUE(named("TetGen").applies(first, &failed));
+  }
 }
 
 TEST(Refined, IsNothingWhereNoPlaceIsKnown) {
