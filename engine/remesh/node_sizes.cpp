@@ -39,13 +39,14 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   if (revision.options.sizing.even) return {};
   const OutputMesh& output = revision.output;
   const SizeField& sizes = *revision.sizes;
+  const CowVector<Vec3>& positions = revision.delaunay_state->positions();  // as it is asked later
   const bool known = is_known(parent), same_tets = keeps_tets(revision);
   std::vector<double> all(output.mesh.nodes.size());
   in_blocks(all.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
       all[n] = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept)
                    ? made_for(parent, output.map.original_node[n])
-                   : sizes(output.mesh.nodes[n]);
+                   : sizes(positions[n]);
   });
   return {std::span<const double>(all), parent.node_sizes};
 }

@@ -14,6 +14,8 @@ namespace {
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
 /// So many more edges are asked for on circles: they come out unevenly long.
 constexpr double kReserve = 1.2;
+/// x least size: walls and gaps thinner than that get no edges for it, which would do no good.
+constexpr double kFilm = 0.25;
 constexpr double kOnFace = 0.92;    // nodes to a square of an edge length
 constexpr double kInVolume = 1.41;  // to a cube of it
 
@@ -66,6 +68,7 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double
     thin_places_ = thin_places(boundary,
                                {.most = sizing.layers * most,
                                 .least = sizing.layers * least_size(sizing, most),
+                                .film = kFilm * sizing.layers * least_size(sizing, most),
                                 .slope = sizing.layers * slope()},
                                run);
 }
@@ -75,7 +78,8 @@ SizeField SizeRules::field(double base, double weakening) const {
   sources.reserve(circles_.size() + thin_places_.size() + asked_.size());
   for (const Circle& circle : circles_) sources.push_back(circle.source);
   for (const ThinPlace& place : thin_places_)
-    sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
+    if (size_of(place) >= kFilm * least_size(sizing_, base))
+      sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
   for (SizeSource& source : sources) source.size *= weakening;
   sources.insert(sources.end(), asked_.begin(), asked_.end());
   return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);

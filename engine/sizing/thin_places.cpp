@@ -62,7 +62,7 @@ std::vector<std::vector<int>> neighbours_of(const BoundaryModel& boundary) {
 class Search {
  public:
   Search(const BoundaryModel& boundary, const ThinPlaceLimits& limits, const Run& run)
-      : most_(limits.most), least_(limits.least), poll_(run) {
+      : most_(limits.most), least_(limits.least), film_(limits.film), poll_(run) {
     for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
       const BoundaryFace& face = boundary.faces[f];
       boxes_.push_back(box_of(face.points));
@@ -147,6 +147,10 @@ class Search {
       least = std::min(least, d);
       greatest = std::max(greatest, d);
     }
+    if (greatest < film_) {
+      places_.push_back({patch.face, patch.corners, least});
+      return;
+    }
     const double thickness = std::max(least, least_);
     if (greatest <= kLimits.even * thickness || patch.radius <= kLimits.smallest * thickness) {
       if (thickness < most_) places_.push_back({patch.face, patch.corners, thickness});
@@ -178,7 +182,7 @@ class Search {
     return {Corners{a, b, between}, Corners{a, between, d}};
   }
 
-  double most_, least_;
+  double most_, least_, film_;
   Polling poll_;
   std::vector<Box> boxes_;  ///< by face
   std::vector<Patch> patches_;
@@ -237,6 +241,7 @@ std::vector<ThinPlace> without_covered(std::vector<ThinPlace> places,
   std::ranges::stable_sort(places, {}, &ThinPlace::thickness);
   Covering covering(limits);
   std::erase_if(places, [&](const ThinPlace& place) {
+    if (place.thickness < limits.least) return false;  // a film asks for nothing
     if (covering.covers(place)) return true;
     covering.add(place);
     return false;

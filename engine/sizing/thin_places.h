@@ -13,17 +13,21 @@ namespace remeshd {
 struct ThinPlace {
   int face;
   std::array<Vec3, 3> triangle;
-  double thickness;  ///< least distance to the other face at its corners and its middle
+  /// Least distance to the other face at its corners and its middle; at least `least`, but of a
+  /// film, which is thinner than `film` throughout.
+  double thickness;
 };
 
 struct ThinPlaceLimits {
   double most;   ///< length: where walls and gaps are thicker there is no place
   double least;  ///< length > 0: thinner ones count as this thick
+  double film;   ///< length < `least`
   double slope;  ///< where thickness grows faster than this along a face there need be no place
 };
 
 /// The thin places of all faces. They are divided until the thickness is nearly even on each, or
-/// they are about as small as it: what a large one misses, the other side's small ones have.
+/// they are about as small as it: what a large one misses, the other side's small ones have. Films
+/// are not divided.
 ///
 /// Faces that share an edge or a vertex are left out: they are near each other in any corner. By
 /// triangulations, so that round walls are off by the heights of their chords.

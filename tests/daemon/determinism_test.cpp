@@ -16,6 +16,7 @@ struct Step {
   v1::MeshOptions options;
 };
 struct Chain {
+  bool even;
   std::string model;
   std::vector<Step> steps;
 };
@@ -34,18 +35,22 @@ v1::MeshOptions options(std::uint32_t iterations, v1::Start start) {
 
 /// They go every way but those to a mesh that cannot be had otherwise.
 std::vector<Chain> chains() {
-  return {
-      {"tool1-a",
-       {{set("hole_circle", 36.02), {}},
-        {change("tool1-ac"), {}},
-        {set("hole_turn", 15 + 1e-13), {}},
-        {change("tool1-ab"), {}}}},
-      {"tool2-b", {{change("tool2-bc"), {}}, {set("pipe_x", 23.98), {}}, {change("tool2-cd"), {}}}},
-      // A mesh from one iteration wears the chain out.
-      {"tool3-a",
-       {{change("tool3-ab"), options(1, v1::START_RANDOM)},
-        {set("boss_x", 37), options(5, v1::START_LATTICE)},
-        {set("boss_x", 37.02), {}}}}};
+  return {{true,
+           "tool1-a",
+           {{set("hole_circle", 36.02), {}},
+            {change("tool1-ac"), {}},
+            {set("hole_turn", 15 + 1e-13), {}},
+            {change("tool1-ab"), {}}}},
+          {true,
+           "tool2-b",
+           {{change("tool2-bc"), {}}, {set("pipe_x", 23.98), {}}, {change("tool2-cd"), {}}}},
+          // A mesh from one iteration wears the chain out.
+          {true,
+           "tool3-a",
+           {{change("tool3-ab"), options(1, v1::START_RANDOM)},
+            {set("boss_x", 37), options(5, v1::START_LATTICE)},
+            {set("boss_x", 37.02), {}}}},
+          {false, "tool1-a", {{set("hole_circle", 36.02), {}}, {change("tool1-ac"), {}}}}};
 }
 
 /// A client's side of a chain.
@@ -65,6 +70,7 @@ class ChainRun {
       *request.mutable_model() = parse_model(case_text(chain_.model));
       request.mutable_options()->set_nodes(1500);
       request.mutable_options()->set_iterations(5);
+      request.mutable_options()->mutable_sizing()->set_even(chain_.even);
       request.set_threads(threads_);
       v1::CreateRevisionResponse reply;
       status = stub_.CreateRevision(&context, request, &reply);

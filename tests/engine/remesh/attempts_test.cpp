@@ -109,9 +109,9 @@ TEST(Attempts, AreNoneOfRevisionsThatWereStoredBeforeTheyWereTold) {
       make_revision(Revision::none(), test::case_model("simple-a"), {.nodes = 60}, kRun);
   std::string bytes = write_documents(made);
   ASSERT_EQ(bytes[1], 15);
-  // Format 14 had no sizes of the two models after it, none here.
+  // Format 14 had no sizes of the two models after it and no dense places, none here.
   bytes[1] = 14;
-  bytes.resize(bytes.size() - 2 * sizeof(std::uint64_t));
+  bytes.resize(bytes.size() - 3 * sizeof(std::uint64_t));
   Revision without_sizes;
   read_documents(bytes, without_sizes);
   EXPECT_EQ(without_sizes.source, made.source);
