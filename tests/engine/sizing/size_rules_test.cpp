@@ -49,6 +49,19 @@ TEST(SizeRules, NameTheFacesThatTheLeastSizeLeavesUnresolved) {
   EXPECT_TRUE(SizeRules(boundary, sizing, 8, kRun).unresolved(8, 1).empty());
 }
 
+TEST(SizeRules, AFilmGetsNoEdgesForItsThicknessAndIsUnresolved) {
+  // The least size of a base of 8 is .8; a quarter of that is .2.
+  for (const double thickness : {0.15, 0.25}) {
+    const BoundaryModel plate =
+        build_cells(evaluate(test::model_of({test::block("b", 60, 60, thickness)})), kRun).boundary;
+    const SizeRules rules(plate, {.even = false}, 8, kRun);
+    EXPECT_NEAR(rules.field(8, 1)({0, 0, 0}), thickness < 0.2 ? 8 : 0.8, 1e-9) << thickness;
+    if (thickness < 0.2) {
+      EXPECT_EQ(rules.unresolved(8, 1).size(), 2U) << "both sides";
+    }
+  }
+}
+
 TEST(SizeRules, BothSidesOfAThinWallTakeNodes) {
   const SizeRules rules(plate_with_hole(), {.even = false, .edges_per_circle = 0}, 8, kRun);
   // A layer of tets has a node to 3^2 on each side, a start one to each 3^3 / sqrt(2).
