@@ -119,10 +119,15 @@ void CopyPlan::measure(double edge_length, const Run& run) {
       [](const SourceFeature& a, const SourceFeature& b) { return a.volume > b.volume; });
 }
 
-CopyPlan CopyPlan::with_new_in(const Region& region, Anew which) const {
+CopyPlan CopyPlan::with_new_in(const Region& region) const {
+  return with_new_in(
+      [held = std::make_shared<const Region>(region)](const Vec3& p) { return held->holds(p); },
+      region.boxes(), Anew::Everything);
+}
+
+CopyPlan CopyPlan::with_new_in(InsideTest holds, std::span<const Box> boxes, Anew which) const {
   CopyPlan plan = *this;
-  plan.new_in_.push_back({std::make_shared<const Region>(region), which});
-  const std::vector<Box> boxes = region.boxes();
+  plan.new_in_.push_back({std::move(holds), which});
   plan.changed_.insert(plan.changed_.end(), boxes.begin(), boxes.end());
   return plan;
 }
@@ -146,8 +151,8 @@ std::int32_t CopyPlan::operator()(const Vec3& p) const {
 }
 
 bool CopyPlan::is_new(const Vec3& p, Anew which) const {
-  return std::ranges::any_of(
-      new_in_, [&](const NewIn& in) { return in.which == which && in.region->holds(p); });
+  return std::ranges::any_of(new_in_,
+                             [&](const NewIn& in) { return in.which == which && in.holds(p); });
 }
 
 std::int32_t CopyPlan::copied_by(const Vec3& p) const {

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/base/inside_test.h"
 #include "engine/base/region.h"
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
@@ -44,8 +45,10 @@ class CopyPlan {
     Everything,
     InPlace,  ///< what would stay where it is; what moves there with its feature is copied
   };
-  /// The same with the material in a region new.
-  [[nodiscard]] CopyPlan with_new_in(const Region& region, Anew which = Anew::Everything) const;
+  /// The same with the material in a region new; or where `holds` says so, which is in the boxes.
+  [[nodiscard]] CopyPlan with_new_in(const Region& region) const;
+  [[nodiscard]] CopyPlan with_new_in(InsideTest holds, std::span<const Box> boxes,
+                                     Anew which) const;
 
   /// kOutside, kNew or the index of the transformation that carries the material at p.
   [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
@@ -94,7 +97,7 @@ class CopyPlan {
   std::vector<SourceFeature> sources_;
   std::vector<Box> changed_;
   struct NewIn {
-    std::shared_ptr<const Region> region;
+    InsideTest holds;
     Anew which;
   };
   std::vector<NewIn> new_in_;  ///< what is new beside newcells

@@ -17,10 +17,9 @@ constexpr int kSteps = 2;        // cubes to that
 const CopyPlan& Problem::plan() const {
   if (!plan_) {
     CopyPlan plan(parent.delaunay_model(), modified.model, density.sizes.base(), run);
-    const std::vector<Region> regions = resized_places(parent, modified, density.sizes, plan, run);
-    for (const Region& region : regions) plan = plan.with_new_in(region, CopyPlan::Anew::InPlace);
-    is_resized_ = !regions.empty();
-    plan_ = std::make_unique<const CopyPlan>(std::move(plan));
+    std::optional<CopyPlan> anew = resized(plan, parent, modified, density.sizes, run);
+    is_resized_ = anew.has_value();
+    plan_ = std::make_unique<const CopyPlan>(anew ? *std::move(anew) : std::move(plan));
   }
   return *plan_;
 }

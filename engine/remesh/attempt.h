@@ -32,7 +32,7 @@ class Problem {
   const Run& run;
 
   /// Copycells and newcells of the modified model (Sect. 5). New too is what the parent has nodes
-  /// in that were made for other edge lengths (`resized_places`).
+  /// in that were made for other edge lengths (`resized`).
   [[nodiscard]] const CopyPlan& plan() const;
   [[nodiscard]] bool is_resized() const;  ///< whether there are such nodes
   /// Where the entities of the parent's boundary are in the modified one.

@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "engine/base/parallel.h"
+#include "engine/base/region.h"
+#include "engine/nodes/nearest.h"
 #include "engine/revision/delaunay_state.h"
 
 namespace remeshd {
 namespace {
 
 constexpr double kMostOff = 1.25;  // of a length wanted and one that was
-constexpr double kAround = 0.75;   // x edge length, of what is made anew with a node
-constexpr int kSteps = 2;          // cubes to that
+constexpr double kAround = 1;      // x edge length: nothing nearest to a node is further away
 
 bool differ(double a, double b) { return a > kMostOff * b || b > kMostOff * a; }
 
@@ -51,36 +53,33 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   return {std::span<const double>(all), parent.node_sizes};
 }
 
-std::vector<Region> resized_places(const Revision& parent, const Revision& wanted,
-                                   const SizeField& sizes, const CopyPlan& plan, const Run& run) {
+std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
+                                const Revision& wanted, const SizeField& sizes, const Run& run) {
   if (wanted.options.sizing.even && parent.options.sizing.even) return {};
   if (!is_known(parent) || plan.identity() < 0 || !plan.copies()) return {};
-  const CowVector<Vec3>& nodes = parent.delaunay_state->positions();
-  struct Resized {
-    Vec3 at;
-    double size;
-  };
-  const std::vector<Resized> resized = collect_in_blocks<Resized>(
-      nodes.size(), kDearBlock, run,
-      [&](std::size_t begin, std::size_t end, std::vector<Resized>& found) {
-        for (std::size_t n = begin; n < end; ++n) {
-          const double then = made_for(parent, static_cast<std::int32_t>(n));
-          const double now = sizes(nodes[n]);
-          if (differ(then, now)) found.push_back({nodes[n], std::fmax(then, now)});
-        }
-      });
-  // Regions of one reach each: lengths within an octave.
-  std::map<int, std::pair<std::vector<Vec3>, double>> by_size;
-  for (const Resized& r : resized) {
-    auto& [points, longest] = by_size[std::ilogb(r.size)];
-    points.push_back(r.at);
-    longest = std::fmax(longest, r.size);
+  const std::vector<Vec3> nodes = parent.delaunay_state->positions().flat();
+  std::vector<std::uint8_t> off(nodes.size());
+  in_blocks(nodes.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+      off[n] = differ(made_for(parent, static_cast<std::int32_t>(n)), sizes(nodes[n])) ? 1 : 0;
+  });
+  std::vector<Vec3> places;
+  double longest = 0;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (off[n] == 0) continue;
+    places.push_back(nodes[n]);
+    longest = std::max({longest, made_for(parent, static_cast<std::int32_t>(n)), sizes(nodes[n])});
   }
-  std::vector<Region> regions;
-  regions.reserve(by_size.size());
-  for (const auto& [octave, of_it] : by_size)
-    regions.emplace_back(of_it.first, kAround * of_it.second, kSteps);
-  return regions;
+  if (places.empty()) return {};
+  struct Nearest {
+    NearestNode grid;
+    std::vector<std::uint8_t> off;
+  };
+  const auto nearest = std::make_shared<const Nearest>(
+      Nearest{NearestNode(nodes, kGridCell * sizes.grid_length()), std::move(off)});
+  return plan.with_new_in(
+      [nearest](const Vec3& p) { return nearest->off[nearest->grid.nearest(p)] != 0; },
+      Region(places, kAround * longest, 1).boxes(), CopyPlan::Anew::InPlace);
 }
 
 }  // namespace remeshd

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
-#include "engine/base/region.h"
 #include "engine/base/run.h"
 #include "engine/plan/copy_plan.h"
 #include "engine/revision/revision.h"
@@ -13,9 +12,10 @@ namespace remeshd {
 /// the node is new or has moved, the parent's where it has stayed. None of an even mesh.
 CowVector<double> made_for(const Revision& parent, const Revision& revision, const Run& run);
 
-/// Where nodes that would stay in place were made for edge lengths that differ from those wanted
-/// now by more than a quarter, with their own surroundings. Empty where both meshes are even.
-std::vector<Region> resized_places(const Revision& parent, const Revision& wanted,
-                                   const SizeField& sizes, const CopyPlan& plan, const Run& run);
+/// The plan with what would stay in place new round nodes that were made for edge lengths that
+/// differ from those wanted now by more than a quarter: where one of them is the nearest node.
+/// Nothing where there are none, as where both meshes are even.
+std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
+                                const Revision& wanted, const SizeField& sizes, const Run& run);
 
 }  // namespace remeshd

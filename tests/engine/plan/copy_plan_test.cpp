@@ -120,8 +120,8 @@ TEST(CopyPlan, InARegionToBeMadeAnewInPlaceMovedMaterialIsCopied) {
   }
   ASSERT_FALSE(stays.empty());
   ASSERT_FALSE(moves.empty());
-  const CopyPlan plan = source.with_new_in(Region(stays, 1, 1), CopyPlan::Anew::InPlace)
-                            .with_new_in(Region(moves, 1, 1), CopyPlan::Anew::InPlace);
+  const CopyPlan plan =
+      source.with_new_in([](const Vec3&) { return true; }, {{box}}, CopyPlan::Anew::InPlace);
   for (const Vec3& p : stays) EXPECT_EQ(plan(p), CopyPlan::kNew);
   for (const Vec3& p : moves) EXPECT_EQ(plan(p), source(p));
 }
