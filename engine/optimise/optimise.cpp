@@ -106,7 +106,8 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
                         insert_at_circumcentres(nodes, tets, inside, options.sizes) > 0;
     relocate(nodes, tets, inside, options.sizes, run);
     freeze(nodes, before, options.freeze, options.sizes);
-    if ((k == 1 || k == 4) && !all_free && expand(nodes, live.tets(), inside))
+    if ((k == 1 || (k == 4 && options.sizes.even())) && !all_free &&
+        expand(nodes, live.tets(), inside))
       active.refresh(nodes, run);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;

@@ -25,7 +25,7 @@ namespace {
 constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for rounding
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
-constexpr double kMostRefined = 2;      // x nodes of an even mesh: more new ones are hopeless
+constexpr double kMostRefined = 4;      // x nodes of an even mesh: more new ones are hopeless
 constexpr int kSampledSteps = 4;        // cubes to the reach
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
@@ -163,7 +163,7 @@ std::vector<Vec3> wrong_so_far(const Attempt& failed) {
   return places;
 }
 
-/// New nodes for a mesh that is refined where it was wrong: as many as an even mesh has.
+/// New nodes for a mesh that is refined where it was wrong, at most.
 std::size_t most_refined(const MeshingTask& task) {
   const CellularModel& cells = task.cells;
   return static_cast<std::size_t>(
@@ -233,6 +233,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   // What is near in space is to be near in memory: revisions share pages.
   const std::vector<Vec3> fill = new_nodes(task);
   if (!task.refined_at.empty() && fill.size() > most_refined(task)) {
+    attempt.serves = false;
     attempt.reason = "it would take " + std::to_string(fill.size()) + " new nodes";
     return std::nullopt;
   }

@@ -73,12 +73,6 @@ bool may_free_nodes(const Problem& problem, const Attempt* failed) {
 
 bool always(const Problem&, const Attempt*) { return true; }
 
-/// An edit is no worse off than a mesh from scratch: it keeps what it can, or is refused. One of an
-/// even mesh, which cannot be finer where it has to be, may be made by TetGen as a first one is.
-bool is_first_or_even(const Problem& problem, const Attempt*) {
-  return problem.parent.output.mesh.tets.empty() || problem.modified.options.sizing.even;
-}
-
 Attempt keep_mesh(const Strategy& how, const Problem&, const Attempt*) { return Attempt(how.name); }
 
 Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
@@ -143,8 +137,8 @@ constexpr std::array kStrategies{
              HUGE_VAL, false, 0, "made finer there", 0.5},
     Strategy{MeshStrategy::Fresh, "fresh, refined by 8", has_fine_places, remesh_nodes,
              Reuse::Nothing, HUGE_VAL, false, 0, "made finer still", 0.125},
-    Strategy{MeshStrategy::TetGen, "TetGen", is_first_or_even, by_tetgen, Reuse::Nothing, HUGE_VAL,
-             false, 0, "meshed by TetGen"}};
+    Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
+             "meshed by TetGen"}};
 
 constexpr Strategy kRenewed{MeshStrategy::Renewed, "renewed",      always,
                             remesh_nodes,          Reuse::Nothing, HUGE_VAL};
@@ -169,15 +163,6 @@ Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* fa
     error.info().attempts = std::move(all);
     throw;
   }
-}
-
-/// What was wrong with the last mesh of nodes, and all that was tried.
-Error not_recovered(const std::optional<Attempt>& failed, const Report& report) {
-  const std::string reason = failed ? failed->reason : "there was no way to one";
-  const Warning fault = failed ? failed->fault.value_or(Warning{}) : Warning{};
-  Error error = error::boundary_not_recovered(reason, fault.point, fault.features);
-  error.info().attempts = in_words(report.attempts);
-  return error;
 }
 
 }  // namespace
@@ -220,7 +205,7 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
     else
       failed = std::move(attempt);
   }
-  throw not_recovered(failed, report);
+  return *std::move(failed);  // not reached: the last strategy makes a mesh or throws
 }
 
 Attempt regular_mesh(const Problem& problem) { return timed(kRenewed, problem, nullptr); }

@@ -127,20 +127,6 @@ TEST_F(FirstTaken, AnErrorTellsWhatWasTriedBeforeIt) {
   }
 }
 
-TEST_F(FirstTaken, WhereNoneIsTakenTheErrorTellsWhatWasWrongWithTheLast) {
-  Report report;
-  const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
-                      Strategy{MeshStrategy::Local, "far", always, rejected, Reuse::Nodes}};
-  try {
-    first_taken(problem_, report, of);
-    ADD_FAILURE() << "no error";
-  } catch (const remeshd::Error& error) {
-    EXPECT_EQ(error.info().reason, "BOUNDARY_NOT_RECOVERED");
-    EXPECT_THAT(error.info().message, testing::HasSubstr("no good"));
-    EXPECT_THAT(error.info().attempts, ElementsAre("near: no good", "far: no good"));
-  }
-}
-
 TEST_F(FirstTaken, WhatMadeTheMeshIsTold) {
   Report report;
   const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
@@ -230,7 +216,7 @@ const Strategy& named(const std::string& name) {
   return *std::ranges::find(strategies(), name, &Strategy::name);
 }
 
-TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherAndHasNoLargerPatchesAndNoTetGen) {
+TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherInsteadOfInLargerPatches) {
   const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
   const Revision base = make_revision(Revision::none(), source, {.nodes = 300}, kRun);
   Revision modified;
@@ -245,9 +231,6 @@ TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherAndHasNoLargerPatchesAndNoTetGe
     EXPECT_EQ(named("local, 6 edge lengths").applies(edit, &failed), even);
     EXPECT_TRUE(named("local, refined").applies(edit, &failed));
     EXPECT_EQ(named("local, refined by 8").applies(edit, &failed), !even);
-    EXPECT_EQ(named("TetGen").applies(edit, &failed), even);
-    const Problem first(Revision::none(), modified, density, kRun);
-    EXPECT_TRUE(named("TetGen").applies(first, &failed));
   }
 }
 
