@@ -60,8 +60,9 @@ void deliver(Attempt taken, const Problem& problem, Revision& revision) {
 void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const std::string& remesh,
                       Revision& revision) {
   const QualityReference now = quality_reference(revision);
+  const bool even = revision.options.sizing.even;
   Report& report = revision.report;
-  if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference)) return;
+  if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference, even)) return;
   Attempt regular = regular_mesh(problem);
   add(report.seconds, regular.seconds);
   const TriedStrategy drifted{remesh, "the quality had drifted: " + describe(now),
@@ -71,7 +72,7 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
     Revision anew = revision;
     deliver(std::move(regular), problem, anew);
     anew.reference = quality_reference(anew);
-    if (has_drifted(now, anew.reference)) {
+    if (has_drifted(now, anew.reference, even)) {
       anew.report.attempts.push_back(drifted);
       anew.report.warnings.push_back({.code = WarningCode::Renewed,
                                       .message = "the quality had drifted (" + describe(now) +

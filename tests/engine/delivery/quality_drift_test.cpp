@@ -8,10 +8,10 @@ namespace {
 constexpr QualityReference kRegular{.volume_length_mean = 0.82, .nodes_over_expected = 1.05};
 
 /// The regular mesh, but for what an edit did to it.
-bool drifted(double quality_lost, double nodes_over_regular) {
+bool drifted(double quality_lost, double nodes_over_regular, bool even = true) {
   return has_drifted({kRegular.volume_length_mean - quality_lost,
                       nodes_over_regular * kRegular.nodes_over_expected},
-                     kRegular);
+                     kRegular, even);
 }
 
 TEST(QualityDrift, IsNoneOfTheRegularMeshItself) { EXPECT_FALSE(drifted(0, 1)); }
@@ -20,6 +20,11 @@ TEST(QualityDrift, IsALossOfMoreThanFiveThousandthsOfTheMeanQuality) {
   EXPECT_FALSE(drifted(0.0049, 1));
   EXPECT_TRUE(drifted(0.0051, 1));
   EXPECT_FALSE(drifted(-0.1, 1)) << "better than the regular mesh";
+}
+
+TEST(QualityDrift, IsALossOfAHundredthWhereEdgesAreNotEven) {
+  EXPECT_FALSE(drifted(0.0099, 1, false));
+  EXPECT_TRUE(drifted(0.0101, 1, false));
 }
 
 TEST(QualityDrift, IsMoreThanATenthTooManyNodesOrTooFew) {
