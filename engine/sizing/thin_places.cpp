@@ -29,8 +29,8 @@ struct Patch {
   Vec3 middle;
   double radius;
 
-  Patch(int face_, const Corners& c)
-      : face(face_), corners(c), middle((1.0 / 3) * (c[0] + c[1] + c[2])), radius(0) {
+  Patch(int of_face, const Corners& c)
+      : face(of_face), corners(c), middle((1.0 / 3) * (c[0] + c[1] + c[2])), radius(0) {
     for (const Vec3& corner : c) radius = std::max(radius, distance(middle, corner));
   }
 };
