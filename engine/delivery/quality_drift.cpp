@@ -10,7 +10,7 @@ namespace remeshd {
 namespace {
 
 constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_expected = 0.1};
-constexpr double kMostSizedDrift = 0.01;  // of the mean volume-length
+constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.01};
 
 }  // namespace
 
@@ -27,7 +27,8 @@ bool is_regular(const Revision& revision) {
 }
 
 bool has_drifted(const QualityReference& now, const QualityReference& then, bool even) {
-  const double most_lost = even ? kMostDrift.volume_length_mean : kMostSizedDrift;
+  const double most_lost =
+      even ? kMostDrift.volume_length_mean : kMostSizedDrift.volume_length_mean;
   return now.volume_length_mean < then.volume_length_mean - most_lost ||
          std::fabs(now.nodes_over_expected / then.nodes_over_expected - 1) >
              kMostDrift.nodes_over_expected;

@@ -13,8 +13,8 @@ QualityReference quality_reference(const Revision& revision);
 bool is_regular(const Revision& revision);
 
 /// Whether so much is lost against the last regular mesh that another may be worth its time: 0.005
-/// of the mean volume-length, 0.01 where edges are not `even`, because details that come and go move
-/// it too; or a tenth of the nodes that the edge length lets one expect.
+/// of the mean volume-length, 0.01 where edges are not `even` (details that come and go move it
+/// too); or a tenth of the nodes that the edge length lets one expect.
 bool has_drifted(const QualityReference& now, const QualityReference& then, bool even);
 
 /// `0.801 mean volume-length, 1.08 of the nodes expected`.

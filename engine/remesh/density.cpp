@@ -20,7 +20,10 @@ namespace {
 
 constexpr std::uint32_t kDefaultNodes = 15000;
 constexpr std::uint32_t kMinNodes = 20;
-constexpr double kBallsApart = 1.5, kBallRadius = 0.5;  // x edge length, of those in newcells
+struct NewcellBalls {
+  double apart = 1.5, radius = 0.5;  ///< x edge length
+};
+constexpr NewcellBalls kBalls;
 
 /// How many nodes there would have to be, and how many edges circles have now.
 Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
@@ -68,12 +71,12 @@ std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& mode
                                 double edge_length, const Run& run) {
   const CopyPlan plan(parent.delaunay_model(), model, edge_length, run);
   // No point of space is further from the lattice than the balls and half an edge length.
-  const double constant = kBallsApart * edge_length;
+  const double constant = kBalls.apart * edge_length;
   std::vector<SizedBall> balls;
   for (const Vec3& p : fill_lattice(
            plan.changed(), [&](const Vec3& at) { return plan(at) == CopyPlan::kNew; },
            {.edge_length = edge_length, .density = 2 / (constant * constant * constant)}, run))
-    balls.push_back({p, kBallRadius * edge_length, edge_length});
+    balls.push_back({p, kBalls.radius * edge_length, edge_length});
   return balls;
 }
 

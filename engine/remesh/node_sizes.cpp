@@ -14,10 +14,13 @@
 namespace remeshd {
 namespace {
 
-constexpr double kMostOff = 1.25;  // of a length wanted and one that was
-constexpr double kAround = 1;      // x edge length: nothing nearest to a node is further away
+struct ResizeLimits {
+  double most_off = 1.25;  ///< of a length wanted and one that was
+  double around = 1;       ///< x edge length: nothing nearest to a node is further away
+};
+constexpr ResizeLimits kLimits;
 
-bool differ(double a, double b) { return a > kMostOff * b || b > kMostOff * a; }
+bool differ(double a, double b) { return a > kLimits.most_off * b || b > kLimits.most_off * a; }
 
 /// Whether that is known: revisions that are not even were stored without it once.
 bool is_known(const Revision& parent) {
@@ -79,7 +82,7 @@ std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
       Nearest{NearestNode(nodes, kGridCell * sizes.grid_length()), std::move(off)});
   return plan.with_new_in(
       [nearest](const Vec3& p) { return nearest->off[nearest->grid.nearest(p)] != 0; },
-      Region(places, kAround * longest, 1).boxes(), CopyPlan::Anew::InPlace);
+      Region(places, kLimits.around * longest, 1).boxes(), CopyPlan::Anew::InPlace);
 }
 
 }  // namespace remeshd

@@ -16,9 +16,6 @@
 namespace remeshd {
 namespace {
 
-/// Of one model: what its selectors may ask, feature by feature and term by term.
-constexpr std::size_t kMaxQuestions = 1'000'000;
-
 double checked_length(double value, const std::string& parameter) {
   if (value < kMinSize || value > kMaxLength)
     throw error::value_out_of_range("", parameter, value, "between 1e-9 and 1e9");
@@ -95,9 +92,9 @@ class Sizes {
   [[nodiscard]] std::vector<SizedFaces> evaluate(const std::string& on, const Scalar& size) {
     const Selector selector(on, where_ + ".on");
     questions_ += selector.terms() * features_.size();
-    if (questions_ > kMaxQuestions)
+    if (questions_ > kSelectorLimits.questions)
       throw error::limit_exceeded("", where_ + ".on", "terms of selectors, times features,",
-                                  questions_, kMaxQuestions);
+                                  questions_, kSelectorLimits.questions);
     // A number is wrong whether it is selected for anything or not.
     const bool is_number = std::holds_alternative<double>(size);
     const double everywhere = is_number ? length(size, ".size") : 0;

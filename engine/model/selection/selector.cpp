@@ -49,13 +49,13 @@ Selector::Selector(std::string_view text, std::string_view parameter) {
     const std::size_t end = std::min(text.find('|', begin), text.size());
     const std::string_view term = trimmed(text.substr(begin, end - begin));
     if (term.empty()) throw error::selector_invalid(parameter, text, "has an empty term");
-    if (term.size() > kMaxTermLength)
+    if (term.size() > kSelectorLimits.term_length)
       throw error::selector_invalid(parameter, text, "has a term longer than any name");
     if (!std::ranges::all_of(term, may_stand_in_a_term))
       throw error::selector_invalid(parameter, text, "has a character that no name has");
-    if (terms_.size() == kMaxTerms)
-      throw error::selector_invalid(parameter, text,
-                                    "has more than " + std::to_string(kMaxTerms) + " terms");
+    if (terms_.size() == kSelectorLimits.terms)
+      throw error::selector_invalid(
+          parameter, text, "has more than " + std::to_string(kSelectorLimits.terms) + " terms");
     terms_.emplace_back(term);
     begin = end + 1;
   }

@@ -6,10 +6,13 @@
 
 namespace remeshd {
 
-/// Longest term of a selector, in characters: no name is longer.
-inline constexpr std::size_t kMaxTermLength = 160;
-/// Most terms of one selector.
-inline constexpr std::size_t kMaxTerms = 64;
+struct SelectorLimits {
+  std::size_t term_length = 160;  ///< characters: no name is longer
+  std::size_t terms = 64;         ///< of one selector
+  /// Of one model: what its selectors may ask, feature by feature and term by term.
+  std::size_t questions = 1'000'000;
+};
+inline constexpr SelectorLimits kSelectorLimits;
 
 /// Names faces of features: globs with `|` between them, each over names of faces (`hole*.wall`) or
 /// over ids of features, all of whose faces it names (`rib`). `*` stands for any characters, `?`

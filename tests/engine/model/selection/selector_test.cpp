@@ -61,10 +61,10 @@ TEST(Selector, HasNoTermLongerThanANameAndNotTooMany) {
   const auto refused = [](const std::string& text) {
     return test::error_of([&] { Selector(text, "sizes.a.on"); }).reason;
   };
-  EXPECT_EQ(refused(std::string(kMaxTermLength + 1, 'a')), "SELECTOR_INVALID");
-  EXPECT_NO_THROW(Selector(std::string(kMaxTermLength, 'a'), ""));
+  EXPECT_EQ(refused(std::string(kSelectorLimits.term_length + 1, 'a')), "SELECTOR_INVALID");
+  EXPECT_NO_THROW(Selector(std::string(kSelectorLimits.term_length, 'a'), ""));
   std::string many = "a";
-  for (std::size_t k = 1; k < kMaxTerms; ++k) many += "|a";
+  for (std::size_t k = 1; k < kSelectorLimits.terms; ++k) many += "|a";
   EXPECT_NO_THROW(Selector(many, ""));
   EXPECT_EQ(refused(many + "|a"), "SELECTOR_INVALID");
 }
