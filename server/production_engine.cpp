@@ -16,7 +16,8 @@ const Revision& parent(const Revision* base) { return base != nullptr ? *base : 
 ModelSummary summary_of(const Revision* base, const FeatureModel& model, const MeshOptions& options,
                         const Run& run) {
   const CellularModel cells = build_cells(model, run);
-  static_cast<void>(resolve_density(parent(base), options, model, cells, run));  // for what it refuses
+  static_cast<void>(
+      resolve_density(parent(base), options, model, cells, run));  // for what it refuses
   return {.volume = cells.volume,
           .area = cells.area,
           .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
