@@ -165,6 +165,15 @@ Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* fa
   }
 }
 
+/// What was wrong with an attempt, and what is done instead.
+Warning made_instead(const Attempt& failed, const char* instead) {
+  // One that was given up before there was a mesh has no fault.
+  Warning warning =
+      failed.fault.value_or(Warning{.code = WarningCode::Fallback, .message = failed.reason});
+  warning.message += std::string("; ") + instead;
+  return warning;
+}
+
 }  // namespace
 
 std::span<const Strategy> strategies() { return kStrategies; }
@@ -183,15 +192,15 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
       watch.lap(report.seconds.difference);
     }
     if (!how.applies(problem, failed ? &*failed : nullptr)) continue;
+    const std::size_t told = report.warnings.size();
     if (how.instead != nullptr && failed) {
-      Warning warning = *failed->fault;
-      warning.message += std::string("; ") + how.instead;
-      report.warnings.push_back(std::move(warning));
+      report.warnings.push_back(made_instead(*failed, how.instead));
       problem.run.warn({&report.warnings.back(), 1});
     }
     report.strategy = how.kind;
     Attempt attempt = attempted(how, problem, failed ? &*failed : nullptr, report);
     add(report.seconds, attempt.seconds);
+    if (!attempt.serves) report.warnings.resize(told);
     for (TriedStrategy& rejected : attempt.tries) report.attempts.push_back(std::move(rejected));
     if (attempt.taken()) {
       report.taken = {attempt.name, "", attempt.seconds.total};

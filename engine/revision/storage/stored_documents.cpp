@@ -13,9 +13,8 @@ namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
 constexpr std::uint32_t kFormat = 15;
-// With less of the report, whose latest parts come last, and without the options' sizing and the
-// models' sizes
-// and dense places after it.
+// With less of the report, whose latest parts come last, and without the options' sizing, the
+// models' sizes and dense places after it.
 constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
                         kNoSizes = 14;
 

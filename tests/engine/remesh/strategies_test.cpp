@@ -163,6 +163,33 @@ TEST_F(FirstTaken, TheFaultOfAMeshIsToldWithWhatTakesItsPlace) {
   EXPECT_THAT(messages(report.warnings), ElementsAre("a fault of near; meshed anew"));
 }
 
+TEST_F(FirstTaken, NothingIsToldToBeMadeInsteadByAStrategyThatDoesNotServe) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
+                      Strategy{MeshStrategy::Local, "finer", always, no_use, Reuse::Nodes, 0, true,
+                               0, "made finer"},
+                      Strategy{MeshStrategy::Fresh, "anew", always, taken, Reuse::Nothing, 0, false,
+                               0, "meshed anew"}};
+  first_taken(problem_, report, of);
+  EXPECT_THAT(messages(report.warnings), ElementsAre("a fault of near; meshed anew"));
+}
+
+/// An attempt given up before there was a mesh to find a fault with.
+Attempt given_up(const Strategy& how, const Problem&, const Attempt*) {
+  Attempt attempt(how.name);
+  attempt.reason = "no room";
+  return attempt;
+}
+
+TEST_F(FirstTaken, OfAnAttemptWithoutAFaultTheReasonIsTold) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, given_up, Reuse::Nodes},
+                      Strategy{MeshStrategy::Fresh, "anew", always, taken, Reuse::Nothing, 0, false,
+                               0, "meshed anew"}};
+  first_taken(problem_, report, of);
+  EXPECT_THAT(messages(report.warnings), ElementsAre("no room; meshed anew"));
+}
+
 /// An attempt whose mesh was found wrong at a place.
 Attempt wrong_at(const Vec3& place) {
   Attempt attempt("local, 8 edge lengths");
@@ -175,13 +202,19 @@ Attempt wrong_at(const Vec3& place) {
   return attempt;
 }
 
+/// A model that is still to be meshed.
+Revision to_mesh(const ModelSource& source) {
+  Revision revision;
+  revision.source = source;
+  revision.model = evaluate(source);
+  revision.cells = build_cells(revision.model, kRun);
+  return revision;
+}
+
 TEST(Refined, TheMeshIsMadeAnewWhereItWasWrongAndKeptElsewhere) {
   const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
   const Revision base = make_revision(Revision::none(), source, {.nodes = 1500}, kRun);
-  Revision modified;
-  modified.source = source;
-  modified.model = evaluate(source);
-  modified.cells = build_cells(modified.model, kRun);
+  const Revision modified = to_mesh(source);
   const Problem problem(base, modified,
                         resolve_density(base, {}, modified.model, modified.cells, kRun), kRun);
   const Vec3 place{25, 0, 5};
@@ -219,10 +252,7 @@ const Strategy& named(const std::string& name) {
 TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherInsteadOfInLargerPatches) {
   const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
   const Revision base = make_revision(Revision::none(), source, {.nodes = 300}, kRun);
-  Revision modified;
-  modified.source = source;
-  modified.model = evaluate(source);
-  modified.cells = build_cells(modified.model, kRun);
+  Revision modified = to_mesh(source);
   const Attempt failed = wrong_at({25, 0, 5});
   for (const bool even : {true, false}) {
     modified.options.sizing.even = even;
