@@ -49,8 +49,8 @@ void Solid::prepare(const Shape& shape) {
   if (profile == nullptr) return;
   for (const ProfileSide& side : *profile)
     outline_.push_back({side.from[0], side.from[1], side.to[0] - side.from[0],
-                        side.to[1] - side.from[1], side.arc, side.counter_clockwise, side.centre[0],
-                        side.centre[1], square(side.radius)});
+                        side.to[1] - side.from[1], side.to[1], side.arc, side.counter_clockwise,
+                        side.centre[0], side.centre[1], square(side.radius)});
 }
 
 bool Solid::contains(const Vec3& p) const {
@@ -91,7 +91,7 @@ bool Solid::outline_contains(double x, double y) const {
   bool inside = false;
   for (const OutlineSide& s : outline_) {
     const double up = y - s.y;
-    const bool start_above = up<0, end_above = s.y + s.dy> y;
+    const bool start_above = up<0, end_above = s.end_y> y;
     const bool spans = start_above != end_above;
     if (!spans && !s.arc) continue;
     const double turn = s.dx * up - s.dy * (x - s.x);

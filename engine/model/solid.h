@@ -36,6 +36,7 @@ class Solid {
   /// A side of the outline of a prism or revolution, ready for crossing counts.
   struct OutlineSide {
     double x, y, dx, dy;     ///< start and chord
+    double end_y;            ///< that of the next one's start, to the bit
     bool arc, bulges_right;  ///< of the chord
     double centre_x, centre_y, radius2;
   };

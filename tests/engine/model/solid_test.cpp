@@ -316,6 +316,21 @@ TEST(Solid, PointsLevelWithCornersAreCountedOnce) {
   }
 }
 
+// A start and its chord add up to 0, not to the 2.7e-16 of the notch's corner.
+TEST(Solid, PointsLevelWithARoundedCornerAreCountedOnce) {
+  const Solid notched(
+      placed(feature("notched", "prism",
+                     {point(2.0, 0.0), point(1.0, 1.9175341959684145),
+                      point(-6.0, 1.9175341959684147), point(-2.0, 2.7115857168698315e-16),
+                      point(-6.0, -1.9175341959684138), point(1.0, -1.9175341959684145)},
+                     {{"height", 2.0}}),
+             {}));
+  for (const double y : {0.0, 1e-16, 2e-16, 3e-16}) {
+    EXPECT_FALSE(notched.contains({-5, y, 1})) << y;
+    EXPECT_TRUE(notched.contains({-1, y, 1})) << y;
+  }
+}
+
 TEST(Solid, FarFromTheWorldsOriginItStillHasItsShape) {
   const Solid pin(placed(feature("pin", "cylinder", {{"radius", 1.0}, {"height", 2.0}}),
                          {{1e6, -1e6, 1e6}, {}, {}}));
