@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "engine/base/union_find.h"
 #include "engine/mesh/grouping.h"
@@ -44,6 +46,102 @@ void join_across_facets(std::span<const Tet> tets, std::size_t node_count, Union
   }
 }
 
+/// The changed tets of both meshes, and which belong to one cavity.
+class Exchange {
+ public:
+  Exchange(std::span<const Tet> delaunay, std::span<const Tet> output, std::size_t node_count)
+      : delaunay_(delaunay), output_(output), node_count_(node_count) {}
+
+  /// `same`: by Delaunay tet the same output tet, or -1.
+  void join(std::span<const std::int32_t> same, Polling& poll) {
+    changed_.clear();
+    std::vector<std::uint8_t> stands(output_.size(), 0);
+    for (std::size_t k = 0; k < delaunay_.size(); ++k)
+      if (same[k] >= 0)
+        stands[same[k]] = 1;
+      else
+        changed_.push_back(static_cast<std::int32_t>(k));
+    delaunay_count_ = changed_.size();
+    for (std::size_t k = 0; k < output_.size(); ++k)
+      if (!stands[k]) changed_.push_back(static_cast<std::int32_t>(k));
+    std::vector<Tet> tets;
+    tets.reserve(changed_.size());
+    for (std::size_t c = 0; c < changed_.size(); ++c) tets.push_back(tet(c));
+    sets_ = UnionFind(changed_.size());
+    join_across_facets(tets, node_count_, sets_, poll);
+    for (const auto& [of_delaunay, of_output] : anchors_)
+      sets_.join(place(of_delaunay, 0, delaunay_count_),
+                 place(of_output, delaunay_count_, changed_.size()));
+  }
+
+  /// Where a last resort has made output tets of what no Delaunay tet fills they would be in a
+  /// cavity without any, by which nobody finds them again. They get the Delaunay tet with most of
+  /// their nodes, which stands for itself no more. Returns whether there were any.
+  bool anchor(std::span<std::int32_t> same) {
+    std::vector<std::uint8_t> has(changed_.size(), 0);
+    for (std::size_t c = 0; c < delaunay_count_; ++c) has[root(c)] = 1;
+    std::vector<std::int32_t> alone;  // one output tet of each such cavity
+    for (std::size_t c = delaunay_count_; c < changed_.size(); ++c)
+      if (std::exchange(has[root(c)], 1) == 0) alone.push_back(changed_[c]);
+    if (alone.empty() || delaunay_.empty()) return false;
+    const auto at_node = grouped<std::int32_t>(node_count_, [&](const auto& visit) {
+      for (std::size_t k = 0; k < delaunay_.size(); ++k)
+        for (const std::int32_t n : delaunay_[k]) visit(n, static_cast<std::int32_t>(k));
+    });
+    for (const std::int32_t o : alone) {
+      std::map<std::int32_t, int> common;
+      for (const std::int32_t n : output_[o])
+        for (const std::int32_t d : at_node[n]) ++common[d];
+      const auto most =
+          std::ranges::max_element(common, {}, [](const auto& c) { return c.second; });
+      const std::int32_t d = most == common.end() ? 0 : most->first;
+      anchors_.emplace_back(d, o);
+      same[d] = -1;
+    }
+    return true;
+  }
+
+  void list(Cavities& cavities) {
+    std::vector<std::int32_t> number(changed_.size(), -1);
+    for (std::size_t c = 0; c < changed_.size(); ++c) {
+      std::int32_t& at = number[root(c)];
+      if (at < 0) {
+        at = static_cast<std::int32_t>(cavities.list.size());
+        cavities.list.emplace_back();
+      }
+      if (c < delaunay_count_) {
+        cavities.list[at].delaunay.push_back(changed_[c]);
+        cavities.of_tet[changed_[c]] = at;
+      } else {
+        cavities.list[at].output.push_back(changed_[c]);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] const Tet& tet(std::size_t c) const {
+    return c < delaunay_count_ ? delaunay_[changed_[c]] : output_[changed_[c]];
+  }
+  [[nodiscard]] std::int32_t root(std::size_t c) {
+    return sets_.find(static_cast<std::int32_t>(c));
+  }
+  /// Where a tet stands among the changed ones of its mesh, which are ascending.
+  [[nodiscard]] std::int32_t place(std::int32_t of, std::size_t begin, std::size_t end) const {
+    const auto first = changed_.begin();
+    return static_cast<std::int32_t>(std::lower_bound(first + static_cast<std::ptrdiff_t>(begin),
+                                                      first + static_cast<std::ptrdiff_t>(end),
+                                                      of) -
+                                     first);
+  }
+
+  std::span<const Tet> delaunay_, output_;
+  std::size_t node_count_;
+  std::vector<std::int32_t> changed_;  ///< Delaunay tets, then output ones
+  std::size_t delaunay_count_ = 0;     ///< of those
+  UnionFind sets_{0};
+  std::vector<std::pair<std::int32_t, std::int32_t>> anchors_;  ///< a Delaunay tet, an output one
+};
+
 }  // namespace
 
 Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
@@ -59,39 +157,15 @@ Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> outpu
     stands[k] = 1;
   }
   const TetIndex index(output, stands, node_count, poll);
-  std::vector<std::int32_t> changed;  // Delaunay tets, then output ones
   for (std::size_t k = 0; k < delaunay.size(); ++k) {
     poll();
     if (cavities.same[k] < 0) cavities.same[k] = index.find(delaunay[k]);
-    if (cavities.same[k] >= 0)
-      stands[cavities.same[k]] = 1;
-    else
-      changed.push_back(static_cast<std::int32_t>(k));
+    if (cavities.same[k] >= 0) stands[cavities.same[k]] = 1;
   }
-  const std::size_t delaunay_count = changed.size();
-  for (std::size_t k = 0; k < output.size(); ++k)
-    if (!stands[k]) changed.push_back(static_cast<std::int32_t>(k));
-
-  std::vector<Tet> tets;
-  tets.reserve(changed.size());
-  for (std::size_t c = 0; c < changed.size(); ++c)
-    tets.push_back(c < delaunay_count ? delaunay[changed[c]] : output[changed[c]]);
-  UnionFind sets(changed.size());
-  join_across_facets(tets, node_count, sets, poll);
-  std::vector<std::int32_t> number(changed.size(), -1);
-  for (std::size_t c = 0; c < changed.size(); ++c) {
-    const std::int32_t root = sets.find(static_cast<std::int32_t>(c));
-    if (number[root] < 0) {
-      number[root] = static_cast<std::int32_t>(cavities.list.size());
-      cavities.list.emplace_back();
-    }
-    if (c < delaunay_count) {
-      cavities.list[number[root]].delaunay.push_back(changed[c]);
-      cavities.of_tet[changed[c]] = number[root];
-    } else {
-      cavities.list[number[root]].output.push_back(changed[c]);
-    }
-  }
+  Exchange exchange(delaunay, output, node_count);
+  do exchange.join(cavities.same, poll);
+  while (exchange.anchor(cavities.same));
+  exchange.list(cavities);
   return cavities;
 }
 

@@ -18,7 +18,8 @@ struct Cavities {
   std::vector<Cavity> list;
 };
 
-/// Tets that share a facet, on either side of the exchange, belong to one cavity. `same`: by
+/// Tets that share a facet, on either side of the exchange, belong to one cavity; each has Delaunay
+/// tets, if there are any. `same`: by
 /// output tet the Delaunay tet with the same nodes where that is known, else -1; may be empty.
 /// `node_count`: above every node of the tets.
 Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,

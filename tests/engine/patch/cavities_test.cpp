@@ -30,5 +30,17 @@ TEST(Cavities, AreTheSameWhateverIsKnownOfThem) {
     expect_pieces(find_cavities(kDelaunay, kDelivered, same, 14, kRun));
 }
 
+// A last resort may fill what no Delaunay tet of the model does.
+TEST(Cavities, OfNoDelaunayTetGetOne) {
+  const std::vector<Tet> delaunay{{0, 1, 2, 3}, {4, 5, 6, 7}};
+  const std::vector<Tet> output{{0, 1, 2, 3}, {4, 5, 6, 7}, {5, 6, 8, 9}, {20, 21, 22, 23}};
+  const Cavities cavities = find_cavities(delaunay, output, {}, 24, kRun);
+  EXPECT_EQ(cavities.same, (std::vector<std::int32_t>{-1, -1}));
+  EXPECT_EQ(cavities.of_tet, (std::vector<std::int32_t>{0, 1}));
+  ASSERT_EQ(cavities.list.size(), 2U);
+  EXPECT_EQ(cavities.list[0].output, (std::vector<std::int32_t>{0, 3}));
+  EXPECT_EQ(cavities.list[1].output, (std::vector<std::int32_t>{1, 2}));
+}
+
 }  // namespace
 }  // namespace remeshd
