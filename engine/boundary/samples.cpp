@@ -81,7 +81,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
   Polling poll(run);
   wanted.for_each_part(box, [&](const Box& part, std::size_t number) {
     reached = true;
-    for (const SizeField::EvenPart& even : sizes.even_parts(part)) {
+    for (const SizeField::EvenPart& even : sizes.even_parts(part, face.surface)) {
       const double spacing = options.face_spacing * even.length;
       visit_lattice(face.surface, even.box, spacing, options.jitter, random, [&](const Vec3& p) {
         poll();

@@ -11,12 +11,14 @@
 #include "engine/mesh/tet_boxes.h"
 #include "engine/patch/node_map.h"
 #include "engine/revision/delaunay_state.h"
+#include "engine/sizing/size_rules.h"
 
 namespace remeshd {
 
 namespace {
 
 constexpr std::size_t kBlockPages = 16;
+constexpr double kPoor = 0.4;  // volume-length measure: better tets are not asked where they lie
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 CowVector<std::uint64_t> permanent_ids(const CowVector<std::int32_t>& originals,
@@ -108,23 +110,31 @@ TwoQualities qualities(const Revision& revision, double volume, const Run& run) 
                         {p, paged_then, measures_then}, volume_then);
 }
 
-/// Quality away from where the model is sharp.
+/// Quality away from where the model is sharp, or thinner than edges may be short.
 void measure_away(Revision& revision) {
   Report& report = revision.report;
   report.quality_away = report.quality;
   report.sharp_tets = 0;
   const SharpPlaces sharp =
       sharp_places(revision.cells.boundary, Membership(revision.model), goals::kLeastDihedral);
-  if (!sharp.any()) return;
+  const Sizing& sizing = revision.options.sizing;
+  const ThinWalls thin(revision.cells.boundary,
+                       sizing.even ? 0 : least_size(sizing, revision.edge_length));
+  if (!sharp.any() && sizing.even) return;
   const PagedMesh& mesh = revision.output.mesh;
   const CowVector<Support>& supports = revision.supports();
   std::vector<std::uint8_t> at(mesh.nodes.size());
   for (std::size_t n = 0; n < at.size(); ++n) at[n] = sharp.holds(supports[n]) ? 1 : 0;
   std::vector<std::uint8_t> left_out(mesh.tets.size(), 0);
   double volume = report.quality.volume;
+  const auto is_across_film = [&](std::size_t k, const Tet& t) {
+    return !sizing.even && revision.measures[k].volume_length < kPoor &&
+           thin.holds({supports[t[0]], supports[t[1]], supports[t[2]], supports[t[3]]},
+                      {mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]], mesh.nodes[t[3]]});
+  };
   for (std::size_t k = 0; k < mesh.tets.size(); ++k) {
     const Tet& t = mesh.tets[k];
-    if (!(at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]])) continue;
+    if (!(at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) && !is_across_film(k, t)) continue;
     left_out[k] = 1;
     ++report.sharp_tets;
     volume -= tet_volume(mesh.nodes, t);

@@ -32,7 +32,7 @@ class FaceVisitor {
         Surface surface = face.surface;
         surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
         Random random(1);  // unjittered, but for where rows begin
-        for (const SizeField::EvenPart& part : sizes_.even_parts(overlap))
+        for (const SizeField::EvenPart& part : sizes_.even_parts(overlap, surface))
           visit_lattice(surface, part.box, kSpacing * part.length, 0, random, [&](const Vec3& p) {
             if (!overlap.contains(p, source_.probe()) || !part.holds(p)) return;
             for (std::size_t earlier = 0; earlier < b; ++earlier)

@@ -257,15 +257,20 @@ bool SizeField::EvenPart::holds(const Vec3& p) const {
   return along(&Vec3::x) && along(&Vec3::y) && along(&Vec3::z);
 }
 
-std::vector<SizeField::EvenPart> SizeField::even_parts(const Box& box) const {
+std::vector<SizeField::EvenPart> SizeField::even_parts(const Box& box,
+                                                       const Surface& surface) const {
+  if (even()) return {{box, box, limits_.base}};
   std::vector<EvenPart> parts;
-  divide(box, box, parts);
+  divide(box, box, surface, parts);
   return parts;
 }
 
-void SizeField::divide(const Box& box, const Box& whole, std::vector<EvenPart>& parts) const {
+void SizeField::divide(const Box& box, const Box& whole, const Surface& surface,
+                       std::vector<EvenPart>& parts) const {
   const Range range = in(box);
-  const double length = (*this)(middle_of(box));
+  const Vec3 middle = middle_of(box);
+  if (std::fabs(signed_distance(surface, middle)) > 0.5 * box.diagonal() + range.greatest) return;
+  const double length = (*this)(middle);
   const Vec3 sides = box.hi - box.lo;
   const double longest = std::max({sides.x, sides.y, sides.z});
   if (range.greatest <= kParts.even * range.least || longest <= kParts.least * length) {
@@ -275,8 +280,8 @@ void SizeField::divide(const Box& box, const Box& whole, std::vector<EvenPart>& 
   const auto axis = sides.x == longest ? &Vec3::x : sides.y == longest ? &Vec3::y : &Vec3::z;
   Box low = box, high = box;
   low.hi.*axis = high.lo.*axis = 0.5 * (box.lo.*axis + box.hi.*axis);
-  divide(low, whole, parts);
-  divide(high, whole, parts);
+  divide(low, whole, surface, parts);
+  divide(high, whole, surface, parts);
 }
 
 }  // namespace remeshd

@@ -90,12 +90,13 @@ class SizeField {
     /// Whether this is the part that a point, moved into the whole box, is in.
     [[nodiscard]] bool holds(const Vec3& p) const;
   };
-  /// Parts that cover a box without overlapping.
-  [[nodiscard]] std::vector<EvenPart> even_parts(const Box& box) const;
+  /// Parts without overlap that cover what a surface has in a box, and about an edge length beyond.
+  [[nodiscard]] std::vector<EvenPart> even_parts(const Box& box, const Surface& surface) const;
 
  private:
   class Tree;
-  void divide(const Box& box, const Box& whole, std::vector<EvenPart>& parts) const;
+  void divide(const Box& box, const Box& whole, const Surface& surface,
+              std::vector<EvenPart>& parts) const;
 
   SizeLimits limits_;
   std::shared_ptr<const Tree> tree_;  ///< null where the field is even

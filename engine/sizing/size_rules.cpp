@@ -29,12 +29,11 @@ Surface circle(const Curve& curve) {
           curve.radius, 0};
 }
 
-/// What no rule goes below.
+}  // namespace
+
 double least_size(const Sizing& sizing, double base) {
   return std::fmin(base, sizing.min_size.value_or(kLeastShare * base));
 }
-
-}  // namespace
 
 std::vector<SizeRules::Circle> SizeRules::circles_of(const BoundaryModel& boundary,
                                                      double per_radius, double slope) {

@@ -10,6 +10,9 @@
 
 namespace remeshd {
 
+/// What no rule goes below in a field of this base size.
+double least_size(const Sizing& sizing, double base);
+
 /// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
 /// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across. Beside them
 /// what the model's size controls ask for.

@@ -153,10 +153,32 @@ class Search {
     }
     const double thickness = std::max(least, least_);
     if (greatest <= kLimits.even * thickness || patch.radius <= kLimits.smallest * thickness) {
-      if (thickness < most_) places_.push_back({patch.face, patch.corners, thickness});
+      if (thickness < most_) {
+        const double film = thickness_of_film(patch, near);
+        places_.push_back({patch.face, patch.corners, film < film_ ? film : thickness});
+      }
       return;
     }
     for (const Corners& half : halves_of(patch.corners)) visit(Patch(patch.face, half), near);
+  }
+
+  /// How near to a patch's own face that is which it is nearest to: less than to the patch itself
+  /// beside a film, which ends there.
+  [[nodiscard]] double thickness_of_film(const Patch& patch,
+                                         std::span<const std::int32_t> near) const {
+    double least2 = HUGE_VAL;
+    Vec3 nearest;
+    for (const std::int32_t o : near) {
+      const Vec3 q = nearest_on_triangle(patch.middle, patches_[o].corners);
+      if (norm2(q - patch.middle) >= least2) continue;
+      least2 = norm2(q - patch.middle);
+      nearest = q;
+    }
+    double film2 = HUGE_VAL;
+    for (std::size_t o = first_[patch.face]; o < first_[patch.face + 1]; ++o)
+      if (distance(nearest, patches_[o].middle) - patches_[o].radius < film_)
+        film2 = std::min(film2, triangle_distance2(nearest, patches_[o].corners));
+    return std::sqrt(film2);
   }
 
   [[nodiscard]] double distance_to(const Vec3& p, std::span<const std::int32_t> patches) const {

@@ -14,7 +14,7 @@ struct ThinPlace {
   int face;
   std::array<Vec3, 3> triangle;
   /// Least distance to the other face at its corners and its middle; at least `least`, but of a
-  /// film, which is thinner than `film` throughout.
+  /// film, at most `film`: thinner than that throughout, or beside what is so.
   double thickness;
 };
 

@@ -102,4 +102,51 @@ SharpPlaces sharp_places(const BoundaryModel& boundary, const Membership& member
   return sharp;
 }
 
+ThinWalls::ThinWalls(const BoundaryModel& boundary, double thinner_than)
+    : boundary_(boundary), thinner_than_(thinner_than), neighbours_(boundary.faces.size()) {
+  for (const BoundaryEdge& edge : boundary.edges)
+    for (const int a : edge.faces)
+      for (const int b : edge.faces) neighbours_[a].push_back(b);
+  for (std::size_t f = 0; f < neighbours_.size(); ++f)
+    neighbours_[f].push_back(static_cast<int>(f));
+}
+
+std::vector<int> ThinWalls::faces_of(const Support& support) const {
+  switch (support.kind) {
+    case Support::Kind::Interior:
+      break;
+    case Support::Kind::Face:
+      return {support.entity};
+    case Support::Kind::Edge:
+      return boundary_.edges[support.entity].faces;
+    case Support::Kind::Vertex: {
+      std::vector<int> faces;
+      for (const int e : boundary_.vertices[support.entity].edges)
+        faces.insert(faces.end(), boundary_.edges[e].faces.begin(), boundary_.edges[e].faces.end());
+      return faces;
+    }
+  }
+  return {};
+}
+
+bool ThinWalls::meet(std::span<const int> faces, int face) const {
+  return std::ranges::any_of(faces,
+                             [&](int f) { return std::ranges::count(neighbours_[f], face) > 0; });
+}
+
+bool ThinWalls::holds(const std::array<Support, 4>& supports,
+                      const std::array<Vec3, 4>& nodes) const {
+  std::array<std::vector<int>, 4> faces;
+  for (int i = 0; i < 4; ++i) faces[i] = faces_of(supports[i]);
+  for (int i = 0; i < 4; ++i) {
+    if (faces[i].empty()) continue;
+    for (int j = 0; j < 4; ++j)
+      for (const int f : faces[j])
+        if (i != j && !meet(faces[i], f) &&
+            std::fabs(signed_distance(boundary_.faces[f].surface, nodes[i])) < thinner_than_)
+          return true;
+  }
+  return false;
+}
+
 }  // namespace remeshd

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/cellular/boundary_model/support.h"
@@ -17,6 +19,27 @@ struct SharpPlaces {
 
   [[nodiscard]] bool any() const;
   [[nodiscard]] bool holds(const Support& support) const;
+};
+
+/// Walls thinner than a length: a tet across one is as flat as that, whatever the mesh.
+class ThinWalls {
+ public:
+  /// Keeps a reference to `boundary`.
+  ThinWalls(const BoundaryModel& boundary, double thinner_than);
+
+  /// Whether the tet of these nodes lies across one: a node is nearer than that to a face that
+  /// another one stands on, of faces that do not meet.
+  [[nodiscard]] bool holds(const std::array<Support, 4>& supports,
+                           const std::array<Vec3, 4>& nodes) const;
+
+ private:
+  [[nodiscard]] std::vector<int> faces_of(const Support& support) const;
+  [[nodiscard]] bool meet(std::span<const int> faces, int face) const;
+
+  const BoundaryModel& boundary_;
+  double thinner_than_;
+  std::vector<std::vector<int>>
+      neighbours_;  ///< by face: those that it shares an edge with, itself
 };
 
 /// The edges and vertices with an angle below `angle` (rad).

@@ -127,13 +127,16 @@ TEST(SizeField, ARangeHoldsWhatABoxHas) {
   }
 }
 
-TEST(SizeField, EvenPartsCoverABoxOnce) {
+TEST(SizeField, EvenPartsCoverASurfaceOnce) {
   const SizeField field(kTen, many(), kBounds);
-  const auto parts = field.even_parts(kBounds);
+  const Vec3 middle = 0.5 * (kBounds.lo + kBounds.hi);
+  Surface ball{Surface::Kind::Sphere, Transform::frame({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, middle)};
+  ball.r1 = 0.3 * (kBounds.hi.x - kBounds.lo.x);
+  const auto parts = field.even_parts(kBounds, ball);
   EXPECT_GT(parts.size(), 10U);
   Random random(4);
   for (int k = 0; k < 2000; ++k) {
-    const Vec3 p = any_point(random);
+    const Vec3 p = project(ball, any_point(random));
     int holding = 0;
     for (const auto& part : parts) {
       if (!part.holds(p)) continue;
@@ -144,7 +147,9 @@ TEST(SizeField, EvenPartsCoverABoxOnce) {
     }
     ASSERT_EQ(holding, 1);
   }
-  EXPECT_EQ(SizeField(3).even_parts(kBounds).size(), 1U);
+  ball.r1 = 1;  // far less to cover
+  EXPECT_LT(field.even_parts(kBounds, ball).size(), parts.size());
+  EXPECT_EQ(SizeField(3).even_parts(kBounds, ball).size(), 1U);
 }
 
 }  // namespace

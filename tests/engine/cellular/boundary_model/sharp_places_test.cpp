@@ -88,5 +88,35 @@ TEST(SharpPlaces, AreWhereEdgesOfAFaceTouch) {
   EXPECT_FALSE(of(test::case_model("simple-a")).any());
 }
 
+// A pocket's floor of 0.01 in a plate of 4.
+TEST(ThinWalls, HoldTetsAcrossThem) {
+  const FeatureModel model = evaluate(test::model_of(
+      {test::block("plate", 12, 12, 4),
+       test::placed(test::cylinder("pocket", 2, 4), 0, 0, 0.01, Nature::Subtractive)}));
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  const auto on = [&](double z, double radius) {
+    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+      const BoundaryFace& face = boundary.faces[f];
+      if (face.surface.kind == Surface::Kind::Plane &&
+          std::fabs(signed_distance(face.surface, {0, 0, z})) < 1e-9 &&
+          (face.edges.size() == 1) == (radius < 2.5))
+        return Support{Support::Kind::Face, static_cast<std::int32_t>(f)};
+    }
+    return Support{};
+  };
+  const Support floor = on(0.01, 2), bottom = on(0, 6), inside;
+  ASSERT_EQ(floor.kind, Support::Kind::Face);
+  ASSERT_EQ(bottom.kind, Support::Kind::Face);
+  const std::array<Vec3, 4> across{Vec3{0, 0, 0.01}, Vec3{1, 0, 0.01}, Vec3{0, 1, 0.01},
+                                   Vec3{0, 0, 0}};
+  const std::array<Support, 4> at{floor, floor, floor, bottom};
+  EXPECT_TRUE(ThinWalls(boundary, 0.1).holds(at, across));
+  EXPECT_FALSE(ThinWalls(boundary, 0.005).holds(at, across));
+  // A flat tet at the floor is the mesh's fault, not the model's.
+  EXPECT_FALSE(
+      ThinWalls(boundary, 0.1)
+          .holds({floor, floor, floor, inside}, {across[0], across[1], across[2], {0, 0, 0.005}}));
+}
+
 }  // namespace
 }  // namespace remeshd
