@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace remeshd::kernel {
 namespace {
@@ -102,6 +103,21 @@ bool build(const Border& border, std::span<const std::array<double, 2>> inner,
   return std::ranges::all_of(inner, insert);
 }
 
+K::Point_2 point2(const Border& border, int corner) {
+  const auto& p = border.corners[corner].p;
+  return {p[0], p[1]};
+}
+
+bool cross(const Border& border, const Border::Segment& s, const Border::Segment& t) {
+  const auto at = [&](int corner) { return point2(border, corner); };
+  for (const auto& [a, b] : {std::pair(s.a, s.b), std::pair(s.b, s.a)})
+    for (const auto& [c, d] : {std::pair(t.a, t.b), std::pair(t.b, t.a)})
+      if (a == c)
+        return b == d || (CGAL::collinear(at(a), at(b), at(d)) &&
+                          CGAL::angle(at(b), at(a), at(d)) == CGAL::ACUTE);
+  return CGAL::do_intersect(K::Segment_2(at(s.a), at(s.b)), K::Segment_2(at(t.a), at(t.b)));
+}
+
 }  // namespace
 
 std::optional<std::vector<std::array<int, 3>>> mesh_border(
@@ -116,6 +132,19 @@ std::optional<std::vector<std::array<int, 3>>> mesh_border(
     if (t->info() == Inside::Yes)
       out.push_back({t->vertex(0)->info(), t->vertex(1)->info(), t->vertex(2)->info()});
   return out;
+}
+
+std::vector<std::pair<int, int>> crossing_segments(const Border& border) {
+  const auto& segments = border.segments;
+  std::vector<CGAL::Bbox_2> boxes;
+  for (const Border::Segment& s : segments)
+    boxes.push_back(point2(border, s.a).bbox() + point2(border, s.b).bbox());
+  std::vector<std::pair<int, int>> crossing;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t j = i + 1; j < segments.size(); ++j)
+      if (CGAL::do_overlap(boxes[i], boxes[j]) && cross(border, segments[i], segments[j]))
+        crossing.emplace_back(static_cast<int>(i), static_cast<int>(j));
+  return crossing;
 }
 
 }  // namespace remeshd::kernel

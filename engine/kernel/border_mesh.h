@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace remeshd::kernel {
@@ -30,5 +31,9 @@ struct Border {
 /// Returns nothing where segments cross or touch each other away from their corners.
 std::optional<std::vector<std::array<int, 3>>> mesh_border(
     const Border& border, std::span<const std::array<double, 2>> inner);
+
+/// Pairs of segments, by number, that cross, touch or lie on each other elsewhere than at a common
+/// corner.
+std::vector<std::pair<int, int>> crossing_segments(const Border& border);
 
 }  // namespace remeshd::kernel

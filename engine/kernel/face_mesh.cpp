@@ -241,34 +241,17 @@ class FaceMesher {
            length(s) > kLimits.shortest;
   }
 
-  static bool clash(const Border& border, const Border::Segment& s, const Border::Segment& t) {
-    const auto at = [&](int corner) { return point2(border.corners[corner].p); };
-    for (const auto& [a, b] : {std::pair(s.a, s.b), std::pair(s.b, s.a)})
-      for (const auto& [c, d] : {std::pair(t.a, t.b), std::pair(t.b, t.a)})
-        if (a == c)
-          return b == d || (CGAL::collinear(at(a), at(b), at(d)) &&
-                            CGAL::angle(at(b), at(a), at(d)) == CGAL::ACUTE);
-    return CGAL::do_intersect(K::Segment_2(at(s.a), at(s.b)), K::Segment_2(at(t.a), at(t.b)));
-  }
-
   /// Adds what must be split so that the border does not cross itself: of two segments the longer,
   /// because the chords of two touching circles part only where the wider circle's are no longer
   /// than the other's. False where splitting does not help.
   bool find_cuts(const Border& border, std::set<Cut>& cuts) const {
-    const auto& segments = border.segments;
-    std::vector<CGAL::Bbox_2> boxes;
-    for (const Border::Segment& s : segments)
-      boxes.push_back(point2(border.corners[s.a].p).bbox() + point2(border.corners[s.b].p).bbox());
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      for (std::size_t j = i + 1; j < segments.size(); ++j) {
-        if (!CGAL::do_overlap(boxes[i], boxes[j])) continue;
-        const Border::Segment &s = segments[i], &t = segments[j];
-        if (!clash(border, s, t)) continue;
-        const bool first = can_split(s) && (!can_split(t) || length(s) >= length(t));
-        const Border::Segment& longer = first ? s : t;
-        if (!can_split(longer)) return false;
-        cuts.insert({longer.edge, longer.index});
-      }
+    for (const auto& [i, j] : crossing_segments(border)) {
+      const Border::Segment &s = border.segments[i], &t = border.segments[j];
+      const bool first = can_split(s) && (!can_split(t) || length(s) >= length(t));
+      const Border::Segment& longer = first ? s : t;
+      if (!can_split(longer)) return false;
+      cuts.insert({longer.edge, longer.index});
+    }
     return true;
   }
 

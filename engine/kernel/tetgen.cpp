@@ -203,8 +203,8 @@ QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality
   put(request, std::span(marked.segments));
   put(request, std::span(marked.segment_markers));
   QualityMesh out = ask(request, limits, run);
-  const std::size_t added = out.filling.mesh.nodes.size() - marked.surface.points.size();
-  if (quality.most_added > 0 && added >= quality.most_added)
+  const std::size_t before = marked.surface.points.size();
+  if (quality.most_added > 0 && out.filling.mesh.nodes.size() >= before + quality.most_added)
     throw error::tetgen_refused("the mesh would need more than " +
                                 std::to_string(quality.most_added) + " nodes inside");
   out.filling.regions = find_regions(out);

@@ -36,13 +36,14 @@ struct MarkedSurface {
 
 /// What a quality mesh is to be like, as far as its surface allows.
 struct TetGenQuality {
-  double radius_edge = 1.2;      ///< circumradius of a tet over its shortest edge, at most
-  double max_volume = 0;         ///< of a tet, model's unit cubed, > 0
+  double radius_edge = 1.2;  ///< circumradius of a tet over its shortest edge, at most
+  /// Of a tet, model's unit cubed; 0: no points are added but for the surface's sake.
+  double max_volume = 0;
   bool split_surface = true;     ///< whether points may be added on the surface
   std::uint32_t most_added = 0;  ///< points; a mesh that would need more is refused. 0: no bound
 };
 
-/// A quality mesh; its first points are those of the surface.
+/// A quality mesh; its first points are those of the surface where all of these are on triangles.
 struct QualityMesh {
   TetGenMesh filling;
   std::vector<Triangle> facets;  ///< of tets, on the surface
@@ -68,8 +69,9 @@ struct TetGenLimits {
 /// Sect. 3.1 for its use.
 TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run);
 
-/// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`) in the same
-/// way. Where the surface has to stay as it is (Y) TetGen aborts on some: Error(TETGEN_CRASHED).
+/// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`, `pY`) in the
+/// same way, with the points that no triangle has. Where the surface has to stay as it is (Y)
+/// TetGen aborts on some: Error(TETGEN_CRASHED).
 ///
 /// Post: all indices are in range. Throws what run_tetgen throws.
 QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,

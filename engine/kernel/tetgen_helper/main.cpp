@@ -81,8 +81,9 @@ bool numbers_are_sound(const Request& request) {
   return std::ranges::all_of(request.points, [](double x) { return std::isfinite(x); }) &&
          std::ranges::all_of(request.triangles, is_point) &&
          std::ranges::all_of(request.segments, is_point) &&
-         (header.task == Task::Fill || (std::isfinite(header.radius_edge) &&
-                                        header.max_volume > 0 && std::isfinite(header.max_volume)));
+         (header.task == Task::Fill ||
+          (std::isfinite(header.radius_edge) && header.max_volume >= 0 &&
+           std::isfinite(header.max_volume)));
 }
 
 void fill(tetgenio& in, const Request& request) {
@@ -119,9 +120,11 @@ void fill(tetgenio& in, const Request& request) {
 std::array<char, 80> switches(const RequestHeader& header) {
   std::array<char, 80> text{"pAQ"};
   if (header.task == Task::Fill) return text;
-  const int used = std::snprintf(text.data(), text.size(), "pQ%sq%.4fa%.9e",
-                                 header.task == Task::MeshKeepingSurface ? "Y" : "",
-                                 header.radius_edge, header.max_volume);
+  const char* surface = header.task == Task::MeshKeepingSurface ? "Y" : "";
+  const int used = header.max_volume > 0
+                       ? std::snprintf(text.data(), text.size(), "pQ%sq%.4fa%.9e", surface,
+                                       header.radius_edge, header.max_volume)
+                       : std::snprintf(text.data(), text.size(), "pQ%s", surface);
   if (header.most_added > 0)
     std::snprintf(text.data() + used, text.size() - used, "S%u",
                   static_cast<std::uint32_t>(header.most_added));
