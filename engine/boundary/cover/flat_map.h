@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "engine/base/surface.h"
+
+namespace remeshd {
+
+/// A map of a part of a surface to the plane, one to one, for triangulating there: near enough
+/// conformal that Delaunay triangles come out well-shaped. What goes all the way round an axis
+/// becomes a ring.
+class FlatMap {
+ public:
+  /// A map that suits these points of the surface, of which those joined by sides are no further
+  /// round than a third of a circle. Returns nothing for a torus covered both ways round.
+  static std::optional<FlatMap> of(const Surface& surface, std::span<const Vec3> points);
+
+  /// Where a point of the part lies in the plane.
+  [[nodiscard]] std::array<double, 2> operator()(const Vec3& p) const;
+
+ private:
+  enum class Shape { Plane, Sphere, Strip, Sector, Ring };
+  /// Angles in rad and heights along them in the same measure; a cone's height is its radius there.
+  struct Parameters {
+    double angle, height;
+  };
+
+  FlatMap(const Surface& surface, Shape shape)
+      : surface_(surface), to_local_(rigid_inverse(surface.frame)), shape_(shape) {}
+  [[nodiscard]] Parameters parameters(const Vec3& p) const;
+  bool fit(std::span<const Vec3> points);
+  void fit_pole(std::span<const Vec3> points);
+  void fit_ring(std::span<const Vec3> points);
+
+  Surface surface_;
+  Transform to_local_;
+  Shape shape_;
+  bool swapped_ = false;        ///< a torus whose ring goes round the tube
+  double cut_ = 0;              ///< angles begin here
+  double height_cut_ = 0;       ///< of a torus, heights too
+  double middle_ = 0;           ///< height whose circle has the radius 1
+  double growth_ = 1;           ///< of a ring's radius
+  std::array<Vec3, 3> pole_{};  ///< axes of a sphere: the last points to what the map leaves out
+};
+
+}  // namespace remeshd
