@@ -30,7 +30,7 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 15,
+  return {.algorithm_version = 16,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

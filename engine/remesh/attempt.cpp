@@ -43,9 +43,13 @@ std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
 }
 
 std::vector<Vec3> Attempt::faulty_places() const {
+  if (candidate() == nullptr) return {};
+  return remeshd::faulty_places(candidate()->verification);
+}
+
+std::vector<Vec3> faulty_places(const Verification& verification) {
   std::vector<Vec3> places;
-  if (candidate() == nullptr) return places;
-  for (const MeshDefect& defect : candidate()->verification.failures)
+  for (const MeshDefect& defect : verification.failures)
     if (defect.entity >= 0 || defect.kind == MeshFailure::NonconformingFacet)
       places.push_back(defect.place);
   return places;

@@ -78,6 +78,9 @@ struct Attempt {
   [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
 };
 
+/// Where a mesh was found to be wrong.
+std::vector<Vec3> faulty_places(const Verification& verification);
+
 /// What is made anew round faulty places: some edge lengths about them.
 Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes);
 

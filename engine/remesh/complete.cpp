@@ -102,12 +102,15 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   const Revision& parent = problem.parent;
   Report& report = revision.report;
   const bool new_nodes = taken.candidate() != nullptr;
-  const bool renewable = new_nodes && taken.copies && problem.density.inherited;
+  // What a last resort made is no drift: a regular mesh would need it too.
+  const bool resorted = taken.last_resort_share > 0;
+  const bool renewable = new_nodes && taken.copies && problem.density.inherited && !resorted;
   const std::string name = taken.name;
   const double seconds = taken.seconds.total;
   const double made_anew = taken.last_resort_share;
   deliver(std::move(taken), problem, revision);
-  const bool begins_anew = !problem.density.inherited || report.strategy == MeshStrategy::Fresh;
+  const bool begins_anew =
+      !problem.density.inherited || report.strategy == MeshStrategy::Fresh || resorted;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
   revision.node_sizes = made_for(parent, revision, problem.run);

@@ -1,5 +1,6 @@
 #include "engine/remesh/remesh.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/cellular/boundary_model/boundary_parts.h"
@@ -64,7 +65,8 @@ Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*
     attempt.refined_at = task.refined_at;
     if (how.refined > 0 && attempt.taken())
       attempt.last_resort_share =
-          share_in(region_of(task.refined_at, problem.density.sizes), attempt);
+          std::fmax(attempt.last_resort_share,
+                    share_in(region_of(task.refined_at, problem.density.sizes), attempt));
   } catch (const PatchTooSmall& where) {
     attempt.reason = std::string("the part cut out of the base did not suffice for ") + where.where;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/mesh/quality.h"
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/recover.h"
 
@@ -12,6 +13,15 @@ namespace remeshd {
 namespace {
 constexpr double kAround = 1.0;   // x edge length: how far from a failure samples are looked at
 constexpr double kClosest = 0.2;  // x edge length: no new node nearer than this to another
+
+template <class Mesh>
+bool is_sound(const Mesh& mesh, const Verification& verification) {
+  for (const MeshFailure kind :
+       {MeshFailure::BadFacet, MeshFailure::NonManifoldEdge, MeshFailure::NonManifoldVertex})
+    if (verification.count(kind) > 0) return false;
+  return std::ranges::all_of(mesh.tets,
+                             [&](const Tet& t) { return volume_length(mesh.nodes, t) >= 0; });
+}
 }  // namespace
 
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
@@ -23,18 +33,21 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
   std::vector<Sample> added;
   std::vector<Vec3> places;  // of those
   NearestNode grid_of_added(places, cell);
-  const auto room2 = [&](const Vec3& p) {
-    const double d = norm2(p - nodes.positions[grid.nearest(p)]);
-    const std::int32_t other = grid_of_added.nearest(p);
-    return other < 0 ? d : std::fmin(d, norm2(p - places[other]));
+  const auto from_nodes2 = [&](const Vec3& p) {
+    return norm2(p - nodes.positions[grid.nearest(p)]);
   };
+  const auto room2 = [&](const Vec3& p, double of_nodes2) {
+    const std::int32_t other = grid_of_added.nearest(p);
+    return other < 0 ? of_nodes2 : std::fmin(of_nodes2, norm2(p - places[other]));
+  };
+  std::vector<double> of_sample(samples.points.size(), -1);  // once asked: from the nodes
   const auto place_for = [&](const MeshDefect& defect) -> std::optional<Sample> {
     const double edge_length = sizes(defect.place);
     const double closest2 = kClosest * kClosest * edge_length * edge_length;
     if (defect.kind == MeshFailure::MissingSegment) {
       const Support edge{Support::Kind::Edge, defect.entity};
       const Vec3 middle = project(boundary, edge, defect.place);
-      if (room2(middle) > closest2) return Sample{middle, 0, edge};
+      if (room2(middle, from_nodes2(middle)) > closest2) return Sample{middle, 0, edge};
     }
     std::optional<Sample> best;
     double farthest = closest2;
@@ -44,7 +57,9 @@ int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
     std::ranges::sort(near);
     for (const std::int32_t k : near) {
       const Sample& s = samples.points[k];
-      const double d = room2(s.position);
+      if (of_sample[k] < 0) of_sample[k] = from_nodes2(s.position);
+      if (of_sample[k] <= farthest) continue;
+      const double d = room2(s.position, of_sample[k]);
       if (d <= farthest) continue;
       farthest = d;
       best = s;
@@ -77,6 +92,13 @@ bool boundary_is_complete(const Verification& v) {
              v.count(MeshFailure::NonconformingFacet) + v.count(MeshFailure::FacetOffFace) +
              v.count(MeshFailure::FaceArea) ==
          0;
+}
+
+bool can_be_improved(const TetMesh& mesh, const Verification& verification) {
+  return is_sound(mesh, verification);
+}
+bool can_be_improved(const PagedMesh& mesh, const Verification& verification) {
+  return is_sound(mesh, verification);
 }
 
 DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,

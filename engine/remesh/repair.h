@@ -29,6 +29,11 @@ std::vector<MeshDefect> nonconforming_facets(const PeeledMesh& mesh);
 /// vertices, edges and faces.
 bool boundary_is_complete(const Verification& verification);
 
+/// Whether `improve` may be asked to clean a mesh up: no tet inverted, the boundary a closed
+/// manifold.
+bool can_be_improved(const TetMesh& mesh, const Verification& verification);
+bool can_be_improved(const PagedMesh& mesh, const Verification& verification);
+
 /// Brings a Delaunay mesh of the first nodes up to all of them, with their model edges recovered.
 DelaunayMesh with_nodes_inserted(const DelaunayMesh& mesh, std::int32_t first_inserted,
                                  NodeSet& nodes, const BoundaryModel& boundary,

@@ -10,7 +10,7 @@
 #include "engine/delivery/lost_names.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/steps.h"
-#include "engine/remesh/tetgen_mesh.h"
+#include "engine/remesh/last_resort/tetgen_mesh.h"
 
 namespace remeshd {
 namespace {
@@ -33,14 +33,19 @@ bool is_same_model(const Problem& problem, const Attempt* failed) {
          same_geometry(problem.parent.meshed_model, problem.modified.model);
 }
 
-bool takes_few_nodes(const Attempt* failed) { return failed == nullptr || !failed->too_fine; }
+bool is_first_mesh(const Problem& problem, const Attempt*) {
+  return problem.parent.model.features.empty();
+}
 
-/// A boundary with details far finer than the edge length is lost by any nodes.
-bool may_place_nodes(const Problem&, const Attempt* failed) { return takes_few_nodes(failed); }
+/// A boundary with details far finer than the edge length is lost by any nodes; a first mesh is
+/// left to TetGen then.
+bool may_place_nodes(const Problem& problem, const Attempt* failed) {
+  return failed == nullptr || !failed->too_fine || !is_first_mesh(problem, failed);
+}
 
 /// Whether what changes may be cut out of the parent's mesh.
 bool has_patches(const Problem& problem, const Attempt* failed) {
-  return takes_few_nodes(failed) && problem.plan().identity() >= 0 &&
+  return may_place_nodes(problem, failed) && problem.plan().identity() >= 0 &&
          problem.modified.options.clean_up == problem.parent.options.clean_up;
 }
 
@@ -51,22 +56,16 @@ bool has_places(const Problem& problem, const Attempt* failed) {
 bool has_places_in_patches(const Problem& problem, const Attempt* failed) {
   return has_patches(problem, failed) && has_places(problem, failed);
 }
-/// A field that is not even may be as fine as it takes.
-bool has_fine_places(const Problem& problem, const Attempt* failed) {
-  return has_places(problem, failed) && !problem.modified.options.sizing.even;
-}
-bool has_fine_places_in_patches(const Problem& problem, const Attempt* failed) {
-  return has_places_in_patches(problem, failed) && has_fine_places(problem, failed);
-}
 /// A larger patch is of no use where it is known what is wrong inside of the last one.
 bool needs_larger_patch(const Problem& problem, const Attempt* failed) {
-  return has_patches(problem, failed) && !has_fine_places(problem, failed);
+  return has_patches(problem, failed) &&
+         (problem.modified.options.sizing.even || !has_places(problem, failed));
 }
 
 /// New places for all nodes would lose the boundary again that the parent has by its many nodes.
 bool may_free_nodes(const Problem& problem, const Attempt* failed) {
   const Revision& parent = problem.parent;
-  if (!takes_few_nodes(failed) || !problem.copies()) return false;
+  if (!may_place_nodes(problem, failed) || !problem.copies()) return false;
   const double regular = expected_nodes(parent.cells.volume, parent.cells.area, parent.edge_length);
   return static_cast<double>(parent.output.mesh.nodes.size()) <= regular + few_more_nodes(regular);
 }
@@ -123,10 +122,6 @@ constexpr std::array kStrategies{
              Reuse::Nodes, 8, true},
     Strategy{MeshStrategy::Local, "local, refined", has_places_in_patches, remesh_nodes,
              Reuse::Nodes, 8, true, 0, "made anew there, finer", 0.5},
-    Strategy{MeshStrategy::Local, "local, refined by 8", has_fine_places_in_patches, remesh_nodes,
-             Reuse::Nodes, 8, true, 0, "made anew there, finer still", 0.125},
-    Strategy{MeshStrategy::Local, "local, refined by 32", has_fine_places_in_patches, remesh_nodes,
-             Reuse::Nodes, 8, true, 0, "made anew there, finer still", 1.0 / 32},
     Strategy{MeshStrategy::Local, "local, everywhere", may_place_nodes, remesh_nodes, Reuse::Nodes,
              HUGE_VAL},
     Strategy{MeshStrategy::Full, "full", may_free_nodes, remesh_nodes, Reuse::FreedNodes, HUGE_VAL,
@@ -135,8 +130,6 @@ constexpr std::array kStrategies{
              false, kOtherSeed, "meshed from another seed"},
     Strategy{MeshStrategy::Fresh, "fresh, refined", has_places, remesh_nodes, Reuse::Nothing,
              HUGE_VAL, false, 0, "made finer there", 0.5},
-    Strategy{MeshStrategy::Fresh, "fresh, refined by 8", has_fine_places, remesh_nodes,
-             Reuse::Nothing, HUGE_VAL, false, 0, "made finer still", 0.125},
     Strategy{MeshStrategy::TetGen, "TetGen", always, by_tetgen, Reuse::Nothing, HUGE_VAL, false, 0,
              "meshed by TetGen"}};
 
@@ -201,13 +194,17 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
     Attempt attempt = attempted(how, problem, failed ? &*failed : nullptr, report);
     add(report.seconds, attempt.seconds);
     if (!attempt.serves) report.warnings.resize(told);
-    for (TriedStrategy& rejected : attempt.tries) report.attempts.push_back(std::move(rejected));
+    double on_tries = 0;
+    for (TriedStrategy& rejected : attempt.tries) {
+      on_tries += rejected.seconds;
+      report.attempts.push_back(std::move(rejected));
+    }
     if (attempt.taken()) {
-      report.taken = {attempt.name, "", attempt.seconds.total};
+      report.taken = {attempt.name, "", attempt.seconds.total - on_tries};
       return attempt;
     }
     if (!attempt.serves) continue;
-    report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total});
+    report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total - on_tries});
     if (how.reuse == Reuse::Mesh)
       report.warnings.insert(report.warnings.end(), attempt.warnings.begin(),
                              attempt.warnings.end());

@@ -1,9 +1,11 @@
 // From the optimised nodes to a verified mesh.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "engine/extract/peel.h"
 #include "engine/improve/improve.h"
@@ -12,18 +14,27 @@
 #include "engine/patch/node_map.h"
 #include "engine/patch/reuse_improved_tets.h"
 #include "engine/patch/stitch.h"
+#include "engine/remesh/last_resort/refill.h"
 #include "engine/remesh/repair.h"
 #include "engine/remesh/steps.h"
+#include "engine/sizing/size_rules.h"
 
 namespace remeshd {
 namespace {
 
-constexpr int kRepairRounds = 8;
-constexpr double kFewInserted = 200, kMostInserted = 0.2;
+struct Repairs {
+  int rounds = 8;
+  double fewer = 0.7;  ///< of the faults before a round, for the next to be made
+  double few_inserted = 200, most_inserted = 0.2;
+  std::uint32_t all_failures = 100'000;
+};
+constexpr Repairs kRepairs;
+constexpr std::array kRefillMargins{1.5, 1.5, 3.0, 3.0, 6.0};  // x edge length
 
 /// Leaves out the nodes that no tet uses, but for those at the interface, and renumbers the tets
-/// and the Delaunay mesh.
-void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, const Run& run) {
+/// and the Delaunay mesh. Returns the numbers, by node; -1 for those left out.
+std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
+                                      const Run& run) {
   std::vector<std::int32_t> number(nodes.positions.size(), -1);
   std::fill_n(number.begin(), nodes.interface_nodes, 0);
   for (const Tet& t : tets)
@@ -38,7 +49,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
     nodes.move(n, next);
     number[n] = next++;
   }
-  if (unused.empty()) return;
+  if (unused.empty()) return number;
   nodes.resize(next);
   for (Tet& t : tets) t = renamed(t, number);
   if (mesh.remove(unused, run)) {
@@ -50,6 +61,7 @@ void drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh, con
     mesh.insert(nodes.positions, all, run);
   }
   if (mesh.patch_too_small()) throw PatchTooSmall{"leaving out nodes"};
+  return number;
 }
 
 /// What is known of the patch's tets and their neighbours beyond it, from before: of those that are
@@ -94,6 +106,14 @@ CowVector<Support> supports_left(const Revision& parent, const MeshPatch& cut,
   return supports;
 }
 
+/// The Delaunay mesh's tets in the model.
+PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                  const InsideTest& inside) {
+  return peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
+              known_classification(c.nodes, c.loop.mesh, patch, task.plan),
+              {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
+}
+
 /// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws PatchTooSmall.
 Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
                   const MeshPatch& patch, const InsideTest& inside) {
@@ -101,10 +121,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
   c.loop = std::move(loop);
   c.nodes = std::move(nodes);
   task.run.report("extract", 0.8);
-  c.delaunay =
-      peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
-           known_classification(c.nodes, c.loop.mesh, patch, task.plan),
-           {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
+  c.delaunay = peeled(c, task, patch, inside);
   drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
   dump_nodes(task.run, "08-peel", c.nodes, c.delaunay.tets);
   return c;
@@ -144,30 +161,119 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
       {looked_up(reused.same.peeled, improved.was), looked_up(reused.same.output, improved.was)}};
 }
 
-StitchedMesh put_together(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
-                          bool clean_up) {
-  const ReusedMesh mesh = cleaned_up(c, task, patch, clean_up);
+/// Puts a patch's mesh into the parent's and verifies the whole; `most_failures` as in
+/// VerifyOptions. Throws PatchTooSmall.
+void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
+              std::uint32_t most_failures = VerifyOptions{}.most_failures) {
+  const CellularModel& cells = task.cells;
+  c.whole = {};  // its memory, where it is made again
   const PatchMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
-  return stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
-                task.plan, task.run);
+  c.whole = stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
+                   task.plan, task.run);
+  task.run.report("verify", 0.95);
+  const VerifiedParent parent =
+      verified_parent(task.parent, c.whole.map.original_node, c.whole.map.original_tet);
+  const VerifyOptions proof{
+      .material = [&](const Vec3& p) { return task.plan.modified().inside(p); },
+      .parent = &parent,
+      .most_failures = most_failures};
+  const Stopwatch watch;
+  c.verification = verify(c.whole.mesh, c.whole.delaunay_state.supports, cells.boundary,
+                          cells.volume, task.run, proof);
+  c.verify_seconds += watch.total();
 }
 
 /// Reuse of improved tets, clean-up, stitching into the parent's mesh, map and verification of an
 /// extracted mesh. `clean_up`: false for a draft, to see whether the boundary is all there. Throws
 /// PatchTooSmall.
 void finish(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool clean_up) {
-  const CellularModel& cells = task.cells;
-  c.whole = {};  // its memory, where it is made again
-  c.whole = put_together(c, task, patch, clean_up);
-  task.run.report("verify", 0.95);
-  const VerifiedParent parent =
-      verified_parent(task.parent, c.whole.map.original_node, c.whole.map.original_tet);
-  const VerifyOptions proof{
-      .material = [&](const Vec3& p) { return task.plan.modified().inside(p); }, .parent = &parent};
-  const Stopwatch watch;
-  c.verification = verify(c.whole.mesh, c.whole.delaunay_state.supports, cells.boundary,
-                          cells.volume, task.run, proof);
-  c.verify_seconds += watch.total();
+  put_back(c, cleaned_up(c, task, patch, clean_up), task, patch);
+}
+
+/// The mesh with a part of the patch refilled, its new nodes in the Delaunay mesh too, cleaned up
+/// and verified. `share`: of its tets, those that are new. Throws PatchTooSmall.
+Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh refilled,
+                        const MeshingTask& task, const MeshPatch& patch, const InsideTest& inside,
+                        double& share) {
+  Candidate next;
+  next.loop = c.loop;
+  next.nodes = c.nodes;
+  next.verify_seconds = c.verify_seconds;
+  const std::int32_t first_new = c.nodes.size();
+  for (std::size_t k = 0; k < refilled.supports.size(); ++k)
+    next.nodes.add_new(refilled.mesh.nodes[first_new + k], refilled.supports[k]);
+  std::vector<std::uint8_t> holds(next.nodes.positions.size(), 0);
+  std::fill_n(holds.begin(), first_new, 1);
+  LiveMesh live(c.loop.mesh, std::move(holds), false, task.run);
+  live.follow(next.nodes);
+  next.loop.mesh = live.mesh();
+  const std::vector<std::int32_t> number =
+      drop_unused(next.nodes, refilled.mesh.tets, next.loop.mesh, task.run);
+  for (std::size_t n = 0; n < number.size(); ++n)
+    if (number[n] >= 0) refilled.mesh.nodes[number[n]] = refilled.mesh.nodes[n];
+  refilled.mesh.nodes.resize(next.nodes.positions.size());
+  next.delaunay = peeled(next, task, patch, inside);
+
+  ReusedMesh made{std::move(refilled.mesh), {}, {{}, looked_up(mesh.same.output, refilled.was)}};
+  std::vector<std::int32_t> was = refilled.was;
+  put_back(next, made, task, patch, kRepairs.all_failures);
+  if (task.options.clean_up && lacks_shape_only(next.verification) &&
+      can_be_improved(made.mesh, next.verification)) {
+    const std::vector<std::uint8_t> dirty = worth_improving(
+        made.mesh, refilled, mesh, next, task.cells.boundary,
+        least_size(task.options.sizing, task.density.sizes.base()));
+    ImproveResult improved = improve(
+        made.mesh, next.nodes.supports, task.cells.boundary, dirty,
+        {.threshold = task.options.threshold, .locked = next.nodes.interface_nodes}, task.run);
+    was = looked_up(refilled.was, improved.was);
+    made = {std::move(improved.mesh), {}, {{}, looked_up(mesh.same.output, was)}};
+    put_back(next, made, task, patch, kRepairs.all_failures);
+  }
+  share = static_cast<double>(std::ranges::count(was, -1)) /
+          static_cast<double>(next.whole.mesh.tets.size());
+  return next;
+}
+
+/// The local last resort, where a mesh is not valid: what is wrong is refilled, with smaller facets
+/// where it is wrong again, and more and more round it.
+void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+             const InsideTest& inside, Attempt& attempt) {
+  const ReusedMesh mesh = cleaned_up(c, task, patch, false);  // no clean-up mends it
+  put_back(c, mesh, task, patch, kRepairs.all_failures);
+  const std::vector<Vec3> places = faulty_places(c.verification);
+  std::vector<Vec3> wrong_again;
+  for (const double margin : kRefillMargins) {
+    if (places.empty()) return;
+    const Stopwatch watch;
+    const auto give_up = [&](const std::string& why) {
+      attempt.tries.push_back({attempt.name + ", refilled", why, watch.total()});
+    };
+    auto made = refill({c.whole, c.verification, mesh.mesh, places, wrong_again},
+                       task.cells.boundary, task.density.sizes, margin, task.run);
+    if (const auto* why = std::get_if<std::string>(&made)) {
+      give_up(*why);
+      continue;
+    }
+    try {
+      double share = 0;
+      Candidate next = with_refilled(c, mesh, std::get<RefilledMesh>(std::move(made)), task, patch,
+                                     inside, share);
+      if (next.verification.valid) {
+        const MeshDefect& defect = c.verification.failures.front();
+        attempt.warnings.push_back({.code = WarningCode::Fallback,
+                                    .message = defect.what + "; TetGen filled the place",
+                                    .point = defect.place});
+        c = std::move(next);
+        attempt.last_resort_share = share;
+        return;
+      }
+      give_up(next.verification.failures.front().what);
+      const std::vector<Vec3> more = faulty_places(next.verification);
+      wrong_again.insert(wrong_again.end(), more.begin(), more.end());
+    } catch (const PatchTooSmall& where) {
+      give_up(std::string("the part cut out of the base did not suffice for ") + where.where);
+    }
+  }
 }
 
 /// Finishes a mesh, with nodes inserted where the boundary is not all there: as long as the peeled
@@ -195,25 +301,39 @@ std::uint32_t finish_repaired(Candidate& c, const MeshingTask& task, const MeshP
   };
   int rounds_at_facets = 0;
   const auto insert_at_facets = [&] {
-    for (; rounds_at_facets < kRepairRounds && !c.delaunay.nonconforming.empty();
+    for (; rounds_at_facets < kRepairs.rounds && !c.delaunay.nonconforming.empty();
          ++rounds_at_facets)
       if (!insert_at(nonconforming_facets(c.delaunay))) break;
   };
   insert_at_facets();
-  finish(c, task, patch, clean_up);
-  for (int round = 0; round < kRepairRounds && !c.verification.valid; ++round) {
-    if (!insert_at(c.verification.failures)) break;
-    insert_at_facets();
-    // What the peeled mesh lacks no clean-up brings back.
+  // Where the peeled mesh lacks a part of the boundary, no clean-up brings it back.
+  const bool sized = !task.options.sizing.even;
+  const auto finish_complete = [&] {
     finish(c, task, patch, false);
     if (clean_up && boundary_is_complete(c.verification)) finish(c, task, patch, true);
+  };
+  if (sized && repaired > 0)
+    finish_complete();
+  else
+    finish(c, task, patch, clean_up);
+  const auto faults = [&] {
+    const auto& counts = c.verification.counts;
+    return std::accumulate(counts.begin(), counts.end(), 0.0);
+  };
+  double last = HUGE_VAL;
+  for (int round = 0; round < kRepairs.rounds && !c.verification.valid; ++round) {
+    if (sized && faults() > kRepairs.fewer * last) break;
+    last = faults();
+    if (!insert_at(c.verification.failures)) break;
+    insert_at_facets();
+    finish_complete();
   }
   return repaired;
 }
 
 }  // namespace
 
-double few_more_nodes(double nodes) { return kFewInserted + kMostInserted * nodes; }
+double few_more_nodes(double nodes) { return kRepairs.few_inserted + kRepairs.most_inserted * nodes; }
 
 Candidate extract_verified(const MeshingTask& task, PatchNodes local, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt) {
@@ -221,6 +341,7 @@ Candidate extract_verified(const MeshingTask& task, PatchNodes local, OptimiseRe
   Candidate mesh =
       extract(std::move(local.nodes), std::move(loop), task, local.patch, boundary.inside);
   const std::uint32_t inserted = finish_repaired(mesh, task, local.patch, boundary);
+  if (!mesh.verification.valid) confine(mesh, task, local.patch, boundary.inside, attempt);
   attempt.counts.nodes_inserted = inserted;
   dump_text(task.run, "09-verify", [&] { return to_text(mesh.verification); });
   if (inserted > 0)

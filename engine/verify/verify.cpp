@@ -19,7 +19,6 @@
 namespace remeshd {
 namespace {
 
-constexpr std::uint32_t kKeptPerKind = 20;
 /// A volume-length measure at which a tet counts as flat: its height is within rounding of zero
 /// for any use of the mesh.
 constexpr double kFlat = 1e-6;
@@ -69,7 +68,7 @@ class Checker {
   using Spoke = std::pair<std::int32_t, std::int32_t>;
 
   void fail(MeshFailure kind, std::int32_t entity, const Vec3& place, std::string_view what) {
-    if (result_.counts[static_cast<std::size_t>(kind)]++ >= kKeptPerKind) return;
+    if (result_.counts[static_cast<std::size_t>(kind)]++ >= options_.most_failures) return;
     result_.failures.push_back({kind, entity, place, std::string(what) + " at " + text(place)});
   }
   void fail_tet(MeshFailure kind, std::int32_t t, std::string_view what) {

@@ -47,7 +47,7 @@ struct MeshDefect {
 struct Verification {
   bool valid = false;
   std::array<std::uint32_t, kMeshFailures> counts{};  ///< by MeshFailure
-  std::vector<MeshDefect> failures;                   ///< the first 20 of each kind
+  std::vector<MeshDefect> failures;                   ///< the first ones of each kind
   std::vector<SurfaceFacet> surface;                  ///< the mesh's boundary, by tet
   std::uint32_t boundary_facets = 0;
   double volume = 0;  ///< of the mesh
@@ -71,6 +71,7 @@ struct VerifyOptions {
   double volume_tolerance = 0.002;  ///< relative
   InsideTest material;              ///< of the model; empty: whether tets are in it is not asked
   const VerifiedParent* parent = nullptr;  ///< whose proof unchanged tets inherit
+  std::uint32_t most_failures = 20;        ///< described of each kind
 };
 
 /// For people: whether it is valid, what it counted, and the first failures.

@@ -249,7 +249,7 @@ const Strategy& named(const std::string& name) {
   return *std::ranges::find(strategies(), name, &Strategy::name);
 }
 
-TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherInsteadOfInLargerPatches) {
+TEST(Refined, AFieldThatIsNotEvenIsRefinedInsteadOfInLargerPatches) {
   const ModelSource source = test::model_of({test::block("bar", 60, 10, 10)});
   const Revision base = make_revision(Revision::none(), source, {.nodes = 300}, kRun);
   Revision modified = to_mesh(source);
@@ -260,7 +260,6 @@ TEST(Refined, AFieldThatIsNotEvenIsRefinedFurtherInsteadOfInLargerPatches) {
     const Problem edit(base, modified, density, kRun);
     EXPECT_EQ(named("local, 6 edge lengths").applies(edit, &failed), even);
     EXPECT_TRUE(named("local, refined").applies(edit, &failed));
-    EXPECT_EQ(named("local, refined by 8").applies(edit, &failed), !even);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "engine/remesh/tetgen_mesh.h"
+#include "engine/remesh/last_resort/tetgen_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +18,7 @@
 #include "engine/mesh/quality.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/attempt.h"
+#include "engine/remesh/repair.h"
 
 namespace remeshd {
 
@@ -103,16 +104,6 @@ DelaunayMesh triangulate(const NodeSet& nodes, const Box& bounds, const Run& run
   return mesh;
 }
 
-/// Whether the mesh is one that can be cleaned up: no tet inverted, the boundary a closed manifold.
-template <class Mesh>
-bool sound(const Mesh& mesh, const Verification& verification) {
-  for (const MeshFailure kind :
-       {MeshFailure::BadFacet, MeshFailure::NonManifoldEdge, MeshFailure::NonManifoldVertex})
-    if (verification.count(kind) > 0) return false;
-  return std::ranges::all_of(mesh.tets,
-                             [&](const Tet& t) { return volume_length(mesh.nodes, t) >= 0; });
-}
-
 std::uint32_t most_nodes_inside(const TetGenInput& input) {
   const CellularModel& cells = input.cells;
   const double expected = expected_nodes(cells.volume, cells.area, input.sizes.base());
@@ -148,7 +139,7 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
     c.whole.mesh = paged(mesh);
     return std::move(c);
   };
-  if (!sound(mesh, c.verification)) return unfinished();
+  if (!can_be_improved(mesh, c.verification)) return unfinished();
   if (input.clean_up) {
     const std::vector<std::uint8_t> dirty(mesh.tets.size(), 1);
     mesh =
@@ -178,7 +169,7 @@ bool is_flat_only(const Candidate& c) {
   const Verification& v = c.verification;
   const auto& counts = v.counts;
   return std::accumulate(counts.begin(), counts.end(), 0U) == v.count(MeshFailure::BadTet) &&
-         sound(c.whole.mesh, v);
+         can_be_improved(c.whole.mesh, v);
 }
 
 FailurePlace place_of(const MeshDefect& defect, const TetGenInput& input) {

@@ -1,4 +1,4 @@
-#include "engine/remesh/tetgen_mesh.h"
+#include "engine/remesh/last_resort/tetgen_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -215,10 +215,10 @@ class RevisionByTetGen : public testing::Test {
         original, apply(original.source, ModelEdit{{SetParameter{parameter, value}}}), {}, kRun);
   }
 
-  /// tool2-c with the end of its base a tenth of an edge length before the wall's: a ledge.
+  /// tool2-c with the end of its base .004 edge lengths behind the wall's: a ledge.
   static ModelSource ledge() {
-    const ModelEdit longer{{SetFeatureParameter{"base", "dx", 120.5}}};
-    return apply(test::case_model("tool2-c"), longer);
+    const ModelEdit shorter{{SetFeatureParameter{"base", "dx", 119.98}}};
+    return apply(test::case_model("tool2-c"), shorter);
   }
 
   const Revision original_ = make_revision(Revision::none(), ledge(), {.nodes = 3000}, kRun);
@@ -247,9 +247,7 @@ TEST_F(RevisionByTetGen, LeavesItsShareToTheTetsThatAnEditKeeps) {
 
   const Revision flush = make_revision(original_, test::case_model("tool2-c"), {}, kRun);
   const Counts& counts = flush.report.counts;
-  // The place that failed at first is made anew, which is a last resort too.
-  EXPECT_EQ(flush.report.taken.strategy, "local, refined");
-  EXPECT_GT(flush.report.last_resort_share, 1.0 * counts.tets_kept / counts.tets);
+  EXPECT_GE(flush.report.last_resort_share, 1.0 * counts.tets_kept / counts.tets);
   EXPECT_LT(flush.report.last_resort_share, 1);
   const Revision after = make_revision(flush, flush.source, {}, kRun);
   EXPECT_EQ(after.report.last_resort_share, flush.report.last_resort_share);
