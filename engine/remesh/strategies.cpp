@@ -9,8 +9,8 @@
 #include "engine/base/error.h"
 #include "engine/delivery/lost_names.h"
 #include "engine/nodes/density.h"
-#include "engine/remesh/steps.h"
 #include "engine/remesh/last_resort/tetgen_mesh.h"
+#include "engine/remesh/steps.h"
 
 namespace remeshd {
 namespace {

@@ -217,11 +217,11 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
   ReusedMesh made{std::move(refilled.mesh), {}, {{}, looked_up(mesh.same.output, refilled.was)}};
   std::vector<std::int32_t> was = refilled.was;
   put_back(next, made, task, patch, kRepairs.all_failures);
-  if (task.options.clean_up && lacks_shape_only(next.verification) &&
+  if (task.options.clean_up && only_tets_are_wrong(next.verification) &&
       can_be_improved(made.mesh, next.verification)) {
-    const std::vector<std::uint8_t> dirty = worth_improving(
-        made.mesh, refilled, mesh, next, task.cells.boundary,
-        least_size(task.options.sizing, task.density.sizes.base()));
+    const std::vector<std::uint8_t> dirty =
+        worth_improving(made.mesh, refilled, mesh, next, task.cells.boundary,
+                        least_size(task.options.sizing, task.density.sizes.base()));
     ImproveResult improved = improve(
         made.mesh, next.nodes.supports, task.cells.boundary, dirty,
         {.threshold = task.options.threshold, .locked = next.nodes.interface_nodes}, task.run);
@@ -238,8 +238,12 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
 /// where it is wrong again, and more and more round it.
 void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
              const InsideTest& inside, Attempt& attempt) {
-  const ReusedMesh mesh = cleaned_up(c, task, patch, false);  // no clean-up mends it
+  ReusedMesh mesh = cleaned_up(c, task, patch, false);  // clean-up mends nothing
   put_back(c, mesh, task, patch, kRepairs.all_failures);
+  if (c.verification.valid) {  // it is what is wrong
+    mesh = cleaned_up(c, task, patch, task.options.clean_up);
+    put_back(c, mesh, task, patch, kRepairs.all_failures);
+  }
   const std::vector<Vec3> places = faulty_places(c.verification);
   std::vector<Vec3> wrong_again;
   for (const double margin : kRefillMargins) {
@@ -333,7 +337,9 @@ std::uint32_t finish_repaired(Candidate& c, const MeshingTask& task, const MeshP
 
 }  // namespace
 
-double few_more_nodes(double nodes) { return kRepairs.few_inserted + kRepairs.most_inserted * nodes; }
+double few_more_nodes(double nodes) {
+  return kRepairs.few_inserted + kRepairs.most_inserted * nodes;
+}
 
 Candidate extract_verified(const MeshingTask& task, PatchNodes local, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt) {

@@ -305,7 +305,7 @@ std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
   return Refiller(faulty, boundary, sizes, run).refill(margin);
 }
 
-bool lacks_shape_only(const Verification& verification) {
+bool only_tets_are_wrong(const Verification& verification) {
   const auto& counts = verification.counts;
   return std::accumulate(counts.begin(), counts.end(), 0U) ==
          verification.count(MeshFailure::BadTet) + verification.count(MeshFailure::OutsideTet);
@@ -319,7 +319,7 @@ std::vector<std::uint8_t> worth_improving(const TetMesh& made, const RefilledMes
   std::vector<std::uint8_t> dirty(made.tets.size(), 1);
   for (std::size_t k = 0; k < dirty.size(); ++k) {
     const std::int32_t was = refilled.was[k];
-    if (was >= 0 && before.dirty[was] == 0) {
+    if (was >= 0 && (before.dirty.empty() || before.dirty[was] == 0)) {
       dirty[k] = 0;
       continue;
     }

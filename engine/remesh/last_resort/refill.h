@@ -42,7 +42,7 @@ std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
                                                const Run& run);
 
 /// Whether nothing is wrong but some tets, which clean-up may do away with.
-bool lacks_shape_only(const Verification& verification);
+bool only_tets_are_wrong(const Verification& verification);
 
 /// By tet of a refilled mesh: 1 where it is new, or was to be cleaned up before, and, where nothing is
 /// wrong with it, does not lie across a film, where none is better.
