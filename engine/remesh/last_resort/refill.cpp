@@ -248,7 +248,8 @@ class Refiller {
 
   /// `used`: nodes that TetGen was given. It leaves out and moves some of those inside as the shell
   /// needs it, so that they are told by where they are.
-  [[nodiscard]] RefilledMesh put_together(std::vector<Tet> filling, const std::vector<Vec3>& points,
+  [[nodiscard]] RefilledMesh put_together(const std::vector<Tet>& filling,
+                                          const std::vector<Vec3>& points,
                                           std::span<const std::int32_t> used) const {
     RefilledMesh made;
     made.mesh.nodes = faulty_.patch.nodes;
