@@ -19,9 +19,8 @@ struct Cavities {
 };
 
 /// Tets that share a facet, on either side of the exchange, belong to one cavity; each has Delaunay
-/// tets, if there are any. `same`: by
-/// output tet the Delaunay tet with the same nodes where that is known, else -1; may be empty.
-/// `node_count`: above every node of the tets.
+/// tets, if there are any. `same`: by output tet the Delaunay tet with the same nodes where that is
+/// known, else -1; may be empty. `node_count`: above every node of the tets.
 Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
                        std::span<const std::int32_t> same, std::size_t node_count, const Run& run);
 

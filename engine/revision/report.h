@@ -79,7 +79,8 @@ struct Report {
   Quality quality_before;  ///< of the peeled Delaunay mesh
   Quality quality;         ///< as delivered
   /// Of the tets without a corner where the model itself has an angle below 25 degrees: a wedge of
-  /// material, or edges of one face that meet sharply or touch.
+  /// material, or edges of one face that meet sharply or touch; and, of a sized mesh, that do not
+  /// lie across a wall thinner than the least size.
   Quality quality_away;
   std::uint32_t sharp_tets = 0;  ///< the others
   VerificationFigures verification;

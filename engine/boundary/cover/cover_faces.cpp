@@ -102,8 +102,8 @@ class Cover {
 
   /// Nodes inside of a face: counterparts of nodes that border other faces across films and of all
   /// that earlier faces have, loose ones elsewhere that do not crowd what has to stay, and those
-  /// that were added. Where both sides of a film have the same triangles the tets between them are
-  /// easily found.
+  /// that were added. Where both sides of a film have the same nodes, and so mostly the same
+  /// triangles, TetGen needs few points of its own between them.
   std::vector<std::int32_t> inner_nodes(std::int32_t face, const std::vector<BorderSide>& border) {
     std::vector<std::int32_t> nodes;
     for (const std::int32_t other : film_nodes(face)) {

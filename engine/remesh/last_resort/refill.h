@@ -35,7 +35,8 @@ struct RefilledMesh {
 /// the cover and the tets that stay enclose, without a point more on it.
 ///
 /// Returns why that could not be done where it could not: a tet that would have to go is not the
-/// patch's, a face could not be covered, TetGen failed. Throws Cancelled, TETGEN_MISSING.
+/// patch's, a face could not be covered, TetGen refused its shell or crashed. Throws what
+/// run_tetgen throws else: Cancelled, Error(TETGEN_MISSING, TETGEN_TOO_SLOW, TETGEN_OUT_OF_MEMORY).
 std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
                                                const BoundaryModel& boundary,
                                                const SizeField& sizes, double margin,
@@ -44,8 +45,8 @@ std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
 /// Whether nothing is wrong but some tets, which clean-up may do away with.
 bool only_tets_are_wrong(const Verification& verification);
 
-/// By tet of a refilled mesh: 1 where it is new, or was to be cleaned up before, and, where nothing is
-/// wrong with it, does not lie across a film, where none is better.
+/// By tet of a refilled mesh: 1 where it is new, or was to be cleaned up before, and, where the
+/// mesh is valid, does not lie across a film, where no tet is better.
 /// @param thinner_than  length: of a film
 std::vector<std::uint8_t> worth_improving(const TetMesh& made, const RefilledMesh& refilled,
                                           const ReusedMesh& before, const Candidate& candidate,

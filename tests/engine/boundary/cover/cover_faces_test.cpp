@@ -96,7 +96,8 @@ TEST(CoverOpenFaces, OfCurvedFaces) {
       {11, 0, 0}, 3);
 }
 
-// A wall of a thousandth of an edge length: its two sides get the same nodes.
+// A wall of a thousandth of an edge length: its two sides get the same nodes, but for .3 edge
+// lengths within the rim, where the pocket's floor has none inside of it.
 TEST(CoverOpenFaces, BothSidesOfAFilmAlike) {
   const BoundaryModel pocket =
       boundary_of({block("plate", 12, 12, 4),
