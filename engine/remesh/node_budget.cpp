@@ -20,7 +20,8 @@ struct BudgetLimits {
   double coarsest = 2;        ///< x base size of an even mesh: no coarser one is looked for
   double fewest_edges = 7.2;  ///< asked for on a circle, of which 6 are certain: no fewer
   int bisections = 50;
-  int recounts = 3;  ///< of the nodes that would do
+  int recounts = 3;         ///< of the nodes that would do
+  double recounted = 0.05;  ///< of them: as near to the last count they are not counted again
 };
 constexpr BudgetLimits kLimits;
 
@@ -106,8 +107,10 @@ double satisfying(double nodes, const CellularModel& cells, const Starts& starts
     const double base = coarsest_base(cells, nodes);
     const Starts::Start start = starts.of({base, 1});
     const Expectation expected(start.nodes, start.sizes);
+    const double before = nodes;
     for (int i = 0; i < kLimits.bisections; ++i)
       nodes = start.sides + expected.nodes(coarsest_base(cells, nodes), 1);
+    if (std::fabs(nodes / before - 1) < kLimits.recounted) break;
   }
   return nodes;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/cellular/boundary_model/face_distance.h"
+#include "engine/sizing/box_tree.h"
 
 namespace remeshd {
 
@@ -29,15 +30,6 @@ struct PartLimits {
   double least = 1.5;  ///< x edge length: a part that small is not divided
 };
 constexpr PartLimits kParts;
-
-double distance_to(const Box& box, const Vec3& p) {
-  const Vec3 d{std::max({box.lo.x - p.x, p.x - box.hi.x, 0.0}),
-               std::max({box.lo.y - p.y, p.y - box.hi.y, 0.0}),
-               std::max({box.lo.z - p.z, p.z - box.hi.z, 0.0})};
-  return norm(d);
-}
-
-Vec3 middle_of(const Box& box) { return 0.5 * (box.lo + box.hi); }
 
 /// Cubes that fill a box.
 class BoxGrid {
@@ -76,7 +68,7 @@ class BoxGrid {
 }  // namespace
 
 double SizeSource::at(const Vec3& p, const SizeLimits& limits, double enough) const {
-  const double to_box = distance_to(box, p);
+  const double to_box = std::sqrt(distance2(box, p));
   const double bound = lowest(limits) + limits.slope * to_box;
   if (bound >= enough) return bound;
   if (const auto* triangle = std::get_if<std::array<Vec3, 3>>(&piece))
@@ -138,23 +130,24 @@ class SizeField::Tree {
     std::int32_t begin;   ///< of its sources
     std::int32_t count;   ///< of them; 0: it has two children
     std::int32_t second;  ///< the other child; the first comes next
-    [[nodiscard]] double bound(const Vec3& p, double slope) const {
-      return size + slope * distance_to(box, p);
-    }
   };
   struct Least {
     double size;
     std::int32_t source;
   };
 
+  /// Whether a node, at a distance from the point that is looked at, may have less than `least`.
+  [[nodiscard]] bool may_have_less(const Node& node, double distance2, const Least& least) const {
+    const double reach = least.size - node.size;
+    return reach > 0 && distance2 * limits_.slope * limits_.slope < reach * reach;
+  }
+
   /// Adds the node of sources, which it puts in order, and those below it.
   void divide(std::span<SizeSource> sources) {
     const std::size_t at = nodes_.size();
     Node node{{}, HUGE_VAL, static_cast<std::int32_t>(sources.data() - sources_.data()), 0, 0};
-    Box middles;
     for (const SizeSource& source : sources) {
       node.box.add(source.box);
-      middles.add(middle_of(source.box));
       node.size = std::min(node.size, source.lowest(limits_));
     }
     nodes_.push_back(node);
@@ -162,12 +155,8 @@ class SizeField::Tree {
       nodes_[at].count = static_cast<std::int32_t>(sources.size());
       return;
     }
-    const Vec3 sides = middles.hi - middles.lo;
-    const double longest = std::max({sides.x, sides.y, sides.z});
-    const auto axis = sides.x == longest ? &Vec3::x : sides.y == longest ? &Vec3::y : &Vec3::z;
-    const std::size_t half = sources.size() / 2;
-    std::ranges::nth_element(sources, sources.begin() + static_cast<std::ptrdiff_t>(half), {},
-                             [&](const SizeSource& source) { return middle_of(source.box).*axis; });
+    const std::size_t half =
+        halve(sources, [](const SizeSource& source) { return middle_of(source.box); });
     divide(sources.first(half));
     nodes_[at].second = static_cast<std::int32_t>(nodes_.size());
     divide(sources.subspan(half));
@@ -183,14 +172,13 @@ class SizeField::Tree {
       return;
     }
     std::int32_t near = at + 1, far = node.second;
-    double to_near = nodes_[near].bound(p, limits_.slope);
-    double to_far = nodes_[far].bound(p, limits_.slope);
+    double to_near = distance2(nodes_[near].box, p), to_far = distance2(nodes_[far].box, p);
     if (to_far < to_near) {
       std::swap(near, far);
       std::swap(to_near, to_far);
     }
-    if (to_near < least.size) search(p, least, near);
-    if (to_far < least.size) search(p, least, far);
+    if (may_have_less(nodes_[near], to_near, least)) search(p, least, near);
+    if (may_have_less(nodes_[far], to_far, least)) search(p, least, far);
   }
 
   SizeLimits limits_;

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/cellular/boundary_model/face_distance.h"
+#include "engine/sizing/triangle_tree.h"
 
 namespace remeshd {
 
@@ -22,7 +22,7 @@ constexpr PlaceLimits kLimits;
 
 using Corners = std::array<Vec3, 3>;
 
-/// A triangle of some face, with a ball round it.
+/// A triangle of a face, with a ball round it.
 struct Patch {
   int face;
   Corners corners;
@@ -62,88 +62,37 @@ std::vector<std::vector<int>> neighbours_of(const BoundaryModel& boundary) {
 class Search {
  public:
   Search(const BoundaryModel& boundary, const ThinPlaceLimits& limits, const Run& run)
-      : most_(limits.most), least_(limits.least), film_(limits.film), poll_(run) {
-    for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
-      const BoundaryFace& face = boundary.faces[f];
-      boxes_.push_back(box_of(face.points));
-      first_.push_back(patches_.size());
-      for (const auto& t : face.triangles)
-        patches_.emplace_back(static_cast<int>(f),
-                              Corners{face.points[t[0]], face.points[t[1]], face.points[t[2]]});
-    }
-    first_.push_back(patches_.size());
-  }
+      : boundary_(boundary),
+        most_(limits.most),
+        least_(limits.least),
+        film_(limits.film),
+        poll_(run),
+        tree_(boundary),
+        neighbours_(boundary.faces.size(), 0),
+        others_(boundary.faces.size(), 1) {}
 
+  /// `neighbours`: the face itself among them.
   void search(int face, std::span<const int> neighbours) {
-    const Vec3 margin{most_, most_, most_};
-    const Box near{boxes_[face].lo - margin, boxes_[face].hi + margin};
-    std::vector<std::int32_t> others;  // patches
-    for (int other = 0; other + 1 < static_cast<int>(first_.size()); ++other) {
-      if (std::ranges::binary_search(neighbours, other) || !touch(near, boxes_[other])) continue;
-      for (std::size_t t = first_[other]; t < first_[other + 1]; ++t)
-        others.push_back(static_cast<std::int32_t>(t));
-    }
-    std::vector<std::int32_t> own;
-    for (std::size_t t = first_[face]; t < first_[face + 1]; ++t)
-      own.push_back(static_cast<std::int32_t>(t));
-    visit_all(own, others);
+    for (const int f : neighbours) neighbours_[f] = 1;
+    others_[face] = 0;
+    const BoundaryFace& searched = boundary_.faces[face];
+    for (const auto& t : searched.triangles)
+      visit({face, {searched.points[t[0]], searched.points[t[1]], searched.points[t[2]]}});
+    for (const int f : neighbours) neighbours_[f] = 0;
+    others_[face] = 1;
   }
 
   std::vector<ThinPlace> take() { return std::move(places_); }
 
  private:
-  struct Near {
-    std::int32_t patch;
-    double distance;  ///< from the middle of the one that is visited
-  };
-
-  /// Visits patches half by half, each with the others that may be near to one of it.
-  void visit_all(std::span<std::int32_t> own, std::span<const std::int32_t> others) {
-    if (own.empty() || others.empty()) return;
-    if (own.size() == 1) return visit(patches_[own[0]], others);
-    Box box;
-    for (const std::int32_t o : own) box.add(patches_[o].middle);
-    const Vec3 middle = 0.5 * (box.lo + box.hi);
-    double radius = 0;
-    for (const std::int32_t o : own)
-      radius = std::max(radius, distance(middle, patches_[o].middle) + patches_[o].radius);
-    double within = most_;  // of the middle there is something, or nothing that matters
-    for (const std::int32_t o : others)
-      within = std::min(within, distance(middle, patches_[o].middle) + patches_[o].radius);
-    std::vector<std::int32_t> near;
-    for (const std::int32_t o : others)
-      if (distance(middle, patches_[o].middle) - patches_[o].radius <= within + 2 * radius)
-        near.push_back(o);
-    const Vec3 sides = box.hi - box.lo;
-    const double longest = std::max({sides.x, sides.y, sides.z});
-    const auto axis = sides.x == longest ? &Vec3::x : sides.y == longest ? &Vec3::y : &Vec3::z;
-    const auto half = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-    std::ranges::nth_element(
-        own, half, {}, [&](std::int32_t o) { return std::pair(patches_[o].middle.*axis, o); });
-    visit_all({own.begin(), half}, near);
-    visit_all({half, own.end()}, near);
-  }
-
-  void visit(const Patch& patch, std::span<const std::int32_t> others) {
+  void visit(const Patch& patch) {
     poll_();
-    const double reach = 2 * patch.radius;  // between what is nearest to two of its points
-    std::vector<Near> found;
-    double nearest = most_ + patch.radius;
-    for (const std::int32_t o : others) {
-      const Patch& other = patches_[o];
-      if (distance(patch.middle, other.middle) - other.radius > nearest + reach) continue;
-      const double d = std::sqrt(triangle_distance2(patch.middle, other.corners));
-      if (d > nearest + reach) continue;
-      found.push_back({o, d});
-      nearest = std::min(nearest, d);
-    }
-    if (nearest - patch.radius >= most_) return;
-    std::vector<std::int32_t> near;
-    for (const Near& n : found)
-      if (n.distance <= nearest + reach) near.push_back(n.patch);
-    double least = nearest, greatest = nearest;
+    const TriangleTree::Nearest nearest =
+        tree_.nearest(patch.middle, most_ + patch.radius, neighbours_);
+    if (!nearest.found) return;
+    double least = nearest.distance, greatest = nearest.distance;
     for (const Vec3& corner : patch.corners) {
-      const double d = distance_to(corner, near);
+      const double d = distance_to_others(corner, nearest.at);
       least = std::min(least, d);
       greatest = std::max(greatest, d);
     }
@@ -154,41 +103,18 @@ class Search {
     const double thickness = std::max(least, least_);
     if (greatest <= kLimits.even * thickness || patch.radius <= kLimits.smallest * thickness) {
       if (thickness < most_) {
-        const double film = thickness_of_film(patch, near);
+        // From what is nearest, beside a film, this face is less far than the patch: it ends there.
+        const double film = tree_.nearest(nearest.at, film_, others_).distance;
         places_.push_back({patch.face, patch.corners, film < film_ ? film : thickness});
       }
       return;
     }
-    for (const Corners& half : halves_of(patch.corners)) visit(Patch(patch.face, half), near);
+    for (const Corners& half : halves_of(patch.corners)) visit({patch.face, half});
   }
 
-  /// How near to a patch's own face that is which it is nearest to: less than to the patch itself
-  /// beside a film, which ends there.
-  [[nodiscard]] double thickness_of_film(const Patch& patch,
-                                         std::span<const std::int32_t> near) const {
-    double least2 = HUGE_VAL;
-    Vec3 nearest;
-    for (const std::int32_t o : near) {
-      const Vec3 q = nearest_on_triangle(patch.middle, patches_[o].corners);
-      if (norm2(q - patch.middle) >= least2) continue;
-      least2 = norm2(q - patch.middle);
-      nearest = q;
-    }
-    double film2 = HUGE_VAL;
-    for (std::size_t o = first_[patch.face]; o < first_[patch.face + 1]; ++o)
-      if (distance(nearest, patches_[o].middle) - patches_[o].radius < film_)
-        film2 = std::min(film2, triangle_distance2(nearest, patches_[o].corners));
-    return std::sqrt(film2);
-  }
-
-  [[nodiscard]] double distance_to(const Vec3& p, std::span<const std::int32_t> patches) const {
-    double least2 = HUGE_VAL;
-    for (const std::int32_t o : patches) {
-      const double to_ball = distance(p, patches_[o].middle) - patches_[o].radius;
-      if (to_ball > 0 && to_ball * to_ball >= least2) continue;
-      least2 = std::min(least2, triangle_distance2(p, patches_[o].corners));
-    }
-    return std::sqrt(least2);
+  /// Of a point to the faces that are not neighbours. `on_one`: a point of one of them.
+  [[nodiscard]] double distance_to_others(const Vec3& p, const Vec3& on_one) const {
+    return tree_.nearest(p, distance(p, on_one), neighbours_).distance;
   }
 
   /// Cut across the longest side.
@@ -204,11 +130,12 @@ class Search {
     return {Corners{a, b, between}, Corners{a, between, d}};
   }
 
+  const BoundaryModel& boundary_;
   double most_, least_, film_;
   Polling poll_;
-  std::vector<Box> boxes_;  ///< by face
-  std::vector<Patch> patches_;
-  std::vector<std::size_t> first_;  ///< by face; one more
+  TriangleTree tree_;
+  std::vector<std::uint8_t> neighbours_;  ///< by face: 1 for those of the face searched, and it
+  std::vector<std::uint8_t> others_;      ///< by face: 1 for all but the face searched
   std::vector<ThinPlace> places_;
 };
 
