@@ -112,6 +112,24 @@ void write_elements(std::string& out, const Entities& list, std::int32_t type,
   }
 }
 
+/// The edge lengths aimed at, as a view of the nodes.
+void write_sizes(std::string& out, const Mesh& mesh) {
+  if (mesh.node_sizes.empty()) return;
+  constexpr std::int32_t kStep = 0, kComponents = 1;
+  out += "$NodeData\n1\n\"size\"\n1\n0\n3\n";  // its name, its time, three numbers
+  append(out, kStep);
+  out += '\n';
+  append(out, kComponents);
+  out += '\n';
+  append(out, mesh.node_sizes.size());
+  out += '\n';
+  for (std::size_t n = 0; n < mesh.node_sizes.size(); ++n) {
+    put(out, static_cast<std::int32_t>(n + 1));
+    put(out, mesh.node_sizes[n]);
+  }
+  out += "\n$EndNodeData\n";
+}
+
 }  // namespace
 
 std::string to_msh(const Mesh& mesh) {
@@ -169,6 +187,7 @@ std::string to_msh(const Mesh& mesh) {
       out, volumes, kGmshTetrahedron,
       1, [&](std::size_t t) -> const auto& { return mesh.tets[t]; });
   out += "\n$EndElements\n";
+  write_sizes(out, mesh);
   return out;
 }
 

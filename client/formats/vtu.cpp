@@ -101,6 +101,7 @@ void add_point_data(Arrays& arrays, const Mesh& mesh) {
   arrays.add("PointData", "original_node", 1, mesh.original_node);
   arrays.add("PointData", "transform", 1, mesh.node_transform);
   arrays.add("PointData", "node_id", 1, mesh.node_ids);
+  if (!mesh.node_sizes.empty()) arrays.add("PointData", "size", 1, mesh.node_sizes);
 }
 
 void add_cell_data(Arrays& arrays, const Mesh& mesh) {

@@ -136,6 +136,7 @@ constexpr std::array kKnown{
     numbers<&Mesh::transforms>(remesh::v1::MESH_ARRAY_TRANSFORMS, RowOf::Other, ARRAY_TYPE_F64, 12),
     text<&Mesh::transform_features>(remesh::v1::MESH_ARRAY_TRANSFORM_FEATURES),
     numbers<&Mesh::original_tet>(remesh::v1::MESH_ARRAY_ORIGINAL_TETS, RowOf::Tet, ARRAY_TYPE_I32),
+    numbers<&Mesh::node_sizes>(remesh::v1::MESH_ARRAY_NODE_SIZES, RowOf::Node, ARRAY_TYPE_F64),
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ struct KnownArray {
   std::string (*write)(const Mesh& mesh);
 };
 
-/// Every array that a Mesh has a place for; each mesh of the daemon has all of them.
+/// Every array that a Mesh has a place for; each mesh of the daemon has all of them, but for the
+/// sizes of an even one.
 std::span<const KnownArray> known_arrays();
 
 /// The entry of an array, or nullptr for one that a Mesh has no place for.

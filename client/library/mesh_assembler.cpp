@@ -191,7 +191,8 @@ std::string MeshAssembler::decode(const MeshHeader::Array& entry) {
 Mesh MeshAssembler::finish() {
   if (!ended_) mesh_damaged("its end is missing");
   for (const MeshArray array : wanted_)
-    if (find_array(array) != nullptr && !arrays_.contains(array))
+    if (find_array(array) != nullptr && array != remesh::v1::MESH_ARRAY_NODE_SIZES &&
+        !arrays_.contains(array))
       mesh_damaged(name_of(array) + " is missing");
   const bool transforms = arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORMS) &&
                           arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORM_FEATURES);

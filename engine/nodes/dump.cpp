@@ -29,7 +29,7 @@ void finish(std::ofstream& out, const Run& run) {
 
 }  // namespace
 
-void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
+void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes, const SizeField& sizes,
                 std::span<const Tet> tets) {
   if (run.dumps.empty()) return;
   std::filesystem::create_directories(run.dumps);
@@ -45,6 +45,7 @@ void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
   array(out, "Int32", "free", 1, count, [&](std::size_t n) { out << (nodes.is_free(n) ? 1 : 0); });
   array(out, "Int32", "boundary", 1, count,
         [&](std::size_t n) { out << (nodes.supports[n].kind != Support::Kind::Interior); });
+  array(out, "Float64", "size", 1, count, [&](std::size_t n) { out << sizes(nodes.positions[n]); });
   out << "</PointData>\n<Points>\n";
   array(out, "Float64", "Points", 3, count, [&](std::size_t n) {
     const Vec3& p = nodes.positions[n];

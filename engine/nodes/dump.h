@@ -8,6 +8,7 @@
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
 
 namespace remeshd {
 
@@ -15,9 +16,10 @@ namespace remeshd {
 /// folder for dumps (VTK XML, text). Names start with the stage's number so that files sort by
 /// stage: `05-nodes`, `07-optimise-04`. Does nothing where the run has no such folder.
 ///
-/// Point data: `new` (1: not copied), `free`, `boundary` (1: stands on a vertex, edge or face).
+/// Point data: `new` (1: not copied), `free`, `boundary` (1: stands on a vertex, edge or face),
+/// `size` (the edge length aimed at).
 /// Throws Error(Internal) where the file cannot be written.
-void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes,
+void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes, const SizeField& sizes,
                 std::span<const Tet> tets = {});
 
 /// Writes what a stage decided to `NAME.txt` there; the text is made only then. Throws as above.

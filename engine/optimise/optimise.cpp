@@ -99,7 +99,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     live.follow(nodes);
     result.free_per_iteration.push_back(nodes.count(NodeState::Free) +
                                         nodes.count(NodeState::Frozen));
-    if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, live.tets());
+    if (!run.dumps.empty()) dump_nodes(run, dump_name(k), nodes, options.sizes, live.tets());
     const std::vector<Tet> tets = live.tets_at(relocated(nodes));
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
     const bool filled = options.insert_at_circumcentres && k == kFillAt &&

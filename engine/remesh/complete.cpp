@@ -113,7 +113,7 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
       !problem.density.inherited || report.strategy == MeshStrategy::Fresh || resorted;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
-  revision.node_sizes = made_for(parent, revision, problem.run);
+  revision.output.node_sizes = made_for(parent, revision, problem.run);
   report.last_resort_share = last_resort_share(parent, report, made_anew);
   for (auto& found : {lost_names(parent, revision), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());

@@ -24,12 +24,12 @@ bool differ(double a, double b) { return a > kLimits.most_off * b || b > kLimits
 
 /// Whether that is known: revisions that are not even were stored without it once.
 bool is_known(const Revision& parent) {
-  return parent.options.sizing.even || !parent.node_sizes.empty();
+  return parent.options.sizing.even || !parent.output.node_sizes.empty();
 }
 
 /// What the parent's node was made for.
 double made_for(const Revision& parent, std::int32_t node) {
-  return parent.options.sizing.even ? parent.edge_length : parent.node_sizes[node];
+  return parent.options.sizing.even ? parent.edge_length : parent.output.node_sizes[node];
 }
 
 /// Whether the tets of the parent were kept, wherever their nodes went.
@@ -53,7 +53,7 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
                    ? made_for(parent, output.map.original_node[n])
                    : sizes(positions[n]);
   });
-  return {std::span<const double>(all), parent.node_sizes};
+  return {std::span<const double>(all), parent.output.node_sizes};
 }
 
 std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,

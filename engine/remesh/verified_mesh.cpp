@@ -123,7 +123,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
   task.run.report("extract", 0.8);
   c.delaunay = peeled(c, task, patch, inside);
   drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
-  dump_nodes(task.run, "08-peel", c.nodes, c.delaunay.tets);
+  dump_nodes(task.run, "08-peel", c.nodes, task.density.sizes, c.delaunay.tets);
   return c;
 }
 

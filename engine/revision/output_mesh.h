@@ -46,6 +46,9 @@ struct OutputMesh {
   CowVector<std::uint64_t>
       node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
   CowVector<std::uint64_t> tet_ids;
+  /// By node the edge length that it was made for; none in an even mesh. What an edit keeps has its
+  /// parent's, so that many small steps do not creep.
+  CowVector<double> node_sizes;
   MeshGroups groups;
   NodeMap map;
 };

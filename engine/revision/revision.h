@@ -54,9 +54,6 @@ struct Revision {
   std::shared_ptr<const DelaunayState> delaunay_state;  ///< made for `delaunay_model()`
   std::shared_ptr<const Anchor> anchor;  ///< null where the mesh is as its Delaunay mesh gave it
   OutputMesh output;
-  /// By output node the edge length that it was made for; none in an even mesh. What an edit keeps
-  /// has its parent's, so that many small steps do not creep.
-  CowVector<double> node_sizes;
   CowVector<TetMeasure> measures;  ///< of the output tets
   CowVector<Box> boxes;            ///< round the output tets, one for each page of them
   Report report;

@@ -16,6 +16,7 @@ namespace v1 = remesh::v1;
 
 static_assert(static_cast<int>(ArrayName::Nodes) == v1::MESH_ARRAY_NODES &&
                   static_cast<int>(ArrayName::OriginalTets) == v1::MESH_ARRAY_ORIGINAL_TETS &&
+                  static_cast<int>(ArrayName::NodeSizes) == v1::MESH_ARRAY_NODE_SIZES &&
                   static_cast<int>(NumberType::F64) == v1::ARRAY_TYPE_F64 &&
                   static_cast<int>(NumberType::Text) == v1::ARRAY_TYPE_TEXT,
               "the session's numbers are the protocol's");
@@ -25,7 +26,8 @@ v1::MeshArray name_of(const MeshArray& array) {
 }
 
 bool is_supported(int array) {
-  return array >= v1::MESH_ARRAY_NODES && array <= static_cast<int>(kArrayNames);
+  return (array >= v1::MESH_ARRAY_NODES && array <= v1::MESH_ARRAY_ORIGINAL_TETS) ||
+         array == v1::MESH_ARRAY_NODE_SIZES;
 }
 
 std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }

@@ -101,22 +101,25 @@ std::vector<MeshArray> mesh_arrays(const OutputMesh& d) {
   using enum NumberType;
   const MeshGroups& g = d.groups;
   const NodeMap& m = d.map;
-  return {array_of(Nodes, F64, d.mesh.nodes),
-          array_of(Tets, I32, d.mesh.tets),
-          array_of(NodeIds, U64, d.node_ids),
-          array_of(TetIds, U64, d.tet_ids),
-          array_of(Facets, g.facets, [](const MeshFacet& f) { return f.nodes; }),
-          array_of(FacetTets, g.facets, [](const MeshFacet& f) { return f.tet; }),
-          array_of(FacetGroup, g.facets, [](const MeshFacet& f) { return f.group; }),
-          text_array(FacetGroups, g.facet_groups.size(), lines(g.facet_groups)),
-          array_of(TetCells, I32, g.tet_cell),
-          text_array(CellOwners, g.cell_owners.size(), lines(g.cell_owners)),
-          array_of(NodeOrigins, U8, m.node_origin),
-          array_of(OriginalNodes, I32, m.original_node),
-          array_of(NodeTransforms, I32, m.node_transform),
-          array_of(Transforms, m.transforms),
-          text_array(TransformFeatures, m.transform_features.size(), lines(m.transform_features)),
-          array_of(OriginalTets, I32, m.original_tet)};
+  std::vector<MeshArray> arrays{
+      array_of(Nodes, F64, d.mesh.nodes),
+      array_of(Tets, I32, d.mesh.tets),
+      array_of(NodeIds, U64, d.node_ids),
+      array_of(TetIds, U64, d.tet_ids),
+      array_of(Facets, g.facets, [](const MeshFacet& f) { return f.nodes; }),
+      array_of(FacetTets, g.facets, [](const MeshFacet& f) { return f.tet; }),
+      array_of(FacetGroup, g.facets, [](const MeshFacet& f) { return f.group; }),
+      text_array(FacetGroups, g.facet_groups.size(), lines(g.facet_groups)),
+      array_of(TetCells, I32, g.tet_cell),
+      text_array(CellOwners, g.cell_owners.size(), lines(g.cell_owners)),
+      array_of(NodeOrigins, U8, m.node_origin),
+      array_of(OriginalNodes, I32, m.original_node),
+      array_of(NodeTransforms, I32, m.node_transform),
+      array_of(Transforms, m.transforms),
+      text_array(TransformFeatures, m.transform_features.size(), lines(m.transform_features)),
+      array_of(OriginalTets, I32, m.original_tet)};
+  if (!d.node_sizes.empty()) arrays.push_back(array_of(NodeSizes, F64, d.node_sizes));
+  return arrays;
 }
 
 namespace {

@@ -32,8 +32,9 @@ enum class ArrayName : std::uint8_t {
   Transforms,
   TransformFeatures,
   OriginalTets,
+  NodeSizes = 20,
 };
-inline constexpr std::size_t kArrayNames = 16;
+inline constexpr std::size_t kLastArrayName = 20;
 
 /// Of one number of an array, with the numbers of the protocol's ArrayType.
 enum class NumberType : std::uint8_t { F64 = 1, I32, U64, U8, Text };
@@ -65,7 +66,8 @@ struct MeshArray {
   }
 };
 
-/// The arrays that a mesh has, in the order of their names. The delivery must outlive them.
+/// The arrays that a mesh has, in the order of their names: all, but for the sizes of an even one.
+/// The delivery must outlive them.
 std::vector<MeshArray> mesh_arrays(const OutputMesh& delivery);
 
 struct ArrayDigest {
@@ -104,7 +106,7 @@ class MeshDigests {
     return digests_[static_cast<std::size_t>(array.name) - 1].get(make);
   }
 
-  std::array<Lazy<ArrayDigest>, kArrayNames> digests_;
+  std::array<Lazy<ArrayDigest>, kLastArrayName> digests_;
 };
 
 }  // namespace remeshd

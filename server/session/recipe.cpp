@@ -208,10 +208,12 @@ Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike) {
                 .options = *held.asked};
   const std::vector<MeshArray> arrays = mesh_arrays(held.revision.output);
   const auto others = alike ? mesh_arrays(alike->revision.output) : std::vector<MeshArray>();
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-    recipe.digests.push_back(
-        {arrays[i].name, alike ? held.digests.of(arrays[i], others[i], alike->digests)
-                               : held.digests.of(arrays[i])});
+  for (const MeshArray& array : arrays) {
+    const auto other = std::ranges::find(others, array.name, &MeshArray::name);
+    recipe.digests.push_back({array.name, other != others.end()
+                                              ? held.digests.of(array, *other, alike->digests)
+                                              : held.digests.of(array)});
+  }
   return recipe;
 }
 

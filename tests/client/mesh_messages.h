@@ -56,22 +56,26 @@ inline std::vector<SentArray> arrays_of(const Mesh& mesh) {
   constexpr auto kF64 = v1::ARRAY_TYPE_F64;
   constexpr auto kI32 = v1::ARRAY_TYPE_I32;
   constexpr auto kU64 = v1::ARRAY_TYPE_U64;
-  return {raw(v1::MESH_ARRAY_NODES, kF64, 3, mesh.nodes),
-          raw(v1::MESH_ARRAY_TETS, kI32, 4, mesh.tets),
-          raw(v1::MESH_ARRAY_NODE_IDS, kU64, 1, mesh.node_ids),
-          raw(v1::MESH_ARRAY_TET_IDS, kU64, 1, mesh.tet_ids),
-          raw(v1::MESH_ARRAY_FACETS, kI32, 3, facets),
-          raw(v1::MESH_ARRAY_FACET_TETS, kI32, 1, facet_tets),
-          raw(v1::MESH_ARRAY_FACET_GROUP, kI32, 1, facet_group),
-          text(v1::MESH_ARRAY_FACET_GROUPS, mesh.facet_groups),
-          raw(v1::MESH_ARRAY_TET_CELLS, kI32, 1, mesh.tet_cell),
-          text(v1::MESH_ARRAY_CELL_OWNERS, mesh.cell_owners),
-          raw(v1::MESH_ARRAY_NODE_ORIGINS, v1::ARRAY_TYPE_U8, 1, mesh.node_origin),
-          raw(v1::MESH_ARRAY_ORIGINAL_NODES, kI32, 1, mesh.original_node),
-          raw(v1::MESH_ARRAY_NODE_TRANSFORMS, kI32, 1, mesh.node_transform),
-          raw(v1::MESH_ARRAY_TRANSFORMS, kF64, 12, mesh.transforms),
-          text(v1::MESH_ARRAY_TRANSFORM_FEATURES, sources),
-          raw(v1::MESH_ARRAY_ORIGINAL_TETS, kI32, 1, mesh.original_tet)};
+  std::vector<SentArray> arrays{
+      raw(v1::MESH_ARRAY_NODES, kF64, 3, mesh.nodes),
+      raw(v1::MESH_ARRAY_TETS, kI32, 4, mesh.tets),
+      raw(v1::MESH_ARRAY_NODE_IDS, kU64, 1, mesh.node_ids),
+      raw(v1::MESH_ARRAY_TET_IDS, kU64, 1, mesh.tet_ids),
+      raw(v1::MESH_ARRAY_FACETS, kI32, 3, facets),
+      raw(v1::MESH_ARRAY_FACET_TETS, kI32, 1, facet_tets),
+      raw(v1::MESH_ARRAY_FACET_GROUP, kI32, 1, facet_group),
+      text(v1::MESH_ARRAY_FACET_GROUPS, mesh.facet_groups),
+      raw(v1::MESH_ARRAY_TET_CELLS, kI32, 1, mesh.tet_cell),
+      text(v1::MESH_ARRAY_CELL_OWNERS, mesh.cell_owners),
+      raw(v1::MESH_ARRAY_NODE_ORIGINS, v1::ARRAY_TYPE_U8, 1, mesh.node_origin),
+      raw(v1::MESH_ARRAY_ORIGINAL_NODES, kI32, 1, mesh.original_node),
+      raw(v1::MESH_ARRAY_NODE_TRANSFORMS, kI32, 1, mesh.node_transform),
+      raw(v1::MESH_ARRAY_TRANSFORMS, kF64, 12, mesh.transforms),
+      text(v1::MESH_ARRAY_TRANSFORM_FEATURES, sources),
+      raw(v1::MESH_ARRAY_ORIGINAL_TETS, kI32, 1, mesh.original_tet)};
+  if (!mesh.node_sizes.empty())
+    arrays.push_back(raw(v1::MESH_ARRAY_NODE_SIZES, kF64, 1, mesh.node_sizes));
+  return arrays;
 }
 
 /// SHA-256 over the SHA-256s of blocks of 16 KiB, in hexadecimal digits.
@@ -99,7 +103,8 @@ inline std::string encode(const SentArray& array, const Mesh* base,
   entry.set_encoding(v1::MeshHeader::ENCODING_WHOLE);
   if (base != nullptr) {
     const auto arrays = arrays_of(*base);
-    const std::string& old = std::ranges::find(arrays, array.id, &SentArray::id)->bytes;
+    const auto of_base = std::ranges::find(arrays, array.id, &SentArray::id);
+    const std::string& old = of_base->bytes;
     if (old == array.bytes) {
       data.clear();
       entry.set_encoding(v1::MeshHeader::ENCODING_SAME);

@@ -82,6 +82,7 @@ inline Mesh sample_mesh(int n) {
     mesh.node_ids.push_back((std::uint64_t{1} << 62) + 3 * k);
     mesh.node_origin.push_back(static_cast<NodeOrigin>(k % 3));
     mesh.original_node.push_back(k % 3 == 0 ? -1 : 2 * index);
+    mesh.node_sizes.push_back(0.9 + static_cast<double>(k) / 7);
     mesh.node_transform.push_back(k % 3 == 0 ? -1 : static_cast<std::int32_t>(k % 2));
   }
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {

@@ -296,7 +296,7 @@ StoredArrays image_of(const Revision& revision) {
     write("anchor.nodes", anchor->nodes, "delivery.nodes");
     write_supports(write, "anchor.supports", anchor->supports, "master.supports");
   }
-  if (!revision.node_sizes.empty()) write(kNodeSizes, revision.node_sizes);
+  if (!d.node_sizes.empty()) write(kNodeSizes, d.node_sizes);
   write.bytes(kDocuments, write_documents(revision));
   return write.take();
 }
@@ -309,7 +309,8 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   Documents documents = read_documents(read.bytes(kDocuments), revision);
   read_output(read, member(alike, &Revision::output), revision.output);
   if (image.find(kNodeSizes) != nullptr)
-    read(kNodeSizes, revision.node_sizes, member(alike, &Revision::node_sizes));
+    read(kNodeSizes, revision.output.node_sizes,
+         member(member(alike, &Revision::output), &OutputMesh::node_sizes));
   DelaunayState state = std::move(documents.delaunay_state);
   read_delaunay_state(read, alike ? alike->delaunay_state.get() : nullptr, state);
   if (documents.anchored)

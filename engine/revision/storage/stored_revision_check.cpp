@@ -162,9 +162,9 @@ void check_sizes(const Revision& revision) {
   for (const SizedBall& ball : revision.dense_places)
     expect_finite(is_place(ball.centre) && std::isfinite(ball.radius) && ball.radius >= 0 &&
                   std::isfinite(ball.size) && ball.size > 0);
-  if (revision.node_sizes.empty()) return;
-  expect_size(revision.node_sizes.size(), revision.output.mesh.nodes.size(), kArray);
-  revision.node_sizes.for_each([&](std::size_t, double size) {
+  if (revision.output.node_sizes.empty()) return;
+  expect_size(revision.output.node_sizes.size(), revision.output.mesh.nodes.size(), kArray);
+  revision.output.node_sizes.for_each([&](std::size_t, double size) {
     if (!std::isfinite(size) || size <= 0) fail(kArray);
   });
 }

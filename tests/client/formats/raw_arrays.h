@@ -36,6 +36,7 @@ inline void write_raw_arrays(const std::filesystem::path& folder, const Mesh& me
   write_raw(folder / "origin", mesh.node_origin);
   write_raw(folder / "original_node", mesh.original_node);
   write_raw(folder / "node_id", mesh.node_ids);
+  write_raw(folder / "size", mesh.node_sizes);
   write_raw(folder / "original_tet", mesh.original_tet);
   write_raw(folder / "tet_id", mesh.tet_ids);
   write_raw(folder / "cell", mesh.tet_cell);

@@ -28,6 +28,14 @@ def facets_of(nodes):
     return sorted(tuple(sorted(int(n) for n in f)) for f in nodes)
 
 
+def check_sizes(mesh, want):
+    """Edge lengths aimed at, of a mesh that is not even."""
+    if len(want["size"]):
+        same("size", mesh.point_data["size"].ravel(), want["size"])
+    else:
+        assert "size" not in mesh.point_data
+
+
 def check_vtu(file, mesh, want):
     data = {name: arrays[0] for name, arrays in mesh.cell_data.items()}
     assert len(mesh.cells) == 1 and mesh.cells[0].type == "tetra"
@@ -35,6 +43,7 @@ def check_vtu(file, mesh, want):
     same("origin", mesh.point_data["origin"], want["origin"])
     same("original_node", mesh.point_data["original_node"], want["original_node"])
     same("node_id", mesh.point_data["node_id"], want["node_id"])
+    check_sizes(mesh, want)
     same("original_tet", data["original_tet"], want["original_tet"])
     same("kept", data["kept"], (want["original_tet"] >= 0).astype(np.uint8))
     same("tet_id", data["tet_id"], want["tet_id"])
@@ -61,6 +70,7 @@ def check_vtu(file, mesh, want):
 
 
 def check_msh(file, mesh, want):
+    check_sizes(mesh, want)
     tets = [c for c in mesh.cells if c.type == "tetra"]
     assert len(tets) == len(want["cell_owners"])
     for cell, block in enumerate(tets):
@@ -124,6 +134,7 @@ def main():
         "origin": raw(folder, "origin", "u1"),
         "original_node": raw(folder, "original_node", "<i4"),
         "node_id": raw(folder, "node_id", "<u8"),
+        "size": raw(folder, "size", "<f8"),
         "original_tet": raw(folder, "original_tet", "<i4"),
         "tet_id": raw(folder, "tet_id", "<u8"),
         "cell": raw(folder, "cell", "<i4"),

@@ -32,6 +32,7 @@ Mesh edited(Mesh mesh) {
   mesh.nodes[3] = {0.5, 0.25, -0.125};
   mesh.nodes.push_back({1, 2, 3});
   mesh.node_ids.push_back(77);
+  mesh.node_sizes.push_back(0.5);
   mesh.node_origin.assign(mesh.nodes.size(), NodeOrigin::Kept);
   mesh.node_origin.back() = NodeOrigin::New;
   mesh.node_transform.assign(mesh.nodes.size(), 0);
@@ -74,6 +75,12 @@ TEST(MeshAssembler, LeavesEmptyWhatWasNotAskedFor) {
   ASSERT_THAT(mesh.facets, SizeIs(whole.facets.size()));
   EXPECT_EQ(mesh.facets[1].nodes, whole.facets[1].nodes);
   EXPECT_EQ(mesh.facets[1].tet, -1);
+}
+
+TEST(MeshAssembler, TakesAnEvenMeshWhichHasNoSizes) {
+  Mesh mesh = sample_mesh(1);
+  mesh.node_sizes.clear();
+  EXPECT_EQ(assemble(mesh_messages(mesh)), mesh);
 }
 
 TEST(MeshAssembler, PassesOverArraysOfANewerProtocol) {

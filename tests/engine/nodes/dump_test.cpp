@@ -32,25 +32,27 @@ NodeSet one_copied_and_one_new_node() {
 TEST(Dump, WritesNodesWithWhatTheyAre) {
   const std::filesystem::path folder =
       std::filesystem::path(testing::TempDir()) / "dump_test" / "run";
-  dump_nodes(dumping_to(folder), "05-nodes", one_copied_and_one_new_node());
+  dump_nodes(dumping_to(folder), "05-nodes", one_copied_and_one_new_node(), 2.5);
 
   std::ifstream in(folder / "05-nodes.vtu");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_THAT(text, HasSubstr("NumberOfPoints=\"2\" NumberOfCells=\"2\""));
   EXPECT_THAT(text, HasSubstr("Name=\"new\" NumberOfComponents=\"1\" format=\"ascii\">\n0\n1\n<"));
   EXPECT_THAT(text, HasSubstr("Name=\"free\" NumberOfComponents=\"1\" format=\"ascii\">\n0\n1\n<"));
+  EXPECT_THAT(text,
+              HasSubstr("Name=\"size\" NumberOfComponents=\"1\" format=\"ascii\">\n2.5\n2.5\n"));
   EXPECT_THAT(text, HasSubstr("0.10000000000000001 0 0\n0 1 0\n")) << "coordinates keep their bits";
   std::filesystem::remove_all(folder.parent_path());
 }
 
 TEST(Dump, DoesNothingWithoutAFolder) {
-  EXPECT_NO_THROW(dump_nodes(dumping_to({}), "05-nodes", one_copied_and_one_new_node()));
+  EXPECT_NO_THROW(dump_nodes(dumping_to({}), "05-nodes", one_copied_and_one_new_node(), 2.5));
   EXPECT_FALSE(std::filesystem::exists("05-nodes.vtu"));
 }
 
 TEST(Dump, SaysWhereItCannotWrite) {
   EXPECT_THROW(dump_nodes(dumping_to(testing::TempDir()), "no-such-folder/05-nodes",
-                          one_copied_and_one_new_node()),
+                          one_copied_and_one_new_node(), 2.5),
                Error);
 }
 

@@ -103,16 +103,17 @@ TEST(NodeSizes, AreKeptWithTheRevision) {
   ModelSource source = plate();
   source.sizes = {{"spot", *in_corner(1).place, 1.0}};
   const Revision base = make_revision(Revision::none(), source, sized(4), kRun);
-  ASSERT_EQ(base.node_sizes.size(), base.output.mesh.nodes.size());
+  ASSERT_EQ(base.output.node_sizes.size(), base.output.mesh.nodes.size());
   const Revision once = edited(base, in_corner(1.2));
   const Revision loaded = test::stored_and_loaded(once);
-  ASSERT_EQ(loaded.node_sizes.size(), once.node_sizes.size());
+  ASSERT_EQ(loaded.output.node_sizes.size(), once.output.node_sizes.size());
   EXPECT_EQ(edited(loaded, in_corner(1.4)).output.mesh.nodes,
             edited(once, in_corner(1.4)).output.mesh.nodes);
 }
 
 TEST(NodeSizes, ThereAreNoneOfAnEvenMesh) {
-  EXPECT_TRUE(make_revision(Revision::none(), plate(), {.size = 4}, kRun).node_sizes.empty());
+  EXPECT_TRUE(
+      make_revision(Revision::none(), plate(), {.size = 4}, kRun).output.node_sizes.empty());
 }
 
 TEST(NodeSizes, ADensityOfAnEditHoldsInItsNewcellsAloneAndIsKept) {
