@@ -1,7 +1,13 @@
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "engine/base/stopwatch.h"
 #include "engine/delivery/lost_names.h"
 #include "engine/difference/compare.h"
 #include "engine/kernel/tetgen.h"
 #include "engine/remesh/density.h"
+#include "engine/remesh/forecast.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/remesh/remesh.h"
 #include "engine/revision/storage/stored_revision.h"
@@ -15,22 +21,26 @@ const Revision& parent(const Revision* base) { return base != nullptr ? *base : 
 
 ModelSummary summary_of(const Revision* base, const FeatureModel& model, const MeshOptions& options,
                         const Run& run) {
+  const Stopwatch watch;
   const CellularModel cells = build_cells(model, run);
-  static_cast<void>(
-      resolve_density(parent(base), options, model, cells, run));  // for what it refuses
+  Density density = resolve_density(parent(base), options, model, cells, run);
+  Forecast expected = forecast(density, model, cells, options, watch.total(), run);
+  std::vector<Warning> warnings = names_to_be_lost(parent(base), model, cells.boundary);
+  std::ranges::move(density.warnings, std::back_inserter(warnings));
   return {.volume = cells.volume,
           .area = cells.area,
           .cells = static_cast<std::uint32_t>(cells.complex(run).cells.size()),
           .faces = static_cast<std::uint32_t>(cells.boundary.faces.size()),
           .edges = static_cast<std::uint32_t>(cells.boundary.edges.size()),
           .vertices = static_cast<std::uint32_t>(cells.boundary.vertices.size()),
-          .warnings = names_to_be_lost(parent(base), model, cells.boundary)};
+          .warnings = std::move(warnings),
+          .forecast = std::move(expected)};
 }
 
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 16,
+  return {.algorithm_version = 17,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

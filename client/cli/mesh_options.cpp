@@ -77,6 +77,16 @@ std::string check_warning(const std::string& name) {
 }  // namespace
 
 void MeshingOptions::add_to(CLI::App& command) {
+  add_mesh_to(command);
+  command.add_option("--threads", threads, "Threads; never change the result [1]")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N");
+  command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
+      ->type_name("NAME");
+  command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
+}
+
+void MeshingOptions::add_mesh_to(CLI::App& command) {
   auto* count = command.add_option("--nodes", nodes, "Nodes to aim at [15000]")
                     ->check(CLI::Range(20U, 5'000'000U))
                     ->type_name("N");
@@ -92,9 +102,6 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_option("--seed", seed, "Seed of all random choices [1]")
       ->check(CLI::Validator(check_digits, "", ""))
       ->type_name("S");
-  command.add_option("--threads", threads, "Threads; never change the result [1]")
-      ->check(CLI::Range(1U, 1024U))
-      ->type_name("N");
   command
       .add_option(
           "--inside", inside,
@@ -113,9 +120,6 @@ void MeshingOptions::add_to(CLI::App& command) {
       ->type_name("Q");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
   add_sizing_to(command);
-  command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
-      ->type_name("NAME");
-  command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
   command
       .add_option("--fail-on", fail_on,
                   "Warnings that are errors, e.g. GROUP_EMPTIED,FALLBACK; exit code 4")

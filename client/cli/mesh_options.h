@@ -33,6 +33,8 @@ struct MeshingOptions {
   std::vector<std::string> fail_on;  ///< names of warnings
 
   void add_to(CLI::App& command);
+  /// Those alone that say what the mesh is like, and which warnings are errors.
+  void add_mesh_to(CLI::App& command);
   [[nodiscard]] remesh::v1::MeshOptions to_message() const;
   /// Those of `fail_on`, as the field of the message has them.
   [[nodiscard]] google::protobuf::RepeatedField<int> warning_codes() const;

@@ -17,6 +17,10 @@ constexpr const char* kHintForEdit =
     "mesh the edited model anew with a larger size or fewer nodes, or start remeshd with a larger "
     "--max-nodes";
 
+constexpr const char* kHintForSizes =
+    "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes";
+constexpr double kOverstart = 1.05;  // nodes that a mesh begins with, for one asked for, at most
+
 /// Whether a number of nodes is above the limit by more than rounding.
 bool exceeds(double nodes, const Run& run) { return !(nodes < run.max_nodes + 0.5); }
 
@@ -69,6 +73,13 @@ double check_node_limit(const Revision& original, const FeatureModel& model,
   if (exceeds(least.nodes, run))
     throw too_large(original, options, edge_length, least, "at least", run);
   return std::fmax(least.nodes, options.nodes.value_or(0));
+}
+
+void check_new_nodes(std::size_t nodes, const Run& run) {
+  const auto count = static_cast<double>(nodes);
+  if (exceeds(count / kOverstart, run))
+    throw error::mesh_too_large("the edge lengths asked for need about", count, run.max_nodes, {},
+                                {}, kHintForSizes);
 }
 
 void check_node_limit(const Revision& original, const Extent& extent, double edge_length,

@@ -20,6 +20,11 @@ Extent extent_of(const CellularModel& cells);
 double check_node_limit(const Revision& original, const FeatureModel& model,
                         const MeshOptions& options, const Run& run);
 
+/// Of the new nodes that a mesh begins with, which a size field tells only when they are made.
+///
+/// Throws Error(InvalidArgument) `MESH_TOO_LARGE`.
+void check_new_nodes(std::size_t nodes, const Run& run);
+
 /// Exactly. `edge_length`: as resolved.
 ///
 /// Throws Error(InvalidArgument) `MESH_TOO_LARGE`.

@@ -17,6 +17,7 @@
 #include "engine/nodes/fill/fill.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/remesh/node_limit.h"
 #include "engine/revision/delaunay_state.h"
 
 namespace remeshd {
@@ -144,8 +145,12 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
   const CopyPlan& plan = task.plan;
   const Density& density = task.density;
   const auto is_new = [&](const Vec3& p) { return plan(p) == CopyPlan::kNew; };
-  if (!density.sizes.even())
-    return fill_graded(plan.changed(), is_new, density.sizes, task.seed, task.run);
+  if (!density.sizes.even()) {
+    std::vector<Vec3> nodes =
+        fill_graded(plan.changed(), is_new, density.sizes, task.seed, task.run);
+    if (task.refined_at.empty()) check_new_nodes(nodes.size(), task.run);
+    return nodes;
+  }
   const auto fill = task.options.start == MeshOptions::Start::Lattice ? fill_lattice : fill_random;
   return fill(plan.changed(), is_new,
               {.edge_length = density.sizes.base(),
@@ -250,7 +255,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
     return local;
   }
   NodeSet& nodes = local->nodes;
-  dump_nodes(run, "05-nodes", nodes);
+  dump_nodes(run, "05-nodes", nodes, task.density.sizes);
   if (task.all_free) std::ranges::fill(nodes.state, NodeState::Free);
   Counts& counts = attempt.counts;
   counts.nodes_new =

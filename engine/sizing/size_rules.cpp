@@ -84,14 +84,20 @@ SizeField SizeRules::field(double base, double weakening) const {
   return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
 }
 
+std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {
+  std::vector<AskedOnFace> asked;
+  for (const Circle& circle : circles_)
+    if (!circle.source.varies()) asked.push_back({circle.face, weakening * circle.source.size});
+  for (const ThinPlace& place : thin_places_)
+    asked.push_back({place.face, weakening * size_of(place)});
+  return asked;
+}
+
 std::vector<int> SizeRules::unresolved(double base, double weakening) const {
   const double least = least_size(sizing_, base);
   std::vector<int> faces;
-  for (const Circle& circle : circles_)
-    if (!circle.source.varies() && weakening * circle.source.size < least)
-      faces.push_back(circle.face);
-  for (const ThinPlace& place : thin_places_)
-    if (weakening * size_of(place) < least) faces.push_back(place.face);
+  for (const auto& [face, size] : asked_on_faces(weakening))
+    if (size < least) faces.push_back(face);
   std::ranges::sort(faces);
   const auto twice = std::ranges::unique(faces);
   faces.erase(twice.begin(), twice.end());

@@ -35,6 +35,13 @@ class SizeRules {
   /// Faces where the least size of such a field is more than the rules ask for; ascending.
   [[nodiscard]] std::vector<int> unresolved(double base, double weakening) const;
 
+  struct AskedOnFace {
+    int face;
+    double size;
+  };
+  /// What the rules ask for on faces and their edges; a face may come several times.
+  [[nodiscard]] std::vector<AskedOnFace> asked_on_faces(double weakening) const;
+
  private:
   [[nodiscard]] double slope() const { return sizing_.growth - 1; }
 

@@ -150,6 +150,17 @@ v1::ModelCheck encode(const Validated& validated) {
   out.set_edges(validated.summary.edges);
   out.set_vertices(validated.summary.vertices);
   for (const Warning& warning : validated.summary.warnings) *out.add_warnings() = encode(warning);
+  const Forecast& forecast = validated.summary.forecast;
+  v1::MeshForecast& expected = *out.mutable_forecast();
+  expected.set_nodes(forecast.nodes);
+  expected.set_bytes(forecast.bytes);
+  expected.set_seconds(forecast.seconds);
+  for (const Forecast::Detail& detail : forecast.details) {
+    v1::MeshForecast::Detail& entry = *expected.add_details();
+    entry.set_feature(detail.feature);
+    entry.set_face(detail.feature + "." + detail.face);
+    entry.set_size(detail.size);
+  }
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/base/stored_array.h"
 #include "engine/difference/compare.h"
+#include "engine/remesh/forecast.h"
 #include "engine/remesh/remesh.h"
 #include "engine/revision/storage/memory_use.h"
 
@@ -19,6 +20,7 @@ struct ModelSummary {
   std::uint32_t cells = 0;
   std::uint32_t faces = 0, edges = 0, vertices = 0;  ///< of the merged boundary
   std::vector<Warning> warnings;                     ///< that are certain before there is a mesh
+  Forecast forecast{};                               ///< of meshing the whole model
 };
 
 /// What the session asks of the engine. A test hands in a quick one; `production_engine()` is the

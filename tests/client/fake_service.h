@@ -274,6 +274,14 @@ class FakeService final : public remesh::v1::RemeshService::Service {
 
   void fill(remesh::v1::ModelCheck& check) const {
     check.set_volume(258000);
+    auto& forecast = *check.mutable_forecast();
+    forecast.set_nodes(15020);
+    forecast.set_bytes(23'400'000);
+    forecast.set_seconds(1.5);
+    auto& detail = *forecast.add_details();
+    detail.set_feature("hole");
+    detail.set_face("hole.wall");
+    detail.set_size(0.25);
     for (const auto& warning : warnings) *check.add_warnings() = warning;
   }
 

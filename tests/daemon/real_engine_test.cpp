@@ -277,6 +277,46 @@ TEST_F(RealEngine, WorksOnTheControlMeshOfThePaperToo) {
   EXPECT_GT(child.report().nodes_kept(), base.report().nodes() / 2);
 }
 
+TEST_F(RealEngine, SendsTheEdgeLengthsAimedAtOfAMeshThatIsNotEven) {
+  auto request = coarse("simple-a");
+  request.mutable_options()->mutable_sizing()->set_even(true);
+  const auto even = create(request);
+  v1::GetMeshRequest sizes_alone;
+  sizes_alone.set_revision(even.revision().id());
+  sizes_alone.mutable_selection()->add_arrays(v1::MESH_ARRAY_NODE_SIZES);
+  const auto messages = mesh(sizes_alone);
+  ASSERT_EQ(messages.size(), 2U) << "a header and an end";
+  EXPECT_TRUE(messages.front().header().arrays().empty());
+  EXPECT_FALSE(arrays(even.revision().id()).contains(v1::MESH_ARRAY_NODE_SIZES));
+  auto edited = edit_request("simple-a", change("simple-ab"));
+  edited.mutable_options()->mutable_sizing()->set_edges_per_circle(12);
+  const auto sized = edit(edited);
+  auto of_sized = arrays(sized.revision().id());
+  const auto sizes = values<double>(of_sized[v1::MESH_ARRAY_NODE_SIZES]);
+  ASSERT_EQ(sizes.size(), sized.report().nodes());
+  for (const double size : sizes) {
+    EXPECT_GT(size, 0);
+    EXPECT_LE(size, 1.0001 * sized.report().edge_length());
+  }
+}
+
+TEST_F(RealEngine, ForecastsWhatAMeshComesTo) {
+  const auto made = create(coarse("tool1-a"));
+  grpc::ClientContext context;
+  v1::ValidateModelRequest request;
+  *request.mutable_model() = model("tool1-a");
+  *request.mutable_options() = coarse("tool1-a").options();
+  v1::ValidateModelResponse reply;
+  ASSERT_TRUE(stub().ValidateModel(&context, request, &reply).ok());
+  const v1::MeshForecast& forecast = reply.check().forecast();
+  EXPECT_NEAR(forecast.nodes(), made.report().nodes(), 0.05 * made.report().nodes());
+  EXPECT_GT(forecast.bytes(), 1'000'000U);
+  EXPECT_GT(forecast.seconds(), 0);
+  ASSERT_FALSE(forecast.details().empty());
+  EXPECT_EQ(forecast.details(0).face().find(forecast.details(0).feature() + "."), 0U);
+  EXPECT_LT(forecast.details(0).size(), made.report().edge_length());
+}
+
 TEST_F(RealEngine, ComparesAsThePapersFigureElevenShows) {
   grpc::ClientContext context;
   v1::CompareRequest request;

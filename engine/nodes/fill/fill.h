@@ -32,6 +32,8 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& 
 /// The same for a field that is not even, without a count: nodes at the corners and centres of
 /// octrees over the cubes of the lattice, divided as the field says, of which those that stand too
 /// close together are left out, of the larger cubes first.
+///
+/// Throws Error(InvalidArgument) `MESH_TOO_LARGE` where these are some times `run.max_nodes`.
 std::vector<Vec3> fill_graded(const std::vector<Box>& boxes, const InsideTest& inside,
                               const SizeField& sizes, std::uint64_t seed, const Run& run);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/base/error.h"
 #include "engine/base/parallel.h"
 #include "engine/base/random.h"
 #include "engine/nodes/fill/fill.h"
@@ -21,6 +22,8 @@ struct GradedFilling {
   double jitter = 0.05;   ///< x side of the cube: how far off its place a node may be an axis
   double closest = 0.72;  ///< x local edge length: no node is nearer to another
   int deepest = 12;       ///< levels
+  double most = 4;        ///< x limit on nodes: more are not made
+  double places = 4.5;    ///< to a node
 };
 constexpr GradedFilling kFill;
 
@@ -39,12 +42,20 @@ void leave_once(std::vector<Place>& places) {
   places.erase(twice.begin(), twice.end());
 }
 
+Error too_large(const Run& run) {
+  return error::mesh_too_large(
+      "the edge lengths asked for need over", kFill.most * run.max_nodes, run.max_nodes, {}, {},
+      "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes");
+}
+
 /// Octrees over the cubes of a lattice, divided where the field is finer.
 class Octrees {
  public:
-  Octrees(const SizeField& sizes, std::uint64_t seed)
+  Octrees(const SizeField& sizes, std::uint64_t seed, const Run& run)
       : sizes_(sizes),
         seed_(seed),
+        run_(run),
+        most_places_(static_cast<std::size_t>(kFill.places * kFill.most * run.max_nodes)),
         lattice_(kFill.constant * sizes.base(), seed),
         levels_(std::clamp(static_cast<int>(std::ceil(std::log2(sizes.base() / sizes.least()))), 0,
                            kFill.deepest)) {}
@@ -85,6 +96,7 @@ class Octrees {
                level + 1, box, poll, places);
       return;
     }
+    if (places.size() > most_places_) throw too_large(run_);
     const long half = 1L << (levels_ - level);  // of the cube
     const std::array<long, 3> low{2 * half * cube[0], 2 * half * cube[1], 2 * half * cube[2]};
     places.push_back({{low[0] + half, low[1] + half, low[2] + half}, level});
@@ -96,6 +108,8 @@ class Octrees {
 
   const SizeField& sizes_;
   std::uint64_t seed_;
+  const Run& run_;
+  std::size_t most_places_;
   TurnedLattice lattice_;
   int levels_;
 };
@@ -121,6 +135,7 @@ std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& box
           }
         });
     places.insert(places.end(), found.begin(), found.end());
+    if (static_cast<double>(places.size()) > kFill.most * run.max_nodes) throw too_large(run);
   }
   leave_once(places);
   std::ranges::stable_sort(places, std::ranges::greater(), &Place::level);
@@ -149,7 +164,7 @@ void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) 
 
 std::vector<Vec3> fill_graded(const std::vector<Box>& boxes, const InsideTest& inside,
                               const SizeField& sizes, std::uint64_t seed, const Run& run) {
-  const Octrees octrees(sizes, seed);
+  const Octrees octrees(sizes, seed, run);
   std::vector<Vec3> nodes;
   for (const Place& place : places_in(octrees, boxes, inside, run))
     nodes.push_back(octrees.position(place));

@@ -292,6 +292,20 @@ TEST_F(Cli, ValidateTakesAModelOrAnEditWithItsBase) {
   EXPECT_EQ(run({"validate", kCases + "/simple-a.json", "--base", "simple"}), kUsage);
 }
 
+TEST_F(Cli, ValidateTellsWhatMeshingWouldComeTo) {
+  ASSERT_EQ(run({"validate", kCases + "/simple-a.json", "--nodes", "300", "--layers", "2",
+                 "--fail-on", "DETAIL_NOT_RESOLVED"}),
+            kFine);
+  const auto& options = service_.model_request.options();
+  EXPECT_EQ(options.nodes(), 300U);
+  EXPECT_EQ(options.sizing().layers(), 2U);
+  EXPECT_THAT(options.fail_on(), testing::ElementsAre(remesh::v1::Warning::DETAIL_NOT_RESOLVED));
+  EXPECT_THAT(out_.str(), HasSubstr("15020"));
+  EXPECT_THAT(out_.str(), HasSubstr("23.4 MB"));
+  EXPECT_THAT(out_.str(), HasSubstr("1.5 s"));
+  EXPECT_THAT(out_.str(), HasSubstr("hole.wall: 0.25"));
+}
+
 TEST_F(Cli, ListsModelsAndDeletesRevisions) {
   for (int k = 1; k <= 2; ++k) {
     auto& revision = service_.revisions.emplace_back();

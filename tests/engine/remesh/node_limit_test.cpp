@@ -112,6 +112,23 @@ TEST(NodeLimit, HoldsForBodiesSoThinThatVolumeAndAreaComeToNothing) {
   EXPECT_EQ(refused(Revision::none(), model_of({ring}), few, 1500).reason, "MESH_TOO_LARGE");
 }
 
+TEST(NodeLimit, HoldsForWhatTheModelAsksForOnItsFaces) {
+  // Even, the plate has some hundred nodes.
+  ModelSource source = plate(80);
+  MeshOptions options{.size = 8, .iterations = 1};
+  options.sizing.even = false;
+  const auto refusal = [&](double size) {
+    source.sizes = {{"fine", "plate.top", size}};
+    return error_of([&] { make_revision(Revision::none(), source, options, limited(2000)); });
+  };
+  for (const double size : {0.5, 0.01}) {
+    const ErrorInfo info = refusal(size);
+    EXPECT_EQ(info.reason, "MESH_TOO_LARGE") << size;
+    EXPECT_THAT(info.message, HasSubstr("the edge lengths asked for need ")) << size;
+    EXPECT_THAT(info.hint, HasSubstr("--max-nodes"));
+  }
+}
+
 TEST(NodeLimit, LetsAnEditOfAMeshThatIsJustAtItPass) {
   const auto& original = base();
   EXPECT_NO_THROW(check_node_limit(original, evaluate(plate(80)), {}, limited(1000)));
