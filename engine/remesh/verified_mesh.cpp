@@ -27,6 +27,8 @@ struct Repairs {
   double fewer = 0.7;  ///< of the faults before a round, for the next to be made
   double few_inserted = 200, most_inserted = 0.2;
   std::uint32_t all_failures = 100'000;
+  double hopeless =
+      0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
 };
 constexpr Repairs kRepairs;
 constexpr std::array kRefillMargins{1.5, 1.5, 3.0, 3.0, 6.0};  // x edge length
@@ -190,11 +192,18 @@ void finish(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool 
   put_back(c, cleaned_up(c, task, patch, clean_up), task, patch);
 }
 
+/// Whether so much is wrong that trying otherwise is in vain: between walls that all but coincide
+/// whatever fills the place is flat. `made`: tets of the refill.
+bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
+  return static_cast<double>(c.verification.failures.size()) >
+         kRepairs.hopeless * static_cast<double>(made);
+}
+
 /// The mesh with a part of the patch refilled, its new nodes in the Delaunay mesh too, cleaned up
-/// and verified. `share`: of its tets, those that are new. Throws PatchTooSmall.
+/// and verified. `made_anew`: of its tets, those that are new. Throws PatchTooSmall.
 Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh refilled,
                         const MeshingTask& task, const MeshPatch& patch, const InsideTest& inside,
-                        double& share) {
+                        std::ptrdiff_t& made_anew) {
   Candidate next;
   next.loop = c.loop;
   next.nodes = c.nodes;
@@ -217,8 +226,9 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
   ReusedMesh made{std::move(refilled.mesh), {}, {{}, looked_up(mesh.same.output, refilled.was)}};
   std::vector<std::int32_t> was = refilled.was;
   put_back(next, made, task, patch, kRepairs.all_failures);
-  if (task.options.clean_up && only_tets_are_wrong(next.verification) &&
-      can_be_improved(made.mesh, next.verification)) {
+  made_anew = std::ranges::count(was, -1);
+  if (task.options.clean_up && !is_hopeless(next, made_anew) &&
+      only_tets_are_wrong(next.verification) && can_be_improved(made.mesh, next.verification)) {
     const std::vector<std::uint8_t> dirty =
         worth_improving(made.mesh, refilled, mesh, next, task.cells.boundary,
                         least_size(task.options.sizing, task.density.sizes.base()));
@@ -228,9 +238,8 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
     was = looked_up(refilled.was, improved.was);
     made = {std::move(improved.mesh), {}, {{}, looked_up(mesh.same.output, was)}};
     put_back(next, made, task, patch, kRepairs.all_failures);
+    made_anew = std::ranges::count(was, -1);
   }
-  share = static_cast<double>(std::ranges::count(was, -1)) /
-          static_cast<double>(next.whole.mesh.tets.size());
   return next;
 }
 
@@ -246,8 +255,14 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
   }
   const std::vector<Vec3> places = faulty_places(c.verification);
   std::vector<Vec3> wrong_again;
+  struct Tried {
+    double margin = 0;
+    std::size_t wrong_again = 0;
+  } last;
   for (const double margin : kRefillMargins) {
     if (places.empty()) return;
+    if (margin == last.margin && wrong_again.size() == last.wrong_again) continue;  // the same
+    last = {margin, wrong_again.size()};
     const Stopwatch watch;
     const auto give_up = [&](const std::string& why) {
       attempt.tries.push_back({attempt.name + ", refilled", why, watch.total()});
@@ -259,23 +274,26 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
       continue;
     }
     try {
-      double share = 0;
+      std::ptrdiff_t made_anew = 0;
       Candidate next = with_refilled(c, mesh, std::get<RefilledMesh>(std::move(made)), task, patch,
-                                     inside, share);
+                                     inside, made_anew);
       if (next.verification.valid) {
         const MeshDefect& defect = c.verification.failures.front();
         attempt.warnings.push_back({.code = WarningCode::Fallback,
                                     .message = defect.what + "; TetGen filled the place",
                                     .point = defect.place});
         c = std::move(next);
-        attempt.last_resort_share = share;
+        attempt.last_resort_share =
+            static_cast<double>(made_anew) / static_cast<double>(c.whole.mesh.tets.size());
         return;
       }
       give_up(next.verification.failures.front().what);
+      if (is_hopeless(next, made_anew)) return;
       const std::vector<Vec3> more = faulty_places(next.verification);
       wrong_again.insert(wrong_again.end(), more.begin(), more.end());
     } catch (const PatchTooSmall& where) {
       give_up(std::string("the part cut out of the base did not suffice for ") + where.where);
+      return;  // nor for more round it
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "engine/remesh/last_resort/refill.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "engine/remesh/remesh.h"
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
 
 namespace remeshd {
 namespace {
@@ -137,6 +139,22 @@ TEST_F(AFilm, IsBridgedByAnEditThatKeepsTheRest) {
   const Revision next = make_revision(film, wider, {.sizing = options_.sizing}, kRun);
   EXPECT_GT(next.report.counts.nodes_kept, 0.7 * next.report.counts.nodes);
   EXPECT_GT(next.report.last_resort_share, 0);
+}
+
+TEST_F(AFilm, WhereWhateverFillsItIsFlatIsRefusedByPlaceAndNothingIsTriedTwice) {
+  // Each row went on with four more tries, the same or with ever more facets.
+  const Revision base = make_revision(Revision::none(), plate(2), options_, kRun);
+  const ErrorInfo info =
+      test::error_of([&] { make_revision(base, plate(1e-6), {.sizing = options_.sizing}, kRun); });
+  EXPECT_EQ(info.reason, "BOUNDARY_NOT_RECOVERED");
+  EXPECT_THAT(info.features, testing::UnorderedElementsAre("pocket", "plate"));
+  const auto tries = [&](const std::string& row) {
+    return std::ranges::count_if(info.attempts, [&](const std::string& attempt) {
+      return attempt.starts_with(row + ", refilled");
+    });
+  };
+  EXPECT_EQ(tries("local, 4 edge lengths"), 1);
+  EXPECT_EQ(tries("fresh"), 1);
 }
 
 TEST_F(AFilm, IsBridgedInAFirstMesh) {
