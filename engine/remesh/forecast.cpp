@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "engine/base/random.h"
