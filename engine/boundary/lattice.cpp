@@ -11,8 +11,10 @@ namespace remeshd {
 
 namespace {
 
-/// Points go up to sqrt(3) spacings beyond the box and are jittered by half of one.
+/// Of a spacing: round `box`, whose rows reach that far.
 constexpr double kMargin = 2.5;
+/// Of a spacing: round `within`, beside what points are jittered by.
+constexpr double kRounding = 1e-6;
 
 struct Range {
   double lo = 0, hi = 0;
@@ -76,19 +78,24 @@ void visit_rows(const Range& range, double spacing, Random& random, Row&& row) {
 
 class Lattice {
  public:
-  Lattice(const Surface& surface, const Box& box, double spacing, double jitter, Random& random,
-          const std::function<void(const Vec3&)>& visit)
+  Lattice(const Surface& surface, const Box& box, const Box& within, double spacing, double jitter,
+          Random& random, const std::function<void(const Vec3&)>& visit)
       : surface_(surface),
         spacing_(spacing),
         jitter_(jitter),
         random_(random),
         visit_(visit),
         local_(moved(box, rigid_inverse(surface.frame))),
-        x_(with_margin(local_.lo.x, local_.hi.x)),
-        y_(with_margin(local_.lo.y, local_.hi.y)),
-        z_(with_margin(local_.lo.z, local_.hi.z)),
-        rho_(distances_of(x_, y_)),
-        seen_(angles_of(x_, y_)) {}
+        rho_(distances_of(widened(local_.lo.x, local_.hi.x, kMargin),
+                          widened(local_.lo.y, local_.hi.y, kMargin))) {
+    const Box seen = moved(within, rigid_inverse(surface.frame));
+    const double margin = 0.5 * jitter + kRounding;
+    const Range x = widened(seen.lo.x, seen.hi.x, margin);
+    const Range y = widened(seen.lo.y, seen.hi.y, margin);
+    seen_z_ = widened(seen.lo.z, seen.hi.z, margin);
+    seen_rho_ = distances_of(x, y);
+    seen_ = angles_of(x, y);
+  }
 
   void visit() {
     switch (surface_.kind) {
@@ -106,8 +113,8 @@ class Lattice {
   }
 
  private:
-  [[nodiscard]] Range with_margin(double lo, double hi) const {
-    return {lo - kMargin * spacing_, hi + kMargin * spacing_};
+  [[nodiscard]] Range widened(double lo, double hi, double margin) const {
+    return {lo - margin * spacing_, hi + margin * spacing_};
   }
 
   void plane() {
@@ -121,7 +128,7 @@ class Lattice {
   void cylinder(double radius) {
     if (!rho_.holds(radius)) return;
     visit_rows({local_.lo.z, local_.hi.z}, spacing_, random_, [&](double z) {
-      ring(radius, true,
+      ring(radius, true, seen_,
            [&](double c, double s, double wobble) { emit(radius * c, radius * s, z + wobble); });
     });
   }
@@ -129,30 +136,33 @@ class Lattice {
   void cone(double radius, double slope) {
     const double slant = std::sqrt(1 + slope * slope);
     // Where the radius is one that the box has: next to flat, a cone has few rows of the height's.
-    const Range width = with_margin(rho_.lo, rho_.hi);
+    const Range width = widened(rho_.lo, rho_.hi, kMargin);
     const double one = (width.lo - radius) / slope, other = (width.hi - radius) / slope;
     const Range height{std::fmax(local_.lo.z, std::fmin(one, other)),
                        std::fmin(local_.hi.z, std::fmax(one, other))};
     if (height.lo > height.hi) return;
     visit_rows({height.lo * slant, height.hi * slant}, spacing_, random_, [&](double s) {
-      ring(std::fabs(radius + slope * s / slant), true, [&](double c, double sn, double wobble) {
-        const double z = (s + wobble) / slant;
-        const double r = radius + slope * z;
-        if (r >= 0) emit(r * c, r * sn, z);
-      });
+      ring(std::fabs(radius + slope * s / slant), true, seen_,
+           [&](double c, double sn, double wobble) {
+             const double z = (s + wobble) / slant;
+             const double r = radius + slope * z;
+             if (r >= 0) emit(r * c, r * sn, z);
+           });
     });
   }
 
   void sphere(double radius) {
-    const Range angles = angles_of(z_, rho_);
+    const Range angles = angles_of(seen_z_, seen_rho_);
     visit_rows({0, std::numbers::pi * radius}, spacing_, random_, [&](double s) {
-      // The last row may lie beyond the pole.
+      // The last row may lie beyond the pole, with its points on the other side of the axis.
       const double from_pole = std::numbers::pi - std::fabs(std::numbers::pi - s / radius);
       const bool seen = angles.holds(from_pole);
-      ring(std::fabs(radius * std::sin(s / radius)), seen, [&](double c, double sn, double wobble) {
-        const double a = (s + wobble) / radius;
-        emit(radius * std::sin(a) * c, radius * std::sin(a) * sn, radius * std::cos(a));
-      });
+      const Range about = s > std::numbers::pi * radius ? Range{0, kTurn} : seen_;
+      ring(std::fabs(radius * std::sin(s / radius)), seen, about,
+           [&](double c, double sn, double wobble) {
+             const double a = (s + wobble) / radius;
+             emit(radius * std::sin(a) * c, radius * std::sin(a) * sn, radius * std::cos(a));
+           });
     });
   }
 
@@ -160,25 +170,27 @@ class Lattice {
     // Whole turns of the tube: the step is fitted so that the last row meets the first.
     const std::int64_t rows = divisions(kTurn * minor, spacing_);
     const double phase = random_.uniform();
-    const auto seen = steps_seen(angles_of(rho_.shifted(-major), z_), rows, phase, jitter_);
+    const auto seen =
+        steps_seen(angles_of(seen_rho_.shifted(-major), seen_z_), rows, phase, jitter_);
     for (std::int64_t k = 0; k < rows; ++k) {
       const double a = kTurn * (static_cast<double>(k) + phase) / static_cast<double>(rows);
       const bool in = std::ranges::any_of(
           seen, [&](const Steps& steps) { return k >= steps.begin && k < steps.end; });
-      ring(std::fabs(major + minor * std::cos(a)), in, [&](double c, double s, double wobble) {
-        const double b = a + wobble / minor;
-        const double r = major + minor * std::cos(b);
-        if (r >= 0) emit(r * c, r * s, minor * std::sin(b));
-      });
+      ring(std::fabs(major + minor * std::cos(a)), in, seen_,
+           [&](double c, double s, double wobble) {
+             const double b = a + wobble / minor;
+             const double r = major + minor * std::cos(b);
+             if (r >= 0) emit(r * c, r * s, minor * std::sin(b));
+           });
     }
   }
 
-  /// A row round the axis: calls place(cosine, sine, wobble).
+  /// A row round the axis: calls place(cosine, sine, wobble) for what has the angles.
   template <class Place>
-  void ring(double radius, bool seen, Place&& place) {
+  void ring(double radius, bool seen, const Range& angles, Place&& place) {
     const std::int64_t count = divisions(kTurn * radius, spacing_);
     if (!seen) return random_.skip(draws_of_row(count));
-    row(count, seen_,
+    row(count, angles,
         [&](double t, double wobble) { place(std::cos(kTurn * t), std::sin(kTurn * t), wobble); });
   }
 
@@ -211,16 +223,16 @@ class Lattice {
   Random& random_;
   const std::function<void(const Vec3&)>& visit_;
   Box local_;
-  Range x_, y_, z_;  ///< of the box in the surface's frame, with a margin
-  Range rho_;        ///< distances from the axis in it
-  Range seen_;       ///< angles about the axis in it
+  Range rho_;                ///< distances from the axis in the box
+  Range seen_z_, seen_rho_;  ///< heights and distances from the axis of what is visited
+  Range seen_;               ///< its angles about the axis
 };
 
 }  // namespace
 
-void visit_lattice(const Surface& surface, const Box& box, double spacing, double jitter,
-                   Random& random, const std::function<void(const Vec3&)>& visit) {
-  Lattice(surface, box, spacing, jitter, random, visit).visit();
+void visit_lattice(const Surface& surface, const Box& box, const Box& within, double spacing,
+                   double jitter, Random& random, const std::function<void(const Vec3&)>& visit) {
+  Lattice(surface, box, within, spacing, jitter, random, visit).visit();
 }
 
 }  // namespace remeshd

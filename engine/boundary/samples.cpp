@@ -83,19 +83,22 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
     reached = true;
     for (const SizeField::EvenPart& even : sizes.even_parts(part, face.surface)) {
       const double spacing = options.face_spacing * even.length;
-      visit_lattice(face.surface, even.box, spacing, options.jitter, random, [&](const Vec3& p) {
-        poll();
-        if (!box.contains(p, spacing) || !even.holds(p) || !wanted.holds_first(p, number)) return;
-        const Vec3 outward = outward_normal(face, p);
-        if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
-          return;
-        if (!others.empty()) {
-          const double own = face_distance2(face, p);
-          for (const int other : others)
-            if (face_distance2(boundary.faces[other], p) < own) return;
-        }
-        out.push_back({p, relative_area(even.length), support});
-      });
+      const Box within = even.reach(grown(part, spacing));
+      visit_lattice(
+          face.surface, even.box, within, spacing, options.jitter, random, [&](const Vec3& p) {
+            poll();
+            if (!box.contains(p, spacing) || !even.holds(p) || !wanted.holds_first(p, number))
+              return;
+            const Vec3 outward = outward_normal(face, p);
+            if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
+              return;
+            if (!others.empty()) {
+              const double own = face_distance2(face, p);
+              for (const int other : others)
+                if (face_distance2(boundary.faces[other], p) < own) return;
+            }
+            out.push_back({p, relative_area(even.length), support});
+          });
     }
   });
   if (!reached) return;

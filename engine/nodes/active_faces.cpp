@@ -27,18 +27,22 @@ class FaceVisitor {
     for (std::size_t b = 0; b < where.size(); ++b) {
       const Box overlap = intersection(bounds, where[b]);
       if (overlap.empty()) continue;
+      const Box reach = grown(overlap, source_.probe());
       run_.poll();
       for (const SolidFace& face : solid.faces()) {
         Surface surface = face.surface;
         surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
         Random random(1);  // unjittered, but for where rows begin
-        for (const SizeField::EvenPart& part : sizes_.even_parts(overlap, surface))
-          visit_lattice(surface, part.box, kSpacing * part.length, 0, random, [&](const Vec3& p) {
-            if (!overlap.contains(p, source_.probe()) || !part.holds(p)) return;
-            for (std::size_t earlier = 0; earlier < b; ++earlier)
-              if (where[earlier].contains(p)) return;
-            look_at(solid, back, p, normal(surface, p));
-          });
+        for (const SizeField::EvenPart& part : sizes_.even_parts(overlap, surface)) {
+          const Box within = part.reach(reach);
+          visit_lattice(surface, part.box, within, kSpacing * part.length, 0, random,
+                        [&](const Vec3& p) {
+                          if (!reach.contains(p) || !part.holds(p)) return;
+                          for (std::size_t earlier = 0; earlier < b; ++earlier)
+                            if (where[earlier].contains(p)) return;
+                          look_at(solid, back, p, normal(surface, p));
+                        });
+        }
       }
     }
   }

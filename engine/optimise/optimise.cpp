@@ -8,6 +8,7 @@
 #include "engine/optimise/active_samples.h"
 #include "engine/optimise/large_circumballs.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/optimise/node_lengths.h"
 #include "engine/optimise/pull.h"
 #include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
@@ -24,10 +25,11 @@ std::string dump_name(std::uint32_t iteration) {
 }
 
 /// Freezes the free nodes that are less than a share of their edge length from where they were.
-void freeze(NodeSet& nodes, const std::vector<Vec3>& before, double share, const SizeField& sizes) {
+void freeze(NodeSet& nodes, const std::vector<Vec3>& before, double share,
+            const NodeLengths& lengths) {
   for (std::size_t n = 0; n < before.size(); ++n) {
     if (nodes.state[n] != NodeState::Free) continue;
-    const double distance = share * sizes(nodes.positions[n]);
+    const double distance = share * lengths[n];
     if (norm2(nodes.positions[n] - before[n]) < distance * distance)
       nodes.state[n] = NodeState::Frozen;
   }
@@ -84,6 +86,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   NearestToPoints nearest(samples.positions(), kGridCell * options.sizes.grid_length());
   ActiveSamples active =
       all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.sizes, nearest, run);
+  NodeLengths lengths(options.sizes);
   LiveMesh live(std::move(start.mesh), std::move(start.holds), options.rebuild, run);
   const auto pull_now = [&] {
     active.promote(pull_boundary(nodes, boundary, adjacency, samples, active.participants(),
@@ -104,8 +107,10 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     const double now = options.iterations == 0 ? mean_quality(nodes, tets, run) : 0;
     const bool filled = options.insert_at_circumcentres && k == kFillAt &&
                         insert_at_circumcentres(nodes, tets, inside, options.sizes) > 0;
-    relocate(nodes, tets, inside, options.sizes, run);
-    freeze(nodes, before, options.freeze, options.sizes);
+    lengths.follow(nodes.positions, run);
+    relocate(nodes, tets, inside, lengths, run);
+    lengths.follow(nodes.positions, run);
+    freeze(nodes, before, options.freeze, lengths);
     if ((k == 1 || (k == 4 && options.sizes.even())) && !all_free &&
         expand(nodes, live.tets(), inside))
       active.refresh(nodes, run);

@@ -40,27 +40,12 @@ void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at
 }
 
 /// The density of nodes in a tet, relative to where edges are longest: 1 / h^3, h its nodes' mean.
-class Densities {
- public:
-  Densities(const NodeSet& nodes, const SizeField& sizes, const Run& run) : base_(sizes.base()) {
-    if (sizes.even()) return;
-    lengths_.resize(nodes.positions.size());
-    in_blocks(lengths_.size(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) lengths_[n] = sizes(nodes.positions[n]);
-    });
-  }
-
-  double operator()(const Tet& t) const {
-    if (lengths_.empty()) return 1;
-    const double of_four = lengths_[t[0]] + lengths_[t[1]] + lengths_[t[2]] + lengths_[t[3]];
-    const double coarser = 4 * base_ / of_four;
-    return coarser * coarser * coarser;
-  }
-
- private:
-  double base_;
-  std::vector<double> lengths_;  ///< by node; none where the field is even
-};
+double density(const Tet& t, const NodeLengths& lengths) {
+  if (lengths.even()) return 1;
+  const double of_four = lengths[t[0]] + lengths[t[1]] + lengths[t[2]] + lengths[t[3]];
+  const double coarser = 4 * lengths.base() / of_four;
+  return coarser * coarser * coarser;
+}
 
 bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
   return (at[t[0]] | at[t[1]] | at[t[2]] | at[t[3]]) != 0;
@@ -69,14 +54,13 @@ bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
 }  // namespace
 
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
-              const SizeField& sizes, const Run& run) {
+              const NodeLengths& lengths, const Run& run) {
   const std::vector<std::uint8_t> moves = relocated(nodes);
-  const Densities densities(nodes, sizes, run);
   std::vector<Pull> pulls(moves.size());
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (any(moves, t)) add(nodes, t, moves, densities(t), pulls);
+    if (any(moves, t)) add(nodes, t, moves, density(t, lengths), pulls);
   }
   std::vector<Vec3> to = nodes.positions;
   std::vector<std::uint8_t> stuck(moves.size(), 0);
@@ -99,7 +83,7 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
   if (!all_stuck.empty()) {
     for (const Tet& t : tets)
       if (any(stuck, t) && inside(centroid(nodes.positions, t)))
-        add(nodes, t, stuck, densities(t), pulls);
+        add(nodes, t, stuck, density(t, lengths), pulls);
     for (const std::int32_t n : all_stuck) {
       if (pulls[n].mass <= 0) continue;
       const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].mass;

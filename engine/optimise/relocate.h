@@ -8,7 +8,7 @@
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
 #include "engine/nodes/node_set.h"
-#include "engine/sizing/size_field.h"
+#include "engine/optimise/node_lengths.h"
 
 namespace remeshd {
 
@@ -21,9 +21,10 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes);
 /// out of the model, for one in a crowd on the boundary may have no samples and tets on both sides,
 /// goes by its tets inside alone, or stays.
 ///
-/// `tets`: all those at such nodes; others may be among them.
+/// `tets`: all those at such nodes; others may be among them. `lengths`: of the nodes where they
+/// are now.
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
-              const SizeField& sizes, const Run& run);
+              const NodeLengths& lengths, const Run& run);
 
 /// Mean volume-length measure of the tets at nodes that `relocate` moves; 0 without any.
 double mean_quality(const NodeSet& nodes, std::span<const Tet> tets, const Run& run);

@@ -230,11 +230,13 @@ double SizeField::operator()(const Vec3& p) const {
 double SizeField::grid_length() const { return std::sqrt(limits_.base * limits_.least); }
 
 SizeField::Range SizeField::in(const Box& box) const {
-  if (even()) return {limits_.base, limits_.base};
-  const double middle = asked_for(middle_of(box));
+  return even() ? Range{limits_.base, limits_.base} : around(asked_for(middle_of(box)), box);
+}
+
+SizeField::Range SizeField::around(double asked, const Box& box) const {
   const double reach = tree_->steepest() * 0.5 * box.diagonal();
-  return {std::clamp(middle - reach, limits_.least, limits_.base),
-          std::clamp(middle + reach, limits_.least, limits_.base)};
+  return {std::clamp(asked - reach, limits_.least, limits_.base),
+          std::clamp(asked + reach, limits_.least, limits_.base)};
 }
 
 bool SizeField::EvenPart::holds(const Vec3& p) const {
@@ -243,6 +245,15 @@ bool SizeField::EvenPart::holds(const Vec3& p) const {
     return v >= box.lo.*axis && (v < box.hi.*axis || box.hi.*axis == whole.hi.*axis);
   };
   return along(&Vec3::x) && along(&Vec3::y) && along(&Vec3::z);
+}
+
+Box SizeField::EvenPart::reach(const Box& bounds) const {
+  Box all = box;
+  for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    if (box.lo.*axis == whole.lo.*axis) all.lo.*axis = bounds.lo.*axis;
+    if (box.hi.*axis == whole.hi.*axis) all.hi.*axis = bounds.hi.*axis;
+  }
+  return all;
 }
 
 std::vector<SizeField::EvenPart> SizeField::even_parts(const Box& box,
@@ -255,10 +266,13 @@ std::vector<SizeField::EvenPart> SizeField::even_parts(const Box& box,
 
 void SizeField::divide(const Box& box, const Box& whole, const Surface& surface,
                        std::vector<EvenPart>& parts) const {
-  const Range range = in(box);
   const Vec3 middle = middle_of(box);
-  if (std::fabs(signed_distance(surface, middle)) > 0.5 * box.diagonal() + range.greatest) return;
-  const double length = (*this)(middle);
+  const double off = std::fabs(signed_distance(surface, middle)) - 0.5 * box.diagonal();
+  if (off > limits_.base) return;  // before the field is asked
+  const double asked = asked_for(middle);
+  const Range range = around(asked, box);
+  if (off > range.greatest) return;
+  const double length = std::fmin(asked, limits_.base);
   const Vec3 sides = box.hi - box.lo;
   const double longest = std::max({sides.x, sides.y, sides.z});
   if (range.greatest <= kParts.even * range.least || longest <= kParts.least * length) {

@@ -89,12 +89,16 @@ class SizeField {
     double length;  ///< the edge length in its middle
     /// Whether this is the part that a point, moved into the whole box, is in.
     [[nodiscard]] bool holds(const Vec3& p) const;
+    /// All such points within some bounds are in this box.
+    [[nodiscard]] Box reach(const Box& bounds) const;
   };
   /// Parts without overlap that cover what a surface has in a box, and about an edge length beyond.
   [[nodiscard]] std::vector<EvenPart> even_parts(const Box& box, const Surface& surface) const;
 
  private:
   class Tree;
+  /// The same in a box of whose middle is known what is asked for there. Pre: not even.
+  [[nodiscard]] Range around(double asked, const Box& box) const;
   void divide(const Box& box, const Box& whole, const Surface& surface,
               std::vector<EvenPart>& parts) const;
 

@@ -93,7 +93,7 @@ void interior_pass(benchmark::State& state) {
   NodeSet nodes = w.nodes;
   while (state.KeepRunning()) {
     nodes.positions = w.nodes.positions;
-    relocate(nodes, w.delaunay, inside, w.edge_length, Run{});
+    relocate(nodes, w.delaunay, inside, NodeLengths(w.edge_length), Run{});
     benchmark::DoNotOptimize(nodes.positions.data());
   }
   state.SetItemsProcessed(state.iterations() * nodes.size());

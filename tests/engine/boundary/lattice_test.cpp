@@ -22,7 +22,8 @@ struct Visits {
 Visits visits(const Surface& surface, const Box& box, const Box& counted) {
   Visits found;
   Random random(5);
-  visit_lattice(surface, box, kSpacing, kJitter, random, [&](const Vec3& p) {
+  const Box within = grown(box, kSpacing);
+  visit_lattice(surface, box, within, kSpacing, kJitter, random, [&](const Vec3& p) {
     ++found.all;
     if (counted.contains(p, kSpacing)) found.inside.push_back(p);
   });

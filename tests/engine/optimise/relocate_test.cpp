@@ -37,7 +37,7 @@ struct Octahedron {
 
 TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
   Octahedron o({0.2, -0.1, 2.15});
-  relocate(o.nodes, o.tets, cube(), 1, {});
+  relocate(o.nodes, o.tets, cube(), NodeLengths(1), {});
   // Formula (1) by hand, with circumcentres from the three bisector planes.
   Vec3 sum{};
   double volume = 0;
@@ -56,7 +56,7 @@ TEST(Relocate, ANodeMovesToTheVolumeWeightedMeanOfTheCircumcentres) {
 
 TEST(Relocate, TheCentreOfASymmetricRingStays) {
   Octahedron o({0, 0, 2});
-  relocate(o.nodes, o.tets, cube(), 1, {});
+  relocate(o.nodes, o.tets, cube(), NodeLengths(1), {});
   EXPECT_LT(distance(o.nodes.positions[6], {0, 0, 2}), 1e-14);
 }
 
@@ -65,7 +65,9 @@ TEST(Relocate, ANodeGoesWhereTheFieldIsFiner) {
   const Box all{{-9, -9, -9}, {9, 9, 9}};
   const SizeField finer_above({.base = 2, .least = 0.5, .slope = 0.3}, {{plane, all, 0.5}}, all);
   Octahedron o({0, 0, 2});
-  relocate(o.nodes, o.tets, cube(), finer_above, {});
+  NodeLengths lengths(finer_above);
+  lengths.follow(o.nodes.positions, {});
+  relocate(o.nodes, o.tets, cube(), lengths, {});
   EXPECT_GT(o.nodes.positions[6].z, 2.01);
   EXPECT_LT(norm(o.nodes.positions[6] - Vec3{0, 0, o.nodes.positions[6].z}), 1e-14);
 }
@@ -73,11 +75,11 @@ TEST(Relocate, ANodeGoesWhereTheFieldIsFiner) {
 TEST(Relocate, FixedAndBoundaryNodesStay) {
   Octahedron fixed({0.2, 0, 2});
   fixed.nodes.state[6] = NodeState::Fixed;
-  relocate(fixed.nodes, fixed.tets, cube(), 1, {});
+  relocate(fixed.nodes, fixed.tets, cube(), NodeLengths(1), {});
   EXPECT_EQ(fixed.nodes.positions[6], (Vec3{0.2, 0, 2}));
   Octahedron boundary({0.2, 0, 2});
   boundary.nodes.supports[6] = {Support::Kind::Face, 0};
-  relocate(boundary.nodes, boundary.tets, cube(), 1, {});
+  relocate(boundary.nodes, boundary.tets, cube(), NodeLengths(1), {});
   EXPECT_EQ(boundary.nodes.positions[6], (Vec3{0.2, 0, 2}));
 }
 
@@ -86,7 +88,7 @@ TEST(Relocate, ANodeInTheBoundaryThatTetsOutsidePullOutGoesIn) {
   Octahedron o({0.1, 0, 2});
   o.nodes.positions[4].z = 6;
   const InsideTest below = [](const Vec3& p) { return p.z <= 2; };
-  relocate(o.nodes, o.tets, below, 1, {});
+  relocate(o.nodes, o.tets, below, NodeLengths(1), {});
   EXPECT_LT(o.nodes.positions[6].z, 1.99);
   EXPECT_GT(o.nodes.positions[6].z, 1);
 }
