@@ -72,7 +72,9 @@ double nodes_of(const Density& density, const FeatureModel& model, const Cellula
   const Membership membership(model);
   const auto inside = [&](const Vec3& p) { return membership.inside(p); };
   const auto start = fill_graded({cells.boundary.bounds}, inside, sizes, options.seed, run);
-  return static_cast<double>(start.size()) + rules.nodes_of_sides(sizes);
+  auto nodes = static_cast<double>(start.size());
+  for (const ThinSide& side : rules.sides()) nodes += side.nodes(sizes(side.middle));
+  return nodes;
 }
 
 /// Nodes that a field puts on a triangle.

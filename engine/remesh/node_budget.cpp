@@ -25,27 +25,39 @@ struct BudgetLimits {
 };
 constexpr BudgetLimits kLimits;
 
-/// What the field asks for at the nodes of a start. Each of them stands for a volume that holds
-/// more or fewer nodes as its edge length changes.
-class Expectation {
+/// A start with some field, and what the field asks for at its nodes and at the sides of walls and
+/// gaps. Each node stands for a volume that holds more or fewer nodes as its edge length changes.
+class Start {
  public:
-  Expectation(const std::vector<Vec3>& start, const SizeField& sizes) : base_(sizes.base()) {
-    asked_.reserve(start.size());
-    for (const Vec3& p : start) asked_.push_back(sizes.asked_for(p));
+  Start(SizeField field, const std::vector<Vec3>& nodes, const std::vector<ThinSide>& sides)
+      : field_(std::move(field)) {
+    asked_.reserve(nodes.size());
+    for (const Vec3& p : nodes) asked_.push_back(field_.asked_for(p));
+    sides_.reserve(sides.size());
+    for (const ThinSide& side : sides) sides_.push_back({side, field_.asked_for(side.middle)});
   }
+  [[nodiscard]] const SizeField& field() const { return field_; }
+  /// Nodes that a mesh with the field has.
+  [[nodiscard]] double nodes() const { return expected(field_.base(), 1); }
   /// Nodes with another base size and with rules that ask for `longer` times longer edges.
-  [[nodiscard]] double nodes(double base, double longer) const {
+  [[nodiscard]] double expected(double base, double longer) const {
     double sum = 0;
-    for (const double a : asked_) {
-      const double finer = std::fmin(base_, a) / std::fmin(base, longer * a);
+    for (const double asked : asked_) {
+      const double finer = std::fmin(field_.base(), asked) / std::fmin(base, longer * asked);
       sum += finer * finer * finer;
     }
+    for (const auto& [side, asked] : sides_) sum += side.nodes(std::fmin(base, longer * asked));
     return sum;
   }
 
  private:
-  double base_;
-  std::vector<double> asked_;
+  struct AskedSide {
+    ThinSide side;
+    double asked;
+  };
+  SizeField field_;
+  std::vector<double> asked_;  ///< by node
+  std::vector<AskedSide> sides_;
 };
 
 /// How coarse a mesh is made: a base size, and once that is the coarsest, weaker and weaker rules.
@@ -60,40 +72,39 @@ Coarseness coarseness(double t, double guess, double weakest) {
 }
 
 /// How coarse a mesh of so many nodes is to be expected to be, by the start of one that is `now`.
-Coarseness better_coarseness(double nodes, const Expectation& expected, const Coarseness& now,
-                             double guess, double weakest) {
+Coarseness better_coarseness(double nodes, const Start& start, const Coarseness& now, double guess,
+                             double weakest) {
   double fine = 0, coarse = 2;
   for (int k = 0; k < kLimits.bisections; ++k) {
     const double middle = 0.5 * (fine + coarse);
     const Coarseness tried = coarseness(middle, guess, weakest);
-    (expected.nodes(tried.base, tried.weakening / now.weakening) > nodes ? fine : coarse) = middle;
+    (start.expected(tried.base, tried.weakening / now.weakening) > nodes ? fine : coarse) = middle;
   }
   return coarseness(0.5 * (fine + coarse), guess, weakest);
 }
 
-/// Starts of a model, counted.
+/// Makes starts of a model.
 class Starts {
  public:
   Starts(const SizeRules& rules, const MeshOptions& options, const FeatureModel& model,
          const Box& bounds, const Run& run)
-      : rules_(rules), options_(options), membership_(model), bounds_(bounds), run_(run) {}
+      : rules_(rules),
+        sides_(rules.sides()),
+        options_(options),
+        membership_(model),
+        bounds_(bounds),
+        run_(run) {}
 
-  struct Start {
-    SizeField sizes;
-    std::vector<Vec3> nodes;
-    double sides;  ///< nodes that walls and gaps will get beside
-    [[nodiscard]] double count() const { return static_cast<double>(nodes.size()) + sides; }
-  };
   [[nodiscard]] Start of(const Coarseness& c) const {
-    SizeField sizes = rules_.field(c.base, c.weakening);
+    SizeField field = rules_.field(c.base, c.weakening);
     const auto inside = [&](const Vec3& p) { return membership_.inside(p); };
-    std::vector<Vec3> nodes = fill_graded({bounds_}, inside, sizes, options_.seed, run_);
-    const double sides = rules_.nodes_of_sides(sizes);
-    return {std::move(sizes), std::move(nodes), sides};
+    const std::vector<Vec3> nodes = fill_graded({bounds_}, inside, field, options_.seed, run_);
+    return Start(std::move(field), nodes, sides_);
   }
 
  private:
   const SizeRules& rules_;
+  std::vector<ThinSide> sides_;
   const MeshOptions& options_;
   Membership membership_;
   const Box& bounds_;
@@ -104,12 +115,10 @@ class Starts {
 /// size for them has as many.
 double satisfying(double nodes, const CellularModel& cells, const Starts& starts) {
   for (int k = 0; k < kLimits.recounts; ++k) {
-    const double base = coarsest_base(cells, nodes);
-    const Starts::Start start = starts.of({base, 1});
-    const Expectation expected(start.nodes, start.sizes);
+    const Start start = starts.of({coarsest_base(cells, nodes), 1});
     const double before = nodes;
     for (int i = 0; i < kLimits.bisections; ++i)
-      nodes = start.sides + expected.nodes(coarsest_base(cells, nodes), 1);
+      nodes = start.expected(coarsest_base(cells, nodes), 1);
     if (std::fabs(nodes / before - 1) < kLimits.recounted) break;
   }
   return nodes;
@@ -129,16 +138,15 @@ Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const Mes
   Coarseness now{guess, 1};
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {std::move(sizes)};
   for (int k = 1;; ++k) {
-    Starts::Start start = starts.of(now);
-    const Coarseness better = better_coarseness(
-        nodes - start.sides, Expectation(start.nodes, start.sizes), now, guess, weakest);
+    const Start start = starts.of(now);
+    const Coarseness better = better_coarseness(nodes, start, now, guess, weakest);
     const bool still =
         better.weakening == now.weakening && std::fabs(better.base / now.base - 1) < kLimits.still;
-    if (k < kLimits.tries && !still && std::fabs(start.count() / nodes - 1) >= kLimits.close) {
+    if (k < kLimits.tries && !still && std::fabs(start.nodes() / nodes - 1) >= kLimits.close) {
       now = better;
       continue;
     }
-    Budgeted made{std::move(start.sizes), now.weakening};
+    Budgeted made{start.field(), now.weakening};
     if (now.weakening > 1) made.satisfying = satisfying(nodes, cells, starts);
     return made;
   }

@@ -35,9 +35,9 @@ double least_size(const Sizing& sizing, double base) {
   return std::fmin(base, sizing.min_size.value_or(kLeastShare * base));
 }
 
-std::vector<SizeRules::Circle> SizeRules::circles_of(const BoundaryModel& boundary,
+std::vector<SizeRules::Detail> SizeRules::circles_of(const BoundaryModel& boundary,
                                                      double per_radius, double slope) {
-  std::vector<Circle> circles;
+  std::vector<Detail> circles;
   for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
     const BoundaryFace& face = boundary.faces[f];
     const Surface& surface = face.surface;
@@ -56,26 +56,42 @@ std::vector<SizeRules::Circle> SizeRules::circles_of(const BoundaryModel& bounda
   return circles;
 }
 
+std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& boundary, double film,
+                                                         double most) {
+  std::vector<Detail> edges;
+  for (const BoundaryEdge& edge : boundary.edges) {
+    if (edge.closed() || edge.length < film || edge.length >= most) continue;
+    // Its middle as well, for it may be an arc.
+    const std::array<Vec3, 3> piece{edge.points.front(), edge.points[edge.points.size() / 2],
+                                    edge.points.back()};
+    edges.push_back({edge.faces.front(), {piece, box_of(piece), edge.length}});
+  }
+  return edges;
+}
+
 SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most,
                      const Run& run, std::vector<SizeSource> asked)
     : sizing_(sizing), bounds_(boundary.bounds) {
   if (sizing.even) return;
   asked_ = std::move(asked);
   if (sizing.edges_per_circle > 0)
-    circles_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
-  if (sizing.layers > 0)
-    thin_places_ = thin_places(boundary,
-                               {.most = sizing.layers * most,
-                                .least = sizing.layers * least_size(sizing, most),
-                                .film = kFilm * sizing.layers * least_size(sizing, most),
-                                .slope = sizing.layers * slope()},
-                               run);
+    details_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
+  if (sizing.layers == 0) return;
+  const double least = least_size(sizing, most), film = kFilm * least;
+  const auto edges = short_edges_of(boundary, film, most);
+  details_.insert(details_.end(), edges.begin(), edges.end());
+  thin_places_ = thin_places(boundary,
+                             {.most = sizing.layers * most,
+                              .least = sizing.layers * least,
+                              .film = sizing.layers * film,
+                              .slope = sizing.layers * slope()},
+                             run);
 }
 
 SizeField SizeRules::field(double base, double weakening) const {
   std::vector<SizeSource> sources;
-  sources.reserve(circles_.size() + thin_places_.size() + asked_.size());
-  for (const Circle& circle : circles_) sources.push_back(circle.source);
+  sources.reserve(details_.size() + thin_places_.size() + asked_.size());
+  for (const Detail& detail : details_) sources.push_back(detail.source);
   for (const ThinPlace& place : thin_places_)
     if (size_of(place) >= kFilm * least_size(sizing_, base))
       sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
@@ -86,8 +102,8 @@ SizeField SizeRules::field(double base, double weakening) const {
 
 std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {
   std::vector<AskedOnFace> asked;
-  for (const Circle& circle : circles_)
-    if (!circle.source.varies()) asked.push_back({circle.face, weakening * circle.source.size});
+  for (const Detail& detail : details_)
+    if (!detail.source.varies()) asked.push_back({detail.face, weakening * detail.source.size});
   for (const ThinPlace& place : thin_places_)
     asked.push_back({place.face, weakening * size_of(place)});
   return asked;
@@ -118,16 +134,21 @@ std::vector<int> SizeRules::fewest_links(const BoundaryModel& boundary, double b
   return fewest;
 }
 
-double SizeRules::nodes_of_sides(const SizeField& field) const {
-  double nodes = 0;
+double ThinSide::nodes(double length) const {
+  const double more = kOnFace - 0.5 * kInVolume * thickness / length;
+  return std::fmax(more, 0) * area / (length * length);
+}
+
+std::vector<ThinSide> SizeRules::sides() const {
+  std::vector<ThinSide> sides;
+  sides.reserve(thin_places_.size());
   for (const ThinPlace& place : thin_places_) {
     const auto& [a, b, c] = place.triangle;
-    const double area = 0.5 * norm(cross(b - a, c - a));
-    const double h = field((1.0 / 3) * (a + b + c));
-    const double more = kOnFace - 0.5 * kInVolume * place.thickness / h;
-    nodes += std::fmax(more, 0) * area / (h * h);
+    sides.push_back({.middle = (1.0 / 3) * (a + b + c),
+                     .area = 0.5 * norm(cross(b - a, c - a)),
+                     .thickness = place.thickness});
   }
-  return nodes;
+  return sides;
 }
 
 }  // namespace remeshd

@@ -13,9 +13,20 @@ namespace remeshd {
 /// What no rule goes below in a field of this base size.
 double least_size(const Sizing& sizing, double base);
 
+/// A piece of a side of a wall or gap.
+struct ThinSide {
+  Vec3 middle;
+  double area, thickness;
+
+  /// Nodes that it needs beyond those of a start, where edges are `length` long: both sides of a
+  /// wall take nodes where a start has a layer of them between.
+  [[nodiscard]] double nodes(double length) const;
+};
+
 /// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
-/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across. Beside them
-/// what the model's size controls ask for.
+/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across, model edges
+/// that are shorter than the base size for edges no longer than they are, where there are layers.
+/// Beside them what the model's size controls ask for.
 class SizeRules {
  public:
   /// `most`: no base size is greater. `asked`: by controls (`size_sources`). Throws Cancelled.
@@ -25,9 +36,8 @@ class SizeRules {
   /// The size field with that base size.
   /// @param weakening  >= 1: the rules ask for edges so many times longer, the controls do not
   [[nodiscard]] SizeField field(double base, double weakening) const;
-  /// Nodes that walls and gaps need beyond those of a start with that field: both of their sides
-  /// take nodes where it has a layer of them between.
-  [[nodiscard]] double nodes_of_sides(const SizeField& field) const;
+  /// The sides of all walls and gaps.
+  [[nodiscard]] std::vector<ThinSide> sides() const;
   /// By model edge: mesh edges along a circle, or as many of an arc as there are whole ones; else
   /// 0.
   [[nodiscard]] std::vector<int> fewest_links(const BoundaryModel& boundary, double base,
@@ -45,18 +55,22 @@ class SizeRules {
  private:
   [[nodiscard]] double slope() const { return sizing_.growth - 1; }
 
-  struct Circle {
+  /// What a rule asks for on a face or along an edge of it.
+  struct Detail {
     int face;
     SizeSource source;
   };
-  static std::vector<Circle> circles_of(const BoundaryModel& boundary, double per_radius,
+  static std::vector<Detail> circles_of(const BoundaryModel& boundary, double per_radius,
                                         double slope);
+  /// Edges from `film` to `most` long.
+  static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double film,
+                                            double most);
   /// What is asked for across a thin place.
   [[nodiscard]] double size_of(const ThinPlace& place) const {
     return place.thickness / sizing_.layers;
   }
 
-  std::vector<Circle> circles_;
+  std::vector<Detail> details_;
   std::vector<ThinPlace> thin_places_;
   std::vector<SizeSource> asked_;
   Sizing sizing_;

@@ -29,6 +29,26 @@ TEST(SizeRules, CirclesAskForTheirEdgesAndWallsForTheirLayers) {
   EXPECT_NEAR(none({29, 29, 0}), 8, 1e-9);
 }
 
+TEST(SizeRules, ShortEdgesAskForNoLongerOnesAndTheShortestForNothing) {
+  // A wedge whose back is so wide: the faces beside it meet, so that nothing else is thin there.
+  const auto wedge = [](double back) {
+    return build_cells(evaluate(test::model_of(
+                           {test::feature("wedge", "prism",
+                                          {test::point(0.0, 0.0), test::point(30.0, -back / 2),
+                                           test::point(30.0, back / 2)},
+                                          {{"height", 40.0}})})),
+                       kRun)
+        .boundary;
+  };
+  const SizeField field = SizeRules(wedge(2), {.even = false}, 8, kRun).field(8, 1);
+  EXPECT_NEAR(field({30, 0, 40}), 2, 1e-9);
+  EXPECT_NEAR(field({26, 0, 40}), 2 + 0.3 * 4, 1e-9) << "longer and longer beside";
+  const SizeField none = SizeRules(wedge(2), {.even = false, .layers = 0}, 8, kRun).field(8, 1);
+  EXPECT_EQ(none({30, 0, 40}), 8);
+  const SizeField shortest = SizeRules(wedge(0.15), {.even = false}, 8, kRun).field(8, 1);
+  EXPECT_EQ(shortest({30, 0, 40}), 8) << "less than a quarter of the least size";
+}
+
 TEST(SizeRules, AreWeakenedAllAlike) {
   const SizeRules rules(plate_with_hole(), {.even = false}, 8, kRun);
   const SizeField strong = rules.field(8, 1), weak = rules.field(8, 1.5);
@@ -65,8 +85,13 @@ TEST(SizeRules, AFilmGetsNoEdgesForItsThicknessAndIsUnresolved) {
 TEST(SizeRules, BothSidesOfAThinWallTakeNodes) {
   const SizeRules rules(plate_with_hole(), {.even = false, .edges_per_circle = 0}, 8, kRun);
   // A layer of tets has a node to 3^2 on each side, a start one to each 3^3 / sqrt(2).
-  EXPECT_NEAR(rules.nodes_of_sides(rules.field(8, 1)), 2 * 3600 / 9.0 * (0.92 - 0.5 * 1.41), 20);
-  EXPECT_EQ(rules.nodes_of_sides(SizeField(0.5)), 0);
+  double nodes = 0, with_fine_edges = 0;
+  for (const ThinSide& side : rules.sides()) {
+    nodes += side.nodes(rules.field(8, 1)(side.middle));
+    with_fine_edges += side.nodes(0.5);
+  }
+  EXPECT_NEAR(nodes, 2 * 3600 / 9.0 * (0.92 - 0.5 * 1.41), 20);
+  EXPECT_EQ(with_fine_edges, 0);
 }
 
 }  // namespace
