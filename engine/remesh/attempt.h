@@ -61,8 +61,9 @@ struct Attempt {
   std::optional<Warning> fault;  ///< what is wrong with the mesh, and where
   std::vector<Vec3> refined_at;  ///< where its edges were to be finer
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
+  bool hopeless = false;  ///< whatever fills the place that is wrong is flat
   bool copies = false;    ///< its nodes may be copies of the parent's
-  bool serves = true;     ///< false: the problem is none for this strategy; nothing is told of it
+  bool serves = true;     ///< false: the problem is none for this strategy, or too large for it
 
   // What the report gets of it.
   PhaseSeconds seconds;  ///< `total` of all of it

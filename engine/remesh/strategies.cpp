@@ -158,13 +158,27 @@ Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* fa
   }
 }
 
+/// One that was given up before there was a mesh has its reason.
+Warning fault_of(const Attempt& failed) {
+  return failed.fault.value_or(Warning{.code = WarningCode::Fallback, .message = failed.reason});
+}
+
 /// What was wrong with an attempt, and what is done instead.
 Warning made_instead(const Attempt& failed, const char* instead) {
-  // One that was given up before there was a mesh has no fault.
-  Warning warning =
-      failed.fault.value_or(Warning{.code = WarningCode::Fallback, .message = failed.reason});
+  Warning warning = fault_of(failed);
   warning.message += std::string("; ") + instead;
   return warning;
+}
+
+/// That no mesh is to be had, whatever else were tried: the fault of one of two attempts, the one
+/// with more features at its place.
+Error refusal(const Attempt& one, const Attempt& other, const Report& report) {
+  Warning fault = fault_of(one);
+  if (Warning second = fault_of(other); second.features.size() > fault.features.size())
+    fault = std::move(second);
+  Error error = error::boundary_not_recovered(fault.message, fault.point, fault.features);
+  error.info().attempts = in_words(report.attempts);
+  return error;
 }
 
 }  // namespace
@@ -185,7 +199,6 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
       watch.lap(report.seconds.difference);
     }
     if (!how.applies(problem, failed ? &*failed : nullptr)) continue;
-    const std::size_t told = report.warnings.size();
     if (how.instead != nullptr && failed) {
       report.warnings.push_back(made_instead(*failed, how.instead));
       problem.run.warn({&report.warnings.back(), 1});
@@ -193,7 +206,6 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
     report.strategy = how.kind;
     Attempt attempt = attempted(how, problem, failed ? &*failed : nullptr, report);
     add(report.seconds, attempt.seconds);
-    if (!attempt.serves) report.warnings.resize(told);
     double on_tries = 0;
     for (TriedStrategy& rejected : attempt.tries) {
       on_tries += rejected.seconds;
@@ -203,12 +215,13 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
       report.taken = {attempt.name, "", attempt.seconds.total - on_tries};
       return attempt;
     }
-    if (!attempt.serves) continue;
+    if (attempt.reason.empty()) continue;  // the problem is none for it
     report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total - on_tries});
+    if (attempt.hopeless && failed && failed->hopeless) throw refusal(attempt, *failed, report);
     if (how.reuse == Reuse::Mesh)
       report.warnings.insert(report.warnings.end(), attempt.warnings.begin(),
                              attempt.warnings.end());
-    else
+    else if (attempt.serves)
       failed = std::move(attempt);
   }
   return *std::move(failed);  // not reached: the last strategy makes a mesh or throws

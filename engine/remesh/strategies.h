@@ -44,8 +44,9 @@ std::span<const Strategy> strategies();
 /// of names that will be lost before there are nodes, and of each fault that another strategy is to
 /// make good.
 ///
-/// Pre: one of them is taken or throws. Throws Error(BOUNDARY_NOT_RECOVERED) where the last one,
-/// TetGen, fails too; an Error tells all that was tried.
+/// Pre: one of them is taken or throws. Throws Error(BOUNDARY_NOT_RECOVERED) where an attempt shows
+/// that others are in vain, or where the last one, TetGen, fails too; an Error tells all that was
+/// tried.
 Attempt first_taken(const Problem& problem, Report& report,
                     std::span<const Strategy> of = strategies());
 

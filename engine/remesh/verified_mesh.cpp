@@ -288,7 +288,10 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
         return;
       }
       give_up(next.verification.failures.front().what);
-      if (is_hopeless(next, made_anew)) return;
+      if (is_hopeless(next, made_anew)) {
+        attempt.hopeless = true;
+        return;
+      }
       const std::vector<Vec3> more = faulty_places(next.verification);
       wrong_again.insert(wrong_again.end(), more.begin(), more.end());
     } catch (const PatchTooSmall& where) {

@@ -7,6 +7,7 @@
 #include "engine/remesh/remesh.h"
 #include "engine/remesh/steps.h"
 #include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
 
 namespace remeshd {
 namespace {
@@ -81,8 +82,18 @@ Attempt taken(const Strategy& how, const Problem&, const Attempt*) {
   return attempt_with_warning(how, "");
 }
 Attempt no_use(const Strategy& how, const Problem&, const Attempt*) {
-  Attempt attempt = attempt_with_warning(how, "no problem for this");
+  Attempt attempt = attempt_with_warning(how, "");
   attempt.serves = false;
+  return attempt;
+}
+Attempt too_large(const Strategy& how, const Problem&, const Attempt*) {
+  Attempt attempt = attempt_with_warning(how, "too many nodes");
+  attempt.serves = false;
+  return attempt;
+}
+Attempt hopeless(const Strategy& how, const Problem&, const Attempt*) {
+  Attempt attempt = attempt_with_warning(how, "flat");
+  attempt.hopeless = true;
   return attempt;
 }
 
@@ -163,15 +174,41 @@ TEST_F(FirstTaken, TheFaultOfAMeshIsToldWithWhatTakesItsPlace) {
   EXPECT_THAT(messages(report.warnings), ElementsAre("a fault of near; meshed anew"));
 }
 
-TEST_F(FirstTaken, NothingIsToldToBeMadeInsteadByAStrategyThatDoesNotServe) {
+TEST_F(FirstTaken, WhatIsToldToBeMadeInsteadIsInTheReportThoughItIsTooLarge) {
+  std::vector<std::string> told;
+  const remeshd::Run run{.on_warnings = [&](std::span<const Warning> warnings) {
+    for (const Warning& w : warnings) told.push_back(w.message);
+  }};
+  const Problem problem(problem_.parent, problem_.modified, problem_.density, run);
   Report report;
   const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
-                      Strategy{MeshStrategy::Local, "finer", always, no_use, Reuse::Nodes, 0, true,
-                               0, "made finer"},
+                      Strategy{MeshStrategy::Local, "finer", always, too_large, Reuse::Nodes, 0,
+                               true, 0, "made finer"},
                       Strategy{MeshStrategy::Fresh, "anew", always, taken, Reuse::Nothing, 0, false,
                                0, "meshed anew"}};
-  first_taken(problem_, report, of);
-  EXPECT_THAT(messages(report.warnings), ElementsAre("a fault of near; meshed anew"));
+  first_taken(problem, report, of);
+  EXPECT_THAT(messages(report.warnings),
+              ElementsAre("a fault of near; made finer", "a fault of near; meshed anew"));
+  EXPECT_EQ(messages(report.warnings), told);
+  EXPECT_THAT(tried(report), ElementsAre("near: no good", "finer: too many nodes"));
+}
+
+TEST_F(FirstTaken, TwoHopelessAttemptsInARowEndIt) {
+  Report report;
+  const std::array of{Strategy{MeshStrategy::Local, "near", always, hopeless, Reuse::Nodes},
+                      Strategy{MeshStrategy::Local, "finer", always, hopeless, Reuse::Nodes},
+                      Strategy{MeshStrategy::Fresh, "anew", always, taken}};
+  const ErrorInfo info = test::error_of([&] { first_taken(problem_, report, of); });
+  EXPECT_EQ(info.reason, "BOUNDARY_NOT_RECOVERED");
+  EXPECT_THAT(info.message, testing::HasSubstr("a fault of finer"));
+  EXPECT_THAT(info.attempts, ElementsAre("near: flat", "finer: flat"));
+
+  const std::array with_another{
+      Strategy{MeshStrategy::Local, "near", always, hopeless, Reuse::Nodes},
+      Strategy{MeshStrategy::Local, "finer", always, rejected, Reuse::Nodes},
+      Strategy{MeshStrategy::Local, "everywhere", always, hopeless, Reuse::Nodes},
+      Strategy{MeshStrategy::Fresh, "anew", always, taken}};
+  EXPECT_EQ(first_taken(problem_, report, with_another).name, "anew");
 }
 
 /// An attempt given up before there was a mesh to find a fault with.

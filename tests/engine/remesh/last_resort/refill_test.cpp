@@ -141,20 +141,22 @@ TEST_F(AFilm, IsBridgedByAnEditThatKeepsTheRest) {
   EXPECT_GT(next.report.last_resort_share, 0);
 }
 
-TEST_F(AFilm, WhereWhateverFillsItIsFlatIsRefusedByPlaceAndNothingIsTriedTwice) {
-  // Each row went on with four more tries, the same or with ever more facets.
+TEST_F(AFilm, WhereWhateverFillsItIsFlatIsRefusedByPlaceOnceItIsSoTwice) {
+  // Each of eleven attempts went on with four more tries; none has ever made a mesh of such a film.
   const Revision base = make_revision(Revision::none(), plate(2), options_, kRun);
   const ErrorInfo info =
       test::error_of([&] { make_revision(base, plate(1e-6), {.sizing = options_.sizing}, kRun); });
   EXPECT_EQ(info.reason, "BOUNDARY_NOT_RECOVERED");
   EXPECT_THAT(info.features, testing::UnorderedElementsAre("pocket", "plate"));
+  EXPECT_TRUE(info.place);
   const auto tries = [&](const std::string& row) {
-    return std::ranges::count_if(info.attempts, [&](const std::string& attempt) {
-      return attempt.starts_with(row + ", refilled");
-    });
+    return std::ranges::count_if(
+        info.attempts, [&](const std::string& attempt) { return attempt.starts_with(row); });
   };
-  EXPECT_EQ(tries("local, 4 edge lengths"), 1);
-  EXPECT_EQ(tries("fresh"), 1);
+  EXPECT_EQ(tries("local, 4 edge lengths, refilled"), 1);
+  EXPECT_EQ(tries("fresh, refilled: a flat tet"), 1);
+  EXPECT_EQ(tries("fresh, refined"), 0);
+  EXPECT_EQ(tries("TetGen"), 0);
 }
 
 TEST_F(AFilm, IsBridgedInAFirstMesh) {
