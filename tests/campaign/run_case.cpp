@@ -18,6 +18,8 @@
 namespace remeshd::campaign {
 namespace {
 
+constexpr double kRounding = 1e-9;  // of a share
+
 using nlohmann::json;
 
 double since(std::chrono::steady_clock::time_point start) {
@@ -84,6 +86,17 @@ void check_foretold(std::span<const Warning> certain, const Report& report, Find
       findings.add("foretold", warning.message);
 }
 
+/// Share of the tets that a last resort made anew; the report counts those of the base that it kept
+/// by their base's share.
+double newly_last_resort(const Report& report, const Revision* base) {
+  const double inherited =
+      base == nullptr || report.counts.tets == 0
+          ? 0
+          : base->report.last_resort_share * report.counts.tets_kept / report.counts.tets;
+  const double anew = report.last_resort_share - inherited;
+  return anew > kRounding ? anew : 0;
+}
+
 /// `of_part`: a detailed one, so that it counts how far from a change nodes are lost.
 Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,
                  bool of_part, std::unique_ptr<Base>& base) {
@@ -107,6 +120,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
     outcome.least_angle = report.quality.dihedral_min;
     outcome.away_angle = report.quality_away.dihedral_min;
     outcome.last_resort = report.last_resort_share;
+    outcome.newly_last_resort = newly_last_resort(report, base ? &base->revision : nullptr);
     outcome.least_quality = report.quality.volume_length_min;
     if (base) {
       next->node_ids = base->node_ids;
@@ -153,6 +167,7 @@ json write_outcome(const Outcome& o) {
           {"kept", o.kept},
           {"away_angle", o.away_angle},
           {"last_resort", o.last_resort},
+          {"newly_last_resort", o.newly_last_resort},
           {"lost", o.lost.all},
           {"lost_far", o.lost.far},
           {"furthest_lost", o.lost.furthest}};
@@ -176,6 +191,7 @@ Outcome read_outcome(const json& j) {
   j.at("kept").get_to(o.kept);
   j.at("away_angle").get_to(o.away_angle);
   j.at("last_resort").get_to(o.last_resort);
+  j.at("newly_last_resort").get_to(o.newly_last_resort);
   j.at("lost").get_to(o.lost.all);
   j.at("lost_far").get_to(o.lost.far);
   j.at("furthest_lost").get_to(o.lost.furthest);

@@ -27,7 +27,8 @@ struct Outcome {
   double kept = 0;         ///< share of nodes
   double away_angle = 0;   ///< least dihedral angle away from the model's sharp places, degrees
   double last_resort = 0;  ///< share of the tets that a last resort made
-  LostNodes lost;          ///< of an edit of a detailed part
+  double newly_last_resort = 0;  ///< of them those that it made in this step
+  LostNodes lost;                ///< of an edit of a detailed part
 
   [[nodiscard]] bool valid() const { return kind == "valid"; }
   /// Of what failed: kind and reason.

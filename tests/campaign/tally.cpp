@@ -7,6 +7,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "tests/campaign/median.h"
+
 namespace remeshd::campaign {
 namespace {
 
@@ -54,11 +56,16 @@ void print_results(const char* what, const Results& r, std::ostream& out) {
   print_counts("ways", r.strategies, out);
   const double n = std::max(1, r.valid + r.invalid);
   out << "  " << std::left << std::setw(24) << "nodes inserted in" << r.inserted << " meshes\n"
-      << "  " << std::setw(24) << "mean time" << std::setprecision(3)
-      << r.seconds / std::max(1, r.runs) << " s, verifier " << r.verifier_seconds / n << " s\n"
+      << "  " << std::setw(24) << "last resort made tets in"
+      << percent(r.with_last_resort, r.valid + r.invalid) << ", over a fifth of them in "
+      << r.over_a_fifth << "\n"
+      << "  " << std::setw(24) << "time" << std::setprecision(3) << "mean "
+      << r.seconds / std::max(1, r.runs) << " s, verifier " << r.verifier_seconds / n
+      << " s; of processors median " << median(r.times) << " s, most " << most(r.times) << " s\n"
       << "  " << std::setw(24) << "nodes kept, mean" << 100 * r.kept / n << " %\n"
       << "  " << std::setw(24) << "least angle" << r.least_angle << " degrees, below 5 in "
-      << r.angle_below_5 << " meshes; least volume-length " << r.least_quality << "\n";
+      << r.angle_below_5 << " meshes, away from sharp places " << r.away_angle
+      << "; least volume-length " << r.least_quality << "\n";
 }
 
 json to_json(const Results& r) {
@@ -76,6 +83,11 @@ json to_json(const Results& r) {
           {"least_angle", r.least_angle},
           {"least_quality", r.least_quality},
           {"angle_below_5", r.angle_below_5},
+          {"away_angle", r.away_angle},
+          {"with_last_resort", r.with_last_resort},
+          {"over_a_fifth", r.over_a_fifth},
+          {"median_time", median(r.times)},
+          {"most_time", most(r.times)},
           {"reasons", r.reasons},
           {"checks", r.checks},
           {"ways", r.strategies}};
@@ -99,6 +111,8 @@ void Results::add(const Outcome& o) {
     for (std::string check; std::getline(list >> std::ws, check, ',');) ++checks[check];
   }
   valid += o.valid();
+  if (o.kind != "crash" && o.kind != "exception" && o.kind != "hang")
+    times.push_back(o.processor_seconds);
   if (o.kind != "valid" && o.kind != "invalid") return;
   ++strategies[o.strategy];
   inserted += o.inserted > 0;
@@ -107,6 +121,10 @@ void Results::add(const Outcome& o) {
   least_angle = std::min(least_angle, o.least_angle);
   least_quality = std::min(least_quality, o.least_quality);
   angle_below_5 += o.least_angle < 5;
+  away_angle = std::min(away_angle, o.away_angle);
+  if (o.strategy == "TetGen") return;
+  with_last_resort += o.newly_last_resort > 0;
+  over_a_fifth += o.newly_last_resort > part_goals::kLastResort;
 }
 
 void Tally::add(const WorkedCase& worked) {

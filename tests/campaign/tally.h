@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/campaign/parts/part_goals.h"
 #include "tests/campaign/work.h"
@@ -16,8 +17,12 @@ struct Results {
   int unplaced = 0;  ///< refusals that name no feature or no place
   int inserted = 0;  ///< meshes with nodes inserted to make the boundary complete
   double seconds = 0, verifier_seconds = 0, kept = 0;
+  std::vector<double> times;  ///< of what ended, s of processors
   double least_angle = 180, least_quality = 1;
   int angle_below_5 = 0;                  ///< meshes whose least dihedral angle is, in degrees
+  double away_angle = 180;                ///< the least away from the model's sharp places
+  int with_last_resort = 0;               ///< in which a local last resort made tets
+  int over_a_fifth = 0;                   ///< of the tets, of these
   std::map<std::string, int> reasons;     ///< of refusals
   std::map<std::string, int> checks;      ///< that invalid meshes failed
   std::map<std::string, int> strategies;  ///< as in Report

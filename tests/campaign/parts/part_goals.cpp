@@ -6,6 +6,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "tests/campaign/median.h"
+
 namespace remeshd::campaign {
 namespace {
 
@@ -76,9 +78,12 @@ void PartFigures::add(const CampaignCase& c, const Outcome& o, double first_seco
   if (o.strategy == "TetGen") {
     ++tetgen;
     miss("by TetGen", "");
-  } else if (o.last_resort > 0) {
-    ++with_last_resort;
+  } else {
     last_resort += o.last_resort;
+    most_last_resort = std::max(most_last_resort, o.newly_last_resort);
+    if (o.newly_last_resort > 0) ++with_last_resort;
+    if (o.newly_last_resort > part_goals::kLastResort)
+      miss("last resort of many tets", rounded(o.newly_last_resort) + ", " + o.strategy);
   }
   if (o.lost.far == 0) return;
   ++far_lost;
@@ -89,14 +94,9 @@ void PartFigures::add(const CampaignCase& c, const Outcome& o, double first_seco
                                              rounded(o.lost.furthest) + " lengths, " + o.strategy);
 }
 
-double PartFigures::median_time() const {
-  if (times.empty()) return 0;
-  std::vector<double> sorted = times;
-  std::ranges::sort(sorted);
-  return sorted[sorted.size() / 2];
-}
+double PartFigures::median_time() const { return median(times); }
 
-double PartFigures::most_time() const { return times.empty() ? 0 : std::ranges::max(times); }
+double PartFigures::most_time() const { return most(times); }
 
 void print(const PartFigures& f, std::ostream& out) {
   const auto count = [](int n) { return std::to_string(n); };
@@ -109,10 +109,11 @@ void print(const PartFigures& f, std::ostream& out) {
             "each by name and place", out);
   print_row("TetGen of the whole part", count(f.tetgen) + " (" + share(f.tetgen, f.meshes) + ")",
             "0", out);
-  print_row(
-      "last resort elsewhere",
-      share(f.last_resort, f.meshes) + " of the tets, in " + count(f.with_last_resort) + " meshes",
-      "little", out);
+  print_row("last resort elsewhere",
+            "in " + count(f.with_last_resort) + " (" + share(f.with_last_resort, f.meshes) +
+                "), most " + share(f.most_last_resort, 1) + " of the tets, " +
+                share(f.last_resort, f.meshes) + " of all",
+            ".5 % of the edits, 20 % of the tets", out);
   print_row("nodes lost far away",
             "in " + count(f.far_lost) + " (" + share(f.far_lost, f.meshes) + "), up to " +
                 rounded(f.furthest) + " lengths",
@@ -137,6 +138,7 @@ nlohmann::json write_figures(const PartFigures& f) {
           {"tetgen", f.tetgen},
           {"with_last_resort", f.with_last_resort},
           {"last_resort", f.last_resort},
+          {"most_last_resort", f.most_last_resort},
           {"far_lost", f.far_lost},
           {"furthest_lost", f.furthest},
           {"away_angle", f.away_angle},

@@ -64,10 +64,16 @@ TEST(PartFigures, TellTetGenOfTheWholeFromALastResortElsewhere) {
   whole.strategy = "TetGen";
   whole.last_resort = 1;
   part.last_resort = 0.25;
-  const PartFigures f = figures({valid(0, 1), whole, part});
+  part.newly_last_resort = 0.22;
+  Outcome keeps = valid(3, 1);
+  keeps.last_resort = 0.25;
+  const PartFigures f = figures({valid(0, 1), whole, part, keeps});
   EXPECT_EQ(f.tetgen, 1);
   EXPECT_EQ(f.with_last_resort, 1);
-  EXPECT_DOUBLE_EQ(f.last_resort, 0.25);
+  EXPECT_DOUBLE_EQ(f.last_resort, 0.5);
+  EXPECT_DOUBLE_EQ(f.most_last_resort, 0.22);
+  EXPECT_THAT(f.misses.at("last resort of many tets"),
+              ElementsAre("valve 3-14-2 (jump): 0.22, local"));
 }
 
 TEST(PartFigures, CountEditsThatLostNodesFarFromAChange) {
