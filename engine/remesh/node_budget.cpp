@@ -14,7 +14,7 @@ namespace remeshd {
 namespace {
 
 struct BudgetLimits {
-  double close = 0.01;        ///< of the nodes asked for
+  double close = 0.005;       ///< of the nodes asked for
   double still = 1e-3;        ///< of the base size: less of a change is none
   int tries = 5;              ///< starts that are made and counted
   double coarsest = 2;        ///< x base size of an even mesh: no coarser one is looked for

@@ -56,9 +56,9 @@ void print_results(const char* what, const Results& r, std::ostream& out) {
   print_counts("ways", r.strategies, out);
   const double n = std::max(1, r.valid + r.invalid);
   out << "  " << std::left << std::setw(24) << "nodes inserted in" << r.inserted << " meshes\n"
-      << "  " << std::setw(24) << "last resort made tets in"
-      << percent(r.with_last_resort, r.valid + r.invalid) << ", over a fifth of them in "
-      << r.over_a_fifth << "\n"
+      << "  " << std::setw(24) << "last resort in"
+      << percent(r.with_last_resort, r.valid + r.invalid)
+      << " meshes, of over a fifth of the tets in " << r.over_a_fifth << "\n"
       << "  " << std::setw(24) << "time" << std::setprecision(3) << "mean "
       << r.seconds / std::max(1, r.runs) << " s, verifier " << r.verifier_seconds / n
       << " s; of processors median " << median(r.times) << " s, most " << most(r.times) << " s\n"

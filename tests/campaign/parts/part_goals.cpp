@@ -111,9 +111,8 @@ void print(const PartFigures& f, std::ostream& out) {
             "0", out);
   print_row("last resort elsewhere",
             "in " + count(f.with_last_resort) + " (" + share(f.with_last_resort, f.meshes) +
-                "), most " + share(f.most_last_resort, 1) + " of the tets, " +
-                share(f.last_resort, f.meshes) + " of all",
-            ".5 % of the edits, 20 % of the tets", out);
+                "), most " + share(f.most_last_resort, 1) + " of the tets",
+            ".5 % of the edits, at most 20 %", out);
   print_row("nodes lost far away",
             "in " + count(f.far_lost) + " (" + share(f.far_lost, f.meshes) + "), up to " +
                 rounded(f.furthest) + " lengths",
