@@ -11,10 +11,12 @@ namespace remeshd {
 
 namespace {
 
-/// Of a spacing: round `box`, whose rows reach that far.
-constexpr double kMargin = 2.5;
-/// Of a spacing: round `within`, beside what points are jittered by.
-constexpr double kRounding = 1e-6;
+/// x spacing.
+struct Margins {
+  double of_rows = 2.5;   ///< round `box`, whose rows reach that far
+  double of_seen = 1e-6;  ///< round `within`, for rounding, beside what points are jittered by
+};
+constexpr Margins kMargins;
 
 struct Range {
   double lo = 0, hi = 0;
@@ -86,10 +88,10 @@ class Lattice {
         random_(random),
         visit_(visit),
         local_(moved(box, rigid_inverse(surface.frame))),
-        rho_(distances_of(widened(local_.lo.x, local_.hi.x, kMargin),
-                          widened(local_.lo.y, local_.hi.y, kMargin))) {
+        rho_(distances_of(widened(local_.lo.x, local_.hi.x, kMargins.of_rows),
+                          widened(local_.lo.y, local_.hi.y, kMargins.of_rows))) {
     const Box seen = moved(within, rigid_inverse(surface.frame));
-    const double margin = 0.5 * jitter + kRounding;
+    const double margin = 0.5 * jitter + kMargins.of_seen;
     const Range x = widened(seen.lo.x, seen.hi.x, margin);
     const Range y = widened(seen.lo.y, seen.hi.y, margin);
     seen_z_ = widened(seen.lo.z, seen.hi.z, margin);
@@ -136,7 +138,7 @@ class Lattice {
   void cone(double radius, double slope) {
     const double slant = std::sqrt(1 + slope * slope);
     // Where the radius is one that the box has: next to flat, a cone has few rows of the height's.
-    const Range width = widened(rho_.lo, rho_.hi, kMargin);
+    const Range width = widened(rho_.lo, rho_.hi, kMargins.of_rows);
     const double one = (width.lo - radius) / slope, other = (width.hi - radius) / slope;
     const Range height{std::fmax(local_.lo.z, std::fmin(one, other)),
                        std::fmin(local_.hi.z, std::fmax(one, other))};
