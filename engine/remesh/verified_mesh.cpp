@@ -192,8 +192,8 @@ void finish(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool 
   put_back(c, cleaned_up(c, task, patch, clean_up), task, patch);
 }
 
-/// Whether so much is wrong that trying otherwise is in vain: between walls that all but coincide
-/// whatever fills the place is flat. `made`: tets of the refill.
+/// Whether so much is wrong that other refills of this mesh are in vain: between walls that all but
+/// coincide whatever fills the place is flat. `made`: tets of the refill.
 bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
   return static_cast<double>(c.verification.failures.size()) >
          kRepairs.hopeless * static_cast<double>(made);

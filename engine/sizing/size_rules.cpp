@@ -14,7 +14,8 @@ namespace {
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
 /// So many more edges are asked for on circles: they come out unevenly long.
 constexpr double kReserve = 1.2;
-/// x least size: walls and gaps thinner than that get no edges for it, which would do no good.
+/// x least size: walls and gaps thinner and model edges shorter than that get no edges for it,
+/// which would do no good.
 constexpr double kFilm = 0.25;
 constexpr double kOnFace = 0.92;    // nodes to a square of an edge length
 constexpr double kInVolume = 1.41;  // to a cube of it

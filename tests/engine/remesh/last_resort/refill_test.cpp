@@ -142,7 +142,7 @@ TEST_F(AFilm, IsBridgedByAnEditThatKeepsTheRest) {
 }
 
 TEST_F(AFilm, WhereWhateverFillsItIsFlatIsRefusedByPlaceOnceItIsSoTwice) {
-  // Each of eleven attempts went on with four more tries; none has ever made a mesh of such a film.
+  // More attempts went on, each with four more tries, in vain.
   const Revision base = make_revision(Revision::none(), plate(2), options_, kRun);
   const ErrorInfo info =
       test::error_of([&] { make_revision(base, plate(1e-6), {.sizing = options_.sizing}, kRun); });
