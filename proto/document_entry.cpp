@@ -8,8 +8,6 @@ namespace {
 
 using google::protobuf::Value;
 
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-
 /// `zAxis` of `z_axis`.
 std::string camel_case(std::string_view snake) {
   std::string out;
@@ -23,20 +21,6 @@ std::string camel_case(std::string_view snake) {
     raise = false;
   }
   return out;
-}
-
-/// `z_axis` of `zAxis`.
-std::string snake_case(std::string_view camel) {
-  std::string out;
-  for (const char c : camel) {
-    if (is_capital(c)) out += '_';
-    out += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return out;
-}
-
-bool spells(std::string_view written, std::string_view field) {
-  return written == field || written == snake_case(field);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace remeshd::error {
 namespace {
 
 /// Texts from a document are quoted in errors, so they must not be able to swamp one.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 80;
   std::size_t end = text.size();
   if (end > kLongest) {
@@ -45,7 +45,7 @@ std::string where(const DocumentPlace& place) {
   std::string text;
   if (place.at.line > 0) text += line_of(place.at) + ": ";
   if (place.edit_index) text += "edit " + std::to_string(*place.edit_index) + ": ";
-  if (!place.feature.empty()) text += "feature " + quoted(place.feature) + ": ";
+  if (!place.feature.empty()) text += "feature " + in_quotes(place.feature) + ": ";
   if (!place.path.empty()) text += place.path + ": ";
   return text;
 }
@@ -76,27 +76,27 @@ DocumentError document_malformed(const TextPosition& position, std::string_view 
 
 DocumentError document_unreadable(std::string_view file, std::string_view why) {
   DocumentErrorInfo info = at(TextPosition{}, "DOCUMENT_UNREADABLE");
-  info.message = "cannot read " + quoted(file) + ": " + std::string(why);
+  info.message = "cannot read " + in_quotes(file) + ": " + std::string(why);
   return DocumentError(std::move(info));
 }
 
 DocumentError duplicate_key(const TextPosition& position, std::string_view key) {
   DocumentErrorInfo info = at(position, "DUPLICATE_KEY");
-  info.message = line_of(position) + ": the key " + quoted(key) + " stands twice in one object";
+  info.message = line_of(position) + ": the key " + in_quotes(key) + " stands twice in one object";
   return DocumentError(std::move(info));
 }
 
 DocumentError unknown_field(const DocumentPlace& place, std::string_view field,
                             std::string_view known) {
   DocumentErrorInfo info = at(place, "UNKNOWN_FIELD");
-  info.message = where(place) + "unknown field " + quoted(field);
+  info.message = where(place) + "unknown field " + in_quotes(field);
   info.hint = "known here: " + std::string(known);
   return DocumentError(std::move(info));
 }
 
 DocumentError missing_field(const DocumentPlace& place, std::string_view field) {
   DocumentErrorInfo info = at(place, "MISSING_FIELD");
-  info.message = where(place) + "the field " + quoted(field) + " is missing";
+  info.message = where(place) + "the field " + in_quotes(field) + " is missing";
   return DocumentError(std::move(info));
 }
 

@@ -180,4 +180,14 @@ Json read_json(std::string_view text, const DocumentLimits& limits) {
   return builder.take();
 }
 
+bool spells(std::string_view written, std::string_view field) {
+  std::string snake;
+  for (const char c : field) {
+    const bool capital = c >= 'A' && c <= 'Z';
+    if (capital) snake += '_';
+    snake += capital ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return written == field || written == snake;
+}
+
 }  // namespace remeshd

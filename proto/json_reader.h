@@ -41,4 +41,7 @@ struct Json::Member {
 /// `DUPLICATE_KEY`, `DOCUMENT_MALFORMED`.
 Json read_json(std::string_view text, const DocumentLimits& limits = {});
 
+/// Whether a member's name is the field's, in camelCase as the field's is, or in snake_case.
+bool spells(std::string_view written, std::string_view field);
+
 }  // namespace remeshd

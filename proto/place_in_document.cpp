@@ -13,17 +13,6 @@
 namespace remeshd {
 namespace {
 
-/// Whether a member's name is the field's, in camelCase or in snake_case.
-bool spells(std::string_view written, std::string_view field) {
-  std::string snake;
-  for (const char c : field) {
-    const bool capital = c >= 'A' && c <= 'Z';
-    if (capital) snake += '_';
-    snake += capital ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return written == field || written == snake;
-}
-
 const Json* member(const Json* json, std::string_view field) {
   const auto* object = json != nullptr ? std::get_if<Json::Object>(&json->value) : nullptr;
   if (object == nullptr) return nullptr;

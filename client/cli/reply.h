@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "client/cli/session.h"
@@ -27,5 +28,8 @@ void deliver(Session& session, const remesh::v1::RevisionResult& reply, const Re
 
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);
+
+/// Of an id, as tables show it.
+inline constexpr std::size_t kShownDigits = 12;
 
 }  // namespace remeshd::cli

@@ -2,15 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/formats/element_types.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
 #include "remeshd/mesh_file.h"
 
 namespace remeshd::client {
 namespace {
-
-constexpr std::int32_t kGmshTriangle = 2;
-constexpr std::int32_t kGmshTetrahedron = 4;
 
 template <class T>
 void put(std::string& out, T value) {

@@ -41,15 +41,16 @@ Block block_of(const std::string& keyword) {
 }
 
 /// Nodes by number.
-using Places = std::map<std::int64_t, std::int32_t>;
+using NodesByNumber = std::map<std::int64_t, std::int32_t>;
 
-void read_node(const std::vector<std::string_view>& parts, FileMesh& mesh, Places& places) {
+void read_node(const std::vector<std::string_view>& parts, FileMesh& mesh, NodesByNumber& places) {
   places[Scanner::to_number<std::int64_t>(parts[0])] = static_cast<std::int32_t>(mesh.nodes.size());
   mesh.nodes.push_back({Scanner::to_number<double>(parts[1]), Scanner::to_number<double>(parts[2]),
                         Scanner::to_number<double>(parts[3])});
 }
 
-void read_tet(const std::vector<std::string_view>& parts, FileMesh& mesh, const Places& places) {
+void read_tet(const std::vector<std::string_view>& parts, FileMesh& mesh,
+              const NodesByNumber& places) {
   std::array<std::int32_t, 4> tet{};
   for (std::size_t k = 0; k < 4; ++k) {
     const auto node = places.find(Scanner::to_number<std::int64_t>(parts[k + 1]));
@@ -72,7 +73,7 @@ Written written(std::string_view counts) {
 }
 
 /// Whether more digits would make of a node's number that of another node.
-bool may_go_on(std::string_view text, const Places& places) {
+bool may_go_on(std::string_view text, const NodesByNumber& places) {
   const auto number = Scanner::to_number<std::int64_t>(text);
   const std::string start = std::to_string(number);
   return std::ranges::any_of(places | std::views::keys, [&](std::int64_t other) {
@@ -84,7 +85,7 @@ bool may_go_on(std::string_view text, const Places& places) {
 
 FileMesh parse_inp(std::string_view bytes) {
   FileMesh mesh;
-  Places places;
+  NodesByNumber places;
   Written wrote;
   Block block = Block::Other;
   Scanner scanner(bytes);

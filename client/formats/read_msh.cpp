@@ -3,13 +3,12 @@
 #include <optional>
 #include <unordered_map>
 
+#include "client/formats/element_types.h"
 #include "client/formats/read_mesh.h"
 #include "client/formats/scanner.h"
 
 namespace remeshd::client {
 namespace {
-
-constexpr int kGmshTetrahedron = 4;
 
 /// Numbers of a section, which stand there as words or raw.
 class Values {
@@ -32,9 +31,9 @@ class Values {
 };
 
 /// Nodes by tag.
-using Places = std::unordered_map<std::uint64_t, std::int32_t>;
+using NodesByTag = std::unordered_map<std::uint64_t, std::int32_t>;
 
-void read_nodes(Values values, FileMesh& mesh, Places& places) {
+void read_nodes(Values values, FileMesh& mesh, NodesByTag& places) {
   const std::uint64_t blocks = values.size();
   for (int skipped = 0; skipped < 3; ++skipped) values.size();  // count, first and last tag
   std::vector<std::uint64_t> tags;
@@ -81,7 +80,7 @@ int nodes_of(int type) {
   }
 }
 
-void read_elements(Values values, FileMesh& mesh, const Places& places) {
+void read_elements(Values values, FileMesh& mesh, const NodesByTag& places) {
   const std::uint64_t blocks = values.size();
   for (int skipped = 0; skipped < 3; ++skipped) values.size();
   for (std::uint64_t block = 0; block < blocks; ++block) {
@@ -123,7 +122,7 @@ bool read_format(Scanner& scanner) {
 FileMesh parse_msh(std::string_view bytes) {
   Scanner scanner(bytes);
   FileMesh mesh;
-  Places places;
+  NodesByTag places;
   std::optional<bool> binary;
   const auto values = [&] {
     if (!binary) throw FileError("$MeshFormat is missing");

@@ -5,13 +5,12 @@
 #include <limits>
 #include <pugixml.hpp>
 
+#include "client/formats/element_types.h"
 #include "client/formats/read_mesh.h"
 #include "client/formats/scanner.h"
 
 namespace remeshd::client {
 namespace {
-
-constexpr int kVtkTetra = 10;
 
 /// How the arrays of one file are stored.
 struct Storage {

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <string_view>
 
+#include "client/formats/element_types.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
 #include "remeshd/mesh_file.h"
@@ -14,8 +15,6 @@ namespace remeshd::client {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "raw arrays are written as they lie");
-
-constexpr std::uint8_t kVtkTetra = 10;
 
 template <class T>
 constexpr std::string_view kVtkType = "";

@@ -8,8 +8,6 @@
 namespace remeshd {
 namespace {
 
-bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
-
 /// Whether the segment p-q meets the triangle, its rim included; no answer within its plane.
 bool cuts(const std::vector<Vec3>& nodes, std::int32_t p, std::int32_t q, const Triangle& t) {
   const Vec3 &a = nodes[t[0]], &b = nodes[t[1]], &c = nodes[t[2]];
@@ -26,7 +24,7 @@ bool cuts(const std::vector<Vec3>& nodes, std::int32_t p, std::int32_t q, const 
 bool side_cuts(const std::vector<Vec3>& nodes, const Triangle& s, const Triangle& t) {
   for (int i = 0; i < 3; ++i) {
     const std::int32_t p = s[i], q = s[(i + 1) % 3];
-    if (!has(t, p) && !has(t, q) && cuts(nodes, p, q, t)) return true;
+    if (!has_corner(t, p) && !has_corner(t, q) && cuts(nodes, p, q, t)) return true;
   }
   return false;
 }
@@ -43,7 +41,7 @@ std::vector<std::pair<std::int32_t, std::int32_t>> surface_crossings(const Surfa
     poll();
     const Triangle& s = mesh.facets[a].nodes;
     const Triangle& t = mesh.facets[b].nodes;
-    if (std::ranges::count_if(s, [&](std::int32_t n) { return has(t, n); }) >= 2) return;
+    if (std::ranges::count_if(s, [&](std::int32_t n) { return has_corner(t, n); }) >= 2) return;
     if (side_cuts(mesh.nodes, s, t) || side_cuts(mesh.nodes, t, s)) found.emplace_back(a, b);
   });
   std::ranges::sort(found);

@@ -22,8 +22,6 @@ struct SurfaceRemeshing {
 };
 constexpr SurfaceRemeshing kRemesh;
 
-bool has(const Triangle& t, std::int32_t n) { return t[0] == n || t[1] == n || t[2] == n; }
-
 std::int32_t apex(const Triangle& t, std::int32_t a, std::int32_t b) {
   for (const std::int32_t n : t)
     if (n != a && n != b) return n;
@@ -78,7 +76,7 @@ std::optional<SurfaceRemesher::Side> SurfaceRemesher::side(std::int32_t a, std::
   Side s{a, b, -1, -1, -1, -1, -1};
   for (const std::int32_t k : at_[a]) {
     const Triangle& t = mesh_.facets[k].nodes;
-    if (!has(t, b)) continue;
+    if (!has_corner(t, b)) continue;
     const bool forward =
         (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
     (forward ? s.left : s.right) = k;
@@ -115,7 +113,8 @@ double SurfaceRemesher::shape_with(const FaceFacet& facet, std::int32_t n, const
 }
 
 bool SurfaceRemesher::joined(std::int32_t a, std::int32_t b) const {
-  return std::ranges::any_of(at_[a], [&](std::int32_t k) { return has(mesh_.facets[k].nodes, b); });
+  return std::ranges::any_of(at_[a],
+                             [&](std::int32_t k) { return has_corner(mesh_.facets[k].nodes, b); });
 }
 
 std::vector<std::int32_t> SurfaceRemesher::neighbours(std::int32_t n) const {

@@ -16,11 +16,11 @@ struct DelaunayLimits {
   double near = 0.25;          ///< x the distance of the super vertices: well within them
   std::size_t starts = 256;    ///< of a walk in a patch, from the nearest of which it starts
 };
-constexpr DelaunayLimits kLimits;
+constexpr DelaunayLimits kDelaunayLimits;
 
 std::array<Vec3, 4> super_vertices(const Box& bounds) {
   const Vec3 c = 0.5 * (bounds.lo + bounds.hi);
-  const double r = kLimits.super_distance * std::fmax(bounds.diagonal(), 1e-300);
+  const double r = kDelaunayLimits.super_distance * std::fmax(bounds.diagonal(), 1e-300);
   return {c + Vec3{r, r, r}, c + Vec3{r, -r, -r}, c + Vec3{-r, r, -r}, c + Vec3{-r, -r, r}};
 }
 
@@ -45,7 +45,7 @@ DelaunayMesh::DelaunayMesh(const Box& bounds)
 
 bool DelaunayMesh::encloses(const Box& box) const {
   const Vec3 centre = 0.25 * (points_[0] + points_[1] + points_[2] + points_[3]);
-  const double reach = kLimits.near * distance(points_[0], centre);
+  const double reach = kDelaunayLimits.near * distance(points_[0], centre);
   const Vec3 half = 0.5 * (box.hi - box.lo);
   return distance(0.5 * (box.lo + box.hi), centre) + norm(half) <= reach;
 }
@@ -63,7 +63,7 @@ void DelaunayMesh::insert(std::span<const Vec3> positions, std::span<const std::
     points_.resize(last + 1 + kSuper);
   int count = 0;
   for (const std::int32_t node : insertion_order(positions, nodes, box)) {
-    if (count++ % kLimits.nodes_per_poll == 0) run.poll();
+    if (count++ % kDelaunayLimits.nodes_per_poll == 0) run.poll();
     points_[node + kSuper] = positions[node];
     insert_one(node + kSuper);
     if (patch_too_small_) return;  // it may not be a Delaunay mesh any more
@@ -105,7 +105,7 @@ std::int32_t DelaunayMesh::walk(std::int32_t from_slot, const Vec3& p) const {
 std::int32_t DelaunayMesh::locate(const Vec3& p) const {
   if (const std::int32_t t = walk(hint_, p); t >= 0) return t;
   // A patch may be bent or in pieces: from the nearest of some of its tets, then from all.
-  const std::size_t stride = std::max<std::size_t>(1, slots_.size() / kLimits.starts);
+  const std::size_t stride = std::max<std::size_t>(1, slots_.size() / kDelaunayLimits.starts);
   std::int32_t nearest = -1;
   for (std::size_t t = 0; t < slots_.size(); t += stride) {
     if (slots_[t].v[0] == kDead) continue;

@@ -20,7 +20,7 @@ struct MotionLimits {
   int tries = 2;                    ///< of held nodes, once others have made room; more help few
   std::size_t tets_per_try = 5000;  ///< that a held node makes worth while
 };
-constexpr MotionLimits kLimits;
+constexpr MotionLimits kMotionLimits;
 
 }  // namespace
 
@@ -52,16 +52,16 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     const std::vector<std::int32_t> touched = tets_at_moved(roles, run);
     std::vector<std::int32_t> held = revert_inverted(touched, roles, old, run);
     retry(touched, positions, roles, held, run);
-    if (k == 1 &&
-        static_cast<double>(held.size()) > kLimits.most_held * static_cast<double>(moved.size())) {
+    if (k == 1 && static_cast<double>(held.size()) >
+                      kMotionLimits.most_held * static_cast<double>(moved.size())) {
       for (const std::int32_t n : moved) points_[n + kSuper] = old[n + kSuper];
       return Moved::TooFar;
     }
     flip_all(touched, unflipped, run);
     for (const std::int32_t n : going)
       if (roles[n + kSuper] == kMoved) roles[n + kSuper] = kStill;
-    if (k == kLimits.tries || held.size() == going.size() ||
-        held.size() * kLimits.tets_per_try < slots_.size()) {
+    if (k == kMotionLimits.tries || held.size() == going.size() ||
+        held.size() * kMotionLimits.tets_per_try < slots_.size()) {
       again = std::move(held);
       break;
     }

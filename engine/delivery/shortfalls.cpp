@@ -15,7 +15,7 @@ struct WarningLimits {
   /// 0.29; facets have edges half as long again.
   double coarse_chord = 0.25;
 };
-constexpr WarningLimits kLimits;
+constexpr WarningLimits kWarningLimits;
 
 std::string digits(double value, int count) {
   std::array<char, 40> text{};
@@ -34,20 +34,20 @@ std::vector<Warning> shortfalls(const Revision& made) {
   const Report& report = made.report;
   if (made.options.nodes) {
     const double asked = *made.options.nodes;
-    if (std::fabs(report.counts.nodes - asked) > kLimits.off_target * asked)
+    if (std::fabs(report.counts.nodes - asked) > kWarningLimits.off_target * asked)
       warnings.push_back(warning(WarningCode::NodesFarFromTarget,
                                  "the mesh has " + std::to_string(report.counts.nodes) +
                                      " nodes where " + std::to_string(*made.options.nodes) +
                                      " were asked for"));
   }
   const double least = report.quality_away.volume_length_min;
-  if (made.options.clean_up && least < kLimits.least_reached * made.options.threshold)
+  if (made.options.clean_up && least < kWarningLimits.least_reached * made.options.threshold)
     warnings.push_back(warning(WarningCode::QualityLow,
                                "the least volume-length away from sharp places of the model is " +
                                    digits(least, 3) + ", where the clean-up aims at " +
                                    digits(made.options.threshold, 3)));
   const double chord = report.verification.chord_error;
-  if (chord > kLimits.coarse_chord * made.edge_length)
+  if (chord > kWarningLimits.coarse_chord * made.edge_length)
     warnings.push_back(
         warning(WarningCode::ChordsCoarse, "chords lie up to " + digits(chord, 3) +
                                                " off their curved faces, at an edge length of " +

@@ -20,7 +20,7 @@ struct ComparisonLimits {
   int check_lines = 1024;     ///< a lost or doubled cell shows in a few hundred
   int measure_lines = 65536, area_samples = 20000;
 };
-constexpr ComparisonLimits kLimits;
+constexpr ComparisonLimits kComparisonLimits;
 
 using NameOf = std::string_view (*)(DifferenceClass);
 
@@ -76,13 +76,13 @@ std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelV
     remark = failure.info().message;
     return std::nullopt;
   }
-  if (!agree(volumes, estimate_volumes(classes, {kLimits.check_lines, 1}, run),
-             kLimits.brep_error * volume)) {
+  if (!agree(volumes, estimate_volumes(classes, {kComparisonLimits.check_lines, 1}, run),
+             kComparisonLimits.brep_error * volume)) {
     remark = "the overlay's volumes disagree with membership";
     return std::nullopt;
   }
   out.method = "brep";
-  out.error_bound = kLimits.brep_error * volume;
+  out.error_bound = kComparisonLimits.brep_error * volume;
   return out;
 }
 
@@ -120,9 +120,9 @@ void balance(ClassTotals& totals, ClassTotals& errors, const FeaturePair& pair,
 ModelComparison by_membership(const PointClasses& classes, const ModelView& original,
                               const ModelView& modified, const Run& run) {
   using enum DifferenceClass;
-  VolumeEstimate estimate = estimate_volumes(classes, {kLimits.measure_lines, 1}, run);
+  VolumeEstimate estimate = estimate_volumes(classes, {kComparisonLimits.measure_lines, 1}, run);
   const std::vector<ClassTotals> areas =
-      estimate_areas(classes, original, modified, kLimits.area_samples, run);
+      estimate_areas(classes, original, modified, kComparisonLimits.area_samples, run);
   const double diagonal = classes.modified().bounds().diagonal();
   const double rounding = tolerance::kRounding * diagonal * diagonal * diagonal;
 
@@ -165,7 +165,7 @@ ModelComparison compare(const FeatureModel& original, const FeatureModel& modifi
 
   std::string remark;
   const double motion = smallest_motion(original, modified) * modified_cells->scale;
-  if (motion < kLimits.brep_motion) {
+  if (motion < kComparisonLimits.brep_motion) {
     remark = "features moved by less than the overlay resolves";
   } else if (auto answer = by_brep(classes, original_view, modified_view, run, remark)) {
     return *std::move(answer);

@@ -15,7 +15,7 @@ struct AggressiveLimits {
   double compass_start = 0.1, compass_end = 0.004;  ///< steps, x local edge length
   double start_score = 0.2;  ///< of perturbed tets; motion seldom saves worse ones
 };
-constexpr AggressiveLimits kLimits;
+constexpr AggressiveLimits kAggressiveLimits;
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
 constexpr int kSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
 constexpr int kPerturbations = 10;  // edges and facets of a tet, each of which is taken out
@@ -64,7 +64,7 @@ AggressiveImprovement::Neighbourhood AggressiveImprovement::neighbourhood(std::i
 }
 
 bool AggressiveImprovement::is_crowded(const Neighbourhood& neighbourhood) {
-  return neighbourhood.size() > kLimits.crowd;
+  return neighbourhood.size() > kAggressiveLimits.crowd;
 }
 
 bool AggressiveImprovement::descend(std::int32_t t) {
@@ -73,7 +73,7 @@ bool AggressiveImprovement::descend(std::int32_t t) {
   const Rank before = rank(tets);
   Rank after = before;
   mesh_.begin_trial();
-  for (int round = 0; round < kLimits.descent_rounds && after.deficit > 0; ++round) {
+  for (int round = 0; round < kAggressiveLimits.descent_rounds && after.deficit > 0; ++round) {
     for (const std::int32_t node : nodes) {
       Vec3 position;
       if (smoother_.energy_descent_step(node, position)) mesh_.move(node, position);
@@ -116,7 +116,7 @@ bool AggressiveImprovement::reconnect(std::int32_t t, const TetQuality& quality)
 bool AggressiveImprovement::compass_search(std::int32_t t) {
   const Tet tet = mesh_.tet(t);
   bool changed = false;
-  for (int round = 0; round < kLimits.compass_rounds && !good(t); ++round) {
+  for (int round = 0; round < kAggressiveLimits.compass_rounds && !good(t); ++round) {
     bool moved = false;
     for (const std::int32_t node : tet) moved |= compass_search_node(node);
     if (!moved) break;
@@ -145,15 +145,15 @@ bool AggressiveImprovement::compass_search_node(std::int32_t node) {
   Vec3 place = mesh_.node(node);
   double reached = worst_at(node, place, -1);
   const double before = reached;
-  for (double step = kLimits.compass_start * length;
-       step > kLimits.compass_end * length && reached < 1;) {
+  for (double step = kAggressiveLimits.compass_start * length;
+       step > kAggressiveLimits.compass_end * length && reached < 1;) {
     Vec3 best = place;
     for (int k = 0; k < 6; ++k) {
       Vec3 towards{};
       (k / 2 == 0 ? towards.x : k / 2 == 1 ? towards.y : towards.z) = k % 2 ? -step : step;
       const Vec3 p = rules_.settle(node, place + towards);
-      const double s = worst_at(node, p, reached + kLimits.compass_gain);
-      if (s <= reached + kLimits.compass_gain ||
+      const double s = worst_at(node, p, reached + kAggressiveLimits.compass_gain);
+      if (s <= reached + kAggressiveLimits.compass_gain ||
           (!facets_.empty() && !rules_.may_move(node, p, facets_)))
         continue;
       reached = s;
@@ -184,10 +184,10 @@ bool AggressiveImprovement::perturb_and_optimise(std::int32_t t) {
 bool AggressiveImprovement::take_out(std::int32_t t, int way, Reconnection& out) const {
   constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   const TetQuality quality(score_, 0);
-  if (way >= 6) return remove_faces(mesh_, t, way - 6, kLimits.start_score, out, quality);
+  if (way >= 6) return remove_faces(mesh_, t, way - 6, kAggressiveLimits.start_score, out, quality);
   const Tet& tet = mesh_.tet(t);
   return remove_edge(mesh_, rules_, tet[kEdges[way][0]], tet[kEdges[way][1]], max_ring_,
-                     kLimits.start_score, out, quality);
+                     kAggressiveLimits.start_score, out, quality);
 }
 
 bool AggressiveImprovement::optimise_from(const Reconnection& start,

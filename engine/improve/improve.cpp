@@ -26,7 +26,7 @@ struct CleanUpLimits {
   double bad_at_interface = 0.9;  ///< score
   int jobs_per_poll = 64;
 };
-constexpr CleanUpLimits kLimits;
+constexpr CleanUpLimits kCleanUpLimits;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
 struct Job {
@@ -70,7 +70,7 @@ class CleanUp {
     for (const std::int32_t t : bad_tets()) {
       ++result.below_threshold;
       if (std::ranges::min(mesh_.tet(t)) < options_.locked &&
-          score_(mesh_, t) < kLimits.bad_at_interface)
+          score_(mesh_, t) < kCleanUpLimits.bad_at_interface)
         ++result.bad_at_interface;
     }
     result.mesh = mesh_.result();
@@ -149,7 +149,7 @@ class CleanUp {
   }
 
   [[nodiscard]] std::size_t most_residual() const {
-    return kLimits.residual + static_cast<std::size_t>(mesh_.slots()) / 1000;
+    return kCleanUpLimits.residual + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
   /// Works on the few tets that are left; where there are many the goals are out of reach.
@@ -157,10 +157,11 @@ class CleanUp {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
     for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_residual_tets(kLimits.neighbourhoods, Spare::NeighboursInVain, in_vain, optimise))
+      if (!on_residual_tets(kCleanUpLimits.neighbourhoods, Spare::NeighboursInVain, in_vain,
+                            optimise))
         break;
     in_vain.clear();
-    on_residual_tets(kLimits.perturbed, Spare::NeighboursInVain, in_vain,
+    on_residual_tets(kCleanUpLimits.perturbed, Spare::NeighboursInVain, in_vain,
                      [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
   }
 
@@ -178,7 +179,7 @@ class CleanUp {
   bool drain() {
     bool changed = false;
     for (int count = 0; !jobs_.empty(); ++count) {
-      if (count % kLimits.jobs_per_poll == 0) run_.poll();
+      if (count % kCleanUpLimits.jobs_per_poll == 0) run_.poll();
       const Job job = jobs_.top();
       jobs_.pop();
       if (!mesh_.used(job.tet) || mesh_.stamp(job.tet) != job.stamp) continue;
@@ -196,9 +197,11 @@ class CleanUp {
 
   bool smooth(std::int32_t t) {
     bool changed = false;
-    const double enough = std::max(options_.threshold, mesh_.quality(t) + kLimits.sharp_gain);
+    const double enough =
+        std::max(options_.threshold, mesh_.quality(t) + kCleanUpLimits.sharp_gain);
     for (const std::int32_t node : mesh_.tet(t)) {
-      if (mesh_.tets_of(node).size() > kLimits.tets_at_node || !smooth_node(node, enough)) continue;
+      if (mesh_.tets_of(node).size() > kCleanUpLimits.tets_at_node || !smooth_node(node, enough))
+        continue;
       changed = true;
       if (!bad(t)) break;
     }

@@ -22,7 +22,7 @@ struct SmoothingLimits {
   /// nothing. Where a tenth of it did, clean-up took half as long again and helped no more.
   double energy = 1;
 };
-constexpr SmoothingLimits kLimits;
+constexpr SmoothingLimits kSmoothingLimits;
 
 }  // namespace
 
@@ -85,7 +85,7 @@ Vec3 Smoother::ascent(double worst, double band) const {
     break;
   }
   if (first) return v;
-  for (int walk = 0; walk < kLimits.walks; ++walk) {
+  for (int walk = 0; walk < kSmoothingLimits.walks; ++walk) {
     const Slope* back = nullptr;
     double least = norm2(v) * (1 - 1e-3);
     for (const Slope& s : slopes_) {
@@ -150,8 +150,8 @@ bool Smoother::energy_descent_step(std::int32_t node, const Score& score, int st
   };
   const Vec3& p = mesh_.node(node);
   const double now = energy(p, HUGE_VAL);
-  if (now < kLimits.energy) return false;
-  const double h = kLimits.difference * length_;
+  if (now < kSmoothingLimits.energy) return false;
+  const double h = kSmoothingLimits.difference * length_;
   const auto fall = [&](const Vec3& by) { return now - energy(p + by, HUGE_VAL); };
   const Vec3 direction{fall({h, 0, 0}), fall({0, h, 0}), fall({0, 0, h})};
   return std::isfinite(norm2(direction)) && step_down(node, direction, now, energy, position);
@@ -164,8 +164,8 @@ bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const En
   const bool slides = !facets_.empty();
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
   const Vec3 unit = normalised(direction);
-  double reach = kLimits.descent_step * length_;
-  for (int halving = 0; halving < kLimits.halvings; ++halving, reach *= 0.5) {
+  double reach = kSmoothingLimits.descent_step * length_;
+  for (int halving = 0; halving < kSmoothingLimits.halvings; ++halving, reach *= 0.5) {
     const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
     if (!(energy(candidate, now) < now)) continue;
     if (slides && !rules_.may_move(node, candidate, facets_)) continue;
@@ -183,9 +183,9 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
   Vec3 p = start;
   double q = slopes(p);
   const double q_start = q;
-  for (int step = 0; step < kLimits.steps && q < enough; ++step) {
+  for (int step = 0; step < kSmoothingLimits.steps && q < enough; ++step) {
     if (step > 0) q = slopes(p);
-    Vec3 direction = ascent(q, kLimits.band);
+    Vec3 direction = ascent(q, kSmoothingLimits.band);
     double steepness = norm(direction);
     if (steepness * length_ < 1e-3) break;
     if (slides) {
@@ -195,7 +195,7 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
     }
     const Vec3 unit = direction / steepness;
     // First-order guess of where another tet becomes the worst.
-    double reach = kLimits.step * length_;
+    double reach = kSmoothingLimits.step * length_;
     const double rise = [&] {
       double least = steepness;
       for (const Slope& s : slopes_)
@@ -208,7 +208,7 @@ bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& posit
     }
     reach = std::max(reach, 0.01 * length_);
     bool moved = false;
-    for (int halving = 0; halving < kLimits.halvings; ++halving, reach *= 0.5) {
+    for (int halving = 0; halving < kSmoothingLimits.halvings; ++halving, reach *= 0.5) {
       const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
       const double reached = worst(candidate, q);
       if (reached <= q) continue;

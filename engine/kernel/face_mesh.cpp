@@ -31,7 +31,7 @@ struct FaceMeshLimits {
   int rounds = 40;            ///< of splitting segments that cross
   std::size_t most_interior = 20'000;  ///< nodes inside of a face that is round both ways
 };
-constexpr FaceMeshLimits kLimits;
+constexpr FaceMeshLimits kFaceMeshLimits;
 
 Point2 point2(const std::array<double, 2>& p) { return {p[0], p[1]}; }
 
@@ -67,7 +67,7 @@ class FaceMesher {
       for (const int f : faces)
         if (!find_cuts(border_of(f), cuts)) return false;
       if (cuts.empty()) break;
-      if (round == kLimits.rounds) return false;
+      if (round == kFaceMeshLimits.rounds) return false;
       for (auto it = cuts.rbegin(); it != cuts.rend(); ++it) {  // the highest index first
         split(*it);
         faces.insert(faces_at_[it->edge].begin(), faces_at_[it->edge].end());
@@ -136,7 +136,7 @@ class FaceMesher {
       high = std::max(high, corner.p[1]);
     }
     const double factor =
-        std::min(1.0, kFaceTurning * stretch_[0] / std::max(high - low, kLimits.shortest));
+        std::min(1.0, kFaceTurning * stretch_[0] / std::max(high - low, kFaceMeshLimits.shortest));
     for (Border::Corner& corner : border.corners) corner.p[1] *= factor;
   }
 
@@ -186,7 +186,7 @@ class FaceMesher {
       const auto [begin, end] = of_node.equal_range(node);
       for (auto it = begin; it != end; ++it)
         if (std::hypot(border.corners[it->second].p[0] - p[0],
-                       border.corners[it->second].p[1] - p[1]) < kLimits.same_corner)
+                       border.corners[it->second].p[1] - p[1]) < kFaceMeshLimits.same_corner)
           return it->second;
       border.corners.push_back({p, node});
       of_node.emplace(node, static_cast<int>(border.corners.size()) - 1);
@@ -238,7 +238,7 @@ class FaceMesher {
   }
   [[nodiscard]] bool can_split(const Border::Segment& s) const {
     return s.edge >= 0 && brep_.edges[s.edge].kind != BrepEdge::Kind::Line &&
-           length(s) > kLimits.shortest;
+           length(s) > kFaceMeshLimits.shortest;
   }
 
   /// Adds what must be split so that the border does not cross itself: of two segments the longer,
@@ -293,7 +293,7 @@ class FaceMesher {
     const double step_u = kFaceTurning * stretch_[0], step_v = kFaceTurning * stretch_[1];
     const double reach = 0.4 * std::min(step_u, step_v);
     const double nu = (box.xmax() - box.xmin()) / step_u, nv = (box.ymax() - box.ymin()) / step_v;
-    if (!(nu * nv < kLimits.most_interior)) return {};
+    if (!(nu * nv < kFaceMeshLimits.most_interior)) return {};
     std::vector<std::array<double, 2>> points;
     for (int i = 0; i < nu; ++i)
       for (int j = 0; j < nv; ++j) {

@@ -13,6 +13,10 @@ namespace remeshd {
 using Tet = std::array<std::int32_t, 4>;
 using Triangle = std::array<std::int32_t, 3>;
 
+inline bool has_corner(const Triangle& t, std::int32_t node) {
+  return t[0] == node || t[1] == node || t[2] == node;
+}
+
 /// Nodes and tets. Inv: 0-based, every tet of positive volume:
 /// dot(cross(b - a, c - a), d - a) > 0.
 struct TetMesh {

@@ -8,9 +8,12 @@
 #include "engine/model/limits.h"
 
 namespace remeshd {
-namespace {
+
+std::string side_name(std::size_t k) { return "side" + std::to_string(k + 1); }
 
 std::string entry_name(std::size_t k) { return "profile[" + std::to_string(k) + "]"; }
+
+namespace {
 
 double separation(const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 

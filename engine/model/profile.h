@@ -12,6 +12,11 @@ class Scope;
 /// Most entries of one profile.
 inline constexpr std::size_t kMaxProfileEntries = 1000;
 
+/// What errors call entry k (0-based) of a profile: `profile[k]`.
+std::string entry_name(std::size_t k);
+/// The face that side k (0-based) of a profile sweeps: `side1`, ...
+std::string side_name(std::size_t k);
+
 /// A point of the profile's plane.
 using Point2 = std::array<double, 2>;
 

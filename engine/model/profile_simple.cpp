@@ -98,9 +98,6 @@ Point2 direction_from(const ProfileSide& side, bool from_start) {
   return (1 / length(d)) * d;
 }
 
-std::string side_name(std::size_t k) { return "side" + std::to_string(k + 1); }
-std::string entry_name(std::size_t k) { return "profile[" + std::to_string(k) + "]"; }
-
 bool apart(const Box2& a, const Box2& b, double margin) {
   return a.lo[0] > b.hi[0] + margin || b.lo[0] > a.hi[0] + margin || a.lo[1] > b.hi[1] + margin ||
          b.lo[1] > a.hi[1] + margin;

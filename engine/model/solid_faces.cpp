@@ -29,7 +29,6 @@ Surface torus(double z, double major, double minor) {
 }
 SolidFace bottom() { return {"bottom", plane({0, 0, 0}, {0, 0, -1})}; }
 SolidFace top(double height) { return {"top", plane({0, 0, height}, {0, 0, 1})}; }
-std::string side_name(std::size_t k) { return "side" + std::to_string(k + 1); }
 
 /// What a straight side sweeps when turned about z; its x is the distance from z.
 Surface turned_segment(const ProfileSide& side, bool counter_clockwise) {

@@ -18,7 +18,7 @@ struct CopyLimits {
   double nodes_per_layer = 1.2247;
   int bisections = 12;  ///< to find the wall
 };
-constexpr CopyLimits kLimits;
+constexpr CopyLimits kCopyLimits;
 
 Grouping<Tet> tets_at_nodes(const OriginalNodes& original) {
   return grouped<Tet>(original.positions.size(), [&](const auto& visit) {
@@ -61,7 +61,8 @@ class Copier {
     const Vec3& q = original_.positions[n];
     if (original_.supports[n].kind == Support::Kind::Interior) return source_(x.apply(q)) == t;
     for (const Tet& tet : at_[n])
-      if (source_(x.apply(q + kLimits.into_tet * (centroid(original_.positions, tet) - q))) == t)
+      if (source_(x.apply(q + kCopyLimits.into_tet * (centroid(original_.positions, tet) - q))) ==
+          t)
         return true;
     return false;
   }
@@ -83,13 +84,13 @@ class Copier {
     middle = middle / count;
     if (source_(middle) != t) return std::nullopt;
     double outside = 0, inside = 1;
-    for (int k = 0; k < kLimits.bisections; ++k) {
+    for (int k = 0; k < kCopyLimits.bisections; ++k) {
       const double half = 0.5 * (outside + inside);
       (source_(p + half * (middle - p)) == t ? inside : outside) = half;
     }
     const Vec3 place = p + inside * (middle - p);
     const double lost =
-        kLimits.nodes_per_layer * distance(p, place) / sizes_(original_.positions[n]);
+        kCopyLimits.nodes_per_layer * distance(p, place) / sizes_(original_.positions[n]);
     Random draw(static_cast<std::uint64_t>(n) ^ std::bit_cast<std::uint64_t>(lost));
     if (draw.uniform() < lost) return std::nullopt;
     return place;

@@ -13,7 +13,7 @@ struct GridLimits {
   double drift = 0.15;           ///< x width of a cell: further outside of its cell a node strays
   std::size_t most_strays = 12;  ///< each query looks at all of them
 };
-constexpr GridLimits kLimits;
+constexpr GridLimits kGridLimits;
 constexpr Vec3 kAway{1e150, 1e150, 1e150};
 }  // namespace
 
@@ -32,7 +32,7 @@ void NearestNode::build(std::span<const Vec3> positions) {
   const auto cells = [&] {
     return (extent.x / cell_ + 1) * (extent.y / cell_ + 1) * (extent.z / cell_ + 1);
   };
-  while (cells() > kLimits.per_node * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
+  while (cells() > kGridLimits.per_node * static_cast<double>(positions.size()) + 64) cell_ *= 1.3;
   size_ = {static_cast<int>(extent.x / cell_) + 1, static_cast<int>(extent.y / cell_) + 1,
            static_cast<int>(extent.z / cell_) + 1};
   per_length_ = 1 / cell_;
@@ -74,7 +74,7 @@ void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::i
     const Vec3& p = positions[n];
     const bool known = static_cast<std::size_t>(n) < entry_.size();
     const double off = known ? beyond(where_[n], p) : HUGE_VAL;
-    if (known && off <= kLimits.drift * cell_ && points_[entry_[n]] != kAway) {
+    if (known && off <= kGridLimits.drift * cell_ && points_[entry_[n]] != kAway) {
       points_[entry_[n]] = p;
       drift_ = std::max(drift_, off);
       continue;
@@ -84,7 +84,7 @@ void NearestNode::follow(std::span<const Vec3> positions, std::span<const std::i
       at->at = p;
       continue;
     }
-    if (strays_.size() == kLimits.most_strays) {
+    if (strays_.size() == kGridLimits.most_strays) {
       build(positions);
       return;
     }

@@ -17,14 +17,14 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
 namespace {
 
 /// What moves a node: sums over its tets.
-struct Pull {
+struct MassMoment {
   Vec3 moment;
   double mass = 0;
 };
 
 /// Adds a tet of a density to the sums of those of its nodes that have a 1 in `at`.
 void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at, double weight,
-         std::vector<Pull>& pulls) {
+         std::vector<MassMoment>& sums) {
   const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
              &d = nodes.positions[t[3]];
   const Vec3 ab = b - a, ac = c - a, ad = d - a;
@@ -34,8 +34,8 @@ void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at
   const Vec3 m = (norm2(ad) * nc + norm2(ac) * nb + norm2(ab) * nd) / 12.0;
   for (const std::int32_t n : t) {
     if (!at[n]) continue;
-    pulls[n].moment += weight * (m + (six_volume / 6) * (a - nodes.positions[n]));
-    pulls[n].mass += weight * (six_volume / 6);
+    sums[n].moment += weight * (m + (six_volume / 6) * (a - nodes.positions[n]));
+    sums[n].mass += weight * (six_volume / 6);
   }
 }
 
@@ -56,11 +56,11 @@ bool any(const std::vector<std::uint8_t>& at, const Tet& t) {
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
               const NodeLengths& lengths, const Run& run) {
   const std::vector<std::uint8_t> moves = relocated(nodes);
-  std::vector<Pull> pulls(moves.size());
+  std::vector<MassMoment> sums(moves.size());
   Polling poll(run);
   for (const Tet& t : tets) {
     poll();
-    if (any(moves, t)) add(nodes, t, moves, density(t, lengths), pulls);
+    if (any(moves, t)) add(nodes, t, moves, density(t, lengths), sums);
   }
   std::vector<Vec3> to = nodes.positions;
   std::vector<std::uint8_t> stuck(moves.size(), 0);
@@ -69,24 +69,24 @@ void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& insid
       [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
         run.poll();
         for (std::size_t n = begin; n < end; ++n) {
-          if (!moves[n] || pulls[n].mass <= 0) continue;
-          const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].mass;
+          if (!moves[n] || sums[n].mass <= 0) continue;
+          const Vec3 p = nodes.positions[n] + sums[n].moment / sums[n].mass;
           if (inside(p)) {
             to[n] = p;
             continue;
           }
           stuck[n] = 1;
-          pulls[n] = {};
+          sums[n] = {};
           found.push_back(static_cast<std::int32_t>(n));
         }
       });
   if (!all_stuck.empty()) {
     for (const Tet& t : tets)
       if (any(stuck, t) && inside(centroid(nodes.positions, t)))
-        add(nodes, t, stuck, density(t, lengths), pulls);
+        add(nodes, t, stuck, density(t, lengths), sums);
     for (const std::int32_t n : all_stuck) {
-      if (pulls[n].mass <= 0) continue;
-      const Vec3 p = nodes.positions[n] + pulls[n].moment / pulls[n].mass;
+      if (sums[n].mass <= 0) continue;
+      const Vec3 p = nodes.positions[n] + sums[n].moment / sums[n].mass;
       if (inside(p)) to[n] = p;
     }
   }

@@ -34,7 +34,7 @@ struct MorphLimits {
   int sweeps = 24;             ///< of the harmonic extension, there and back
   double quality_loss = 1e-3;  ///< rad, and of the measure: as good as none
 };
-constexpr MorphLimits kLimits;
+constexpr MorphLimits kMorphLimits;
 
 /// Where the nodes of the anchor go.
 class Motion {
@@ -57,12 +57,12 @@ class Motion {
       moved_.push_back(anchor_[n]);
       node_ = std::max(node_, norm(d));
     }
-    return surface_ < kLimits.surface_motion * l_;
+    return surface_ < kMorphLimits.surface_motion * l_;
   }
 
   /// Whether no node moved out of proportion. `hidden`: what hidden faces may have moved edges by.
   [[nodiscard]] bool in_proportion(double hidden) const {
-    return node_ <= std::max(kLimits.leverage * surface_, hidden) + none_;
+    return node_ <= std::max(kMorphLimits.leverage * surface_, hidden) + none_;
   }
 
   /// Interior nodes near moved ones by harmonic extension, nought further away.
@@ -75,7 +75,8 @@ class Motion {
       poll();
       if (supports_[n].kind != Support::Kind::Interior) continue;
       const Vec3& nearest = moved_[grid.nearest(anchor_[n])];
-      if (norm2(nearest - anchor_[n]) > kLimits.influence * kLimits.influence * l_ * l_) continue;
+      if (norm2(nearest - anchor_[n]) > kMorphLimits.influence * kMorphLimits.influence * l_ * l_)
+        continue;
       row[n] = static_cast<std::int32_t>(inner.size());
       inner.push_back(static_cast<std::int32_t>(n));
     }
@@ -93,7 +94,7 @@ class Motion {
       for (const std::int32_t b : neighbours[k]) sum += by_[b];
       by_[inner[k]] = sum / static_cast<double>(neighbours[k].size());
     };
-    for (int sweep = 0; sweep < kLimits.sweeps; ++sweep) {
+    for (int sweep = 0; sweep < kMorphLimits.sweeps; ++sweep) {
       for (std::size_t k = 0; k < inner.size(); ++k, poll()) descend(k);
       for (std::size_t k = inner.size(); k-- > 0; poll()) descend(k);
     }
@@ -126,9 +127,9 @@ struct Worst {
   }
   /// Whether this meets the goals wherever `then` did, and is about as good as it elsewhere.
   [[nodiscard]] bool as_good_as(const Worst& then) const {
-    return measure >= std::min(goals::kLeastMeasure, then.measure - kLimits.quality_loss) &&
-           least >= std::min(goals::kLeastDihedral, then.least - kLimits.quality_loss) &&
-           largest <= std::max(goals::kLargestDihedral, then.largest + kLimits.quality_loss);
+    return measure >= std::min(goals::kLeastMeasure, then.measure - kMorphLimits.quality_loss) &&
+           least >= std::min(goals::kLeastDihedral, then.least - kMorphLimits.quality_loss) &&
+           largest <= std::max(goals::kLargestDihedral, then.largest + kMorphLimits.quality_loss);
   }
 };
 
@@ -139,8 +140,9 @@ std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const
   const double l = sizes_of(original, run).least();
   const BoundaryModel& boundary = modified.cells.boundary;
   const double bound = motion_bound(original.delaunay_model(), modified.model);
-  if (bound > kLimits.motion_bound * l) return NotMorphed{};
-  const auto match = match_boundaries(original.cells.boundary, boundary, kLimits.partner_reach * l);
+  if (bound > kMorphLimits.motion_bound * l) return NotMorphed{};
+  const auto match =
+      match_boundaries(original.cells.boundary, boundary, kMorphLimits.partner_reach * l);
   if (!match) return NotMorphed{};
 
   MorphedMesh c;
@@ -149,7 +151,7 @@ std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const
   const CowVector<Vec3>& anchor = original.delaunay_nodes();
   Motion motion(anchor, c.supports, l);
   if (!motion.follow(boundary)) return NotMorphed{};
-  const double coincident = kLimits.coincident * kernel_tolerance(modified.cells.parts->brep);
+  const double coincident = kMorphLimits.coincident * kernel_tolerance(modified.cells.parts->brep);
   if (!motion.in_proportion(std::min(bound, coincident)))
     return NotMorphed("a node would have moved more than five times as far as any surface");
   Polling poll(run);

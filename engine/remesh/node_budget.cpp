@@ -23,7 +23,7 @@ struct BudgetLimits {
   int recounts = 3;         ///< of the nodes that would do
   double recounted = 0.05;  ///< of them: as near to the last count they are not counted again
 };
-constexpr BudgetLimits kLimits;
+constexpr BudgetLimits kBudgetLimits;
 
 /// A start with some field, and what the field asks for at its nodes and at the sides of walls and
 /// gaps. Each node stands for a volume that holds more or fewer nodes as its edge length changes.
@@ -67,7 +67,7 @@ struct Coarseness {
 
 /// Step `t` of a way from 0, finest, to 2.
 Coarseness coarseness(double t, double guess, double weakest) {
-  const double r = kLimits.coarsest;
+  const double r = kBudgetLimits.coarsest;
   return {guess * std::pow(r, 2 * std::fmin(t, 1) - 1), std::pow(weakest, std::fmax(t, 1) - 1)};
 }
 
@@ -75,7 +75,7 @@ Coarseness coarseness(double t, double guess, double weakest) {
 Coarseness better_coarseness(double nodes, const Start& start, const Coarseness& now, double guess,
                              double weakest) {
   double fine = 0, coarse = 2;
-  for (int k = 0; k < kLimits.bisections; ++k) {
+  for (int k = 0; k < kBudgetLimits.bisections; ++k) {
     const double middle = 0.5 * (fine + coarse);
     const Coarseness tried = coarseness(middle, guess, weakest);
     (start.expected(tried.base, tried.weakening / now.weakening) > nodes ? fine : coarse) = middle;
@@ -114,12 +114,12 @@ class Starts {
 /// Nodes that make the rules hold without weakening: so many that a start with the coarsest base
 /// size for them has as many.
 double satisfying(double nodes, const CellularModel& cells, const Starts& starts) {
-  for (int k = 0; k < kLimits.recounts; ++k) {
+  for (int k = 0; k < kBudgetLimits.recounts; ++k) {
     const Start start = starts.of({coarsest_base(cells, nodes), 1});
     const double before = nodes;
-    for (int i = 0; i < kLimits.bisections; ++i)
+    for (int i = 0; i < kBudgetLimits.bisections; ++i)
       nodes = start.expected(coarsest_base(cells, nodes), 1);
-    if (std::fabs(nodes / before - 1) < kLimits.recounted) break;
+    if (std::fabs(nodes / before - 1) < kBudgetLimits.recounted) break;
   }
   return nodes;
 }
@@ -127,22 +127,23 @@ double satisfying(double nodes, const CellularModel& cells, const Starts& starts
 }  // namespace
 
 double coarsest_base(const CellularModel& cells, double nodes) {
-  return kLimits.coarsest * edge_length_for(cells.volume, cells.area, nodes);
+  return kBudgetLimits.coarsest * edge_length_for(cells.volume, cells.area, nodes);
 }
 
 Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
                           const FeatureModel& model, const CellularModel& cells, const Run& run) {
   const Starts starts(rules, options, model, cells.boundary.bounds, run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
-  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kLimits.fewest_edges);
+  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges);
   Coarseness now{guess, 1};
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {std::move(sizes)};
   for (int k = 1;; ++k) {
     const Start start = starts.of(now);
     const Coarseness better = better_coarseness(nodes, start, now, guess, weakest);
-    const bool still =
-        better.weakening == now.weakening && std::fabs(better.base / now.base - 1) < kLimits.still;
-    if (k < kLimits.tries && !still && std::fabs(start.nodes() / nodes - 1) >= kLimits.close) {
+    const bool still = better.weakening == now.weakening &&
+                       std::fabs(better.base / now.base - 1) < kBudgetLimits.still;
+    if (k < kBudgetLimits.tries && !still &&
+        std::fabs(start.nodes() / nodes - 1) >= kBudgetLimits.close) {
       now = better;
       continue;
     }

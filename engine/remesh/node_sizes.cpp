@@ -18,9 +18,11 @@ struct ResizeLimits {
   double most_off = 1.25;  ///< of a length wanted and one that was
   double around = 1;       ///< x edge length: nothing nearest to a node is further away
 };
-constexpr ResizeLimits kLimits;
+constexpr ResizeLimits kResizeLimits;
 
-bool differ(double a, double b) { return a > kLimits.most_off * b || b > kLimits.most_off * a; }
+bool differ(double a, double b) {
+  return a > kResizeLimits.most_off * b || b > kResizeLimits.most_off * a;
+}
 
 /// Whether that is known: revisions that are not even were stored without it once.
 bool is_known(const Revision& parent) {
@@ -82,7 +84,7 @@ std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
       Nearest{NearestNode(nodes, kGridCell * sizes.grid_length()), std::move(off)});
   return plan.with_new_in(
       [nearest](const Vec3& p) { return nearest->off[nearest->grid.nearest(p)] != 0; },
-      Region(places, kLimits.around * longest, 1).boxes(), CopyPlan::Anew::InPlace);
+      Region(places, kResizeLimits.around * longest, 1).boxes(), CopyPlan::Anew::InPlace);
 }
 
 }  // namespace remeshd

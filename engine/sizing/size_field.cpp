@@ -18,7 +18,7 @@ struct TreeLimits {
   std::size_t leaf = 4;  ///< sources that are asked one by one
   double cells = 48;     ///< along the diagonal of the bounds
 };
-constexpr TreeLimits kLimits;
+constexpr TreeLimits kTreeLimits;
 
 struct Refinement {
   double slope = 0.3;  ///< of what was even
@@ -34,7 +34,7 @@ constexpr PartLimits kParts;
 /// Cubes that fill a box.
 class BoxGrid {
  public:
-  explicit BoxGrid(const Box& box) : box_(box), side_(box.diagonal() / kLimits.cells) {
+  explicit BoxGrid(const Box& box) : box_(box), side_(box.diagonal() / kTreeLimits.cells) {
     const Vec3 sides = box.hi - box.lo;
     const auto count = [&](double side) {
       return static_cast<std::size_t>(std::max(std::ceil(side / side_), 1.0));
@@ -88,7 +88,7 @@ class SizeField::Tree {
       : limits_(limits), sources_(std::move(sources)), grid_(bounds) {
     const bool cones = std::ranges::any_of(sources_, &SizeSource::varies);
     steepest_ = (cones ? 2 : 1) * limits.slope;
-    nodes_.reserve(2 * sources_.size() / kLimits.leaf + 1);
+    nodes_.reserve(2 * sources_.size() / kTreeLimits.leaf + 1);
     divide(sources_);
     begin_at_.assign(grid_.cells(), 0);
     std::int32_t last = 0;
@@ -151,7 +151,7 @@ class SizeField::Tree {
       node.size = std::min(node.size, source.lowest(limits_));
     }
     nodes_.push_back(node);
-    if (sources.size() <= kLimits.leaf) {
+    if (sources.size() <= kTreeLimits.leaf) {
       nodes_[at].count = static_cast<std::int32_t>(sources.size());
       return;
     }

@@ -18,7 +18,7 @@ struct PlaceLimits {
   double even = 1.5;    ///< the greatest thickness of a place over the least
   double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
 };
-constexpr PlaceLimits kLimits;
+constexpr PlaceLimits kPlaceLimits;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -101,7 +101,8 @@ class Search {
       return;
     }
     const double thickness = std::max(least, least_);
-    if (greatest <= kLimits.even * thickness || patch.radius <= kLimits.smallest * thickness) {
+    if (greatest <= kPlaceLimits.even * thickness ||
+        patch.radius <= kPlaceLimits.smallest * thickness) {
       if (thickness < most_) {
         // From what is nearest, beside a film, this face is less far than the patch: it ends there.
         const double film = tree_.nearest(nearest.at, film_, others_).distance;

@@ -16,13 +16,13 @@ using Context = grpc::CallbackServerContext;
 using Bytes = grpc::ByteBuffer;
 using Reply = grpc::ServerUnaryReactor;
 
-using RawService =
+using RawCacheMethods =
     RawMethods<Cache::Service, Cache::WithRawCallbackMethod_ListCacheEntries,
                Cache::WithRawCallbackMethod_GetCacheStats,
                Cache::WithRawCallbackMethod_CollectGarbage,
                Cache::WithRawCallbackMethod_VerifyCache, Cache::WithRawCallbackMethod_SetPin>::Type;
 
-GarbageOptions decode(const v1::CollectGarbageRequest& request) {
+GarbageOptions garbage_options(const v1::CollectGarbageRequest& request) {
   GarbageOptions out{.dry_run = request.dry_run()};
   if (request.has_disk_bytes()) out.disk_bytes = request.disk_bytes();
   if (request.has_unused_seconds()) {
@@ -34,7 +34,7 @@ GarbageOptions decode(const v1::CollectGarbageRequest& request) {
   return out;
 }
 
-class RawCacheService final : public RawService {
+class RawCacheService final : public RawCacheMethods {
  public:
   RawCacheService(Tenants& tenants, ServiceOptions options)
       : tenants_(tenants), options_(std::move(options)) {}
@@ -53,7 +53,7 @@ class RawCacheService final : public RawService {
     return query<v1::CollectGarbageRequest>(
         "CollectGarbage", Lane::Preparation, context, in, out,
         [](Session& session, const auto& request) {
-          return encode(session.cache().collect_garbage(decode(request)));
+          return encode(session.cache().collect_garbage(garbage_options(request)));
         });
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {

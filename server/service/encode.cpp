@@ -8,12 +8,6 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-void put_time(std::int64_t ns, google::protobuf::Timestamp& out) {
-  constexpr std::int64_t kNano = 1000000000;
-  out.set_seconds(ns / kNano);
-  out.set_nanos(static_cast<std::int32_t>(ns % kNano));
-}
-
 /// Of an even mesh no rule holds, so none is told.
 void put(const Sizing& sizing, v1::Sizing& out) {
   out.set_even(sizing.even);
@@ -31,6 +25,12 @@ v1::MeshOptions encode_options(const Revision& revision) {
 }
 
 }  // namespace
+
+void put_time(std::int64_t ns, google::protobuf::Timestamp& out) {
+  constexpr std::int64_t kNano = 1000000000;
+  out.set_seconds(ns / kNano);
+  out.set_nanos(static_cast<std::int32_t>(ns % kNano));
+}
 
 v1::MeshOptions encode(const MeshOptions& options) {
   v1::MeshOptions out;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <google/protobuf/timestamp.pb.h>
+
+#include <cstdint>
 #include <string>
 
 #include "remesh/v1/remesh.pb.h"
@@ -8,6 +11,9 @@
 #include "server/session/session.h"
 
 namespace remeshd {
+
+/// Nanoseconds since 1970 as a time stamp.
+void put_time(std::int64_t ns, google::protobuf::Timestamp& out);
 
 /// The session's values as messages.
 remesh::v1::RevisionInfo encode(const RevisionRecord& record, const PlaceRecord& place);

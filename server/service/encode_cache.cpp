@@ -12,12 +12,6 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-void put_time(std::int64_t ns, google::protobuf::Timestamp& out) {
-  constexpr std::int64_t kNano = 1000000000;
-  out.set_seconds(ns / kNano);
-  out.set_nanos(static_cast<std::int32_t>(ns % kNano));
-}
-
 v1::CacheEntry::State encode(MeshState state) {
   switch (state) {
     case MeshState::Stored:

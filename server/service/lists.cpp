@@ -25,7 +25,7 @@ std::int64_t ns_of(const google::protobuf::Timestamp& time) {
   return std::clamp(time.seconds(), -kMost, kMost) * kNano + time.nanos();
 }
 
-RevisionFilter decode(const v1::RevisionFilter& message) {
+RevisionFilter filter_of(const v1::RevisionFilter& message) {
   RevisionFilter out;
   out.design = message.design();
   out.model_name = message.model_name();
@@ -39,7 +39,7 @@ RevisionFilter decode(const v1::RevisionFilter& message) {
   return out;
 }
 
-DesignFilter decode(const v1::DesignFilter& message) {
+DesignFilter filter_of(const v1::DesignFilter& message) {
   DesignFilter out;
   out.prefix = message.prefix();
   if (message.has_changed_from()) out.changed_from_ns = ns_of(message.changed_from());
@@ -47,7 +47,7 @@ DesignFilter decode(const v1::DesignFilter& message) {
   return out;
 }
 
-RevisionOrder decode(v1::RevisionOrder order) {
+RevisionOrder order_of(v1::RevisionOrder order) {
   switch (order) {
     case v1::REVISION_ORDER_UNSPECIFIED:
       return RevisionOrder::Place;
@@ -60,7 +60,7 @@ RevisionOrder decode(v1::RevisionOrder order) {
   }
 }
 
-DesignOrder decode(v1::DesignOrder order) {
+DesignOrder order_of(v1::DesignOrder order) {
   switch (order) {
     case v1::DESIGN_ORDER_UNSPECIFIED:
       return DesignOrder::Name;
@@ -87,7 +87,7 @@ v1::ListRevisionsResponse list_revisions(Session& session,
                                          const v1::ListRevisionsRequest& request) {
   const ListIdentity list("revisions", request.filter(), request.order(), request.descending());
   const int limit = rows_of(request.page_size());
-  RevisionPage page{.order = decode(request.order()),
+  RevisionPage page{.order = order_of(request.order()),
                     .descending = request.descending(),
                     .after = std::nullopt,
                     .limit = limit + 1};
@@ -95,7 +95,7 @@ v1::ListRevisionsResponse list_revisions(Session& session,
     const ListIdentity::Row row = list.read(request.page_token());
     page.after = {.value = row.value, .id = row.id, .design = row.name, .number = row.number};
   }
-  auto rows = session.list(decode(request.filter()), page);
+  auto rows = session.list(filter_of(request.filter()), page);
   const bool more = cut(rows, limit);
   v1::ListRevisionsResponse out;
   for (const ListedRevision& row : rows) *out.add_revisions() = encode(row.record, row.place);
@@ -109,7 +109,7 @@ v1::ListRevisionsResponse list_revisions(Session& session,
 v1::ListDesignsResponse list_designs(Session& session, const v1::ListDesignsRequest& request) {
   const ListIdentity list("designs", request.filter(), request.order(), request.descending());
   const int limit = rows_of(request.page_size());
-  DesignPage page{.order = decode(request.order()),
+  DesignPage page{.order = order_of(request.order()),
                   .descending = request.descending(),
                   .after = std::nullopt,
                   .limit = limit + 1};
@@ -117,7 +117,7 @@ v1::ListDesignsResponse list_designs(Session& session, const v1::ListDesignsRequ
     const ListIdentity::Row row = list.read(request.page_token());
     page.after = {.value = row.value, .name = row.name};
   }
-  auto rows = session.designs(decode(request.filter()), page);
+  auto rows = session.designs(filter_of(request.filter()), page);
   const bool more = cut(rows, limit);
   v1::ListDesignsResponse out;
   for (const DesignRecord& row : rows) *out.add_designs() = encode(row);

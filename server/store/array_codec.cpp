@@ -15,14 +15,15 @@ namespace remeshd {
 namespace {
 
 // A higher level saves some 5 % and takes twice as long.
-constexpr int kLevel = 1;
+constexpr int kArrayLevel = 1;
 // Where more of the pages differ, rows may have moved, and a patch may be the shorter. To look for
 // one in a large array takes longer than it saves.
 constexpr std::size_t kFewPages = 4;  // one in so many
 constexpr std::size_t kMostPatched = std::size_t{1} << 18;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;  // of a decoded array
+constexpr std::uint64_t kMostArrayBytes = std::uint64_t{1} << 36;  // of a decoded array
 
-constexpr std::uint64_t kMostGrowth = std::uint64_t{1} << 15;  // zstd makes 128 KiB of four bytes
+constexpr std::uint64_t kMostArrayGrowth = std::uint64_t{1}
+                                           << 15;  // zstd makes 128 KiB of four bytes
 
 struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
@@ -54,7 +55,7 @@ int window_for(std::size_t bytes) {
 
 std::string compress(std::string_view bytes, std::string_view prefix = {}) {
   ZSTD_CCtx* const context = compressor();
-  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kArrayLevel);
   if (!prefix.empty()) {
     ZSTD_CCtx_setParameter(context, ZSTD_c_windowLog, window_for(prefix.size() + bytes.size()));
     ZSTD_CCtx_refPrefix(context, prefix.data(), prefix.size());
@@ -70,7 +71,7 @@ std::string compress(std::string_view bytes, std::string_view prefix = {}) {
 std::string decompress(const std::string& name, std::string_view data, std::uint64_t bytes,
                        std::string_view prefix = {}) {
   if (ZSTD_getFrameContentSize(data.data(), data.size()) != bytes ||
-      bytes / kMostGrowth > data.size())
+      bytes / kMostArrayGrowth > data.size())
     throw corrupted(name);
   ZSTD_DCtx* const context = decompressor();
   if (!prefix.empty()) {
@@ -196,8 +197,8 @@ std::string plain_pages(const Pages& pages, const StoredArray& array, const Deco
 void check_encoded(const EncodedArray& encoded) {
   const std::size_t element = bytes_of(encoded.type) * encoded.components;
   if (element == 0 || encoded.bytes % element != 0 || encoded.piece_bytes == 0 ||
-      encoded.piece_bytes % element != 0 || encoded.bytes > kMostBytes ||
-      encoded.piece_bytes > kMostBytes)
+      encoded.piece_bytes % element != 0 || encoded.bytes > kMostArrayBytes ||
+      encoded.piece_bytes > kMostArrayBytes)
     throw corrupted(encoded.name);
 }
 

@@ -7,7 +7,7 @@
 namespace remeshd {
 namespace {
 
-constexpr std::size_t kDigits = 8;
+constexpr std::size_t kChecksumDigits = 8;
 
 std::string checksum_of(std::string_view text) {
   const std::uint32_t crc = crc32c(text);
@@ -28,9 +28,9 @@ std::string checked_line(std::string_view text) {
 
 std::optional<std::string_view> checked_text(std::string_view line) {
   if (line.ends_with('\n')) line.remove_suffix(1);
-  if (line.size() <= kDigits || line[kDigits] != ' ') return std::nullopt;
-  const std::string_view text = line.substr(kDigits + 1);
-  if (line.substr(0, kDigits) != checksum_of(text)) return std::nullopt;
+  if (line.size() <= kChecksumDigits || line[kChecksumDigits] != ' ') return std::nullopt;
+  const std::string_view text = line.substr(kChecksumDigits + 1);
+  if (line.substr(0, kChecksumDigits) != checksum_of(text)) return std::nullopt;
   return text;
 }
 

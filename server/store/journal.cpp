@@ -13,7 +13,7 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes written at a time
+constexpr std::size_t kChunk = std::size_t{1} << 20;  // bytes written at a time
 
 /// What one of the two files holds.
 struct Reading {
@@ -172,7 +172,7 @@ void Journal::rewrite(const std::vector<Transaction>& transactions,
           places.push_back({*id, {.start = size, .length = line.size()}});
       size += line.size();
       piece += line;
-      if (piece.size() < kPiece) continue;
+      if (piece.size() < kChunk) continue;
       out.write(piece);
       piece.clear();
     }
@@ -187,7 +187,7 @@ void Journal::rewrite(const std::vector<Transaction>& transactions,
   size_ = size;
   File in(file_, O_RDONLY);
   const auto write_copy = [&](File& out) {
-    for (std::uint64_t start = 0; start < size; start += kPiece) out.write(in.read(start, kPiece));
+    for (std::uint64_t start = 0; start < size; start += kChunk) out.write(in.read(start, kChunk));
   };
   write_durably(copy_, write_copy, scratch_);
   File copy_in(copy_, O_RDONLY);

@@ -3,7 +3,7 @@
 namespace remeshd {
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 18;  // bytes read at a time
+constexpr std::size_t kBytesRead = std::size_t{1} << 18;  // bytes read at a time
 
 }  // namespace
 
@@ -13,7 +13,7 @@ std::optional<std::string_view> LineReader::next() {
     buffer_.erase(0, begin_);
     begin_ = 0;
     const std::size_t known = buffer_.size();
-    const std::string piece = file_.read(place_ + known, kPiece);
+    const std::string piece = file_.read(place_ + known, kBytesRead);
     if (piece.empty()) break;
     buffer_ += piece;
     end = buffer_.find('\n', known);
@@ -27,10 +27,10 @@ std::optional<std::string_view> LineReader::next() {
 }
 
 bool same_content(const File& a, const File& b) {
-  for (std::uint64_t start = 0;; start += kPiece) {
-    const std::string piece = a.read(start, kPiece);
-    if (piece != b.read(start, kPiece)) return false;
-    if (piece.size() < kPiece) return true;
+  for (std::uint64_t start = 0;; start += kBytesRead) {
+    const std::string piece = a.read(start, kBytesRead);
+    if (piece != b.read(start, kBytesRead)) return false;
+    if (piece.size() < kBytesRead) return true;
   }
 }
 

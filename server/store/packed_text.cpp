@@ -10,9 +10,9 @@
 namespace remeshd {
 namespace {
 
-constexpr int kLevel = 3;
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-constexpr std::size_t kMostGrowth = std::size_t{1} << 15;  // zstd makes 128 KiB of four bytes
+constexpr int kTextLevel = 3;
+constexpr std::size_t kMostTextBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostTextGrowth = std::size_t{1} << 15;  // zstd makes 128 KiB of four bytes
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int kBits = 6;  // of a digit
@@ -32,7 +32,7 @@ constexpr std::array<std::uint8_t, 256> kValues = [] {
 std::string packed(std::string_view text) {
   std::string bytes(ZSTD_compressBound(text.size()), '\0');
   const std::size_t size =
-      ZSTD_compress(bytes.data(), bytes.size(), text.data(), text.size(), kLevel);
+      ZSTD_compress(bytes.data(), bytes.size(), text.data(), text.size(), kTextLevel);
   if (ZSTD_isError(size)) throw error::internal("store", ZSTD_getErrorName(size));
   bytes.resize(size);
   return bytes;
@@ -40,8 +40,8 @@ std::string packed(std::string_view text) {
 
 std::string unpacked(std::string_view bytes) {
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMostBytes ||
-      size / kMostGrowth > bytes.size())
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMostTextBytes ||
+      size / kMostTextGrowth > bytes.size())
     throw error::store_corrupted("", "a text cannot be unpacked");
   std::string text(size, '\0');
   if (ZSTD_decompress(text.data(), text.size(), bytes.data(), bytes.size()) != size)

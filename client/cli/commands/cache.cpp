@@ -8,6 +8,7 @@
 
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/reply.h"
 #include "client/cli/table.h"
 #include "proto/json_writer.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-constexpr std::size_t kShownDigits = 12;
 constexpr double kMegabyte = 1e6;
 
 std::string megabytes(std::uint64_t bytes) {

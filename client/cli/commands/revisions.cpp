@@ -14,8 +14,6 @@ namespace {
 
 using Revisions = std::vector<remesh::v1::RevisionInfo>;
 
-constexpr std::size_t kShownDigits = 12;
-
 void list(Session& session, const Revisions& revisions, const std::string& json_file) {
   if (!json_file.empty()) {
     remesh::v1::ListRevisionsResponse all;

@@ -28,7 +28,7 @@ struct CoverLimits {
   double long_share = 0.7;    ///< of a facet's longest side: what is halved with that
   double least_cosine = 0.7;  ///< between a facet and its face
 };
-constexpr CoverLimits kLimits;
+constexpr CoverLimits kCoverLimits;
 
 double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
   return std::sqrt(nearest_on_polyline(std::array{a, b}, p).distance2);
@@ -42,7 +42,7 @@ class Cover {
         sizes_(sizes),
         run_(run),
         kept_(open.mesh.facets.size()),
-        sides_(open.mesh, open.walls, boundary, kLimits.shortest * sizes.base()) {
+        sides_(open.mesh, open.walls, boundary, kCoverLimits.shortest * sizes.base()) {
     const SurfaceMesh& mesh = open_.mesh;
     for (const std::int32_t n : open_.loose)
       if (mesh.supports[n].kind == Support::Kind::Face)
@@ -50,7 +50,7 @@ class Cover {
   }
 
   std::string cover() {
-    for (int round = 0; round < kLimits.rounds; ++round) {
+    for (int round = 0; round < kCoverLimits.rounds; ++round) {
       run_.poll();
       open_.mesh.facets.resize(kept_);
       changed_ = false;
@@ -84,7 +84,7 @@ class Cover {
   /// Whether a point is so near to what has to stay of a face that a node there would crowd it.
   [[nodiscard]] bool crowds_border(const Vec3& p, const std::vector<BorderSide>& border) const {
     const auto& nodes = open_.mesh.nodes;
-    const double closest = kLimits.closest * sizes_(p);
+    const double closest = kCoverLimits.closest * sizes_(p);
     return std::ranges::any_of(border, [&](const BorderSide& s) {
       return segment_distance(p, nodes[s.side.first], nodes[s.side.second]) < closest;
     });
@@ -94,7 +94,7 @@ class Cover {
   [[nodiscard]] std::optional<Vec3> across_film(std::int32_t node, std::int32_t face) const {
     const Vec3& p = open_.mesh.nodes[node];
     const Vec3 q = project(boundary_.faces[face].surface, p);
-    const double film = kLimits.film * sizes_(p);
+    const double film = kCoverLimits.film * sizes_(p);
     if (norm2(p - q) > film * film) return {};
     if (incident(boundary_, open_.mesh.supports[node], {Support::Kind::Face, face})) return {};
     return q;
@@ -127,7 +127,7 @@ class Cover {
   }
 
   [[nodiscard]] bool is_near(const Vec3& p, const std::vector<std::int32_t>& nodes) const {
-    const double closest = kLimits.closest * sizes_(p);
+    const double closest = kCoverLimits.closest * sizes_(p);
     return std::ranges::any_of(
         nodes, [&](std::int32_t n) { return norm2(open_.mesh.nodes[n] - p) < closest * closest; });
   }
@@ -149,7 +149,7 @@ class Cover {
   /// Whether there is a new facet of an earlier face across a film.
   [[nodiscard]] bool is_over_facet(std::int32_t node) const {
     const auto& p = open_.mesh.nodes;
-    const double film = kLimits.film * sizes_(p[node]);
+    const double film = kCoverLimits.film * sizes_(p[node]);
     for (std::size_t k = kept_; k < open_.mesh.facets.size(); ++k) {
       const FaceFacet& f = open_.mesh.facets[k];
       if (distance(p[node], p[f.nodes[0]]) >
@@ -233,7 +233,8 @@ class Cover {
       longest = std::fmax(longest, sides_.length(s));
     }
     for (const Side& s : sides) {
-      if (sides_.length(s) < kLimits.long_share * longest || !halved_.insert(s).second) continue;
+      if (sides_.length(s) < kCoverLimits.long_share * longest || !halved_.insert(s).second)
+        continue;
       if (sides_.is_link(s)) {
         halve_link(s);
       } else {
@@ -268,7 +269,7 @@ class Cover {
     for (std::size_t k = kept_; k < end; ++k) {
       const FaceFacet& f = open_.mesh.facets[k];
       const Vec3 area = area_vector(f.nodes);
-      if (dot(area, face_normal(f.face, f.nodes)) < kLimits.least_cosine * norm(area))
+      if (dot(area, face_normal(f.face, f.nodes)) < kCoverLimits.least_cosine * norm(area))
         refine(static_cast<std::int32_t>(k));
     }
     return changed_;

@@ -15,7 +15,7 @@ struct FlatMapLimits {
   double most_growth = 12;  ///< natural logarithm of a ring's outer radius by its inner one
   double most_power = 3;    ///< of a cone's ring that reaches its apex
 };
-constexpr FlatMapLimits kLimits;
+constexpr FlatMapLimits kFlatMapLimits;
 
 /// The middle of the widest gap between angles, if it is wide enough.
 std::optional<double> gap_of(std::vector<double> angles) {
@@ -28,7 +28,7 @@ std::optional<double> gap_of(std::vector<double> angles) {
     widest = gap;
     middle = angles[k] + 0.5 * gap;
   }
-  if (widest < kLimits.least_gap) return std::nullopt;
+  if (widest < kFlatMapLimits.least_gap) return std::nullopt;
   return middle;
 }
 
@@ -40,7 +40,7 @@ double from_cut(double angle, double cut) {
 
 /// How fast a ring may grow with a height that covers this range.
 double growth_for(double wanted, double range) {
-  return std::fmin(wanted, range > 0 ? kLimits.most_growth / range : wanted);
+  return std::fmin(wanted, range > 0 ? kFlatMapLimits.most_growth / range : wanted);
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void FlatMap::fit_ring(std::span<const Vec3> points) {
     const double sine = std::fabs(surface_.r2) / std::hypot(1, surface_.r2);
     middle_ = high;
     growth_ = low > 1e-9 * high ? growth_for(1 / sine, std::log(high / low))
-                                : std::fmin(1 / sine, kLimits.most_power);
+                                : std::fmin(1 / sine, kFlatMapLimits.most_power);
     return;
   }
   double wanted = 1;

@@ -19,7 +19,7 @@ struct CrossingLimits {
   std::size_t patches = 250;   ///< pairs of them are looked at
   std::size_t curves = 1000;
 };
-constexpr CrossingLimits kLimits;
+constexpr CrossingLimits kCrossingLimits;
 
 /// Between two segments, at least.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -32,16 +32,16 @@ double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const V
   return norm(w + s * u - t * v);
 }
 
-class Finder {
+class CurveFinder {
  public:
-  Finder(const Patches& patches, const Clearance& clearance)
+  CurveFinder(const Patches& patches, const Clearance& clearance)
       : patches_(patches.patches),
         edges_(patches.edges),
         same_(clearance.same),
         clear_(clearance.clear) {}
 
   Tried<std::vector<IntersectionCurve>> find() {
-    if (patches_.size() > kLimits.patches)
+    if (patches_.size() > kCrossingLimits.patches)
       return GaveUp{"intersection_curves", "the features have too many faces"};
     for (const Patch& patch : patches_) boxes_.push_back(grown(patch.box, clear_));
     for (const PatchEdge& edge : edges_) add_edge(edge);
@@ -50,7 +50,7 @@ class Finder {
         if (patches_[i].feature != patches_[j].feature && touch(boxes_[i], boxes_[j]))
           cross_patches(i, j);
         if (doubt_) return *doubt_;
-        if (out_.size() > kLimits.curves)
+        if (out_.size() > kCrossingLimits.curves)
           return GaveUp{"intersection_curves", "there are too many curves"};
       }
     for (IntersectionCurve& curve : out_)
@@ -92,7 +92,7 @@ class Finder {
     };
     auto it = std::ranges::find_if(out_, [&](const IntersectionCurve& c) {
       return !c.round && off(c, from) <= same_ && off(c, to) <= same_ &&
-             norm(cross(c.direction, direction)) < kLimits.shallow;
+             norm(cross(c.direction, direction)) < kCrossingLimits.shallow;
     });
     if (it == out_.end()) {
       IntersectionCurve curve;
@@ -115,13 +115,13 @@ class Finder {
     auto it = std::ranges::find_if(out_, [&](const IntersectionCurve& c) {
       return c.round && distance(c.origin, centre) <= same_ &&
              std::fabs(c.radius - wall.radius) <= same_ &&
-             norm(cross(c.axis, axis)) < kLimits.parallel &&
-             norm(cross(normalised(cross(c.u, c.v)), plane)) < kLimits.parallel;
+             norm(cross(c.axis, axis)) < kCrossingLimits.parallel &&
+             norm(cross(normalised(cross(c.u, c.v)), plane)) < kCrossingLimits.parallel;
     });
     if (it == out_.end()) {
       IntersectionCurve c;
       c.round = true;
-      c.circle = norm(cross(axis, plane)) < kLimits.parallel;
+      c.circle = norm(cross(axis, plane)) < kCrossingLimits.parallel;
       c.origin = centre;
       c.x = {wall.into.m[0], wall.into.m[1], wall.into.m[2]};
       c.y = {wall.into.m[4], wall.into.m[5], wall.into.m[6]};
@@ -167,7 +167,7 @@ class Finder {
     for (const auto& [o, d, l, h] : {std::array{p.x, direction.x, box.lo.x, box.hi.x},
                                      std::array{p.y, direction.y, box.lo.y, box.hi.y},
                                      std::array{p.z, direction.z, box.lo.z, box.hi.z}}) {
-      if (std::fabs(d) < kLimits.parallel) {
+      if (std::fabs(d) < kCrossingLimits.parallel) {
         if (o < l || o > h) return;
         continue;
       }
@@ -183,13 +183,13 @@ class Finder {
     const Patch &a = patches_[i], &b = patches_[j];
     const Vec3 c = cross(a.normal, b.normal);
     const double sine = norm(c);
-    if (sine <= kLimits.parallel) {
+    if (sine <= kCrossingLimits.parallel) {
       const double d = std::fabs(b.distance_to(a.origin));
       if (d > same_ && d < clear_)
         doubt("two parallel planes are neither clearly the same nor clearly apart");
       return;
     }
-    if (sine < kLimits.shallow) return doubt("two planes meet at a very small angle");
+    if (sine < kCrossingLimits.shallow) return doubt("two planes meet at a very small angle");
     // Near the middle of the box, where it matters.
     const Box box = intersection(boxes_[i], boxes_[j]);
     Vec3 p = 0.5 * (box.lo + box.hi);
@@ -206,7 +206,7 @@ class Finder {
     const Transform frame = rigid_inverse(wall.into);
     const Vec3 axis = wall.axis(), centre = frame.apply({0, 0, 0.5 * (wall.low + wall.high)});
     const double cosine = dot(flat.normal, axis), r = wall.radius;
-    if (std::fabs(cosine) <= kLimits.parallel) {
+    if (std::fabs(cosine) <= kCrossingLimits.parallel) {
       const double d = flat.distance_to(centre);
       if (std::fabs(std::fabs(d) - r) < std::max(clear_, kernel::kClearChord * r)) {
         doubt("a plane touches or nearly touches a cylinder along its side");
@@ -218,9 +218,9 @@ class Finder {
       return;
     }
     const double sine = norm(cross(flat.normal, axis));
-    if (std::fabs(cosine) < kLimits.wall_to_plane)
+    if (std::fabs(cosine) < kCrossingLimits.wall_to_plane)
       return doubt("a plane meets the axis of a cylinder at a small angle");
-    if (sine > kLimits.parallel && sine < kLimits.shallow)
+    if (sine > kCrossingLimits.parallel && sine < kCrossingLimits.shallow)
       return doubt("a plane is nearly but not clearly at right angles to the axis of a cylinder");
     const Vec3 at = centre - (flat.distance_to(centre) / cosine) * axis;
     const double z = wall.into.apply(at).z, reach = r * sine / std::fabs(cosine) + clear_;
@@ -233,7 +233,7 @@ class Finder {
     const Patch &a = patches_[i], &b = patches_[j];
     const Transform frame = rigid_inverse(a.into), other = rigid_inverse(b.into);
     const double gap = std::max(clear_, kernel::kClearChord * std::max(a.radius, b.radius));
-    if (norm(cross(a.axis(), b.axis())) > kLimits.parallel) {
+    if (norm(cross(a.axis(), b.axis())) > kCrossingLimits.parallel) {
       const double d =
           distance_of_segments(frame.apply({0, 0, a.low}), frame.apply({0, 0, a.high}),
                                other.apply({0, 0, b.low}), other.apply({0, 0, b.high}));
@@ -277,16 +277,16 @@ class Finder {
     const Patch& patch = patches_[p];
     if (!patch.round) {
       const double slope = dot(line.direction, patch.normal);
-      if (std::fabs(slope) <= kLimits.parallel) return;
+      if (std::fabs(slope) <= kCrossingLimits.parallel) return;
       const double t = -patch.distance_to(line.origin) / slope;
       if (t < line.low - clear_ || t > line.high + clear_) return;
-      if (std::fabs(slope) < kLimits.shallow && boxes_[p].contains(line.at(t).p))
+      if (std::fabs(slope) < kCrossingLimits.shallow && boxes_[p].contains(line.at(t).p))
         doubt("a line meets a plane at a very small angle");
       return add_split(line, t, p);
     }
     const Vec3 q = patch.into.apply(line.origin), d = patch.into.rotate(line.direction);
     const double speed = std::hypot(d.x, d.y);
-    if (speed <= kLimits.parallel) return;
+    if (speed <= kCrossingLimits.parallel) return;
     const double nearest = std::fabs(q.x * d.y - q.y * d.x) / speed;
     const double middle = -(q.x * d.x + q.y * d.y) / (speed * speed);
     const double gap = std::fabs(nearest - patch.radius);
@@ -299,7 +299,7 @@ class Finder {
     const double half = std::sqrt(patch.radius * patch.radius - nearest * nearest) / speed;
     for (const double t : {middle - half, middle + half})
       if (t > line.low - clear_ && t < line.high + clear_) {
-        if (speed < kLimits.shallow && boxes_[p].contains(line.at(t).p))
+        if (speed < kCrossingLimits.shallow && boxes_[p].contains(line.at(t).p))
           doubt("a line meets a cylinder at a very small angle");
         add_split(line, t, p);
       }
@@ -313,7 +313,7 @@ class Finder {
     if (reach <= same_) return;
     const double middle = std::atan2(b, a) + (d < 0 ? std::numbers::pi : 0);
     const double gap = std::fabs(std::fabs(d) - reach);
-    if (gap < kLimits.near_tangent * reach) {
+    if (gap < kCrossingLimits.near_tangent * reach) {
       touch_at(curve, middle, p, gap <= same_);
       if (gap <= same_) return;
     }
@@ -326,7 +326,7 @@ class Finder {
   /// where it ends.
   void split_by_wall(IntersectionCurve& curve, std::size_t p) {
     const Patch& wall = patches_[p];
-    if (norm(cross(wall.axis(), curve.axis)) > kLimits.parallel) return;
+    if (norm(cross(wall.axis(), curve.axis)) > kCrossingLimits.parallel) return;
     const Vec3 c = wall.into.apply(curve.origin);
     const double d = std::hypot(c.x, c.y),
                  gap = kernel::kClearChord * std::max(wall.radius, curve.radius);
@@ -362,7 +362,7 @@ double IntersectionCurve::parameter(const Vec3& p) const {
 
 Tried<std::vector<IntersectionCurve>> find_intersection_curves(const Patches& patches,
                                                                const Clearance& clearance) {
-  return Finder(patches, clearance).find();
+  return CurveFinder(patches, clearance).find();
 }
 
 }  // namespace remeshd

@@ -16,7 +16,7 @@ struct SectorLimits {
   double same_angle = 1e-7;   ///< rad
   double clear_angle = 0.02;  ///< rad: between half-faces
 };
-constexpr SectorLimits kLimits;
+constexpr SectorLimits kSectorLimits;
 
 /// Of patches with the same normal at a point of both.
 bool same_patch_surface(const Patch& a, const Patch& b, const Vec3& p, double same) {
@@ -36,7 +36,7 @@ Sectors::Sectors(const Membership& membership, std::span<const int> features,
       clearance_(clearance),
       step_(tolerance::kWideProbe * diagonal) {
   for (const int f : features)
-    boxes_.push_back(grown(membership.solids()[f].bounds(), kLimits.near * step_));
+    boxes_.push_back(grown(membership.solids()[f].bounds(), kSectorLimits.near * step_));
 }
 
 bool Sectors::material(FeatureSet owners) const {
@@ -63,7 +63,8 @@ Tried<void> Sectors::add_covers(HalfFace& half_face, const Vec3& p,
     const Patch* cover = nullptr;
     for (const Patch* patch : through) {
       if (patch->feature != feature || !patch->beside(on, 0.5 * step_)) continue;
-      if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kLimits.same_angle) continue;
+      if (std::fabs(dot(half_face.direction, patch->normal_at(p))) > kSectorLimits.same_angle)
+        continue;
       if (cover != nullptr)
         return GaveUp{"sectors", "two faces of one feature cover the same half-face"};
       cover = patch;
@@ -88,9 +89,9 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
   std::vector<const Patch*> through;
   std::vector<double> angles;
   for (const Patch& patch : patches_.patches) {
-    if (!patch.box.contains(p, kLimits.near * step_)) continue;
+    if (!patch.box.contains(p, kSectorLimits.near * step_)) continue;
     const double d = std::fabs(patch.distance_to(p));
-    if (d > kLimits.near * step_) continue;
+    if (d > kSectorLimits.near * step_) continue;
     const Vec3 n = patch.normal_at(p);
     if (d > clearance_.same)
       return GaveUp{"sectors", "a face comes near a curve that it does not clearly contain"};
@@ -101,13 +102,13 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
     through.push_back(&patch);
     for (const double turn : {0.0, std::numbers::pi}) {
       const double a = std::fmod(angle + turn + kTurn, kTurn);
-      angles.push_back(a > kTurn - kLimits.same_angle ? 0 : a);
+      angles.push_back(a > kTurn - kSectorLimits.same_angle ? 0 : a);
     }
   }
   std::ranges::sort(angles);
   std::vector<double> apart;
   for (const double a : angles)
-    if (apart.empty() || a - apart.back() > kLimits.same_angle) apart.push_back(a);
+    if (apart.empty() || a - apart.back() > kSectorLimits.same_angle) apart.push_back(a);
   if (apart.size() < 2) return std::vector<HalfFace>{};
 
   FeatureSet candidates = 0;
@@ -117,7 +118,7 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
   std::vector<FeatureSet> between;  // an angle and the next
   for (std::size_t i = 0; i < apart.size(); ++i) {
     const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + kTurn;
-    if (next - apart[i] < kLimits.clear_angle)
+    if (next - apart[i] < kSectorLimits.clear_angle)
       return GaveUp{"sectors", "two faces meet at a curve at a very small angle"};
     between.push_back(owners(p + step_ * towards(0.5 * (apart[i] + next)), candidates));
   }

@@ -33,10 +33,10 @@ bool passes(const std::vector<HalfFace>& half_faces) {
          norm(half_faces[0].direction + half_faces[1].direction) < tolerance::kSameDirection;
 }
 
-class Finder {
+class EdgeFinder {
  public:
-  Finder(const std::vector<IntersectionCurve>& curves, const Sectors& sectors,
-         const Clearance& clearance)
+  EdgeFinder(const std::vector<IntersectionCurve>& curves, const Sectors& sectors,
+             const Clearance& clearance)
       : curves_(curves), sectors_(sectors), same_(clearance.same), clear_(clearance.clear) {}
 
   Tried<PrismEdges> find() {
@@ -152,7 +152,7 @@ class Finder {
 
 Tried<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
                                    const Sectors& sectors, const Clearance& clearance) {
-  return Finder(curves, sectors, clearance).find();
+  return EdgeFinder(curves, sectors, clearance).find();
 }
 
 }  // namespace remeshd

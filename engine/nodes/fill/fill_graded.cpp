@@ -25,7 +25,7 @@ struct GradedFilling {
   double most = 4;        ///< x limit on nodes: more are not made
   double places = 4.5;    ///< to a node
 };
-constexpr GradedFilling kFill;
+constexpr GradedFilling kGradedFilling;
 
 /// A place for a node: the corner or the centre of a cube of an octree.
 struct Place {
@@ -44,7 +44,8 @@ void leave_once(std::vector<Place>& places) {
 
 Error too_large(const Run& run) {
   return error::mesh_too_large(
-      "the edge lengths asked for need over", kFill.most * run.max_nodes, run.max_nodes, {}, {},
+      "the edge lengths asked for need over", kGradedFilling.most * run.max_nodes, run.max_nodes,
+      {}, {},
       "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes");
 }
 
@@ -55,10 +56,11 @@ class Octrees {
       : sizes_(sizes),
         seed_(seed),
         run_(run),
-        most_places_(static_cast<std::size_t>(kFill.places * kFill.most * run.max_nodes)),
-        lattice_(kFill.constant * sizes.base(), seed),
+        most_places_(
+            static_cast<std::size_t>(kGradedFilling.places * kGradedFilling.most * run.max_nodes)),
+        lattice_(kGradedFilling.constant * sizes.base(), seed),
         levels_(std::clamp(static_cast<int>(std::ceil(std::log2(sizes.base() / sizes.least()))), 0,
-                           kFill.deepest)) {}
+                           kGradedFilling.deepest)) {}
 
   [[nodiscard]] const TurnedLattice& lattice() const { return lattice_; }
   /// Adds the corners and centres of the cubes in a layer that may be in the box.
@@ -72,7 +74,7 @@ class Octrees {
   [[nodiscard]] Vec3 position(const Place& place) const {
     Random random = TurnedLattice::draw(place.at, seed_);
     const double unit = 1.0 / static_cast<double>(2L << levels_);
-    const double most = kFill.jitter / static_cast<double>(1L << place.level);
+    const double most = kGradedFilling.jitter / static_cast<double>(1L << place.level);
     const auto along = [&](int axis) {
       return unit * static_cast<double>(place.at[axis]) + random.uniform(-most, most);
     };
@@ -89,7 +91,8 @@ class Octrees {
     const Vec3 middle = lattice_.place(along(0), along(1), along(2));
     const double constant = width * lattice_.constant();
     if (!box.contains(middle, constant)) return;
-    if (level < levels_ && constant > kFill.largest * kFill.constant * sizes_(middle)) {
+    if (level < levels_ &&
+        constant > kGradedFilling.largest * kGradedFilling.constant * sizes_(middle)) {
       for (int octant = 0; octant < 8; ++octant)
         divide({2 * cube[0] + (octant & 1), 2 * cube[1] + (octant >> 1 & 1),
                 2 * cube[2] + (octant >> 2)},
@@ -135,7 +138,8 @@ std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& box
           }
         });
     places.insert(places.end(), found.begin(), found.end());
-    if (static_cast<double>(places.size()) > kFill.most * run.max_nodes) throw too_large(run);
+    if (static_cast<double>(places.size()) > kGradedFilling.most * run.max_nodes)
+      throw too_large(run);
   }
   leave_once(places);
   std::ranges::stable_sort(places, std::ranges::greater(), &Place::level);
@@ -150,7 +154,7 @@ void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) 
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     poll();
     bool crowded = false;
-    grid.for_each_within(nodes[n], kFill.closest * sizes(nodes[n]),
+    grid.for_each_within(nodes[n], kGradedFilling.closest * sizes(nodes[n]),
                          [&](std::int32_t other, double) { crowded |= stays[other] != 0; });
     stays[n] = crowded ? 0 : 1;
   }

@@ -19,7 +19,7 @@ struct LatticeFilling {
   int tries = 12;       ///< to find the lattice constant for a count
   int empty_tries = 3;  ///< of these with no node at all, each at half the constant
 };
-constexpr LatticeFilling kFill;
+constexpr LatticeFilling kLatticeFilling;
 constexpr double kShaken = 2;  // x jitter: no node is further from its place than sqrt(3) of it
 
 /// One lattice through all of space.
@@ -34,7 +34,7 @@ class Lattice {
   template <class Visit>
   void for_each_in(const TurnedLattice::Cubes& cubes, std::size_t layer, const Box& box,
                    const Visit& visit) const {
-    const double shaken = kShaken * kFill.jitter * lattice_.constant();
+    const double shaken = kShaken * kLatticeFilling.jitter * lattice_.constant();
     const long z = cubes.lo[2] + static_cast<long>(layer);
     for (long y = cubes.lo[1]; y <= cubes.hi[1]; ++y)
       for (long x = cubes.lo[0]; x <= cubes.hi[0]; ++x)
@@ -50,7 +50,8 @@ class Lattice {
   [[nodiscard]] Vec3 node(long x, long y, long z, int centre) const {
     Random random = TurnedLattice::draw({2 * x + centre, y, z}, seed_);
     const auto along = [&](long v) {
-      return static_cast<double>(v) + 0.5 * centre + random.uniform(-kFill.jitter, kFill.jitter);
+      return static_cast<double>(v) + 0.5 * centre +
+             random.uniform(-kLatticeFilling.jitter, kLatticeFilling.jitter);
     };
     const double u = along(x), v = along(y), w = along(z);
     return lattice_.place(u, v, w);
@@ -102,12 +103,12 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& 
   const double count = *options.count;
   double constant = options.edge_length;
   std::vector<Vec3> nodes;
-  for (int k = 0; k < kFill.tries; ++k) {
+  for (int k = 0; k < kLatticeFilling.tries; ++k) {
     nodes = nodes_inside(Lattice(constant, options.seed), boxes, inside, run);
     const auto found = static_cast<double>(nodes.size());
-    if (found >= count && found <= kFill.surplus * count) break;
-    if (found == 0 && k >= kFill.empty_tries) break;
-    constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kFill.surplus) * count)) : 0.5;
+    if (found >= count && found <= kLatticeFilling.surplus * count) break;
+    if (found == 0 && k >= kLatticeFilling.empty_tries) break;
+    constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kLatticeFilling.surplus) * count)) : 0.5;
   }
   decimate_close_nodes(nodes, *options.count);
   return nodes;

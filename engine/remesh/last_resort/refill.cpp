@@ -26,7 +26,7 @@ struct RefillLimits {
   double closest = 0.35;             ///< x edge length: of an inner node from the shell
   std::uint32_t most_added = 2'000;  ///< points, for the shell's sake, beside as many as it has
 };
-constexpr RefillLimits kLimits;
+constexpr RefillLimits kRefillLimits;
 
 using Side = std::pair<std::int32_t, std::int32_t>;
 
@@ -219,7 +219,8 @@ class Refiller {
     for (const std::int32_t n : inner_nodes(shell.surface))
       if (number[n] < 0) add_point(n);
     const kernel::QualityMesh out = kernel::run_tetgen(
-        shell, {.max_volume = 0, .split_surface = false, .most_added = kLimits.most_added + points},
+        shell,
+        {.max_volume = 0, .split_surface = false, .most_added = kRefillLimits.most_added + points},
         {}, run_);
     return put_together(tets_in_material(out.filling, shell.surface), out.filling.mesh.nodes,
                         node_of);
@@ -233,7 +234,7 @@ class Refiller {
     for (const std::int32_t n : open_.loose) {
       if (open_.mesh.supports[n].kind != Support::Kind::Interior) continue;
       const Vec3& p = open_.mesh.nodes[n];
-      const double closest = kLimits.closest * sizes_(p);
+      const double closest = kRefillLimits.closest * sizes_(p);
       bool crowds = false;
       for (std::size_t k = 0; k < boxes.size() && !crowds; ++k) {
         if (!boxes[k].contains(p, closest)) continue;
