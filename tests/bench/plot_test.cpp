@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::Optional;
 
-Plot example() {
+Plot example_plot() {
   return {.title = "Time & nodes",
           .x_name = "nodes",
           .y_name = "s",
@@ -30,7 +30,7 @@ std::vector<double> numbers(const std::string& text, const std::string& pattern)
 }
 
 TEST(Svg, HasEveryPointInsideTheFrame) {
-  const std::string text = svg(example());
+  const std::string text = svg(example_plot());
   const std::vector<double> x = numbers(text, "cx=\"([0-9.]+)\"");
   const std::vector<double> y = numbers(text, "cy=\"([0-9.]+)\"");
   ASSERT_EQ(x.size(), 6U);
@@ -50,7 +50,7 @@ TEST(Svg, EqualFactorsAreEqualDistances) {
 }
 
 TEST(Svg, NamesAxesAndCurvesAndEscapesThem) {
-  const std::string text = svg(example());
+  const std::string text = svg(example_plot());
   for (const char* words : {"Time &amp; nodes", ">nodes<", ">s<", ">regular<", ">remesh<", ">20k<",
                             ">1M<", "stroke-dasharray"})
     EXPECT_THAT(text, HasSubstr(words));
@@ -58,7 +58,7 @@ TEST(Svg, NamesAxesAndCurvesAndEscapesThem) {
 }
 
 TEST(Svg, TicksStandWhereTheyAreAskedFor) {
-  Plot plot = example();
+  Plot plot = example_plot();
   plot.x_ticks = {15e3, 1e6};
   const std::string text = svg(plot);
   EXPECT_THAT(text, HasSubstr(">15k<"));

@@ -10,10 +10,12 @@ namespace {
 using testing::DoubleEq;
 using testing::Optional;
 
-Sample took(double seconds, std::uint32_t nodes = 1000) { return {.cpu = seconds, .nodes = nodes}; }
+Sample sample_of(double seconds, std::uint32_t nodes = 1000) {
+  return {.cpu = seconds, .nodes = nodes};
+}
 
 TEST(Results, ComeBackFromJsonAsTheyWere) {
-  Sample ours = took(0.25, 15155);
+  Sample ours = sample_of(0.25, 15155);
   ours.wall = 0.26;
   ours.strategy = "local";
   ours.iterations = 7;
@@ -24,7 +26,7 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   ours.retained_bytes = 9e6;
   ours.quality.volume_length_mean = 0.873;
   ours.quality.dihedral_min = 25.3;
-  Sample peer = took(0.6);
+  Sample peer = sample_of(0.6);
   peer.import = 0.001;
   const Results results{
       .machine = "a machine",
@@ -56,8 +58,9 @@ TEST(Results, AreFoundByCaseAndNodes) {
 }
 
 TEST(Group, FailedRunsDoNotCount) {
-  const Group group{.series = {{"remesh 10", {took(1), Sample{.failure = "hung"}, took(3)}},
-                               {"regular 10", {took(4), took(5), took(4)}}}};
+  const Group group{
+      .series = {{"remesh 10", {sample_of(1), Sample{.failure = "hung"}, sample_of(3)}},
+                 {"regular 10", {sample_of(4), sample_of(5), sample_of(4)}}}};
   EXPECT_THAT(group.seconds("remesh 10"), Optional(DoubleEq(2)));
   EXPECT_THAT(group.ratio("remesh 10", "regular 10"), Optional(DoubleEq(0.5)));
   EXPECT_EQ(group.seconds("hxt"), std::nullopt);
@@ -65,7 +68,8 @@ TEST(Group, FailedRunsDoNotCount) {
 }
 
 TEST(Group, APeerWithTwiceTheNodesIsComparedByTheNode) {
-  const Group group{.series = {{"regular auto", {took(1, 1000)}}, {"netgen", {took(10, 2000)}}}};
+  const Group group{
+      .series = {{"regular auto", {sample_of(1, 1000)}}, {"netgen", {sample_of(10, 2000)}}}};
   EXPECT_THAT(group.ratio_per_node("regular auto", "netgen"), Optional(DoubleEq(0.2)));
 }
 

@@ -8,13 +8,10 @@
 #include <vector>
 
 #include "tests/bench/peers.h"
+#include "tests/bench/tables.h"
 
 namespace remeshd::bench {
 namespace {
-
-using Cells = std::vector<std::string>;
-
-std::string row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
 
 /// Of all rounds that went well; nothing where none did.
 template <class F>

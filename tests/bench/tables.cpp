@@ -13,11 +13,10 @@
 #include "tests/bench/sized_table.h"
 
 namespace remeshd::bench {
-namespace {
-
-using Cells = std::vector<std::string>;
 
 std::string row(const Cells& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+
+namespace {
 
 /// The first column is text, the others are numbers.
 std::string head(const Cells& names) {

@@ -9,6 +9,10 @@
 
 namespace remeshd::bench {
 
+using Cells = std::vector<std::string>;
+/// A row of a table in Markdown.
+std::string row(const Cells& cells);
+
 /// Remesh against regular run, phase by phase: a row for each case, size and number of iterations.
 std::string timing_table(const Results& results);
 

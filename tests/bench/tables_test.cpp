@@ -28,7 +28,7 @@ Sample ours(double seconds, std::uint32_t iterations) {
   return s;
 }
 
-const Results& example() {
+const Results& example_results() {
   static const Results results{
       .machine = "a machine",
       .date = "2009-08-13",
@@ -46,7 +46,7 @@ const Results& example() {
 }
 
 TEST(TimingTable, HasARowForEachNumberOfIterations) {
-  const std::vector<std::string> lines = lines_of(timing_table(example()));
+  const std::vector<std::string> lines = lines_of(timing_table(example_results()));
   ASSERT_THAT(lines, SizeIs(4));
   // The paper's 17.98 %, phi.
   EXPECT_THAT(lines[2],
@@ -57,14 +57,15 @@ TEST(TimingTable, HasARowForEachNumberOfIterations) {
 
 TEST(TimingTable, RowsHaveAsManyCellsAsTheHead) {
   const auto bars = [](const std::string& line) { return std::ranges::count(line, '|'); };
-  for (const std::string& table : {timing_table(example()), peer_table(example())}) {
+  for (const std::string& table :
+       {timing_table(example_results()), peer_table(example_results())}) {
     const std::vector<std::string> lines = lines_of(table);
     for (const std::string& line : lines) EXPECT_EQ(bars(line), bars(lines.front())) << line;
   }
 }
 
 TEST(PeerTable, ComparesAtTheSameNodesOrByTheNode) {
-  const std::string table = peer_table(example());
+  const std::string table = peer_table(example_results());
   EXPECT_THAT(table,
               HasSubstr("| tool1-ac | Gmsh HXT, optimised | 15,262 | 0 | 0.800 | 0.500 | 0.002 | "
                         "0.50 | 0.125 |"));
@@ -72,7 +73,7 @@ TEST(PeerTable, ComparesAtTheSameNodesOrByTheNode) {
 }
 
 TEST(Report, TellsMachineDateCommandAndWhatFailed) {
-  const std::string text = report(example());
+  const std::string text = report(example_results());
   EXPECT_THAT(text, HasSubstr("a machine, 2009-08-13"));
   EXPECT_THAT(text, HasSubstr("    remesh-bench --cases tool1-ac\n"));
   EXPECT_THAT(text, HasSubstr("- tool1-ac 15000 delaunay, 1 of 1: killed after its time: \n"));

@@ -7,24 +7,24 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kRim = 1.3;  // free rim round a site's disc, in l
 
 /// Looks along +x, -x, +y, -y, +z, -z of `frame`.
 Transform facing(const Transform& frame, int direction) {
   switch (direction) {
     case 0:
-      return turned(frame, 1, kPi / 2);
+      return turned(frame, 1, pi / 2);
     case 1:
-      return turned(frame, 1, -kPi / 2);
+      return turned(frame, 1, -pi / 2);
     case 2:
-      return turned(frame, 0, -kPi / 2);
+      return turned(frame, 0, -pi / 2);
     case 3:
-      return turned(frame, 0, kPi / 2);
+      return turned(frame, 0, pi / 2);
     case 4:
       return frame;
     default:
-      return turned(frame, 0, kPi);
+      return turned(frame, 0, pi);
   }
 }
 
@@ -50,10 +50,10 @@ void ring_sites(Draft& d, const Transform& frame, double inner, double outer, do
   const double middle = 0.5 * (inner + outer);
   const double radius = 0.5 * (outer - inner) - kRim * d.length;
   const double pitch = std::max(2 * radius + 1.5 * d.length, 4.5 * d.length);
-  const int n = static_cast<int>(2 * kPi * middle / pitch);
+  const int n = static_cast<int>(2 * pi * middle / pitch);
   const double start = d.random.uniform(0, 1);
   for (int k = 0; k < n; ++k) {
-    Transform at = turned(frame, 2, start + 2 * kPi * k / n);
+    Transform at = turned(frame, 2, start + 2 * pi * k / n);
     d.sites.push_back({shifted(at, middle, 0, 0), radius, below, {}});
   }
 }
@@ -109,7 +109,7 @@ void polygon_plate(Draft& d, double size) {
   const double r = size / 2, t = size * d.random.uniform(0.15, 0.4);
   d.body.push_back(d.add_outline("prism", Nature::Additive, {}, polygon(n, r), {{"height", t}}));
   find_length(d);
-  const double free = r * std::cos(kPi / n);
+  const double free = r * std::cos(pi / n);
   const double inner = free * d.random.uniform(0.35, 0.5);
   one_site(d, shifted({}, 0, 0, t), inner, t);
   ring_sites(d, shifted({}, 0, 0, t), inner, free, t);
@@ -171,7 +171,7 @@ void ring(Draft& d, double size) {
   const double free = 0.5 * minor;
   for (int k = 0; k < 5; ++k)
     one_site(d,
-             shifted(facing(turned({}, 2, 2 * kPi * k / 5), 0), 0, 0,
+             shifted(facing(turned({}, 2, 2 * pi * k / 5), 0), 0, 0,
                      major + std::sqrt(minor * minor - free * free)),
              free, minor);
 }

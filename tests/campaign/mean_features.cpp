@@ -10,7 +10,7 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr Nature kAdd = Nature::Additive;
 constexpr Nature kCut = Nature::Subtractive;
 
@@ -23,7 +23,7 @@ struct Place {
 };
 using Make = Ids (*)(Draft&, const Place&);
 
-Transform lying(const Transform& frame) { return turned(frame, 1, kPi / 2); }  // z along x
+Transform lying(const Transform& frame) { return turned(frame, 1, pi / 2); }  // z along x
 
 // --- Tangent contacts -----------------------------------------------------------------------
 
@@ -59,7 +59,7 @@ Ids crossing_holes(Draft& d, const Place& p) {
   return {
       d.add("block", kAdd, p.frame, {{"dx", a}, {"dy", a}, {"dz", a}}),
       d.add("cylinder", kCut, shifted(lying(middle), 0, 0, -a), {{"radius", r}, {"height", 2 * a}}),
-      d.add("cylinder", kCut, shifted(lying(turned(middle, 2, kPi / 2)), 0, 0, -a),
+      d.add("cylinder", kCut, shifted(lying(turned(middle, 2, pi / 2)), 0, 0, -a),
             {{"radius", r}, {"height", 2 * a}})};
 }
 
@@ -112,7 +112,7 @@ Ids same_footprint(Draft& d, const Place& p) {
 }
 
 Ids same_radius(Draft& d, const Place& p) {
-  const double h = p.r * d.random.uniform(0.4, 1), turn = d.random.uniform(0, kPi);
+  const double h = p.r * d.random.uniform(0.4, 1), turn = d.random.uniform(0, pi);
   return {d.add("cylinder", kAdd, p.frame, {{"radius", p.r}, {"height", h}}),
           d.add("cylinder", kAdd, turned(shifted(p.frame, 0, 0, 0.5 * h), 2, turn),
                 {{"radius", p.r}, {"height", h}})};
@@ -150,7 +150,7 @@ Ids same_cone(Draft& d, const Place& p) {
 
 Ids side_by_side(Draft& d, const Place& p) {
   const double a = p.r * d.random.uniform(0.5, 1), b = p.r * d.random.uniform(0.5, 1), h = p.r;
-  const Transform at = turned(p.frame, 2, d.random.uniform(0, kPi));
+  const Transform at = turned(p.frame, 2, d.random.uniform(0, pi));
   return {d.add("block", kAdd, at, {{"dx", a}, {"dy", a}, {"dz", h}}),
           d.add("block", kAdd, shifted(at, 0.5 * (a + b), 0, 0),
                 {{"dx", b}, {"dy", a}, {"dz", d.chance(0.5) ? h : 0.5 * h}})};
@@ -158,12 +158,12 @@ Ids side_by_side(Draft& d, const Place& p) {
 
 // --- Wedges -----------------------------------------------------------------------------------
 
-double sharp(Draft& d) { return d.random.uniform(8, 30) * kPi / 180; }
+double sharp(Draft& d) { return d.random.uniform(8, 30) * pi / 180; }
 
 Ids sharp_prism(Draft& d, const Place& p) {
   const double half = std::tan(0.5 * sharp(d));
   const double a = 2 * p.r, h = p.r * d.random.uniform(0.4, 1);
-  return {d.add_outline("prism", kAdd, turned(p.frame, 2, d.random.uniform(0, kPi)),
+  return {d.add_outline("prism", kAdd, turned(p.frame, 2, d.random.uniform(0, pi)),
                         outline({{-p.r, 0}, {p.r, -a * half}, {p.r, a * half}}), {{"height", h}})};
 }
 
@@ -175,7 +175,7 @@ Ids ramp(Draft& d, const Place& p) {
 
 Ids groove(Draft& d, const Place& p) {
   const double h = p.r, half = std::tan(0.5 * sharp(d));
-  const Transform across = turned(shifted(p.frame, 0, -2 * p.r, h), 0, -kPi / 2);
+  const Transform across = turned(shifted(p.frame, 0, -2 * p.r, h), 0, -pi / 2);
   // Local y points down there: a V-shaped groove from the top.
   return {d.add("block", kAdd, p.frame, {{"dx", 2 * p.r}, {"dy", 2 * p.r}, {"dz", h}}),
           d.add_outline("prism", kCut, across,
@@ -184,7 +184,7 @@ Ids groove(Draft& d, const Place& p) {
 }
 
 Ids pie(Draft& d, const Place& p) {
-  const double h = p.r * d.random.uniform(0.4, 1), angle = sharp(d) * 180 / kPi;
+  const double h = p.r * d.random.uniform(0.4, 1), angle = sharp(d) * 180 / pi;
   return {d.add_outline("revolution", kAdd, p.frame, outline({{0, 0}, {p.r, 0}, {p.r, h}, {0, h}}),
                         {{"angle", d.chance(0.5) ? angle : 360 - angle}})};
 }
@@ -223,7 +223,7 @@ Ids thin_floor(Draft& d, const Place& p) {
 }
 
 Ids fin(Draft& d, const Place& p) {
-  return {d.add("block", kAdd, turned(p.frame, 2, d.random.uniform(0, kPi)),
+  return {d.add("block", kAdd, turned(p.frame, 2, d.random.uniform(0, pi)),
                 {{"dx", 2 * p.r}, {"dy", thin(d, p)}, {"dz", p.r}})};
 }
 
@@ -343,19 +343,19 @@ constexpr Make kCoincident[] = {same_footprint, same_radius, plugged_hole, flush
                                 twice_the_same, same_cone,   side_by_side};
 constexpr Make kWedge[] = {sharp_prism, ramp, groove, pie, flat_cone, tilted_slab};
 constexpr Make kThin[] = {thin_tube, thin_floor, fin, narrow_gap, close_holes};
-constexpr Make kRim[] = {hole_over_rim, merging_holes, merging_bosses, slot_over_rim,
-                         ball_over_rim};
+constexpr Make kAtRim[] = {hole_over_rim, merging_holes, merging_bosses, slot_over_rim,
+                           ball_over_rim};
 constexpr Make kSmall[] = {pin, pinhole, step, offset_stack, point_cone, small_bead};
 constexpr Make kSoup[] = {soup};
 
 constexpr std::array<std::span<const Make>, kTroubles> kFamilies{
-    kTangent, kCoincident, kWedge, kThin, kRim, kSmall, kSoup};
+    kTangent, kCoincident, kWedge, kThin, kAtRim, kSmall, kSoup};
 
 }  // namespace
 
 std::vector<std::string> add_trouble(Draft& d, Trouble family, const Site& site) {
   const double r = std::max(0.6 * site.radius, 1.5 * d.length) * d.random.uniform(0.5, 1.2);
-  const Place place{turned(site.frame, 2, d.chance(0.5) ? 0 : d.random.uniform(0, kPi)), r,
+  const Place place{turned(site.frame, 2, d.chance(0.5) ? 0 : d.random.uniform(0, pi)), r,
                     std::max(site.depth, 2 * d.length), d.length};
   const std::span<const Make> recipes = kFamilies[static_cast<std::size_t>(family)];
   return recipes[d.random.below(recipes.size())](d, place);

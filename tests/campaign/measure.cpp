@@ -14,11 +14,11 @@ namespace remeshd::campaign {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kCusp = 0.2;        // degrees: a sharper angle is a tangent contact
-constexpr double kSmooth = 0.2;      // degrees: a flatter edge is a smooth one
-constexpr double kOnSurface = 1e-6;  // of the diagonal
-constexpr double kWedgeReach = 2;    // 1 / tan(30 degrees) and some for curvature
-constexpr int kLeastPoints = 40;     // per face
+constexpr double kCusp = 0.2;      // degrees: a sharper angle is a tangent contact
+constexpr double kSmooth = 0.2;    // degrees: a flatter edge is a smooth one
+constexpr double kOnFace = 1e-6;   // of the diagonal
+constexpr double kWedgeReach = 2;  // 1 / tan(30 degrees) and some for curvature
+constexpr int kLeastPoints = 40;   // per face
 constexpr int kMostPoints = 1500;
 
 double to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -57,7 +57,7 @@ class Measurer {
         membership_(model),
         rays_(membership_),
         spacing_(spacing),
-        tolerance_(kOnSurface * boundary.bounds.diagonal()) {}
+        tolerance_(kOnFace * boundary.bounds.diagonal()) {}
 
   Measure operator()() {
     measure_edges();

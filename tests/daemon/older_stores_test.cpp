@@ -9,6 +9,7 @@
 #include "server/session/archive.h"
 #include "server/store/store.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 // Stores that earlier versions of the program wrote, each with simple-a at 60 nodes and its edit
 // simple-ab: `first_layout_store` is of before stores had a FORMAT, with revisions of format 8;
@@ -17,8 +18,6 @@ namespace remeshd::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const remeshd::Run kRun;
 
 class OlderStores : public testing::TestWithParam<const char*> {
  protected:

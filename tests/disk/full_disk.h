@@ -12,10 +12,9 @@
 #include "tests/server/fake_engine.h"
 #include "tests/server/store/store_folder.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd::test {
-
-inline const remeshd::Run kRun;
 
 /// An archive over a store whose disk takes nothing more from a moment on.
 class FullDisk : public StoreFolderTest {

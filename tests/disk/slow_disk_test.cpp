@@ -10,13 +10,12 @@
 #include "tests/server/fake_engine.h"
 #include "tests/server/store/store_folder.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-const remeshd::Run kRun;
 
 /// A disk on which one sync, of the pack or of the journal, takes until it is let go.
 class SlowDisk : public StoreFolderTest, public testing::WithParamInterface<const char*> {

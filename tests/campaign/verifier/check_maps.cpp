@@ -38,7 +38,7 @@ void check_nodes(const OutputMesh& mesh, const Revision* base, Findings& finding
   }
 }
 
-void check_tets(const OutputMesh& mesh, const Revision* base, Findings& findings) {
+void check_kept_tets(const OutputMesh& mesh, const Revision* base, Findings& findings) {
   std::vector<char> taken(base ? base->output.mesh.tets.size() : 0, 0);
   for (std::size_t t = 0; t < mesh.mesh.tets.size(); ++t) {
     const std::int32_t from = mesh.map.original_tet[t];
@@ -89,10 +89,11 @@ class DeformedTets {
 };
 
 /// All ids are there once, and a new node or tet has none that any mesh of the chain had, the base
-/// included. What has an original has the original's id, as check_nodes() and check_tets() see; all
-/// else is new. But for deformed tets: the engine keeps all nodes and tets under their ids where it
-/// keeps the connectivity (deliver_kept() in engine/delivery), and a tet there has no original when
-/// one of its nodes moved. Of a mesh with other connectivity such a tet has a new id too.
+/// included. What has an original has the original's id, as check_nodes() and check_kept_tets()
+/// see; all else is new. But for deformed tets: the engine keeps all nodes and tets under their ids
+/// where it keeps the connectivity (deliver_kept() in engine/delivery), and a tet there has no
+/// original when one of its nodes moved. Of a mesh with other connectivity such a tet has a new id
+/// too.
 template <class IsDeformed>
 void check_ids(const CowVector<std::uint64_t>& ids, const CowVector<std::int32_t>& original,
                const CowVector<std::uint64_t>* base, const IsDeformed& is_deformed,
@@ -121,7 +122,7 @@ void check_maps(const Revision& revision, const Revision* base, std::set<std::ui
     return;
   }
   check_nodes(d, base, findings);
-  check_tets(d, base, findings);
+  check_kept_tets(d, base, findings);
   check_ids(
       d.node_ids, d.map.original_node, base ? &base->output.node_ids : nullptr,
       [](std::size_t) { return false; }, node_ids, "node ids", findings);

@@ -9,7 +9,7 @@
 namespace remeshd::campaign {
 namespace {
 
-constexpr double kOnSurface = 1e-6;  // of the diagonal
+constexpr double kOnNamedFace = 1e-6;  // of the diagonal
 
 class NameChecker {
  public:
@@ -17,7 +17,7 @@ class NameChecker {
       : revision_(revision),
         mesh_(test::flat(revision.output.mesh)),
         membership_(revision.model),
-        tiny_(kOnSurface * membership_.bounds().diagonal()),
+        tiny_(kOnNamedFace * membership_.bounds().diagonal()),
         rays_(membership_),
         surface_(mesh_, facets, membership_, tiny_),
         findings_(findings) {}

@@ -14,7 +14,7 @@ namespace {
 using remesh::v1::Error;
 using testing::SizeIs;
 
-remesh::v1::EditRevisionRequest edit_of(const std::string& base, const std::string& id = "") {
+remesh::v1::EditRevisionRequest filed_edit_of(const std::string& base, const std::string& id = "") {
   remesh::v1::EditRevisionRequest request;
   request.set_base(base);
   request.set_request_id(id);
@@ -79,7 +79,8 @@ TEST(Client, SaysUnavailableWhereNobodyListens) {
   { address = FakeDaemon().address; }
   const Client client = Client::connect(address);
   EXPECT_EQ(code_of([&] { (void)client.info(); }), Error::CODE_UNAVAILABLE);
-  EXPECT_EQ(code_of([&] { client.stream().edit(edit_of("d")).get(); }), Error::CODE_UNAVAILABLE);
+  EXPECT_EQ(code_of([&] { client.stream().edit(filed_edit_of("d")).get(); }),
+            Error::CODE_UNAVAILABLE);
 }
 
 TEST(Client, ListsAllPages) {
@@ -174,9 +175,9 @@ TEST(EditStream, AnswersPipelinedRequestsEachByItsOwnFuture) {
                             EXPECT_EQ(progress.stage(), "optimise");
                             ++events;
                           });
-  auto first = stream.edit(edit_of("a"));
-  auto second = stream.edit(edit_of("b"));
-  auto third = stream.edit(edit_of("c"));
+  auto first = stream.edit(filed_edit_of("a"));
+  auto second = stream.edit(filed_edit_of("b"));
+  auto third = stream.edit(filed_edit_of("c"));
   stream.finish();
   EXPECT_EQ(first.get().revision().id(), "rev-1");
   EXPECT_EQ(code_of([&] { second.get(); }), Error::CODE_FAILED_PRECONDITION);
@@ -188,8 +189,8 @@ TEST(EditStream, CancelsOneRequestByItsIdAndLivesOn) {
   FakeDaemon daemon;
   daemon.service.hanging = {0};
   EditStream stream = Client::connect(daemon.address).stream();
-  auto stuck = stream.edit(edit_of("a", "stuck"));
-  auto next = stream.edit(edit_of("b"));
+  auto stuck = stream.edit(filed_edit_of("a", "stuck"));
+  auto next = stream.edit(filed_edit_of("b"));
   stream.cancel("stuck");
   EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CODE_CANCELLED);
   EXPECT_EQ(next.get().revision().id(), "rev-2");
@@ -199,8 +200,8 @@ TEST(EditStream, RefusesARequestIdThatIsUnderWay) {
   FakeDaemon daemon;
   daemon.service.hanging = {0};
   EditStream stream = Client::connect(daemon.address).stream();
-  auto stuck = stream.edit(edit_of("a", "same"));
-  EXPECT_THROW((void)stream.edit(edit_of("a", "same")), std::invalid_argument);
+  auto stuck = stream.edit(filed_edit_of("a", "same"));
+  EXPECT_THROW((void)stream.edit(filed_edit_of("a", "same")), std::invalid_argument);
 }
 
 TEST(EditStream, IsBrokenOffByAStopRequest) {
@@ -208,7 +209,7 @@ TEST(EditStream, IsBrokenOffByAStopRequest) {
   daemon.service.hanging = {0};
   std::stop_source source;
   EditStream stream = Client::connect(daemon.address).stream({}, {.stop = source.get_token()});
-  auto stuck = stream.edit(edit_of("a"));
+  auto stuck = stream.edit(filed_edit_of("a"));
   source.request_stop();
   EXPECT_EQ(code_of([&] { stuck.get(); }), Error::CODE_CANCELLED);
   EXPECT_EQ(code_of([&] { stream.finish(); }), Error::CODE_CANCELLED);
@@ -219,9 +220,9 @@ TEST(EditStream, GivesEveryOpenRequestTheErrorThatBrokeIt) {
   daemon.service.stream_failure =
       make_error(Error::CODE_UNAUTHENTICATED, Error::CREDENTIALS_MISSING);
   EditStream stream = Client::connect(daemon.address).stream();
-  auto answer = stream.edit(edit_of("a"));
+  auto answer = stream.edit(filed_edit_of("a"));
   EXPECT_EQ(code_of([&] { answer.get(); }), Error::CODE_UNAUTHENTICATED);
-  EXPECT_EQ(code_of([&] { stream.edit(edit_of("b")).get(); }), Error::CODE_UNAUTHENTICATED);
+  EXPECT_EQ(code_of([&] { stream.edit(filed_edit_of("b")).get(); }), Error::CODE_UNAUTHENTICATED);
   EXPECT_EQ(code_of([&] { stream.finish(); }), Error::CODE_UNAUTHENTICATED);
 }
 
@@ -231,7 +232,7 @@ TEST(EditStream, CanBeLeftWithRequestsUnderWay) {
   std::future<remesh::v1::RevisionResult> answer;
   {
     EditStream stream = Client::connect(daemon.address).stream();
-    answer = stream.edit(edit_of("a"));
+    answer = stream.edit(filed_edit_of("a"));
   }
   EXPECT_EQ(code_of([&] { answer.get(); }), Error::CODE_CANCELLED);
 }
@@ -240,7 +241,7 @@ TEST(Client, GivesACallUpAfterItsTimeout) {
   FakeDaemon daemon;
   daemon.service.hanging = {0};
   EditStream stream = Client::connect(daemon.address).stream({}, {.stop = {}, .timeout = 0.2});
-  EXPECT_EQ(code_of([&] { stream.edit(edit_of("a")).get(); }), Error::CODE_DEADLINE_EXCEEDED);
+  EXPECT_EQ(code_of([&] { stream.edit(filed_edit_of("a")).get(); }), Error::CODE_DEADLINE_EXCEEDED);
 }
 
 }  // namespace

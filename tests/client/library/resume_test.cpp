@@ -11,7 +11,7 @@ namespace {
 using remesh::v1::EditStreamRequest;
 using remesh::v1::Error;
 
-EditStreamRequest edit_of(const std::string& base, const std::string& design = "") {
+EditStreamRequest streamed_edit_of(const std::string& base, const std::string& design = "") {
   EditStreamRequest request;
   request.mutable_edit()->set_base(base);
   request.mutable_edit()->set_design(design);
@@ -31,31 +31,31 @@ TEST(Resend, WhatSaysByItselfWhatItIsMadeOfIsSentAsItIs) {
   create.mutable_create();
   EXPECT_EQ(how_to_resend(create, &last), Resend::AsItIs);
   for (const char* base : {"plate@3", "0123456789", "other@1"})
-    EXPECT_EQ(how_to_resend(edit_of(base), &last), Resend::AsItIs) << base;
+    EXPECT_EQ(how_to_resend(streamed_edit_of(base), &last), Resend::AsItIs) << base;
 }
 
 TEST(Resend, AnEditOfTheHeadIsSentWithTheIdOfTheLastResultAndItsDesign) {
   const auto last = result_of("0123456789abcdef", "plate");
   for (const char* base : {"", "plate"}) {
-    ASSERT_EQ(how_to_resend(edit_of(base), &last), Resend::OnLast) << base;
-    const auto sent = on_last(edit_of(base), last);
+    ASSERT_EQ(how_to_resend(streamed_edit_of(base), &last), Resend::OnLast) << base;
+    const auto sent = on_last(streamed_edit_of(base), last);
     EXPECT_EQ(sent.edit().base(), "0123456789abcdef");
     EXPECT_EQ(sent.edit().design(), "plate");
   }
-  EXPECT_EQ(on_last(edit_of("", "mine"), last).edit().design(), "mine");
+  EXPECT_EQ(on_last(streamed_edit_of("", "mine"), last).edit().design(), "mine");
 }
 
 TEST(Resend, AnEditOfAHeadThatTheStreamKnowsNothingOfIsNotSentAgain) {
   const auto last = result_of("0123456789abcdef", "plate");
-  EXPECT_EQ(how_to_resend(edit_of("other"), &last), Resend::Impossible);
-  EXPECT_EQ(how_to_resend(edit_of("plate"), nullptr), Resend::Impossible);
-  EXPECT_EQ(how_to_resend(edit_of("", "plate"), nullptr), Resend::Impossible);
-  EXPECT_EQ(how_to_resend(edit_of(""), nullptr), Resend::AsItIs);
+  EXPECT_EQ(how_to_resend(streamed_edit_of("other"), &last), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(streamed_edit_of("plate"), nullptr), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(streamed_edit_of("", "plate"), nullptr), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(streamed_edit_of(""), nullptr), Resend::AsItIs);
 }
 
 remesh::v1::EditRevisionRequest edit_request(const std::string& base,
                                              const std::string& design = "") {
-  return edit_of(base, design).edit();
+  return streamed_edit_of(base, design).edit();
 }
 
 TEST(EditStream, SendsWhatABreakLeftUnansweredAgain) {

@@ -4,11 +4,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
 /// A block, and the same with a slot through the middle of its top.
 struct CutInTwo {

@@ -4,11 +4,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 TEST(FacesOf, AVertexOfABlockLiesOnThreeFacesAnEdgeOnTwo) {
   const CellularModel cells = build_cells(

@@ -9,11 +9,12 @@
 #include "engine/nodes/nearest.h"
 #include "engine/sizing/size_rules.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 struct Sampled {
   FeatureModel model;

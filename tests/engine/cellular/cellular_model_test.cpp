@@ -11,11 +11,12 @@
 #include "tests/engine/cellular/simple_features.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using std::numbers::pi;
 using test::case_features;

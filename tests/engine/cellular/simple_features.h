@@ -31,15 +31,8 @@ inline FeatureSource minus(FeatureSource source) {
   return source;
 }
 
-inline FeatureModel model_of(std::vector<FeatureSource> features) {
-  ModelSource source;
-  source.name = "test";
-  source.features = std::move(features);
-  return evaluate(source);
-}
-
 inline CellularModel cells_of(std::vector<FeatureSource> features) {
-  return build_cells(model_of(std::move(features)), Run());
+  return build_cells(evaluate(test::model_of(std::move(features))), Run());
 }
 
 }  // namespace remeshd

@@ -93,7 +93,7 @@ TEST(CellularModelTest, WhatAGeneralFuseFailsAtIsFusedInTurn) {
     source->placement.z_axis = z;
   }
   disc.placement.x_axis = {-0.3306212323421541, 0.8389678586228062, 0.4322297223958786};
-  const FeatureModel model = model_of({post, disc, tip});
+  const FeatureModel model = evaluate(test::model_of({post, disc, tip}));
   const CellularModel cells = build_cells(model, {});
   for (int f = 0; f < 3; ++f) {
     double volume = 0;

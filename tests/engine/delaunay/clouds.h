@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "engine/base/random.h"
-#include "engine/base/run.h"
 #include "engine/delaunay/delaunay_mesh.h"
 #include "engine/mesh/tet_mesh.h"
+#include "tests/support/run.h"
 
 /// Delaunay meshes of random nodes in the unit cube.
 namespace remeshd::test {
-
-inline const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
 
 inline Box unit_box() {
   Box box;

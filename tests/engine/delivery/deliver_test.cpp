@@ -10,11 +10,12 @@
 #include "engine/remesh/remesh.h"
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A prism on a right-angled triangle of 40 x 7, whose edge at the origin is sharp (9.9 degrees),
 /// 20 high, in nine tets: three at that edge and six beyond x = 20.

@@ -5,13 +5,14 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
 using testing::ElementsAre;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A plate of 40 x 40 x 4 with a hole of radius 5 through its middle, at (20, 20), and an inlay in
 /// a corner of it.

@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
@@ -21,13 +22,13 @@ using test::model_of;
 using test::placed;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using Names = std::vector<std::vector<std::string>>;
+using NameLists = std::vector<std::vector<std::string>>;
 
 constexpr Nature kHole = Nature::Subtractive;
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A revision of which only the model and the names on its mesh are known.
-Revision named(const ModelSource& model, Names facets, Names cells = {{"plate"}}) {
+Revision named(const ModelSource& model, NameLists facets, NameLists cells = {{"plate"}}) {
   Revision r;
   r.model = evaluate(model);
   r.output.groups.facet_groups = std::move(facets);
@@ -53,8 +54,8 @@ ModelSource plate(double hole_x) {
       {block("plate", 20, 20, 4), placed(cylinder("hole", 2, 6), hole_x, 10, -1, kHole)});
 }
 
-const Names kPlate{{"plate.bottom"}, {"plate.top"}};
-const Names kPlateWithHole{{"hole.wall"}, {"plate.bottom"}, {"plate.top"}};
+const NameLists kPlate{{"plate.bottom"}, {"plate.top"}};
+const NameLists kPlateWithHole{{"hole.wall"}, {"plate.bottom"}, {"plate.top"}};
 
 TEST(LostNames, AreNoneWhereTheNamesStay) {
   const Revision original = named(plate(10), kPlateWithHole);
@@ -74,7 +75,7 @@ TEST(LostNames, AHoleMovedOffThePartIsTold) {
 }
 
 TEST(LostNames, AFaceOfAFeatureThatHasOthersIsToldByItself) {
-  const Names with{{"rib.left"}, {"rib.right"}, {"rib.top"}};
+  const NameLists with{{"rib.left"}, {"rib.right"}, {"rib.top"}};
   const ModelSource model = model_of({block("rib", 1, 1, 1)});
   const Revision original = named(model, with, {{"rib"}});
   EXPECT_THAT(told(lost_names(original, named(model, {{"rib.top"}}, {{"rib"}}))),
@@ -90,7 +91,7 @@ TEST(LostNames, FacesOfARemovedFeatureAreToldAtOnce) {
 
 TEST(LostNames, AGroupIsToldWhereItsFacesAreStillThere) {
   const ModelSource model = model_of({block("plate", 20, 20, 4), block("hub", 4, 4, 4)});
-  const Names apart{{"hub.top"}, {"plate.top"}};
+  const NameLists apart{{"hub.top"}, {"plate.top"}};
   const Revision original = named(model, {{"hub.top"}, {"hub.top", "plate.top"}, {"plate.top"}});
   EXPECT_THAT(told(lost_names(original, named(model, apart))),
               ElementsAre("GROUP_EMPTIED | hub.top+plate.top"));

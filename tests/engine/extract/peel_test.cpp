@@ -9,11 +9,12 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/model/solid.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A cube with a node in its middle and one at each vertex but the last `missing`.
 PeeledMesh peeled_cube(int missing) {

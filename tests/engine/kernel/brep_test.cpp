@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "engine/kernel/primitives.h"
+#include "tests/support/run.h"
 
 namespace remeshd::kernel {
 namespace {
 
 using std::numbers::pi;
 
-const Run kRun;
+using test::kRun;
 
 Brep square(double side, double height, double scale) {
   const auto to = [](std::array<double, 2> a, std::array<double, 2> b) {

@@ -21,13 +21,14 @@
 #include <thread>
 
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd::kernel {
 namespace {
 
 namespace fs = std::filesystem;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// Adds the box from `lo` to `hi`.
 void add_box(TetGenSurface& s, const Vec3& lo, const Vec3& hi) {

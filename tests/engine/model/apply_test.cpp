@@ -12,7 +12,7 @@ using Profile = std::vector<ProfileEntry>;
 
 const Profile kTriangle{point(0.0, 0.0), point(5.0, 0.0), point(0.0, 5.0)};
 
-ModelSource original() {
+ModelSource base_rib_and_ring() {
   ModelSource model =
       test::one_feature(test::feature("base", "block", {{"dx", "w"}, {"dy", 40.0}, {"dz", 10.0}}));
   model.parameters = {{"w", 80.0}};
@@ -28,10 +28,12 @@ std::vector<std::string> ids(const ModelSource& model) {
   return result;
 }
 
-ModelSource edited(std::vector<Edit> edits) { return apply(original(), {std::move(edits)}); }
+ModelSource edited(std::vector<Edit> edits) {
+  return apply(base_rib_and_ring(), {std::move(edits)});
+}
 
 /// `index reason feature parameter` of the error; a sound edit goes before the one given.
-std::string failure_of(const Edit& edit) {
+std::string edit_failure(const Edit& edit) {
   const ErrorInfo info = test::error_of([&] {
     edited({SetParameter{"w", 90.0}, edit, SetParameter{"nope", 1.0}});
   });
@@ -41,9 +43,9 @@ std::string failure_of(const Edit& edit) {
 }
 
 TEST(Apply, LeavesItsArgumentAsItWas) {
-  const ModelSource before = original();
+  const ModelSource before = base_rib_and_ring();
   const ModelSource after = apply(before, {{RemoveFeature{"rib"}, SetParameter{"w", 1.0}}});
-  EXPECT_EQ(before, original());
+  EXPECT_EQ(before, base_rib_and_ring());
   EXPECT_NE(after, before);
   EXPECT_EQ(apply(before, {}), before);
 }
@@ -107,16 +109,17 @@ TEST(Apply, ResultIsNotYetValidated) {
 
 TEST(Apply, UnknownNamesAreErrorsWithTheIndexOfTheEdit) {
   const FeatureSource pin = test::feature("pin", "sphere", {{"radius", 1.0}});
-  EXPECT_EQ(failure_of(SetParameter{"W", 1.0}), "1 UNKNOWN_PARAMETER - W");
-  EXPECT_EQ(failure_of(SetFeatureParameter{"Base", "dx", Scalar(1.0)}), "1 UNKNOWN_FEATURE Base -");
-  EXPECT_EQ(failure_of(SetFeatureParameter{"base", "radius", Scalar(1.0)}),
+  EXPECT_EQ(edit_failure(SetParameter{"W", 1.0}), "1 UNKNOWN_PARAMETER - W");
+  EXPECT_EQ(edit_failure(SetFeatureParameter{"Base", "dx", Scalar(1.0)}),
+            "1 UNKNOWN_FEATURE Base -");
+  EXPECT_EQ(edit_failure(SetFeatureParameter{"base", "radius", Scalar(1.0)}),
             "1 UNKNOWN_PARAMETER base radius");
-  EXPECT_EQ(failure_of(SetFeatureParameter{"base", "profile", kTriangle}),
+  EXPECT_EQ(edit_failure(SetFeatureParameter{"base", "profile", kTriangle}),
             "1 UNKNOWN_PARAMETER base profile");
-  EXPECT_EQ(failure_of(SetPlacement{"nut", {}}), "1 UNKNOWN_FEATURE nut -");
-  EXPECT_EQ(failure_of(AddFeature{pin, "nut"}), "1 UNKNOWN_FEATURE nut -");
-  EXPECT_EQ(failure_of(RemoveFeature{"nut"}), "1 UNKNOWN_FEATURE nut -");
-  EXPECT_EQ(failure_of(RemoveFeature{""}), "1 UNKNOWN_FEATURE - -");
+  EXPECT_EQ(edit_failure(SetPlacement{"nut", {}}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(edit_failure(AddFeature{pin, "nut"}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(edit_failure(RemoveFeature{"nut"}), "1 UNKNOWN_FEATURE nut -");
+  EXPECT_EQ(edit_failure(RemoveFeature{""}), "1 UNKNOWN_FEATURE - -");
 }
 
 TEST(Apply, UnknownFeaturesAreNotFound) {
@@ -126,20 +129,20 @@ TEST(Apply, UnknownFeaturesAreNotFound) {
 
 TEST(Apply, FeaturesThatExistOrHaveABadNameCannotBeAdded) {
   FeatureSource f = test::feature("rib", "sphere", {{"radius", 1.0}});
-  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 DUPLICATE_FEATURE rib -");
+  EXPECT_EQ(edit_failure(AddFeature{f, ""}), "1 DUPLICATE_FEATURE rib -");
   f.id = "rib 2";
-  EXPECT_EQ(failure_of(AddFeature{f, ""}), "1 INVALID_NAME rib 2 id");
+  EXPECT_EQ(edit_failure(AddFeature{f, ""}), "1 INVALID_NAME rib 2 id");
 }
 
 TEST(Apply, AProfileIsNoNumberAndANumberNoProfile) {
-  EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "profile", Scalar(3.0)}),
+  EXPECT_EQ(edit_failure(SetFeatureParameter{"rib", "profile", Scalar(3.0)}),
             "1 WRONG_VALUE_KIND rib profile");
-  EXPECT_EQ(failure_of(SetFeatureParameter{"rib", "height", kTriangle}),
+  EXPECT_EQ(edit_failure(SetFeatureParameter{"rib", "height", kTriangle}),
             "1 WRONG_VALUE_KIND rib height");
 }
 
 TEST(Apply, AFeatureOfUnknownTypeHasNoParametersToSet) {
-  EXPECT_EQ(failure_of(AddFeature{test::feature("blob", "blob"), "nowhere"}),
+  EXPECT_EQ(edit_failure(AddFeature{test::feature("blob", "blob"), "nowhere"}),
             "1 UNKNOWN_FEATURE nowhere -");
   const ErrorInfo info = test::error_of([] {
     edited({AddFeature{test::feature("blob", "blob"), ""},
@@ -171,9 +174,9 @@ TEST(Apply, RemoveSizeTakesOneOut) {
 }
 
 TEST(Apply, TellsWhatIsWrongWithAnEditOfASize) {
-  EXPECT_EQ(failure_of(SetSize{"a", "base", {}}), "1 MISSING_FIELD - sizes.a.size");
-  EXPECT_EQ(failure_of(SetSize{"a", {}, 1.0}), "1 MISSING_FIELD - sizes.a.on");
-  EXPECT_EQ(failure_of(RemoveSize{"a"}), "1 UNKNOWN_SIZE - sizes.a");
+  EXPECT_EQ(edit_failure(SetSize{"a", "base", {}}), "1 MISSING_FIELD - sizes.a.size");
+  EXPECT_EQ(edit_failure(SetSize{"a", {}, 1.0}), "1 MISSING_FIELD - sizes.a.on");
+  EXPECT_EQ(edit_failure(RemoveSize{"a"}), "1 UNKNOWN_SIZE - sizes.a");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Feature evaluated(const FeatureSource& only) {
 }
 
 FeatureSource block() { return feature("plate", "block", {{"dx", 3.0}, {"dy", 2.0}, {"dz", 1.0}}); }
-FeatureSource with(FeatureSource f, const std::string& name, Scalar value) {
+FeatureSource with_parameter(FeatureSource f, const std::string& name, Scalar value) {
   f.parameters[name] = std::move(value);
   return f;
 }
@@ -63,10 +63,11 @@ TEST(Evaluate, ModelsWithoutMaterialAreRefused) {
 }
 
 TEST(Evaluate, ErrorsAreInvalidArgumentsOfTheModelWithAHint) {
-  for (const ModelSource& model : {ModelSource{}, test::one_feature(with(block(), "dx", 0.0)),
-                                   test::one_feature(with(block(), "colour", 1.0)),
-                                   test::one_feature(with(block(), "dx", "1/0")),
-                                   test::one_feature(with(block(), "dx", "q"))}) {
+  for (const ModelSource& model :
+       {ModelSource{}, test::one_feature(with_parameter(block(), "dx", 0.0)),
+        test::one_feature(with_parameter(block(), "colour", 1.0)),
+        test::one_feature(with_parameter(block(), "dx", "1/0")),
+        test::one_feature(with_parameter(block(), "dx", "q"))}) {
     const ErrorInfo info = error_of(model);
     EXPECT_EQ(info.kind, ErrorKind::InvalidArgument) << info.message;
     EXPECT_EQ(info.stage, "model") << info.message;
@@ -121,7 +122,8 @@ TEST(Evaluate, EachParameterOfATypeIsRequiredAndNoOtherIsTaken) {
         whole.parameters[p.name] = size /= 2;
     }
     EXPECT_NO_THROW(evaluate(test::one_feature(whole))) << type.name;
-    EXPECT_EQ(failure_of(with(whole, "colour", 1.0)), "UNKNOWN_PARAMETER f colour") << type.name;
+    EXPECT_EQ(failure_of(with_parameter(whole, "colour", 1.0)), "UNKNOWN_PARAMETER f colour")
+        << type.name;
     for (const ParameterInfo& p : type.parameters) {
       FeatureSource part = whole;
       if (p.unit == "profile")
@@ -150,22 +152,29 @@ TEST(Evaluate, SizesOfEveryTypeMustBePositiveFiniteAndInRange) {
     for (const ParameterInfo& p : type.parameters) {
       if (p.unit == "profile") continue;
       const std::string place = "f " + p.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, -1.0)), "DEGENERATE_FEATURE " + place) << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, kNaN)), "NON_FINITE_VALUE " + place) << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, kInfinity)), "NON_FINITE_VALUE " + place)
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, -1.0)), "DEGENERATE_FEATURE " + place)
           << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, "1/0")), "NON_FINITE_VALUE " + place) << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, "1,2")), "INVALID_EXPRESSION " + place) << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, "f=2")), "INVALID_EXPRESSION " + place) << type.name;
-      EXPECT_EQ(failure_of(with(whole, p.name, "nope")), "UNKNOWN_NAME " + place) << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, kNaN)), "NON_FINITE_VALUE " + place)
+          << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, kInfinity)), "NON_FINITE_VALUE " + place)
+          << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, "1/0")), "NON_FINITE_VALUE " + place)
+          << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, "1,2")), "INVALID_EXPRESSION " + place)
+          << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, "f=2")), "INVALID_EXPRESSION " + place)
+          << type.name;
+      EXPECT_EQ(failure_of(with_parameter(whole, p.name, "nope")), "UNKNOWN_NAME " + place)
+          << type.name;
       if (p.unit == "length") {
-        EXPECT_EQ(failure_of(with(whole, p.name, 1.1e9)), "VALUE_OUT_OF_RANGE " + place)
+        EXPECT_EQ(failure_of(with_parameter(whole, p.name, 1.1e9)), "VALUE_OUT_OF_RANGE " + place)
             << type.name;
-        EXPECT_EQ(failure_of(with(whole, p.name, 1e-10)), "VALUE_OUT_OF_RANGE " + place)
+        EXPECT_EQ(failure_of(with_parameter(whole, p.name, 1e-10)), "VALUE_OUT_OF_RANGE " + place)
             << type.name;
       }
       if (type.name != "cone" || p.name == "height") {
-        EXPECT_EQ(failure_of(with(whole, p.name, 0.0)), "DEGENERATE_FEATURE " + place) << type.name;
+        EXPECT_EQ(failure_of(with_parameter(whole, p.name, 0.0)), "DEGENERATE_FEATURE " + place)
+            << type.name;
       }
     }
   }

@@ -18,7 +18,7 @@ using Parameters = std::vector<ParameterSource>;
 double value_of(const Scalar& scalar, const Parameters& parameters = {}) {
   return Scope(parameters).value(scalar, "plate", "radius");
 }
-std::string failure_of(const Scalar& scalar, const Parameters& parameters = {}) {
+std::string expression_failure(const Scalar& scalar, const Parameters& parameters = {}) {
   return test::place_of(test::error_of([&] { value_of(scalar, parameters); }));
 }
 std::string failure_of_parameters(const Parameters& parameters) {
@@ -63,7 +63,7 @@ TEST(Expression, ParametersMayUseEachOtherInAnyOrder) {
 
 TEST(Expression, NamesAreCaseSensitive) {
   EXPECT_EQ(value_of("r*10+R", {{"r", 1.0}, {"R", 2.0}}), 12);
-  EXPECT_EQ(failure_of("R", {{"r", 1.0}}), "UNKNOWN_NAME plate radius");
+  EXPECT_EQ(expression_failure("R", {{"r", 1.0}}), "UNKNOWN_NAME plate radius");
 }
 
 TEST(Expression, ALongChainOfParametersIsNoProblem) {
@@ -76,20 +76,20 @@ TEST(Expression, ALongChainOfParametersIsNoProblem) {
 TEST(Expression, TextThatIsNoExpressionIsRefused) {
   for (const char* text : {"", "  ", "1+", "(1", "1)", "1 2", "sin()", "sin(1,2)", "\"text\"",
                            "1;2", "$", "1?2", "()", "max()", "foo(1)", "--1", "5%2"})
-    EXPECT_EQ(failure_of(text), "INVALID_EXPRESSION plate radius") << text;
+    EXPECT_EQ(expression_failure(text), "INVALID_EXPRESSION plate radius") << text;
 }
 
 TEST(Expression, CommaListsAreRefused) {
-  EXPECT_EQ(failure_of("1,2"), "INVALID_EXPRESSION plate radius");
-  EXPECT_EQ(failure_of("(1,2)"), "INVALID_EXPRESSION plate radius");
-  EXPECT_EQ(failure_of("1,"), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure("1,2"), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure("(1,2)"), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure("1,"), "INVALID_EXPRESSION plate radius");
   EXPECT_EQ(failure_of_parameters({{"a", "1,2"}}), "INVALID_EXPRESSION - a");
 }
 
 TEST(Expression, AssignmentsAreRefusedAndChangeNothing) {
   const Parameters a{{"a", 1.0}};
   for (const char* text : {"a=3", "a = 3", "(a=3)", "a=3, a", "b=a", "a=", "=3", "1+(a=2)"})
-    EXPECT_EQ(failure_of(text, a), "INVALID_EXPRESSION plate radius") << text;
+    EXPECT_EQ(expression_failure(text, a), "INVALID_EXPRESSION plate radius") << text;
   const Scope scope(a);
   test::error_of([&] { static_cast<void>(scope.value("a=3", "plate", "radius")); });
   EXPECT_EQ(scope.value("a", "plate", "radius"), 1);
@@ -98,23 +98,25 @@ TEST(Expression, AssignmentsAreRefusedAndChangeNothing) {
 TEST(Expression, ResultsThatAreNotFiniteAreRefused) {
   for (const char* text :
        {"1/0", "-1/0", "0/0", "sqrt(-1)", "ln(0)", "10^400", "acos(2)", "1e308*10"})
-    EXPECT_EQ(failure_of(text), "NON_FINITE_VALUE plate radius") << text;
-  EXPECT_EQ(failure_of(std::numeric_limits<double>::quiet_NaN()), "NON_FINITE_VALUE plate radius");
-  EXPECT_EQ(failure_of(std::numeric_limits<double>::infinity()), "NON_FINITE_VALUE plate radius");
+    EXPECT_EQ(expression_failure(text), "NON_FINITE_VALUE plate radius") << text;
+  EXPECT_EQ(expression_failure(std::numeric_limits<double>::quiet_NaN()),
+            "NON_FINITE_VALUE plate radius");
+  EXPECT_EQ(expression_failure(std::numeric_limits<double>::infinity()),
+            "NON_FINITE_VALUE plate radius");
   EXPECT_EQ(failure_of_parameters({{"a", "1/b"}, {"b", 0.0}}), "NON_FINITE_VALUE - a");
   EXPECT_EQ(failure_of_parameters({{"a", -HUGE_VAL}}), "NON_FINITE_VALUE - a");
 }
 
 TEST(Expression, UnknownNamesAreNamed) {
-  EXPECT_EQ(failure_of("2*width", {{"height", 1.0}}), "UNKNOWN_NAME plate radius");
+  EXPECT_EQ(expression_failure("2*width", {{"height", 1.0}}), "UNKNOWN_NAME plate radius");
   EXPECT_EQ(failure_of_parameters({{"a", "2*width"}}), "UNKNOWN_NAME - a");
   const ErrorInfo info = test::error_of([] { value_of("2*width"); });
   EXPECT_NE(info.message.find("'width'"), std::string::npos) << info.message;
 }
 
 TEST(Expression, MuParsersOwnConstantsAreUnknown) {
-  EXPECT_EQ(failure_of("_pi"), "UNKNOWN_NAME plate radius");
-  EXPECT_EQ(failure_of("_e"), "UNKNOWN_NAME plate radius");
+  EXPECT_EQ(expression_failure("_pi"), "UNKNOWN_NAME plate radius");
+  EXPECT_EQ(expression_failure("_e"), "UNKNOWN_NAME plate radius");
   EXPECT_EQ(value_of("_pi", {{"_pi", 3.0}}), 3);
 }
 
@@ -146,7 +148,7 @@ TEST(Expression, LengthIsLimited) {
   std::string text = "1";
   while (text.size() + 2 <= kMaxExpressionLength) text += "+1";
   EXPECT_EQ(value_of(text), (static_cast<double>(text.size()) + 1) / 2);
-  EXPECT_EQ(failure_of(text + "+1"), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure(text + "+1"), "INVALID_EXPRESSION plate radius");
 }
 
 TEST(Expression, NumberOfParametersIsLimited) {
@@ -156,11 +158,11 @@ TEST(Expression, NumberOfParametersIsLimited) {
 }
 
 TEST(Expression, CharactersOutsideAsciiAreRefused) {
-  EXPECT_EQ(failure_of("1+\xC2\xA0"
-                       "1"),
+  EXPECT_EQ(expression_failure("1+\xC2\xA0"
+                               "1"),
             "INVALID_EXPRESSION plate radius");
-  EXPECT_EQ(failure_of(std::string("1\0+1", 4)), "INVALID_EXPRESSION plate radius");
-  EXPECT_EQ(failure_of("1\n+1"), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure(std::string("1\0+1", 4)), "INVALID_EXPRESSION plate radius");
+  EXPECT_EQ(expression_failure("1\n+1"), "INVALID_EXPRESSION plate radius");
 }
 
 TEST(Expression, TheLocaleOfTheProcessDoesNotMatter) {
@@ -169,7 +171,7 @@ TEST(Expression, TheLocaleOfTheProcessDoesNotMatter) {
   for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8"})
     comma = comma || std::setlocale(LC_ALL, name) != nullptr;
   const double value = value_of("1.5*2");
-  const std::string list = failure_of("1,5");
+  const std::string list = expression_failure("1,5");
   std::setlocale(LC_ALL, before.c_str());
   EXPECT_EQ(value, 3) << (comma ? "decimal comma" : "no such locale here");
   EXPECT_EQ(list, "INVALID_EXPRESSION plate radius");

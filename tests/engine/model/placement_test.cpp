@@ -17,7 +17,7 @@ using Triple = std::array<Scalar, 3>;
 Transform placed(const PlacementSource& source) {
   return evaluate_placement(source, Scope({{"a", 30.0}}), "rib");
 }
-std::string failure_of(const PlacementSource& source) {
+std::string placement_failure(const PlacementSource& source) {
   return test::place_of(test::error_of([&] { placed(source); }));
 }
 Vec3 column(const Transform& t, int k) { return {t.m[k], t.m[4 + k], t.m[8 + k]}; }
@@ -82,30 +82,31 @@ TEST(Placement, FramesAreRightHandedAndOrthonormalEvenFromNearlyParallelAxes) {
 
 TEST(Placement, DegenerateFramesAreRefused) {
   const Triple origin{0.0, 0.0, 0.0};
-  EXPECT_EQ(failure_of({origin, Triple{0.0, 0.0, 0.0}, {}}),
+  EXPECT_EQ(placement_failure({origin, Triple{0.0, 0.0, 0.0}, {}}),
             "DEGENERATE_FRAME rib placement.zAxis");
-  EXPECT_EQ(failure_of({origin, Triple{0.0, 0.0, 1e-12}, {}}),
+  EXPECT_EQ(placement_failure({origin, Triple{0.0, 0.0, 1e-12}, {}}),
             "DEGENERATE_FRAME rib placement.zAxis");
-  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 0.0}}),
+  EXPECT_EQ(placement_failure({origin, {}, Triple{0.0, 0.0, 0.0}}),
             "DEGENERATE_FRAME rib placement.xAxis");
-  EXPECT_EQ(failure_of({origin, {}, Triple{0.0, 0.0, 3.0}}),
+  EXPECT_EQ(placement_failure({origin, {}, Triple{0.0, 0.0, 3.0}}),
             "DEGENERATE_FRAME rib placement.xAxis");
-  EXPECT_EQ(failure_of({origin, Triple{1.0, 2.0, 3.0}, Triple{-2.0, -4.0, -6.0}}),
+  EXPECT_EQ(placement_failure({origin, Triple{1.0, 2.0, 3.0}, Triple{-2.0, -4.0, -6.0}}),
             "DEGENERATE_FRAME rib placement.xAxis");
-  EXPECT_EQ(failure_of({origin, Triple{1.0, 0.0, 0.0}, Triple{1.0, 0.0, 0.0}}),
+  EXPECT_EQ(placement_failure({origin, Triple{1.0, 0.0, 0.0}, Triple{1.0, 0.0, 0.0}}),
             "DEGENERATE_FRAME rib placement.xAxis");
 }
 
 TEST(Placement, ErrorsNameTheComponent) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(failure_of({Triple{0.0, nan, 0.0}, {}, {}}),
+  EXPECT_EQ(placement_failure({Triple{0.0, nan, 0.0}, {}, {}}),
             "NON_FINITE_VALUE rib placement.origin[1]");
-  EXPECT_EQ(failure_of({Triple{0.0, 0.0, "b"}, {}, {}}), "UNKNOWN_NAME rib placement.origin[2]");
-  EXPECT_EQ(failure_of({Triple{-2e9, 0.0, 0.0}, {}, {}}),
+  EXPECT_EQ(placement_failure({Triple{0.0, 0.0, "b"}, {}, {}}),
+            "UNKNOWN_NAME rib placement.origin[2]");
+  EXPECT_EQ(placement_failure({Triple{-2e9, 0.0, 0.0}, {}, {}}),
             "VALUE_OUT_OF_RANGE rib placement.origin[0]");
-  EXPECT_EQ(failure_of({{0.0, 0.0, 0.0}, Triple{"1/0", 0.0, 0.0}, {}}),
+  EXPECT_EQ(placement_failure({{0.0, 0.0, 0.0}, Triple{"1/0", 0.0, 0.0}, {}}),
             "NON_FINITE_VALUE rib placement.zAxis[0]");
-  EXPECT_EQ(failure_of({{0.0, 0.0, 0.0}, {}, Triple{1.0, "1,2", 0.0}}),
+  EXPECT_EQ(placement_failure({{0.0, 0.0, 0.0}, {}, Triple{1.0, "1,2", 0.0}}),
             "INVALID_EXPRESSION rib placement.xAxis[1]");
 }
 

@@ -18,12 +18,12 @@ using test::arc;
 using test::point;
 using Entries = std::vector<ProfileEntry>;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<ProfileSide> outline(const Entries& entries) {
   return evaluate_profile(entries, Scope({{"a", 4.0}}), "web");
 }
-std::string failure_of(const Entries& entries) {
+std::string outline_failure(const Entries& entries) {
   return test::place_of(test::error_of([&] { outline(entries); }));
 }
 Entries mirrored(const Entries& entries) {  // turns the other way
@@ -63,14 +63,14 @@ TEST(Profile, AnArcBelongsToTheSideThatItEnds) {
   EXPECT_NEAR(sides[1].centre[0], 0, 1e-16);
   EXPECT_NEAR(sides[1].centre[1], 0, 1e-16);
   EXPECT_DOUBLE_EQ(sides[1].radius, 1);
-  EXPECT_DOUBLE_EQ(sweep(sides[1]), kPi);
-  EXPECT_DOUBLE_EQ(signed_area(sides), kPi / 2);
+  EXPECT_DOUBLE_EQ(sweep(sides[1]), pi);
+  EXPECT_DOUBLE_EQ(signed_area(sides), pi / 2);
 }
 
 TEST(Profile, MayTurnEitherWay) {
   const Entries key{point(0.0, 0.0), point(4.0, 0.0), arc(4.0, 2.0, 5.0, 1.0), point(0.0, 2.0)};
-  EXPECT_DOUBLE_EQ(signed_area(outline(key)), 8 + kPi / 2);
-  EXPECT_DOUBLE_EQ(signed_area(outline(mirrored(key))), -8 - kPi / 2);
+  EXPECT_DOUBLE_EQ(signed_area(outline(key)), 8 + pi / 2);
+  EXPECT_DOUBLE_EQ(signed_area(outline(mirrored(key))), -8 - pi / 2);
 }
 
 TEST(Profile, ArcsMayBulgeInwardsAndTurnThroughMoreThanHalfACircle) {
@@ -80,7 +80,7 @@ TEST(Profile, ArcsMayBulgeInwardsAndTurnThroughMoreThanHalfACircle) {
   const auto keyhole = outline({point(-0.6, -0.8), arc(0.6, -0.8, 0.0, 1.0)});
   ASSERT_EQ(keyhole.size(), 2U);
   EXPECT_FALSE(keyhole[0].counter_clockwise);
-  EXPECT_GT(std::fabs(sweep(keyhole[0])), kPi);
+  EXPECT_GT(std::fabs(sweep(keyhole[0])), pi);
   const double t = std::fabs(sweep(keyhole[0]));
   EXPECT_NEAR(std::fabs(signed_area(keyhole)), 0.5 * (t - std::sin(t)), 1e-14);
 }
@@ -89,7 +89,7 @@ TEST(Profile, TwoArcsMayMakeACircleOrALens) {
   const auto circle =
       outline({point(-2.0, 0.0), arc(2.0, 0.0, 0.0, -2.0), arc(-2.0, 0.0, 0.0, 2.0)});
   ASSERT_EQ(circle.size(), 2U);
-  EXPECT_DOUBLE_EQ(signed_area(circle), 4 * kPi);
+  EXPECT_DOUBLE_EQ(signed_area(circle), 4 * pi);
   const auto lens = outline({point(-1.0, 0.0), arc(1.0, 0.0, 0.0, -0.5), arc(-1.0, 0.0, 0.0, 0.5)});
   EXPECT_EQ(lens.size(), 2U);
 }
@@ -133,31 +133,31 @@ TEST(Profile, BoundsOfArcsReachTheirExtremes) {
 }
 
 TEST(Profile, NeedsThreeSidesOrTwoWithAnArc) {
-  EXPECT_EQ(failure_of({}), "INVALID_PROFILE web profile");
-  EXPECT_EQ(failure_of({point(0.0, 0.0)}), "INVALID_PROFILE web profile");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0)}), "INVALID_PROFILE web profile");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 0.0)}),
+  EXPECT_EQ(outline_failure({}), "INVALID_PROFILE web profile");
+  EXPECT_EQ(outline_failure({point(0.0, 0.0)}), "INVALID_PROFILE web profile");
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0)}), "INVALID_PROFILE web profile");
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 0.0)}),
             "INVALID_PROFILE web profile");
   EXPECT_EQ(outline({point(0.0, 0.0), arc(1.0, 0.0, 0.5, 0.5)}).size(), 2U);
 }
 
 TEST(Profile, StartsWithAPoint) {
-  EXPECT_EQ(failure_of({arc(0.0, 0.0, 1.0, 1.0), point(2.0, 0.0), point(1.0, 3.0)}),
+  EXPECT_EQ(outline_failure({arc(0.0, 0.0, 1.0, 1.0), point(2.0, 0.0), point(1.0, 3.0)}),
             "INVALID_PROFILE web profile[0]");
 }
 
 TEST(Profile, SidesHaveALength) {
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(1.0, 0.0), point(0.0, 1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(1.0, 0.0), point(0.0, 1.0)}),
             "INVALID_PROFILE web profile[2]");
   EXPECT_EQ(
-      failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), point(0.0, 1.0 + 1e-11)}),
+      outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), point(0.0, 1.0 + 1e-11)}),
       "INVALID_PROFILE web profile[3]");
-  EXPECT_EQ(failure_of({point(5.0, 5.0), point(5.0, 5.0), point(5.0, 5.0)}),
+  EXPECT_EQ(outline_failure({point(5.0, 5.0), point(5.0, 5.0), point(5.0, 5.0)}),
             "INVALID_PROFILE web profile[1]");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), arc(0.0, 0.0, 1.0, 1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), arc(0.0, 0.0, 1.0, 1.0)}),
             "INVALID_PROFILE web profile[1]");
   EXPECT_EQ(
-      failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), arc(0.0, 1.0, 3.0, 3.0)}),
+      outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(0.0, 1.0), arc(0.0, 1.0, 3.0, 3.0)}),
       "INVALID_PROFILE web profile[3]");
 }
 
@@ -165,64 +165,64 @@ TEST(Profile, PointsOfAnArcDoNotLieOnALine) {
   const auto bent = [](double tx, double ty) {
     return Entries{point(0.0, 0.0), point(2.0, 0.0), arc(2.0, 2.0, tx, ty), point(0.0, 2.0)};
   };
-  EXPECT_EQ(failure_of(bent(2, 1)), "INVALID_PROFILE web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 7)), "INVALID_PROFILE web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 2)), "INVALID_PROFILE web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2, 0)), "INVALID_PROFILE web profile[2].through");
-  EXPECT_EQ(failure_of(bent(2 + 1e-8, 1)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(outline_failure(bent(2, 1)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(outline_failure(bent(2, 7)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(outline_failure(bent(2, 2)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(outline_failure(bent(2, 0)), "INVALID_PROFILE web profile[2].through");
+  EXPECT_EQ(outline_failure(bent(2 + 1e-8, 1)), "INVALID_PROFILE web profile[2].through");
   EXPECT_NO_THROW(outline(bent(2 + 1e-4, 1)));
 }
 
 TEST(Profile, ErrorsOfNumbersNameTheEntry) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(nan, 0.0), point(0.0, 1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(nan, 0.0), point(0.0, 1.0)}),
             "NON_FINITE_VALUE web profile[1]");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(0.0, "b")}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(0.0, "b")}),
             "UNKNOWN_NAME web profile[2]");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), arc(0.0, 1.0, "a=1", 3.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0), arc(0.0, 1.0, "a=1", 3.0)}),
             "INVALID_EXPRESSION web profile[2].through");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(2e9, 0.0), point(0.0, 1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(2e9, 0.0), point(0.0, 1.0)}),
             "VALUE_OUT_OF_RANGE web profile[1]");
 }
 
 TEST(Profile, NumberOfEntriesIsLimited) {
   Entries round;
   for (int k = 0; k < 1001; ++k)
-    round.push_back(point(std::cos(2 * kPi * k / 1001), std::sin(2 * kPi * k / 1001)));
-  EXPECT_EQ(failure_of(round), "LIMIT_EXCEEDED web profile");
+    round.push_back(point(std::cos(2 * pi * k / 1001), std::sin(2 * pi * k / 1001)));
+  EXPECT_EQ(outline_failure(round), "LIMIT_EXCEEDED web profile");
   round.pop_back();
   EXPECT_EQ(outline(round).size(), 1000U);
 }
 
 TEST(SimpleProfile, CrossingSegmentsAreRefused) {
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(2.0, 2.0), point(2.0, 0.0), point(0.0, 2.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(2.0, 2.0), point(2.0, 0.0), point(0.0, 2.0)}),
             "SELF_INTERSECTING_PROFILE web profile[2]");
 }
 
 TEST(SimpleProfile, TouchingIsRefused) {
   // A corner on a side.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 0.0),
-                        point(0.0, 4.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 0.0),
+                             point(0.0, 4.0)}),
             "SELF_INTERSECTING_PROFILE web profile[2]");
   // A corner on a corner.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(2.0, 1.0), point(4.0, 0.0), point(4.0, 4.0),
-                        point(2.0, 1.0), point(0.0, 4.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(2.0, 1.0), point(4.0, 0.0), point(4.0, 4.0),
+                             point(2.0, 1.0), point(0.0, 4.0)}),
             "SELF_INTERSECTING_PROFILE web profile[3]");
   // Nearer than rounding can tell apart.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 1e-10),
-                        point(0.0, 4.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 1e-10),
+                             point(0.0, 4.0)}),
             "SELF_INTERSECTING_PROFILE web profile[2]");
   EXPECT_NO_THROW(outline(
       {point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(2.0, 1e-6), point(0.0, 4.0)}));
 }
 
 TEST(SimpleProfile, OverlapsAndSpikesAreRefused) {
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(2.0, 0.0), point(2.0, 3.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(4.0, 0.0), point(2.0, 0.0), point(2.0, 3.0)}),
             "SELF_INTERSECTING_PROFILE web profile[1]");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(1.0, 0.0), point(2.0, 0.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(1.0, 0.0), point(2.0, 0.0)}),
             "SELF_INTERSECTING_PROFILE web profile[2]");
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(4.0, 8.0),
-                        point(4.0, 4.0), point(0.0, 4.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(4.0, 0.0), point(4.0, 4.0), point(4.0, 8.0),
+                             point(4.0, 4.0), point(0.0, 4.0)}),
             "SELF_INTERSECTING_PROFILE web profile[3]");
 }
 
@@ -238,17 +238,17 @@ TEST(SimpleProfile, ArcsThatReachAnotherSideAreRefused) {
   };
   EXPECT_NO_THROW(outline(box(1.0)));
   EXPECT_NO_THROW(outline(box(1.9)));
-  EXPECT_EQ(failure_of(box(2.1)), "SELF_INTERSECTING_PROFILE web profile[1]");  // beyond y = 0
-  EXPECT_EQ(failure_of(box(4.5)), "SELF_INTERSECTING_PROFILE web profile[1]");
+  EXPECT_EQ(outline_failure(box(2.1)), "SELF_INTERSECTING_PROFILE web profile[1]");  // beyond y = 0
+  EXPECT_EQ(outline_failure(box(4.5)), "SELF_INTERSECTING_PROFILE web profile[1]");
   // Touches the left side without crossing it.
   EXPECT_EQ(
-      failure_of({point(3.0, 0.0), point(4.0, 0.0), arc(4.0, 4.0, 3.0, 2.0), point(3.0, 4.0)}),
+      outline_failure({point(3.0, 0.0), point(4.0, 0.0), arc(4.0, 4.0, 3.0, 2.0), point(3.0, 4.0)}),
       "SELF_INTERSECTING_PROFILE web profile[3]");
 }
 
 TEST(SimpleProfile, AnArcThatMeetsItsNeighbourAgainIsRefused) {
   // The arc starts at (4, 0) below the line y = 0 and comes up through it at x = 2.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), point(4.0, 0.0), arc(2.0, 1.0, 3.0, -1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), point(4.0, 0.0), arc(2.0, 1.0, 3.0, -1.0)}),
             "SELF_INTERSECTING_PROFILE web profile[1]");
 }
 
@@ -258,18 +258,18 @@ TEST(SimpleProfile, CrossingAndTouchingArcsAreRefused) {
                    arc(0.0, 2.0, 2.0, 2.0 - depth)};
   };
   EXPECT_NO_THROW(outline(waist(0.999)));
-  EXPECT_EQ(failure_of(waist(1.0)), "SELF_INTERSECTING_PROFILE web profile[2]");
-  EXPECT_EQ(failure_of(waist(1.1)), "SELF_INTERSECTING_PROFILE web profile[2]");
+  EXPECT_EQ(outline_failure(waist(1.0)), "SELF_INTERSECTING_PROFILE web profile[2]");
+  EXPECT_EQ(outline_failure(waist(1.1)), "SELF_INTERSECTING_PROFILE web profile[2]");
 }
 
 TEST(SimpleProfile, ArcsOfOneCircleThatOverlapAreRefused) {
   // 0 to 200 degrees, then on to 400 degrees.
   const auto at = [](double degrees) {
-    return Point2{std::cos(degrees * kPi / 180), std::sin(degrees * kPi / 180)};
+    return Point2{std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};
   };
   const Point2 a = at(0), b = at(100), c = at(200), d = at(300), e = at(400);
-  EXPECT_EQ(failure_of({point(a[0], a[1]), arc(c[0], c[1], b[0], b[1]), arc(e[0], e[1], d[0], d[1]),
-                        point(2.0, 0.5)})
+  EXPECT_EQ(outline_failure({point(a[0], a[1]), arc(c[0], c[1], b[0], b[1]),
+                             arc(e[0], e[1], d[0], d[1]), point(2.0, 0.5)})
                 .substr(0, 25),
             "SELF_INTERSECTING_PROFILE");
 }
@@ -288,7 +288,7 @@ TEST(SimpleProfile, CuspsAreRefusedAndSmoothJointsAllowed) {
                         arc(1.0, 0.0, 1 - s, 1 - s)};
   const auto sides = outline(rounded);
   EXPECT_EQ(sides.size(), 8U);
-  EXPECT_NEAR(signed_area(sides), 20 - 4 + kPi, 1e-14);
+  EXPECT_NEAR(signed_area(sides), 20 - 4 + pi, 1e-14);
   EXPECT_EQ(outline(mirrored(rounded)).size(), 8U);
   // The same with coordinates cut to six digits.
   EXPECT_EQ(
@@ -297,12 +297,12 @@ TEST(SimpleProfile, CuspsAreRefusedAndSmoothJointsAllowed) {
           .size(),
       6U);
   // A half disc out of which two half discs are cut, all tangent at their ends.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), arc(4.0, 0.0, 2.0, -2.0), arc(2.0, 0.0, 3.0, -1.0),
-                        arc(0.0, 0.0, 1.0, -1.0)}),
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), arc(4.0, 0.0, 2.0, -2.0), arc(2.0, 0.0, 3.0, -1.0),
+                             arc(0.0, 0.0, 1.0, -1.0)}),
             "SELF_INTERSECTING_PROFILE web profile[1]");
   // A crescent whose horns are cusps.
-  EXPECT_EQ(failure_of({point(0.0, 0.0), arc(0.0, 4.0, 2.0, 2.0), arc(0.0, 2.0, 1.0, 3.0),
-                        arc(0.0, 0.0, -1.0, 1.0)})
+  EXPECT_EQ(outline_failure({point(0.0, 0.0), arc(0.0, 4.0, 2.0, 2.0), arc(0.0, 2.0, 1.0, 3.0),
+                             arc(0.0, 0.0, -1.0, 1.0)})
                 .substr(0, 25),
             "SELF_INTERSECTING_PROFILE");
 }
@@ -325,9 +325,9 @@ std::vector<Point2> polyline(const Entries& entries, int steps) {
     const double start = std::atan2(ay - my, ax - mx);
     double middle = std::atan2(by - my, bx - mx) - start,
            turn = std::atan2(cy - my, cx - mx) - start;
-    while (middle < 0) middle += 2 * kPi;
-    while (turn < 0) turn += 2 * kPi;
-    if (middle > turn) turn -= 2 * kPi;
+    while (middle < 0) middle += 2 * pi;
+    while (turn < 0) turn += 2 * pi;
+    if (middle > turn) turn -= 2 * pi;
     for (int i = 1; i < steps; ++i) {
       const double t = start + turn * i / steps, r = std::hypot(ax - mx, ay - my);
       loop.push_back({mx + r * std::cos(t), my + r * std::sin(t)});

@@ -16,7 +16,7 @@ using test::arc;
 using test::feature;
 using test::point;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Sample {
   FeatureSource source;
@@ -41,71 +41,71 @@ std::vector<Sample> samples() {
        24,
        {"x_min", "x_max", "y_min", "y_max", "bottom", "top"}},
       {feature("cylinder", "cylinder", {{"radius", 2.0}, {"height", 3.0}}),
-       12 * kPi,
+       12 * pi,
        {"wall", "bottom", "top"}},
       {feature("frustum", "cone", {{"radius_bottom", 2.0}, {"radius_top", 1.0}, {"height", 3.0}}),
-       7 * kPi,
+       7 * pi,
        {"wall", "bottom", "top"}},
       {feature("cone", "cone", {{"radius_bottom", 2.0}, {"radius_top", 0.0}, {"height", 3.0}}),
-       4 * kPi,
+       4 * pi,
        {"wall", "bottom"}},
       {feature("funnel", "cone", {{"radius_bottom", 0.0}, {"radius_top", 2.0}, {"height", 3.0}}),
-       4 * kPi,
+       4 * pi,
        {"wall", "top"}},
       {feature("straight_cone", "cone",
                {{"radius_bottom", 2.0}, {"radius_top", 2.0}, {"height", 3.0}}),
-       12 * kPi,
+       12 * pi,
        {"wall", "bottom", "top"}},
-      {feature("sphere", "sphere", {{"radius", 2.0}}), 32 * kPi / 3, {"surface"}},
+      {feature("sphere", "sphere", {{"radius", 2.0}}), 32 * pi / 3, {"surface"}},
       {feature("torus", "torus", {{"major_radius", 3.0}, {"minor_radius", 1.0}}),
-       6 * kPi * kPi,
+       6 * pi * pi,
        {"surface"}},
       {feature("ell", "prism", ell, {{"height", 2.0}}),
        12,
        {"side1", "side2", "side3", "side4", "side5", "side6", "bottom", "top"}},
       {feature("bean", "prism", bean, {{"height", 2.0}}),
-       2 * (8 + kPi / 2 - dip),
+       2 * (8 + pi / 2 - dip),
        {"side1", "side2", "side3", "side4", "bottom", "top"}},
       {feature("clockwise", "prism", clockwise, {{"height", 2.0}}),
-       2 * (6 + kPi / 2),
+       2 * (6 + pi / 2),
        {"side1", "side2", "side3", "side4", "bottom", "top"}},
       {feature("keyhole", "prism", keyhole, {{"height", 1.0}}),
-       0.75 * kPi + 0.5,
+       0.75 * pi + 0.5,
        {"side1", "side2", "bottom", "top"}},
       {feature("washer", "revolution",
                {point(1.0, 0.0), point(3.0, 0.0), point(3.0, 1.0), point(1.0, 1.0)}, {}),
-       8 * kPi,
+       8 * pi,
        {"side1", "side2", "side3", "side4"}},
       {feature("ball", "revolution", {point(0.0, -2.0), arc(0.0, 2.0, 2.0, 0.0)}, {}),
-       32 * kPi / 3,
+       32 * pi / 3,
        {"side1"}},
       {feature("spindle", "revolution",
                {point(0.0, 0.0), point(2.0, 0.0), point(1.0, 2.0), point(0.0, 4.0)}, {}),
        // two frusta
-       kPi / 3 * 2 * (4 + 2 + 1) + kPi / 3 * 2 * 1,
+       pi / 3 * 2 * (4 + 2 + 1) + pi / 3 * 2 * 1,
        {"side1", "side2", "side3"}},
       {feature("quarter", "revolution",
                {point(1.0, 0.0), point(3.0, 0.0), arc(3.0, 2.0, 4.0, 1.0), point(1.0, 2.0)},
                {{"angle", 90.0}}),
        // Pappus: rectangle 2 x 2 at 2, half disc of radius 1 at 3 + 4 / (3 pi)
-       kPi / 2 * (8 + kPi / 2 * (3 + 4 / (3 * kPi))),
+       pi / 2 * (8 + pi / 2 * (3 + 4 / (3 * pi))),
        {"side1", "side2", "side3", "side4", "start", "end"}},
       {feature("jaws", "revolution",
                {point(0.0, 0.0), point(2.0, 0.5), point(2.0, 2.0), point(0.0, 2.0)},
                {{"angle", 300.0}}),
-       5 * kPi / 3 * (2 * 2 * 2 / 2.0 - 0.5 * 2 * 0.5 * 4 / 3),
+       5 * pi / 3 * (2 * 2 * 2 / 2.0 - 0.5 * 2 * 0.5 * 4 / 3),
        {"side1", "side2", "side3", "start", "end"}},
       {feature("half", "revolution", {point(1.0, 0.0), point(2.0, 0.0), point(2.0, 1.0)},
                {{"angle", 180.0}}),
-       kPi * 0.5 * 5 / 3,
+       pi * 0.5 * 5 / 3,
        {"side1", "side2", "side3", "start", "end"}},
       // Arcs about centres beyond the axis and before it, further than their radius reaches.
       {feature("lemon", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, 0.5, 0.0)}, {}),
        // circle through (0, -1), (0.5, 0), (0, 1): centre -0.75, radius 1.25
-       2 * kPi * ((2.0 / 3) * 1 - 0.75 * (1.25 * 1.25 * std::asin(0.8) - 0.75)),
+       2 * pi * ((2.0 / 3) * 1 - 0.75 * (1.25 * 1.25 * std::asin(0.8) - 0.75)),
        {"side1"}},
       {feature("slot", "slot", {{"length", 5.0}, {"width", 2.0}, {"height", 3.0}}),
-       3 * (6 + kPi),
+       3 * (6 + pi),
        {"wall", "wall", "wall", "wall", "bottom", "top"}},
   };
 }
@@ -118,7 +118,7 @@ std::vector<PlacementSource> placements() {
            std::array<Scalar, 3>{0.3, 0.1, 1.0}}};
 }
 
-Feature placed(FeatureSource source, const PlacementSource& placement) {
+Feature evaluated_at(FeatureSource source, const PlacementSource& placement) {
   source.placement = placement;
   return evaluate(test::one_feature(source)).features[0];
 }
@@ -130,7 +130,7 @@ Vec3 random_in(const Box& box, Random& random) {
 
 TEST(Solid, VolumesAreThoseOfTheFormulas) {
   for (const Sample& s : samples())
-    EXPECT_NEAR(Solid(placed(s.source, placements()[2])).volume(), s.volume, 1e-12 * s.volume)
+    EXPECT_NEAR(Solid(evaluated_at(s.source, placements()[2])).volume(), s.volume, 1e-12 * s.volume)
         << s.source.id;
 }
 
@@ -139,7 +139,7 @@ TEST(Solid, ContainsTheShareOfItsBoxThatItsVolumeSays) {
   constexpr int kPoints = 100000;
   for (const Sample& s : samples()) {
     for (const PlacementSource& placement : placements()) {
-      const Solid solid(placed(s.source, placement));
+      const Solid solid(evaluated_at(s.source, placement));
       const Vec3 size = solid.bounds().hi - solid.bounds().lo;
       const double box = size.x * size.y * size.z;
       int inside = 0;
@@ -156,7 +156,7 @@ TEST(Solid, BoundsOfUnrotatedFeaturesAreTight) {
   // Every side of the box is touched: a thin slice just inside it holds points of the solid.
   Random random(23);
   for (const Sample& s : samples()) {
-    const Solid solid(placed(s.source, {}));
+    const Solid solid(evaluated_at(s.source, {}));
     const Box& box = solid.bounds();
     for (int side = 0; side < 6; ++side) {
       bool found = false;
@@ -177,7 +177,7 @@ TEST(Solid, BoundsOfUnrotatedFeaturesAreTight) {
 TEST(Solid, FacesAreThoseOfTheTable) {
   for (const Sample& s : samples()) {
     std::vector<std::string> names;
-    for (const SolidFace& face : faces_of(placed(s.source, {}))) names.push_back(face.name);
+    for (const SolidFace& face : faces_of(evaluated_at(s.source, {}))) names.push_back(face.name);
     EXPECT_EQ(names, s.faces) << s.source.id;
   }
 }
@@ -196,7 +196,7 @@ TEST(Solid, ItsBoundaryLiesOnItsFacesAndEveryFaceIsReached) {
   Random random(29);
   for (const Sample& s : samples()) {
     for (const PlacementSource& placement : placements()) {
-      const Solid solid(placed(s.source, placement));
+      const Solid solid(evaluated_at(s.source, placement));
       std::set<std::size_t> reached;
       for (int k = 0; k < 4000; ++k) {
         const Vec3 in = random_in(solid.bounds(), random);
@@ -223,7 +223,7 @@ TEST(Solid, PlanesPointOutwardsAndOthersAwayFromTheirCentre) {
   Random random(31);
   const double h = 1e-5;
   for (const Sample& s : samples()) {
-    const Solid solid(placed(s.source, placements()[2]));
+    const Solid solid(evaluated_at(s.source, placements()[2]));
     for (int k = 0; k < 3000; ++k) {
       const Vec3 in = random_in(solid.bounds(), random), out = random_in(solid.bounds(), random);
       if (!solid.contains(in) || solid.contains(out)) continue;
@@ -245,7 +245,7 @@ TEST(Solid, SurfacesHaveTheKindOfWhatSweepsThem) {
     for (const Sample& s : samples()) {
       if (s.source.id != id) continue;
       std::vector<Kind> result;
-      for (const SolidFace& face : faces_of(placed(s.source, {})))
+      for (const SolidFace& face : faces_of(evaluated_at(s.source, {})))
         result.push_back(face.surface.kind);
       return result;
     }
@@ -267,12 +267,12 @@ TEST(Solid, SurfacesHaveTheKindOfWhatSweepsThem) {
 
 TEST(Solid, PointsOnTheChordOfAnArcAreNotLost) {
   // A half disc on a rectangle: the chord y = 2 and the chord x = 4 lie inside.
-  const Solid dome(placed(
+  const Solid dome(evaluated_at(
       feature("dome", "prism",
               {point(0.0, 0.0), point(4.0, 0.0), arc(4.0, 2.0, 5.0, 1.0), arc(0.0, 2.0, 2.0, 4.0)},
               {{"height", 1.0}}),
       {}));
-  const Solid pole(placed(
+  const Solid pole(evaluated_at(
       feature("pole", "prism", {point(0.0, 0.0), arc(0.0, 2.0, 1.0, 1.0), arc(0.0, 0.0, -1.0, 1.0)},
               {{"height", 1.0}}),
       {}));
@@ -283,16 +283,16 @@ TEST(Solid, PointsOnTheChordOfAnArcAreNotLost) {
   }
   const double s = std::sqrt(0.5);
   for (int turn = 0; turn < 360; ++turn) {
-    const double c = std::cos(turn * kPi / 180), n = std::sin(turn * kPi / 180);
+    const double c = std::cos(turn * pi / 180), n = std::sin(turn * pi / 180);
     const auto at = [&](double x, double y) {
       return std::array<double, 2>{c * x - n * y, n * x + c * y};
     };
     const auto a = at(-s, -s), b = at(s, -s), top = at(0, 1), low = at(0, -1);
-    const Solid disc(placed(feature("disc", "prism",
-                                    {point(a[0], a[1]), arc(b[0], b[1], low[0], low[1]),
-                                     arc(a[0], a[1], top[0], top[1])},
-                                    {{"height", 1.0}}),
-                            {}));
+    const Solid disc(evaluated_at(feature("disc", "prism",
+                                          {point(a[0], a[1]), arc(b[0], b[1], low[0], low[1]),
+                                           arc(a[0], a[1], top[0], top[1])},
+                                          {{"height", 1.0}}),
+                                  {}));
     for (int k = 1; k < 20; ++k) {
       const double t = 0.05 * k;
       EXPECT_TRUE(disc.contains({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0.5}))
@@ -303,11 +303,11 @@ TEST(Solid, PointsOnTheChordOfAnArcAreNotLost) {
 
 TEST(Solid, PointsLevelWithCornersAreCountedOnce) {
   const Solid star(
-      placed(feature("star", "prism",
-                     {point(0.0, -2.0), point(1.0, 0.0), point(3.0, 0.0), point(1.0, 1.0),
-                      point(0.0, 4.0), point(-1.0, 1.0), point(-3.0, 0.0), point(-1.0, 0.0)},
-                     {{"height", 1.0}}),
-             {}));
+      evaluated_at(feature("star", "prism",
+                           {point(0.0, -2.0), point(1.0, 0.0), point(3.0, 0.0), point(1.0, 1.0),
+                            point(0.0, 4.0), point(-1.0, 1.0), point(-3.0, 0.0), point(-1.0, 0.0)},
+                           {{"height", 1.0}}),
+                   {}));
   for (const double y : {0.0, 1.0}) {
     EXPECT_TRUE(star.contains({0, y, 0.5}));
     EXPECT_FALSE(star.contains({-3.5, y, 0.5}));
@@ -319,12 +319,12 @@ TEST(Solid, PointsLevelWithCornersAreCountedOnce) {
 // A start and its chord add up to 0, not to the 2.7e-16 of the notch's corner.
 TEST(Solid, PointsLevelWithARoundedCornerAreCountedOnce) {
   const Solid notched(
-      placed(feature("notched", "prism",
-                     {point(2.0, 0.0), point(1.0, 1.9175341959684145),
-                      point(-6.0, 1.9175341959684147), point(-2.0, 2.7115857168698315e-16),
-                      point(-6.0, -1.9175341959684138), point(1.0, -1.9175341959684145)},
-                     {{"height", 2.0}}),
-             {}));
+      evaluated_at(feature("notched", "prism",
+                           {point(2.0, 0.0), point(1.0, 1.9175341959684145),
+                            point(-6.0, 1.9175341959684147), point(-2.0, 2.7115857168698315e-16),
+                            point(-6.0, -1.9175341959684138), point(1.0, -1.9175341959684145)},
+                           {{"height", 2.0}}),
+                   {}));
   for (const double y : {0.0, 1e-16, 2e-16, 3e-16}) {
     EXPECT_FALSE(notched.contains({-5, y, 1})) << y;
     EXPECT_TRUE(notched.contains({-1, y, 1})) << y;
@@ -332,8 +332,8 @@ TEST(Solid, PointsLevelWithARoundedCornerAreCountedOnce) {
 }
 
 TEST(Solid, FarFromTheWorldsOriginItStillHasItsShape) {
-  const Solid pin(placed(feature("pin", "cylinder", {{"radius", 1.0}, {"height", 2.0}}),
-                         {{1e6, -1e6, 1e6}, {}, {}}));
+  const Solid pin(evaluated_at(feature("pin", "cylinder", {{"radius", 1.0}, {"height", 2.0}}),
+                               {{1e6, -1e6, 1e6}, {}, {}}));
   EXPECT_TRUE(pin.contains({1e6 + 0.999999, -1e6, 1e6 + 1}));
   EXPECT_FALSE(pin.contains({1e6 + 1.000001, -1e6, 1e6 + 1}));
   EXPECT_FALSE(pin.contains({1e6, -1e6, 1e6 - 1e-6}));

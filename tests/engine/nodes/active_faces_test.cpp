@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 constexpr double kEdgeLength = 2;
 
 /// A block, 40 x 40 x 10, that gets another of 20 x 20 x 10 on its middle: the face between them is

@@ -9,11 +9,12 @@
 #include "engine/remesh/remesh.h"
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 struct Copied {
   Revision original;

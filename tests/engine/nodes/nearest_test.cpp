@@ -9,7 +9,7 @@
 namespace remeshd {
 namespace {
 
-std::vector<Vec3> cloud(int n, std::uint64_t seed) {
+std::vector<Vec3> seeded_cloud(int n, std::uint64_t seed) {
   Random random(seed);
   std::vector<Vec3> points(n);
   for (Vec3& p : points) p = {random.uniform(0, 10), random.uniform(0, 2), random.uniform(-5, 5)};
@@ -24,7 +24,7 @@ std::int32_t by_hand(const std::vector<Vec3>& points, const Vec3& p) {
 }
 
 TEST(NearestNode, FindsWhatASearchThroughAllFinds) {
-  const auto points = cloud(500, 1);
+  const auto points = seeded_cloud(500, 1);
   Random random(2);
   for (const double cell : {0.05, 0.5, 3.0, 40.0}) {
     const NearestNode grid(points, cell);
@@ -49,7 +49,7 @@ TEST(NearestNode, AnEmptySetHasNone) {
 }
 
 TEST(NearestNode, VisitsAllWithinTheRadiusAndNoOther) {
-  const auto points = cloud(400, 3);
+  const auto points = seeded_cloud(400, 3);
   const NearestNode grid(points, 0.7);
   const Vec3 p{4, 1, 0};
   std::set<std::int32_t> seen;
@@ -62,7 +62,7 @@ TEST(NearestNode, VisitsAllWithinTheRadiusAndNoOther) {
 }
 
 TEST(NearestNode, FollowsNodesHoweverManyMoveHoweverFar) {
-  auto points = cloud(300, 4);
+  auto points = seeded_cloud(300, 4);
   NearestNode grid(points, 0.7);
   Random random(5);
   for (const double step : {0.01, 0.2, 0.001, 3.0, 0.05, 30.0, 0.1}) {

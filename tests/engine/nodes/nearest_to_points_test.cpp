@@ -7,14 +7,14 @@
 namespace remeshd {
 namespace {
 
-std::int32_t by_hand(const std::vector<Vec3>& nodes, const Vec3& p) {
+std::int32_t nearest_by_hand(const std::vector<Vec3>& nodes, const Vec3& p) {
   std::int32_t best = -1;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (best < 0 || norm2(nodes[k] - p) < norm2(nodes[best] - p)) best = static_cast<int>(k);
   return best;
 }
 
-std::vector<Vec3> cloud(int n, Random& random) {
+std::vector<Vec3> cloud_in_cube(int n, Random& random) {
   std::vector<Vec3> points(n);
   for (Vec3& p : points) p = {random.uniform(0, 10), random.uniform(0, 2), random.uniform(-5, 5)};
   return points;
@@ -22,8 +22,8 @@ std::vector<Vec3> cloud(int n, Random& random) {
 
 TEST(NearestToPoints, KnowsTheNearestNodeHoweverNodesMoveAndWhicheverPointsWereAskedFor) {
   Random random(1);
-  const auto points = cloud(400, random);
-  auto nodes = cloud(300, random);
+  const auto points = cloud_in_cube(400, random);
+  auto nodes = cloud_in_cube(300, random);
   NearestToPoints nearest(points, 0.8);
   for (const double step : {0.3, 0.1, 0.01, 2.0, 0.05, 0.02, 0.3, 0.001}) {
     for (const double share : {1.0, 0.2, 0.01, 0.0}) {
@@ -34,7 +34,7 @@ TEST(NearestToPoints, KnowsTheNearestNodeHoweverNodesMoveAndWhicheverPointsWereA
       nearest.follow(nodes);
       for (std::uint32_t p = 0; p < points.size(); ++p) {
         if (random.uniform() < 0.3) continue;
-        ASSERT_EQ(nearest.nearest(p), by_hand(nodes, points[p])) << step << " " << share;
+        ASSERT_EQ(nearest.nearest(p), nearest_by_hand(nodes, points[p])) << step << " " << share;
       }
     }
   }

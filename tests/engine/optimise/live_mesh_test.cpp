@@ -6,11 +6,12 @@
 #include <numeric>
 
 #include "engine/base/random.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
 /// Nodes in the unit cube, all but the first `fixed` free.
 NodeSet cloud(int count, int fixed) {

@@ -11,11 +11,12 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/nodes/fill/fill.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 void pull(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
           std::span<const std::uint32_t> active, const PullOptions& options) {

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "tests/support/run.h"
 #include "tests/support/solid_fixture.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A cylinder of radius 10, its boundary alone.
 class Circles : public testing::Test {

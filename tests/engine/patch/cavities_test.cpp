@@ -1,11 +1,12 @@
 #include "engine/patch/cavities.h"
+#include "tests/support/run.h"
 
 #include <gtest/gtest.h>
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
 // The second and third tet share a facet and have been replaced by one that has their nodes but for
 // one; the fourth stands alone.

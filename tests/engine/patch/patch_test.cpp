@@ -11,11 +11,12 @@
 #include "engine/patch/tet_index.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 Revision first(const std::string& name, std::uint32_t nodes) {
   return make_revision(Revision::none(), test::case_model(name), {.nodes = nodes, .iterations = 5},

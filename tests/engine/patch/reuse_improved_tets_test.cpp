@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "engine/optimise/live_mesh.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 /// Of the original's tet, in another slot.
 const PeeledMesh kPeeled{{{0, 1, 2, 4}}, {7}, {}};
 

@@ -7,11 +7,12 @@
 
 #include "engine/base/random.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// Three blocks side by side in x, of length 2, 2 and 1; the second and the third begin at
 /// 2 + `moved` and 4 + `moved`.

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 constexpr double kEdge = 2;
 

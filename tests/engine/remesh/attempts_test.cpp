@@ -3,6 +3,7 @@
 #include "engine/remesh/remesh.h"
 #include "engine/revision/storage/stored_documents.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
@@ -12,9 +13,9 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-const Run kRun;
+using test::kRun;
 
-std::vector<std::string> strategies(const Report& report) {
+std::vector<std::string> tried_strategies(const Report& report) {
   std::vector<std::string> names;
   for (const TriedStrategy& attempt : report.attempts) names.push_back(attempt.strategy);
   return names;
@@ -66,7 +67,7 @@ TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
   const Revision made = mesh_of_a_ledge();
   ASSERT_EQ(made.report.strategy, MeshStrategy::TetGen);
   const std::string refilled = "local, everywhere, refilled";
-  EXPECT_THAT(strategies(made.report),
+  EXPECT_THAT(tried_strategies(made.report),
               ElementsAre(refilled, refilled, refilled, refilled, refilled, "local, everywhere"));
   expect_told(made.report);
   EXPECT_THAT(made.report.attempts.back().reason,
@@ -76,8 +77,9 @@ TEST(Attempts, OfAMeshByTetGenAreTheWaysBeforeIt) {
 TEST(Attempts, OfARenewedMeshEndWithTheRemeshThatHadWorn) {
   const Revision made = edit_of_a_drifted_mesh({});
   ASSERT_EQ(made.report.strategy, MeshStrategy::Renewed);
-  EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "local, 6 edge lengths",
-                                                   "local, 8 edge lengths"));
+  EXPECT_THAT(
+      tried_strategies(made.report),
+      ElementsAre("local, 4 edge lengths", "local, 6 edge lengths", "local, 8 edge lengths"));
   expect_told(made.report);
   EXPECT_EQ(made.report.taken.strategy, "renewed");
   EXPECT_EQ(made.report.attempts[0].reason,
@@ -89,7 +91,7 @@ TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
   const Revision made =
       edit_of_a_drifted_mesh({.iterations = 1, .start = MeshOptions::Start::Random});
   ASSERT_EQ(made.report.strategy, MeshStrategy::Local);
-  EXPECT_THAT(strategies(made.report), ElementsAre("local, 4 edge lengths", "renewed"));
+  EXPECT_THAT(tried_strategies(made.report), ElementsAre("local, 4 edge lengths", "renewed"));
   expect_told(made.report);
   EXPECT_THAT(made.report.attempts.back().reason, StartsWith("no better"));
 }
@@ -97,8 +99,8 @@ TEST(Attempts, TellOfARegularMeshThatWasNoBetter) {
 TEST(Attempts, AreStoredButForTheirSeconds) {
   const Revision made = edit_of_a_drifted_mesh({});
   const Report loaded = test::stored_and_loaded(made).report;
-  EXPECT_THAT(strategies(loaded), testing::SizeIs(3));
-  EXPECT_EQ(strategies(loaded), strategies(made.report));
+  EXPECT_THAT(tried_strategies(loaded), testing::SizeIs(3));
+  EXPECT_EQ(tried_strategies(loaded), tried_strategies(made.report));
   EXPECT_EQ(loaded.taken.strategy, "renewed");
   for (std::size_t k = 0; k < loaded.attempts.size(); ++k) {
     EXPECT_EQ(loaded.attempts[k].reason, made.report.attempts[k].reason);

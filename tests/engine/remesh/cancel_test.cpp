@@ -6,11 +6,12 @@
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
 /// Leaves numbers on the stack that are no addresses, where what comes next has its variables.
 [[gnu::noinline]] void spoil_stack() {

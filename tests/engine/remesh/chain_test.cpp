@@ -6,11 +6,12 @@
 #include "engine/remesh/remesh.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 struct Knob {
   const char* parameter;

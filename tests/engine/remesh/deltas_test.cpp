@@ -18,6 +18,7 @@
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 #include "tests/support/strategy_name.h"
 
 /// Deltas from rounding to the model's size on every number that the models of the seven cases
@@ -25,9 +26,9 @@
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
-constexpr MeshOptions kSmall{.nodes = 2000};
+constexpr MeshOptions kOfDeltas{.nodes = 2000};
 /// x edge length; two more stand for these: a thousandth of the motion that is none, and the
 /// diagonal.
 constexpr std::array kDeltas{1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 5e-3, 0.009,
@@ -140,7 +141,7 @@ bool says_why(const Report& report) {
 }
 
 /// What holds for every mesh, whatever way led to it.
-void expect_valid(const Revision& from, const Revision& r) {
+void expect_valid_edit(const Revision& from, const Revision& r) {
   const Membership membership(r.model);
   const Verification v = verify(r.output.mesh, r.supports(), r.cells.boundary, r.cells.volume, kRun,
                                 {.material = [&](const Vec3& p) { return membership.inside(p); }});
@@ -219,7 +220,7 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
   }
   const Revision& r = *result.made;
   result.what = test::name_of(r.report.strategy);
-  expect_valid(from, r);
+  expect_valid_edit(from, r);
   const std::vector<double> motions = face_motions(anchor.cells.boundary, r.cells.boundary);
   const double largest = *std::max_element(motions.begin(), motions.end());
   const double l = anchor.edge_length;
@@ -286,7 +287,7 @@ class EveryDelta : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryDelta, GivesAValidMeshThatIsAsContinuousAsPromisedOrARefusal) {
   ModelSource source = test::case_model(GetParam());
-  const Revision base = make_revision(Revision::none(), source, kSmall, kRun);
+  const Revision base = make_revision(Revision::none(), source, kOfDeltas, kRun);
   const std::vector<Literal> all = literals(source);
   const auto check = [&](std::size_t n, std::size_t k) {
     const double by = delta(k, base);

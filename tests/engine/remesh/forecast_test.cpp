@@ -5,11 +5,12 @@
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 Forecast forecast_of(const FeatureModel& model, const MeshOptions& options) {
   const CellularModel cells = build_cells(model, kRun);
@@ -17,7 +18,7 @@ Forecast forecast_of(const FeatureModel& model, const MeshOptions& options) {
   return forecast(density, model, cells, options, 0, kRun);
 }
 
-MeshOptions sized(std::optional<std::uint32_t> nodes, std::optional<double> size = {}) {
+MeshOptions sized_by(std::optional<std::uint32_t> nodes, std::optional<double> size = {}) {
   MeshOptions options{.nodes = nodes, .size = size};
   options.sizing.even = false;
   return options;
@@ -31,7 +32,7 @@ TEST(Forecast, OfAnEvenMeshHasTheNodesThatAreAskedFor) {
 
 TEST(Forecast, HasTheNodesOfTheMeshWithinThreeInAHundred) {
   const ModelSource source = test::case_model("tool1-a");
-  for (const MeshOptions& options : {sized(4000), sized({}, 4.0)}) {
+  for (const MeshOptions& options : {sized_by(4000), sized_by({}, 4.0)}) {
     const Revision made = make_revision(Revision::none(), source, options, kRun);
     const double nodes = made.report.counts.nodes;
     EXPECT_NEAR(forecast_of(made.model, options).nodes, nodes, 0.03 * nodes);
@@ -39,7 +40,7 @@ TEST(Forecast, HasTheNodesOfTheMeshWithinThreeInAHundred) {
 }
 
 TEST(Forecast, NamesWhatAsksForTheShortestEdgesFirst) {
-  const Forecast f = forecast_of(test::case_features("tool1-a"), sized(4000));
+  const Forecast f = forecast_of(test::case_features("tool1-a"), sized_by(4000));
   ASSERT_FALSE(f.details.empty());
   for (std::size_t k = 1; k < f.details.size(); ++k)
     EXPECT_LE(f.details[k - 1].size, f.details[k].size);
@@ -50,7 +51,7 @@ TEST(Forecast, NamesWhatAsksForTheShortestEdgesFirst) {
 TEST(Forecast, NamesFacesThatTheModelAsksForEdgesOn) {
   FeatureModel model = test::case_features("simple-a");
   model.sizes = {{"fine", std::vector<SizedFaces>{{0, {"top"}, 0.5}}}};
-  const Forecast f = forecast_of(model, sized({}, 8.0));
+  const Forecast f = forecast_of(model, sized_by({}, 8.0));
   ASSERT_FALSE(f.details.empty());
   EXPECT_EQ(f.details.front().feature, model.features.front().id);
   EXPECT_EQ(f.details.front().face, "top");

@@ -2,12 +2,13 @@
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
 TEST(ReportedGeometry, TellsHowTheBoundaryCameAbout) {
   const ModelSource source = test::case_model("simple-a");

@@ -9,14 +9,15 @@
 #include "tests/engine/verify/same_verdict.h"
 #include "tests/support/cases.h"
 #include "tests/support/flat.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;
+using test::kRun;
 
-constexpr MeshOptions kSmall{.nodes = 2500, .iterations = 5};
-constexpr MeshOptions kInherit{.iterations = 5};
+constexpr MeshOptions kParent{.nodes = 2500, .iterations = 5};
+constexpr MeshOptions kOfEdit{.iterations = 5};
 
 /// A mesh and what it claims of its base.
 struct Heir {
@@ -78,19 +79,19 @@ TEST(InheritedVerification, OfTheSevenEditsSaysWhatTheWholeOneSays) {
   for (const test::EditCase& c : test::seven_cases()) {
     SCOPED_TRACE(c.edit);
     const Revision base =
-        make_revision(Revision::none(), test::case_model(c.original), kSmall, kRun);
+        make_revision(Revision::none(), test::case_model(c.original), kParent, kRun);
     EXPECT_EQ(base.report.verification.tets_inherited, 0U);
     EXPECT_EQ(base.report.verification.tets_proved, base.report.counts.tets);
     EXPECT_LT(base.report.verification.volume_error, 2e-3);
     const Revision r =
-        make_revision(base, apply(base.source, test::case_edit(c.edit)), kInherit, kRun);
+        make_revision(base, apply(base.source, test::case_edit(c.edit)), kOfEdit, kRun);
     EXPECT_GT(r.report.verification.tets_inherited, 0U);
     expect_both_to_say_the_same(r, base);
   }
 }
 
 TEST(InheritedVerification, AlongAChainOfRandomEditsSaysWhatTheWholeOneSays) {
-  Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kSmall, kRun);
+  Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kParent, kRun);
   Random random(3);
   for (int k = 0; k < 8; ++k) {
     SCOPED_TRACE(k);
@@ -98,16 +99,16 @@ TEST(InheritedVerification, AlongAChainOfRandomEditsSaysWhatTheWholeOneSays) {
     const double step = k % 3 == 0 ? 1e-3 : 1.5;
     const double radius = 8 + random.uniform(-step, step);
     Revision r = make_revision(
-        base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", radius}}}), kInherit, kRun);
+        base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", radius}}}), kOfEdit, kRun);
     expect_both_to_say_the_same(r, base);
     base = std::move(r);
   }
 }
 
 TEST(InheritedVerification, WhereOnlyNodesMoveOnlyTheirTetsAreProved) {
-  const Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kSmall, kRun);
+  const Revision base = make_revision(Revision::none(), test::case_model("fig11-a"), kParent, kRun);
   const Revision r = make_revision(
-      base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", 8.001}}}), kInherit, kRun);
+      base, apply(base.source, ModelEdit{{SetParameter{"hole_radius", 8.001}}}), kOfEdit, kRun);
   ASSERT_EQ(r.report.strategy, MeshStrategy::Morphed);
   EXPECT_EQ(r.report.verification.tets_inherited, r.report.counts.tets_kept);
   EXPECT_LT(r.report.verification.tets_proved, r.report.counts.tets);
@@ -115,8 +116,9 @@ TEST(InheritedVerification, WhereOnlyNodesMoveOnlyTheirTetsAreProved) {
 }
 
 TEST(InheritedVerification, AMeshWithoutAChangeInheritsWhole) {
-  const Revision base = make_revision(Revision::none(), test::case_model("simple-a"), kSmall, kRun);
-  const Revision r = make_revision(base, base.source, kInherit, kRun);
+  const Revision base =
+      make_revision(Revision::none(), test::case_model("simple-a"), kParent, kRun);
+  const Revision r = make_revision(base, base.source, kOfEdit, kRun);
   EXPECT_EQ(r.report.verification.tets_proved, 0U);
   EXPECT_EQ(r.report.verification.tets_inherited, r.report.counts.tets);
   EXPECT_EQ(r.report.verification.chord_error, base.report.verification.chord_error);

@@ -9,14 +9,15 @@
 #include "engine/mesh/tet_boxes.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
-constexpr MeshOptions kSmall{.nodes = 3000};
+constexpr MeshOptions kOfMorphs{.nodes = 3000};
 
 ModelSource with(ModelSource source, const std::string& feature, const std::string& parameter,
                  double more) {
@@ -45,7 +46,7 @@ class Continuation : public testing::Test {
     return make_revision(original, source, {}, kRun);
   }
   const ModelSource source_ = test::case_model("tool1-a");
-  const Revision base_ = make_revision(Revision::none(), source_, kSmall, kRun);
+  const Revision base_ = make_revision(Revision::none(), source_, kOfMorphs, kRun);
   const double l_ = base_.edge_length;
 };
 
@@ -171,7 +172,7 @@ TEST(Morph, NoLargestAngleGoesBeyondItsGoal) {
 TEST(Continuations, AThousandTinyStepsNeitherDriftNorDecay) {
   constexpr int kSteps = 1000;
   const ModelSource source = test::case_model("simple-a");
-  const Revision base = make_revision(Revision::none(), source, kSmall, kRun);
+  const Revision base = make_revision(Revision::none(), source, kOfMorphs, kRun);
   Revision r = base;
   int continued = 0;
   for (int k = 1; k <= kSteps; ++k) {

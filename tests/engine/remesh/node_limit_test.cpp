@@ -21,7 +21,7 @@ using test::model_of;
 using test::placed;
 using testing::HasSubstr;
 
-ModelSource plate(double dx) {
+ModelSource plate_of_length(double dx) {
   return model_of(
       {block("plate", dx, 40, 10), placed(cylinder("hole", 5, 10), 0, 0, 0, Nature::Subtractive)});
 }
@@ -52,42 +52,42 @@ ErrorInfo refused_at_once(const Revision& original, const ModelSource& source,
 
 const Revision& base() {
   static const Revision made =
-      make_revision(Revision::none(), plate(80), {.nodes = 1000, .iterations = 1}, {});
+      make_revision(Revision::none(), plate_of_length(80), {.nodes = 1000, .iterations = 1}, {});
   return made;
 }
 
 TEST(NodeLimit, HoldsForANumberOfNodes) {
-  const ErrorInfo info = refused(Revision::none(), plate(80), {.nodes = 1001}, 1000);
+  const ErrorInfo info = refused(Revision::none(), plate_of_length(80), {.nodes = 1001}, 1000);
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - nodes");
   EXPECT_EQ(info.message, "the request asks for 1001 nodes, more than the limit of 1000");
-  EXPECT_EQ(refused_at_once(Revision::none(), plate(80), {.nodes = 5'000'001}).message,
+  EXPECT_EQ(refused_at_once(Revision::none(), plate_of_length(80), {.nodes = 5'000'001}).message,
             "the request asks for 5000001 nodes, more than the limit of 5000000");
 }
 
 TEST(NodeLimit, HoldsForAnEdgeLength) {
-  const ErrorInfo info = refused(Revision::none(), plate(80), {.size = 0.01});
+  const ErrorInfo info = refused(Revision::none(), plate_of_length(80), {.size = 0.01});
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - size");
   EXPECT_THAT(info.message, HasSubstr("an edge length of 0.01 needs about 4.4"));
   EXPECT_THAT(info.message, HasSubstr("e+10 nodes, more than the limit of 5000000"));
   EXPECT_THAT(info.hint, HasSubstr("--max-nodes"));
-  EXPECT_EQ(test::place_of(refused_at_once(Revision::none(), plate(80), {.size = 0.01})),
+  EXPECT_EQ(test::place_of(refused_at_once(Revision::none(), plate_of_length(80), {.size = 0.01})),
             "MESH_TOO_LARGE plate size");
 }
 
 TEST(NodeLimit, HoldsForTheEdgeLengthThatAnEditTakesOver) {
-  const ErrorInfo info = refused(base(), plate(1e9), {});
+  const ErrorInfo info = refused(base(), plate_of_length(1e9), {});
   EXPECT_EQ(test::place_of(info), "MESH_TOO_LARGE - -");
   EXPECT_THAT(info.message, HasSubstr("the base's edge length of "));
   EXPECT_THAT(info.hint, HasSubstr("mesh the edited model anew"));
-  const ErrorInfo at_once = refused_at_once(base(), plate(1e9), {});
+  const ErrorInfo at_once = refused_at_once(base(), plate_of_length(1e9), {});
   EXPECT_EQ(test::place_of(at_once), "MESH_TOO_LARGE plate -");
   EXPECT_THAT(at_once.message, HasSubstr("for the feature 'plate' alone at least "));
 }
 
 TEST(NodeLimit, HoldsForAnEditThatAsksForFewNodesBecauseItsEdgeLengthIsNoLargerThanItsBases) {
   for (const MeshOptions& options : {MeshOptions{.nodes = 100}, MeshOptions{.size = 1e6}}) {
-    EXPECT_EQ(refused(base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
-    EXPECT_EQ(refused_at_once(base(), plate(1e9), options).reason, "MESH_TOO_LARGE");
+    EXPECT_EQ(refused(base(), plate_of_length(1e9), options).reason, "MESH_TOO_LARGE");
+    EXPECT_EQ(refused_at_once(base(), plate_of_length(1e9), options).reason, "MESH_TOO_LARGE");
   }
 }
 
@@ -114,7 +114,7 @@ TEST(NodeLimit, HoldsForBodiesSoThinThatVolumeAndAreaComeToNothing) {
 
 TEST(NodeLimit, HoldsForWhatTheModelAsksForOnItsFaces) {
   // Even, the plate has some hundred nodes.
-  ModelSource source = plate(80);
+  ModelSource source = plate_of_length(80);
   MeshOptions options{.size = 8, .iterations = 1};
   options.sizing.even = false;
   const auto refusal = [&](double size) {
@@ -131,10 +131,10 @@ TEST(NodeLimit, HoldsForWhatTheModelAsksForOnItsFaces) {
 
 TEST(NodeLimit, LetsAnEditOfAMeshThatIsJustAtItPass) {
   const auto& original = base();
-  EXPECT_NO_THROW(check_node_limit(original, evaluate(plate(80)), {}, limited(1000)));
-  const Revision same = make_revision(original, plate(80), {}, limited(1000));
+  EXPECT_NO_THROW(check_node_limit(original, evaluate(plate_of_length(80)), {}, limited(1000)));
+  const Revision same = make_revision(original, plate_of_length(80), {}, limited(1000));
   EXPECT_EQ(same.report.strategy, MeshStrategy::Unchanged);
-  EXPECT_EQ(refused(original, plate(81), {}, 1000).reason, "MESH_TOO_LARGE");
+  EXPECT_EQ(refused(original, plate_of_length(81), {}, 1000).reason, "MESH_TOO_LARGE");
 }
 
 }  // namespace

@@ -8,23 +8,24 @@
 #include "engine/remesh/density.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 const Vec3 kCorner{30, 30, 8};
 
 /// The model's sizes hold, and no rule does.
-MeshOptions sized(std::optional<double> size = {}) {
+MeshOptions sized_edit(std::optional<double> size = {}) {
   MeshOptions options{.size = size};
   options.sizing = {.even = false, .edges_per_circle = 0, .layers = 0};
   return options;
 }
 
 /// A plate with a hole in the middle.
-ModelSource plate() {
+ModelSource plate_with_hole() {
   return test::model_of(
       {test::block("plate", 60, 60, 8),
        test::placed(test::cylinder("hole", 4, 10), 0, 0, -1, Nature::Subtractive)});
@@ -34,7 +35,7 @@ SetSize in_corner(double size) {
   return {"spot", BallSource{kCorner.x, kCorner.y, kCorner.z, 2.0}, size};
 }
 
-Revision edited(const Revision& base, const Edit& edit, const MeshOptions& options = sized()) {
+Revision edited(const Revision& base, const Edit& edit, const MeshOptions& options = sized_edit()) {
   return make_revision(base, apply(base.source, {{edit}}), options, kRun);
 }
 
@@ -64,7 +65,7 @@ double kept_beyond(const Revision& base, const Revision& r, const Vec3& place, d
 }
 
 TEST(NodeSizes, OfAnEditOfSizesAloneItIsMadeFinerThereAndNowhereElse) {
-  const Revision base = make_revision(Revision::none(), plate(), sized(4), kRun);
+  const Revision base = make_revision(Revision::none(), plate_with_hole(), sized_edit(4), kRun);
   const Revision fine = edited(base, in_corner(1));
   EXPECT_EQ(fine.report.strategy, MeshStrategy::Local);
   EXPECT_LT(edges_near(fine, kCorner, 3), 0.45 * edges_near(base, kCorner, 3));
@@ -74,9 +75,9 @@ TEST(NodeSizes, OfAnEditOfSizesAloneItIsMadeFinerThereAndNowhereElse) {
 }
 
 TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
-  ModelSource source = plate();
+  ModelSource source = plate_with_hole();
   source.sizes = {{"spot", *in_corner(1).place, 1.0}};
-  const Revision fine = make_revision(Revision::none(), source, sized(4), kRun);
+  const Revision fine = make_revision(Revision::none(), source, sized_edit(4), kRun);
   const Revision r = edited(fine, RemoveSize{"spot"});
   EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
   EXPECT_GT(edges_near(r, kCorner, 3), 2 * edges_near(fine, kCorner, 3));
@@ -84,9 +85,9 @@ TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
 }
 
 TEST(NodeSizes, ASmallChangeOfASizeKeepsTheMeshAndManyDoNotCreep) {
-  ModelSource source = plate();
+  ModelSource source = plate_with_hole();
   source.sizes = {{"spot", *in_corner(1).place, 1.0}};
-  Revision r = make_revision(Revision::none(), source, sized(4), kRun);
+  Revision r = make_revision(Revision::none(), source, sized_edit(4), kRun);
   const double first = edges_near(r, kCorner, 3);
   double size = 1;
   for (int step = 0; step < 12; ++step) {
@@ -100,9 +101,9 @@ TEST(NodeSizes, ASmallChangeOfASizeKeepsTheMeshAndManyDoNotCreep) {
 }
 
 TEST(NodeSizes, AreKeptWithTheRevision) {
-  ModelSource source = plate();
+  ModelSource source = plate_with_hole();
   source.sizes = {{"spot", *in_corner(1).place, 1.0}};
-  const Revision base = make_revision(Revision::none(), source, sized(4), kRun);
+  const Revision base = make_revision(Revision::none(), source, sized_edit(4), kRun);
   ASSERT_EQ(base.output.node_sizes.size(), base.output.mesh.nodes.size());
   const Revision once = edited(base, in_corner(1.2));
   const Revision loaded = test::stored_and_loaded(once);
@@ -112,15 +113,15 @@ TEST(NodeSizes, AreKeptWithTheRevision) {
 }
 
 TEST(NodeSizes, ThereAreNoneOfAnEvenMesh) {
-  EXPECT_TRUE(
-      make_revision(Revision::none(), plate(), {.size = 4}, kRun).output.node_sizes.empty());
+  EXPECT_TRUE(make_revision(Revision::none(), plate_with_hole(), {.size = 4}, kRun)
+                  .output.node_sizes.empty());
 }
 
 TEST(NodeSizes, ADensityOfAnEditHoldsInItsNewcellsAloneAndIsKept) {
-  const Revision base = make_revision(Revision::none(), plate(), sized(4), kRun);
+  const Revision base = make_revision(Revision::none(), plate_with_hole(), sized_edit(4), kRun);
   const AddFeature boss{test::placed(test::cylinder("boss", 5, 8), -18, -18, 8), ""};
   const Vec3 middle{-18, -18, 12};
-  const Revision dense = edited(base, boss, sized(1.5));
+  const Revision dense = edited(base, boss, sized_edit(1.5));
   EXPECT_EQ(dense.edge_length, base.edge_length);
   EXPECT_LT(edges_near(dense, middle, 4), 2);
   EXPECT_GE(kept_beyond(base, dense, {-18, -18, 8}, 24), 0.98);

@@ -12,12 +12,13 @@
 #include "engine/revision/delaunay_state.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 constexpr MeshOptions kSmall{.nodes = 2500, .iterations = 5};
 constexpr MeshOptions kInherit{.iterations = 5};

@@ -5,11 +5,12 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 constexpr double kEdgeLength = 5;
 
 /// A straight model edge of simple-a with nodes at two places of it, and a chain broken there.

@@ -6,11 +6,12 @@
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// The model's sizes hold, and no rule does.
 MeshOptions sized() {
@@ -19,7 +20,7 @@ MeshOptions sized() {
   return options;
 }
 
-ModelSource plate(std::vector<SizeControlSource> sizes) {
+ModelSource plate_with_sizes(std::vector<SizeControlSource> sizes) {
   ModelSource source =
       test::model_of({test::block("plate", 40, 40, 8),
                       test::placed(test::cylinder("hole", 4, 10), -8, 0, -1, Nature::Subtractive)});
@@ -37,30 +38,30 @@ std::ptrdiff_t facets_on(const Revision& r, const std::string& face) {
 }
 
 TEST(SizesOfAModel, MakeItsMeshFinerThere) {
-  const Revision plain = make_revision(Revision::none(), plate({}), sized(), kRun);
-  const Revision fine =
-      make_revision(Revision::none(), plate({{"rim", "hole.wall", "radius/4"}}), sized(), kRun);
+  const Revision plain = make_revision(Revision::none(), plate_with_sizes({}), sized(), kRun);
+  const Revision fine = make_revision(
+      Revision::none(), plate_with_sizes({{"rim", "hole.wall", "radius/4"}}), sized(), kRun);
   EXPECT_GE(facets_on(fine, "hole.wall"), 6 * facets_on(plain, "hole.wall"));
   EXPECT_LE(facets_on(fine, "plate.x_max"), 2 * facets_on(plain, "plate.x_max"));
 }
 
 TEST(SizesOfAModel, DoNotHoldInAnEvenMesh) {
   const MeshOptions even{.size = 4};
-  const Revision plain = make_revision(Revision::none(), plate({}), even, kRun);
-  const Revision asked =
-      make_revision(Revision::none(), plate({{"rim", "hole.wall", "radius/4"}}), even, kRun);
+  const Revision plain = make_revision(Revision::none(), plate_with_sizes({}), even, kRun);
+  const Revision asked = make_revision(
+      Revision::none(), plate_with_sizes({{"rim", "hole.wall", "radius/4"}}), even, kRun);
   EXPECT_EQ(asked.output.mesh.nodes, plain.output.mesh.nodes);
 }
 
 TEST(SizesOfAModel, ThatSelectNothingAreAnErrorOfAFirstMesh) {
   const ErrorInfo info = test::error_of([] {
-    make_revision(Revision::none(), plate({{"rim", "bore*.wall", 1.0}}), sized(), kRun);
+    make_revision(Revision::none(), plate_with_sizes({{"rim", "bore*.wall", 1.0}}), sized(), kRun);
   });
   EXPECT_EQ(test::place_of(info), "SELECTOR_EMPTY - sizes.rim.on");
 }
 
 TEST(SizesOfAModel, ThatSelectNothingAnyMoreAreAWarningOfAnEdit) {
-  const ModelSource source = plate({{"rim", "hole.wall", "radius/4"}});
+  const ModelSource source = plate_with_sizes({{"rim", "hole.wall", "radius/4"}});
   const Revision base = make_revision(Revision::none(), source, sized(), kRun);
   MeshOptions inherited = sized();
   inherited.size.reset();

@@ -8,11 +8,12 @@
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/circle_edges.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 MeshOptions graded(std::uint32_t nodes) {
   MeshOptions options{.nodes = nodes};

@@ -8,6 +8,7 @@
 #include "engine/remesh/steps.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 bool always(const Problem&, const Attempt*) { return true; }
 

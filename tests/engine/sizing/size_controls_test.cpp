@@ -6,6 +6,7 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/sizing/size_rules.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// A plate with a hole of radius 4, a cone on it, and a pin inside of the plate.
 struct Plate {

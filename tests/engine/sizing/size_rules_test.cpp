@@ -4,11 +4,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 BoundaryModel plate_with_hole() {
   return build_cells(evaluate(test::model_of({test::block("b", 60, 60, 3),

@@ -7,11 +7,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 constexpr ThinPlaceLimits kThree{.most = 3, .least = 0.1, .slope = 0.3};
 
 BoundaryModel boundary_of(const ModelSource& source) {

@@ -8,11 +8,12 @@
 #include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 double nearest_by_all(const BoundaryModel& boundary, const Vec3& p, double within,
                       const std::vector<std::uint8_t>& left_out) {

@@ -1,4 +1,5 @@
 #include "engine/verify/surface_facets.h"
+#include "tests/support/run.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 FacetMatch matched(const std::vector<Tet>& tets) {
   Polling poll(kRun);

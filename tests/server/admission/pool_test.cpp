@@ -17,7 +17,7 @@
 namespace remeshd {
 namespace {
 
-const auto kNoRefusal = [](const Error& error) { ADD_FAILURE() << error.what(); };
+const auto kFailIfRefused = [](const Error& error) { ADD_FAILURE() << error.what(); };
 
 /// Keeps a pool's only worker busy until `open`. The worker may still be on its way out of it when
 /// the blocker is gone, so it has a share of its own in the gates.
@@ -29,7 +29,7 @@ class Blocker {
                        gates->started.count_down();
                        gates->released.wait();
                      },
-                 .refused = kNoRefusal});
+                 .refused = kFailIfRefused});
     gates_->started.wait();
   }
   void open() { gates_->released.count_down(); }
@@ -47,8 +47,8 @@ TEST(Pool, RunsJobsInTheOrderOfTheirComing) {
   Blocker blocker(pool);
   std::promise<void> last;
   for (int i = 0; i < 50; ++i)
-    pool.submit({.run = [&order, i] { order.push_back(i); }, .refused = kNoRefusal});
-  pool.submit({.run = [&] { last.set_value(); }, .refused = kNoRefusal});
+    pool.submit({.run = [&order, i] { order.push_back(i); }, .refused = kFailIfRefused});
+  pool.submit({.run = [&] { last.set_value(); }, .refused = kFailIfRefused});
   EXPECT_EQ(pool.queued(), 51U);
   blocker.open();
   last.get_future().wait();
@@ -65,7 +65,7 @@ TEST(Pool, RunsAsManyAtATimeAsItHasWorkers) {
                        all_three.arrive_and_wait();
                        ++done;
                      },
-                 .refused = kNoRefusal});
+                 .refused = kFailIfRefused});
   all_three.wait();
   pool.shutdown();
   EXPECT_EQ(done, 3);
@@ -77,7 +77,7 @@ TEST(Pool, RefusesWhatDoesNotFitIntoItsQueueWithADelay) {
   for (int i = 0; i < 2; ++i)
     pool.submit({.run = [] {}, .refused = [](const Error&) {}});  // the end comes first
   try {
-    pool.submit({.run = [] {}, .refused = kNoRefusal});
+    pool.submit({.run = [] {}, .refused = kFailIfRefused});
     ADD_FAILURE() << "a third job was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.info().kind, ErrorKind::ResourceExhausted);
@@ -90,14 +90,15 @@ TEST(Pool, RefusesWhatDoesNotFitIntoItsQueueWithADelay) {
 TEST(Pool, WithoutAQueueAnIdleWorkerStillTakesAJob) {
   Pool pool({.workers = 1, .queue = 0, .wait = 60});
   std::promise<void> ran;
-  pool.submit({.run = [&] { ran.set_value(); }, .refused = kNoRefusal});
+  pool.submit({.run = [&] { ran.set_value(); }, .refused = kFailIfRefused});
   ran.get_future().wait();
 }
 
 TEST(Pool, AWithdrawnJobNeitherRunsNorIsRefused) {
   Pool pool({.workers = 1, .queue = 2, .wait = 60});
   Blocker blocker(pool);
-  const auto id = pool.submit({.run = [] { ADD_FAILURE() << "it ran"; }, .refused = kNoRefusal});
+  const auto id =
+      pool.submit({.run = [] { ADD_FAILURE() << "it ran"; }, .refused = kFailIfRefused});
   EXPECT_TRUE(pool.withdraw(id));
   EXPECT_FALSE(pool.withdraw(id));
   EXPECT_EQ(pool.queued(), 0U);
@@ -124,7 +125,7 @@ TEST(Pool, TellsWorkThatTakesTooLongOnceAndLetsItEnd) {
                      told.wait();
                      ended.set_value();
                    },
-               .refused = kNoRefusal,
+               .refused = kFailIfRefused,
                .overdue = [&](const Error& error) { overdue.set_value(error.info().reason); }});
   EXPECT_EQ(told.get(), "COMPUTE_LIMIT_REACHED");
   ended.get_future().wait();
@@ -132,10 +133,10 @@ TEST(Pool, TellsWorkThatTakesTooLongOnceAndLetsItEnd) {
 
 TEST(Pool, TellsHowLongEachWorkWaited) {
   std::vector<double> waited;
-  Pool pool({.workers = 1, .waited = [&](double seconds) { waited.push_back(seconds); }});
+  Pool pool({.workers = 1, .waited = [&](double s) { waited.push_back(s); }});
   Blocker blocker(pool);
   std::promise<void> last;
-  pool.submit({.run = [&] { last.set_value(); }, .refused = kNoRefusal});
+  pool.submit({.run = [&] { last.set_value(); }, .refused = kFailIfRefused});
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   blocker.open();
   last.get_future().wait();
@@ -158,10 +159,11 @@ TEST(Pool, ATenantThatFloodsLeavesTheOthersTheLastWorker) {
                        open.wait();
                        --running;
                      },
-                 .refused = kNoRefusal});
+                 .refused = kFailIfRefused});
   started.wait();
   std::promise<int> beside;
-  pool.submit({.tenant = "b", .run = [&] { beside.set_value(running); }, .refused = kNoRefusal});
+  pool.submit(
+      {.tenant = "b", .run = [&] { beside.set_value(running); }, .refused = kFailIfRefused});
   EXPECT_EQ(beside.get_future().get(), 1);
   open.count_down();
   while (pool.running() + pool.queued() > 0) std::this_thread::yield();
@@ -180,15 +182,15 @@ TEST(Pool, ShutdownRefusesWhatWaitsAndLetsFinishWhatRuns) {
   pool.shutdown();
   EXPECT_EQ(reason, "SHUTTING_DOWN");
   EXPECT_EQ(pool.running(), 0U);
-  EXPECT_THROW(pool.submit({.run = [] {}, .refused = kNoRefusal}), Error);
+  EXPECT_THROW(pool.submit({.run = [] {}, .refused = kFailIfRefused}), Error);
 }
 
 TEST(Pool, RunsOnWhateverAJobThrows) {
   Pool pool({.workers = 1, .queue = 10, .wait = 60});
-  pool.submit({.run = [] { throw std::runtime_error("a job"); }, .refused = kNoRefusal});
-  pool.submit({.run = [] { throw 1; }, .refused = kNoRefusal});
+  pool.submit({.run = [] { throw std::runtime_error("a job"); }, .refused = kFailIfRefused});
+  pool.submit({.run = [] { throw 1; }, .refused = kFailIfRefused});
   std::promise<void> ran;
-  pool.submit({.run = [&] { ran.set_value(); }, .refused = kNoRefusal});
+  pool.submit({.run = [&] { ran.set_value(); }, .refused = kFailIfRefused});
   ran.get_future().wait();
 }
 
@@ -197,8 +199,8 @@ TEST(Pool, RunsItsWorkAtTheNicenessGiven) {
   for (const int niceness : {0, 3}) {
     Pool pool({.workers = 1, .niceness = niceness});
     std::promise<int> found;
-    pool.submit(
-        {.run = [&] { found.set_value(::getpriority(PRIO_PROCESS, 0)); }, .refused = kNoRefusal});
+    pool.submit({.run = [&] { found.set_value(::getpriority(PRIO_PROCESS, 0)); },
+                 .refused = kFailIfRefused});
     EXPECT_EQ(found.get_future().get(), std::min(19, own + niceness));
   }
 }

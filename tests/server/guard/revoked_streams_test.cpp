@@ -13,7 +13,7 @@
 namespace remeshd::test {
 namespace {
 
-const std::string kToken = "anna-s-secret-token", kOther = "another-secret-token";
+const std::string kAnna = "anna-s-secret-token", kOther = "another-secret-token";
 
 /// Streams of the tenant `anna` while the file of tokens changes.
 class RevokedStreams : public DaemonTest {
@@ -21,9 +21,9 @@ class RevokedStreams : public DaemonTest {
   using Stream = grpc::ClientReaderWriter<v1::EditStreamRequest, v1::EditStreamResponse>;
 
   RevokedStreams() {
-    write("anna " + kToken + "\n");
+    write("anna " + kAnna + "\n");
     options_.doorman = std::make_shared<Doorman>(file());
-    context_.AddMetadata("authorization", "Bearer " + kToken);
+    context_.AddMetadata("authorization", "Bearer " + kAnna);
     context_.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(10));
   }
   ~RevokedStreams() override { engine_.open_gate(); }
@@ -88,7 +88,7 @@ TEST_F(RevokedStreams, EndWhereTheTokenIsAnotherTenantsNow) {
   const auto stream = open_stream();
   send(*stream, create_request(plate()));
   ASSERT_TRUE(read_result(*stream));
-  change_tokens("ben " + kToken + "\nanna " + kOther + "\n");
+  change_tokens("ben " + kAnna + "\nanna " + kOther + "\n");
   send(*stream, create_request(plate(6)));
   EXPECT_FALSE(read_result(*stream));
   expect_revoked(stream->Finish());
@@ -96,7 +96,7 @@ TEST_F(RevokedStreams, EndWhereTheTokenIsAnotherTenantsNow) {
 
 TEST_F(RevokedStreams, AreThoseOfTheTokensThatWentAlone) {
   const auto stream = open_stream();
-  change_tokens("ben " + kOther + "\nanna " + kToken + "\n");
+  change_tokens("ben " + kOther + "\nanna " + kAnna + "\n");
   send(*stream, create_request(plate()));
   EXPECT_TRUE(read_result(*stream));
   stream->WritesDone();
@@ -109,7 +109,7 @@ TEST_F(RevokedStreams, OfAMeshEndWithTheNextMessage) {
   send(*stream, create_request(plate(), 400'000));
   ASSERT_TRUE(read_result(*stream));
   grpc::ClientContext context;
-  context.AddMetadata("authorization", "Bearer " + kToken);
+  context.AddMetadata("authorization", "Bearer " + kAnna);
   v1::GetMeshRequest request;
   request.set_revision("plate");
   const auto reader = stub().GetMesh(&context, request);

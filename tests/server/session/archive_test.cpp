@@ -9,11 +9,10 @@
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd::test {
 namespace {
-
-const remeshd::Run kRun;
 
 class ArchiveTest : public testing::Test {
  protected:

@@ -6,7 +6,7 @@ namespace remeshd {
 namespace {
 
 /// A unit square of two facets looking up, and one facet of a wall.
-Revision revision() {
+Revision square_and_wall() {
   Revision r;
   for (const Vec3& p : {Vec3{0, 0, 1}, Vec3{1, 0, 1}, Vec3{1, 1, 1}, Vec3{0, 1, 1}, Vec3{0, 0, 0}})
     r.output.mesh.nodes.push_back(p);
@@ -27,7 +27,7 @@ BoundaryFace face(Surface::Kind kind, double area, std::vector<FaceName> names) 
 }
 
 TEST(GroupFigures, AreCountedFromTheFacets) {
-  const auto figures = group_figures(revision());
+  const auto figures = group_figures(square_and_wall());
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].group, "hole.wall+plate.side1");
   EXPECT_EQ(figures[0].nodes, 3U);
@@ -44,7 +44,7 @@ TEST(GroupFigures, AreCountedFromTheFacets) {
 }
 
 TEST(GroupFigures, HaveTheExactAreaOfFacesThatAreTheirsAlone) {
-  Revision r = revision();
+  Revision r = square_and_wall();
   r.cells.boundary.faces = {face(Surface::Kind::Plane, 0.75, {{0, "top"}}),
                             face(Surface::Kind::Plane, 0.5, {{0, "top"}}),
                             face(Surface::Kind::Plane, 9, {{0, "bottom"}})};
@@ -53,7 +53,7 @@ TEST(GroupFigures, HaveTheExactAreaOfFacesThatAreTheirsAlone) {
 }
 
 TEST(GroupFigures, HaveTheExactAreaOfSharedPlanesFromTheReport) {
-  Revision r = revision();
+  Revision r = square_and_wall();
   r.cells.boundary.faces = {face(Surface::Kind::Plane, 1, {{0, "top"}}),
                             face(Surface::Kind::Plane, 7, {{0, "top"}, {1, "top"}})};
   r.report.groups = {{"plate.top", 3, 2.9}};
@@ -61,7 +61,7 @@ TEST(GroupFigures, HaveTheExactAreaOfSharedPlanesFromTheReport) {
 }
 
 TEST(GroupFigures, ClaimNoExactAreaOfACurvedFaceThatIsShared) {
-  Revision r = revision();
+  Revision r = square_and_wall();
   r.cells.boundary.faces = {
       face(Surface::Kind::Plane, 1, {{0, "top"}}),
       face(Surface::Kind::Cylinder, 7, {{0, "top"}, {1, "wall"}, {0, "side1"}})};

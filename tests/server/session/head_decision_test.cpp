@@ -14,7 +14,7 @@ std::string text(const HeadDecision& decision) {
 std::string edit(const HeadRule& rule, const std::string& head, bool is_new = true) {
   return text(decide_head(rule, {.id = "made", .head = head, .is_new = is_new}));
 }
-std::string first(const HeadRule& rule, bool is_new, bool same_model) {
+std::string first_decision(const HeadRule& rule, bool is_new, bool same_model) {
   return text(decide_head(rule, {.id = "made",
                                  .head = "head",
                                  .is_new = is_new,
@@ -45,19 +45,19 @@ TEST(HeadDecision, WithoutAdvanceOnlyARequiredHeadConflicts) {
 }
 
 TEST(HeadDecision, AFirstMeshMovesItUnaskedOnlyIfItIsNewAndOfTheSameModel) {
-  EXPECT_EQ(first({}, true, true), "moves");
-  EXPECT_EQ(first({}, false, true), "stays");
-  EXPECT_EQ(first({}, true, false), "stays kept");
-  EXPECT_EQ(first({}, false, false), "stays kept");
+  EXPECT_EQ(first_decision({}, true, true), "moves");
+  EXPECT_EQ(first_decision({}, false, true), "stays");
+  EXPECT_EQ(first_decision({}, true, false), "stays kept");
+  EXPECT_EQ(first_decision({}, false, false), "stays kept");
 }
 
 TEST(HeadDecision, AFirstMeshMovesItWhereItIsAsked) {
   for (const bool is_new : {false, true})
     for (const bool same_model : {false, true}) {
-      EXPECT_EQ(first({.advance = true}, is_new, same_model), "moves");
-      EXPECT_EQ(first({.advance = true, .expected = "other"}, is_new, same_model),
+      EXPECT_EQ(first_decision({.advance = true}, is_new, same_model), "moves");
+      EXPECT_EQ(first_decision({.advance = true, .expected = "other"}, is_new, same_model),
                 "stays conflict");
-      EXPECT_EQ(first({.advance = false}, is_new, same_model), "stays");
+      EXPECT_EQ(first_decision({.advance = false}, is_new, same_model), "stays");
     }
 }
 

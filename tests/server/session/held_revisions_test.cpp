@@ -5,7 +5,7 @@
 namespace remeshd {
 namespace {
 
-HeldRevisionPtr revision(const std::string& id, std::size_t nodes) {
+HeldRevisionPtr held_revision(const std::string& id, std::size_t nodes) {
   auto held = std::make_shared<HeldRevision>();
   held->record.id = id;
   for (std::size_t n = 0; n < nodes; ++n)
@@ -34,11 +34,11 @@ std::uint64_t bytes_of(const HeldRevisionPtr& revision) {
 }
 
 TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
-  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(3 * bytes_of(held_revision("", 1000)));
   HeldRevisions held(budget, true, blocks_of);
-  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
+  for (const char* id : {"a", "b", "c"}) held.insert(held_revision(id, 1000));
   EXPECT_TRUE(held.find("a"));  // used now, so `b` is the oldest
-  held.insert(revision("d", 1000));
+  held.insert(held_revision("d", 1000));
   EXPECT_TRUE(held.contains("a"));
   EXPECT_FALSE(held.contains("b"));
   EXPECT_TRUE(held.contains("c"));
@@ -46,17 +46,17 @@ TEST(HeldRevisions, LetTheLongestUnusedGoOnceTheBudgetIsPassed) {
 }
 
 TEST(HeldRevisions, LetThemGoWhereTheyAreMoreThanThereMayBe) {
-  MemoryBudget budget(kAny, 2 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(kAny, 2 * bytes_of(held_revision("", 1000)));
   HeldRevisions held(budget, true, blocks_of);
-  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
+  for (const char* id : {"a", "b", "c"}) held.insert(held_revision(id, 1000));
   EXPECT_EQ(held.count(), 2U);
 }
 
 TEST(HeldRevisions, OfATenantThatFloodsGoBeforeTheFewOfAnother) {
-  MemoryBudget budget(kAny, 6 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(kAny, 6 * bytes_of(held_revision("", 1000)));
   HeldRevisions paced(budget, true, blocks_of), flooding(budget, true, blocks_of);
-  for (const char* id : {"a", "b"}) paced.insert(revision(id, 1000));
-  for (int n = 0; n < 20; ++n) flooding.insert(revision("f" + std::to_string(n), 1000));
+  for (const char* id : {"a", "b"}) paced.insert(held_revision(id, 1000));
+  for (int n = 0; n < 20; ++n) flooding.insert(held_revision("f" + std::to_string(n), 1000));
   EXPECT_EQ(paced.count(), 2U) << "though they were used longest ago";
   EXPECT_EQ(flooding.count(), 4U);
 }
@@ -64,7 +64,7 @@ TEST(HeldRevisions, OfATenantThatFloodsGoBeforeTheFewOfAnother) {
 TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
   MemoryBudget budget(1);
   HeldRevisions held(budget, false, blocks_of);
-  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
+  for (const char* id : {"a", "b", "c"}) held.insert(held_revision(id, 1000));
   EXPECT_EQ(held.count(), 3U);
   EXPECT_GT(held.bytes(), budget.total());
 }
@@ -72,30 +72,30 @@ TEST(HeldRevisions, KeepEverythingWhereNothingCouldBeReadAgain) {
 TEST(HeldRevisions, KeepTheNewestHoweverLarge) {
   MemoryBudget budget(1);
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 10));
-  held.insert(revision("b", 1000));
+  held.insert(held_revision("a", 10));
+  held.insert(held_revision("b", 1000));
   EXPECT_EQ(held.count(), 1U);
   EXPECT_TRUE(held.contains("b"));
 }
 
 TEST(HeldRevisions, WhatIsInUseIsNotLetGoOfForItsMemoryWouldStayTaken) {
-  MemoryBudget budget(2 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(2 * bytes_of(held_revision("", 1000)));
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 1000));
+  held.insert(held_revision("a", 1000));
   auto used = held.find("a");
-  for (const char* id : {"b", "c", "d"}) held.insert(revision(id, 1000));
+  for (const char* id : {"b", "c", "d"}) held.insert(held_revision(id, 1000));
   EXPECT_TRUE(held.contains("a"));
   EXPECT_EQ(held.count(), 2U);
   used = nullptr;
-  held.insert(revision("e", 1000));
+  held.insert(held_revision("e", 1000));
   EXPECT_FALSE(held.contains("a"));
 }
 
 TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
-  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(3 * bytes_of(held_revision("", 1000)));
   HeldRevisions held(budget, true, blocks_of);
-  for (const char* id : {"a", "b", "c"}) held.insert(revision(id, 1000));
-  const auto share = budget.try_take(2 * bytes_of(revision("", 1000)));
+  for (const char* id : {"a", "b", "c"}) held.insert(held_revision(id, 1000));
+  const auto share = budget.try_take(2 * bytes_of(held_revision("", 1000)));
   EXPECT_TRUE(share);
   EXPECT_EQ(held.count(), 1U);
   EXPECT_TRUE(held.contains("c"));
@@ -104,7 +104,7 @@ TEST(HeldRevisions, GiveWayToWhatTakesAShareOfTheBudget) {
 TEST(HeldRevisions, WhatIsErasedWhileInUseLivesOnAndCountsUntilNobodyUsesIt) {
   MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 10));
+  held.insert(held_revision("a", 10));
   const std::uint64_t bytes = held.bytes();
   auto used = held.find("a");
   held.erase("a");
@@ -116,12 +116,12 @@ TEST(HeldRevisions, WhatIsErasedWhileInUseLivesOnAndCountsUntilNobodyUsesIt) {
 }
 
 TEST(HeldRevisions, OthersGiveWayForWhatIsErasedAndInUse) {
-  MemoryBudget budget(3 * bytes_of(revision("", 1000)));
+  MemoryBudget budget(3 * bytes_of(held_revision("", 1000)));
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 1000));
+  held.insert(held_revision("a", 1000));
   const auto used = held.find("a");
   held.erase("a");
-  for (const char* id : {"b", "c", "d"}) held.insert(revision(id, 1000));
+  for (const char* id : {"b", "c", "d"}) held.insert(held_revision(id, 1000));
   EXPECT_EQ(held.count(), 2U);
   EXPECT_FALSE(held.contains("b"));
 }
@@ -129,10 +129,10 @@ TEST(HeldRevisions, OthersGiveWayForWhatIsErasedAndInUse) {
 TEST(HeldRevisions, OneThatIsReplacedWhileInUseCountsBesideTheNew) {
   MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 10));
+  held.insert(held_revision("a", 10));
   const std::uint64_t bytes = held.bytes();
   auto used = held.find("a");
-  held.insert(revision("a", 10));
+  held.insert(held_revision("a", 10));
   EXPECT_EQ(held.bytes(), 2 * bytes);
   used = nullptr;
   EXPECT_EQ(held.bytes(), bytes);
@@ -141,7 +141,7 @@ TEST(HeldRevisions, OneThatIsReplacedWhileInUseCountsBesideTheNew) {
 TEST(HeldRevisions, TheSameOneInsertedAgainCountsOnce) {
   MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
-  const HeldRevisionPtr used = revision("a", 10);
+  const HeldRevisionPtr used = held_revision("a", 10);
   held.insert(used);
   const std::uint64_t bytes = held.bytes();
   held.insert(used);
@@ -155,22 +155,22 @@ TEST(HeldRevisions, TheSameOneInsertedAgainCountsOnce) {
 TEST(HeldRevisions, InsertedAgainCountOnce) {
   MemoryBudget budget(1 << 20);
   HeldRevisions held(budget, true, blocks_of);
-  held.insert(revision("a", 10));
+  held.insert(held_revision("a", 10));
   const auto bytes = held.bytes();
-  held.insert(revision("a", 10));
+  held.insert(held_revision("a", 10));
   EXPECT_EQ(held.count(), 1U);
   EXPECT_EQ(held.bytes(), bytes);
 }
 
 TEST(HeldRevisions, TheDocumentOfAnEditCounts) {
-  const HeldRevisionPtr plain = revision("a", 10);
+  const HeldRevisionPtr plain = held_revision("a", 10);
   auto edited = std::make_shared<HeldRevision>(*plain);
   edited->edit = std::string(5000, ' ');
   EXPECT_EQ(bytes_of(edited), bytes_of(plain) + 5000);
 }
 
 TEST(HeldRevisions, WhatTwoHaveInCommonCountsOnce) {
-  HeldRevisionPtr parent = revision("a", 10000);
+  HeldRevisionPtr parent = held_revision("a", 10000);
   auto heir = std::make_shared<HeldRevision>(*parent);
   heir->record.id = "b";
   heir->revision.output.mesh.nodes.edit(17) = {1, 2, 3};

@@ -10,7 +10,7 @@
 namespace remeshd {
 namespace {
 
-Sizing first(const SizingPatch& sizing) { return first_options({.sizing = sizing}).sizing; }
+Sizing first_sizing(const SizingPatch& sizing) { return first_options({.sizing = sizing}).sizing; }
 
 Sizing edited(const SizingPatch& sizing, const Sizing& base) {
   return edit_options({.sizing = sizing}, {.sizing = base}).sizing;
@@ -19,7 +19,7 @@ Sizing edited(const SizingPatch& sizing, const Sizing& base) {
 /// The option that is at fault.
 std::string refused(const SizingPatch& sizing) {
   try {
-    first(sizing);
+    first_sizing(sizing);
   } catch (const Error& failure) {
     EXPECT_EQ(failure.info().reason, "OPTIONS_INVALID");
     return failure.info().parameter;
@@ -31,12 +31,13 @@ const Sizing kUneven{
     .even = false, .edges_per_circle = 20, .layers = 3, .min_size = 0.25, .growth = 1.5};
 
 TEST(SizingOptions, OfAFirstMeshAreAllRulesUnlessItSaysOtherwise) {
-  EXPECT_EQ(first({}), (Sizing{.even = false}));
-  EXPECT_EQ(first({.edges_per_circle = 20}), (Sizing{.even = false, .edges_per_circle = 20}));
-  EXPECT_EQ(first({.layers = 3}), (Sizing{.even = false, .layers = 3}));
-  EXPECT_EQ(first({.min_size = 0.5}), (Sizing{.even = false, .min_size = 0.5}));
-  EXPECT_EQ(first({.growth = 1.5}), (Sizing{.even = false, .growth = 1.5}));
-  EXPECT_EQ(first({.even = true}), (Sizing{.even = true}));
+  EXPECT_EQ(first_sizing({}), (Sizing{.even = false}));
+  EXPECT_EQ(first_sizing({.edges_per_circle = 20}),
+            (Sizing{.even = false, .edges_per_circle = 20}));
+  EXPECT_EQ(first_sizing({.layers = 3}), (Sizing{.even = false, .layers = 3}));
+  EXPECT_EQ(first_sizing({.min_size = 0.5}), (Sizing{.even = false, .min_size = 0.5}));
+  EXPECT_EQ(first_sizing({.growth = 1.5}), (Sizing{.even = false, .growth = 1.5}));
+  EXPECT_EQ(first_sizing({.even = true}), (Sizing{.even = true}));
 }
 
 TEST(SizingOptions, OfAnEditOfAnEvenMeshAreEvenUnlessItGivesARule) {
@@ -46,7 +47,7 @@ TEST(SizingOptions, OfAnEditOfAnEvenMeshAreEvenUnlessItGivesARule) {
 }
 
 TEST(SizingOptions, ThatSayEvenAreEvenWhateverTheRules) {
-  EXPECT_TRUE(first({.even = true, .edges_per_circle = 20, .layers = 3}).even);
+  EXPECT_TRUE(first_sizing({.even = true, .edges_per_circle = 20, .layers = 3}).even);
   EXPECT_TRUE(edited({.even = true, .growth = 1.5}, kUneven).even);
 }
 
@@ -68,8 +69,8 @@ TEST(SizingOptions, OfAnEditAreItsBasesButForWhatItGives) {
 
 TEST(SizingOptions, OfAnEvenMeshAreTheSameWhateverItSaidBeside) {
   // Ids tell even meshes apart by nothing, and edits inherit these.
-  EXPECT_EQ(first({.even = true, .edges_per_circle = 20}), first({.even = true}));
-  EXPECT_EQ(edited({.even = true}, kUneven), first({.even = true}));
+  EXPECT_EQ(first_sizing({.even = true, .edges_per_circle = 20}), first_sizing({.even = true}));
+  EXPECT_EQ(edited({.even = true}, kUneven), first_sizing({.even = true}));
 }
 
 TEST(SizingOptions, OutOfRangeAreNamed) {
@@ -87,9 +88,10 @@ TEST(SizingOptions, OutOfRangeAreNamed) {
 
 TEST(SizingOptions, MayBeAtTheEndsOfTheirRanges) {
   for (const std::uint32_t edges : {0U, 3U, 360U})
-    EXPECT_EQ(first({.edges_per_circle = edges}).edges_per_circle, edges);
-  for (const std::uint32_t layers : {0U, 16U}) EXPECT_EQ(first({.layers = layers}).layers, layers);
-  EXPECT_EQ(first({.growth = 2}).growth, 2);
+    EXPECT_EQ(first_sizing({.edges_per_circle = edges}).edges_per_circle, edges);
+  for (const std::uint32_t layers : {0U, 16U})
+    EXPECT_EQ(first_sizing({.layers = layers}).layers, layers);
+  EXPECT_EQ(first_sizing({.growth = 2}).growth, 2);
 }
 
 }  // namespace

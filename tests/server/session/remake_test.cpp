@@ -15,14 +15,13 @@
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-const remeshd::Run kRun;
 
 /// A chain of edits of a plate in a store: `plate@1`, `plate@2`, ...
 class RemakeTest : public testing::Test {

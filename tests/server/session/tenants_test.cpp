@@ -16,13 +16,12 @@
 #include "tests/server/session/store_folder.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-const remeshd::Run kRun;
 
 CreateCommand plate(double dx, const std::string& design = "plate") {
   return {.source = model_of({block("plate", dx, 40, 10)}),

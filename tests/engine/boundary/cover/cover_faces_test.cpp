@@ -10,6 +10,7 @@
 #include "engine/boundary/surface_crossings.h"
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
@@ -19,7 +20,7 @@ using test::cylinder;
 using test::feature;
 using test::placed;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 BoundaryModel boundary_of(std::vector<FeatureSource> features) {
   return build_cells(evaluate(test::model_of(std::move(features))), kRun).boundary;

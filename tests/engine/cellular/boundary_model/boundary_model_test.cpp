@@ -9,11 +9,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using std::numbers::pi;
 using test::case_features;

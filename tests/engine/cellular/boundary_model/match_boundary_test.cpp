@@ -6,11 +6,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 BoundaryModel brick(double dx) {
   return build_cells(evaluate(test::one_feature(test::block("b", dx, 3, 4))), kRun).boundary;

@@ -7,11 +7,12 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 constexpr double kDegree = std::numbers::pi / 180;
 
 SharpPlaces of(const ModelSource& source) {

@@ -7,20 +7,21 @@
 #include "engine/base/random.h"
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using Kind = Support::Kind;
 
-BoundaryModel boundary_of(FeatureSource source) {
+BoundaryModel boundary_of_feature(FeatureSource source) {
   return build_cells(evaluate(test::one_feature(std::move(source))), kRun).boundary;
 }
 
 BoundaryModel half_disc() {
-  return boundary_of(test::feature(
+  return boundary_of_feature(test::feature(
       "a", "prism", {test::point(-2.0, 0.0), test::point(2.0, 0.0), test::arc(-2.0, 0.0, 0.0, 2.0)},
       {{"height", 5.0}}));
 }
@@ -50,7 +51,7 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
 
 TEST(SupportTest, NearestPointOfALineStopsAtItsEnds) {
   const BoundaryModel b =
-      boundary_of(test::feature("a", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}));
+      boundary_of_feature(test::feature("a", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}));
   for (const BoundaryEdge& edge : b.edges) {
     const Vec3 p = b.vertices[edge.start].position, q = b.vertices[edge.end].position;
     expect_near(project(b, edge, p + 2 * (p - q)), p, 0);
@@ -71,7 +72,7 @@ TEST(SupportTest, NearestPointOfAnArcStopsAtTheNearerEnd) {
 
 TEST(SupportTest, NearestPointOfAWholeCircleLiesOppositeOnlyWhenAsked) {
   const BoundaryModel b =
-      boundary_of(test::feature("a", "cylinder", {{"radius", 5.0}, {"height", 10.0}}));
+      boundary_of_feature(test::feature("a", "cylinder", {{"radius", 5.0}, {"height", 10.0}}));
   for (const BoundaryEdge& rim : b.edges) {
     EXPECT_EQ(rim.start, -1);
     EXPECT_EQ(rim.end, -1);
@@ -114,7 +115,7 @@ TEST(SupportTest, NodesStandWhereTheirSupportIs) {
 
 TEST(SupportTest, IncidenceHoldsBetweenAnEntityAndWhatBoundsIt) {
   const BoundaryModel b =
-      boundary_of(test::feature("a", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}));
+      boundary_of_feature(test::feature("a", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 4.0}}));
   int face_edge = 0, face_vertex = 0, edge_vertex = 0;
   for (int f = 0; f < 6; ++f) {
     for (int e = 0; e < 12; ++e) {
@@ -137,7 +138,7 @@ TEST(SupportTest, IncidenceHoldsBetweenAnEntityAndWhatBoundsIt) {
 }
 
 TEST(SupportTest, TheApexOfAConeIsAVertexOfItsFaceWithoutAnEdge) {
-  const BoundaryModel b = boundary_of(
+  const BoundaryModel b = boundary_of_feature(
       test::feature("a", "cone", {{"radius_bottom", 3.0}, {"radius_top", 0.0}, {"height", 4.0}}));
   ASSERT_EQ(b.vertices.size(), 1u);
   expect_near(b.vertices[0].position, {0, 0, 4}, 1e-12);

@@ -16,7 +16,7 @@ using test::reason_of;
 using test::turned;
 
 /// Why two features have no curves.
-std::string reason_for(const FeatureSource& a, const FeatureSource& b) {
+std::string no_curves_for(const FeatureSource& a, const FeatureSource& b) {
   const FuseInput in(model_of({a, b}));
   const auto patches = find_patches(in.model, in.membership, in.features);
   return patches ? reason_of(find_intersection_curves(*patches, in.clearance)) : reason_of(patches);
@@ -25,17 +25,17 @@ std::string reason_for(const FeatureSource& a, const FeatureSource& b) {
 const FeatureSource kPlate = block("plate", 20, 20, 2), kPipe = cylinder("pipe", 4, 10);
 
 TEST(IntersectionCurvesTest, PlanesThatNearlyCoincideAreGivenUp) {
-  EXPECT_EQ(reason_for(kPlate, placed(block("b", 6, 6, 2), 0, 0, 0)), "");
-  EXPECT_EQ(reason_for(kPlate, placed(block("b", 6, 6, 2), 0, 0, 1e-5)),
+  EXPECT_EQ(no_curves_for(kPlate, placed(block("b", 6, 6, 2), 0, 0, 0)), "");
+  EXPECT_EQ(no_curves_for(kPlate, placed(block("b", 6, 6, 2), 0, 0, 1e-5)),
             "intersection_curves: two parallel planes are neither clearly the same nor clearly "
             "apart");
-  EXPECT_EQ(reason_for(kPlate, turned(block("b", 6, 6, 6), {5e-4, 0, 1}, {1, 0, -5e-4})),
+  EXPECT_EQ(no_curves_for(kPlate, turned(block("b", 6, 6, 6), {5e-4, 0, 1}, {1, 0, -5e-4})),
             "intersection_curves: two planes meet at a very small angle");
 }
 
 TEST(IntersectionCurvesTest, APlaneThatNearlyTouchesACylinderIsGivenUp) {
   const auto with_side_at = [](double y) {
-    return reason_for(kPipe, placed(block("fin", 10, 2, 3), 5, y - 1, 4));
+    return no_curves_for(kPipe, placed(block("fin", 10, 2, 3), 5, y - 1, 4));
   };
   EXPECT_EQ(with_side_at(3), "");
   const std::string touches =
@@ -45,7 +45,7 @@ TEST(IntersectionCurvesTest, APlaneThatNearlyTouchesACylinderIsGivenUp) {
 
 TEST(IntersectionCurvesTest, APlaneAskewToACylindersAxisHasToBeSoByMuch) {
   const auto with_slope = [](double slope) {
-    return reason_for(
+    return no_curves_for(
         kPipe, placed(turned(block("fin", 10, 2, 3), {slope, 0, 1}, {1, 0, -slope}), 5, 0, 4));
   };
   EXPECT_EQ(with_slope(0.4), "");
@@ -57,11 +57,11 @@ TEST(IntersectionCurvesTest, APlaneAskewToACylindersAxisHasToBeSoByMuch) {
 }
 
 TEST(IntersectionCurvesTest, CylindersMeetOnlyWhereTheirAxesAreParallel) {
-  EXPECT_EQ(reason_for(kPipe, turned(cylinder("tee", 2, 10), {1, 0, 0}, {0, 1, 0})),
+  EXPECT_EQ(no_curves_for(kPipe, turned(cylinder("tee", 2, 10), {1, 0, 0}, {0, 1, 0})),
             "intersection_curves: two cylinders meet or nearly meet whose axes are not parallel");
-  EXPECT_EQ(reason_for(kPipe, placed(cylinder("b", 2, 6), 4, 0, 2)), "");
+  EXPECT_EQ(no_curves_for(kPipe, placed(cylinder("b", 2, 6), 4, 0, 2)), "");
   for (const double x : {2.0, 6.0})
-    EXPECT_EQ(reason_for(kPipe, placed(cylinder("b", 2, 6), x, 0, 2)),
+    EXPECT_EQ(no_curves_for(kPipe, placed(cylinder("b", 2, 6), x, 0, 2)),
               "intersection_curves: two parallel cylinders touch or nearly touch")
         << x;
 }
@@ -69,7 +69,7 @@ TEST(IntersectionCurvesTest, CylindersMeetOnlyWhereTheirAxesAreParallel) {
 TEST(IntersectionCurvesTest, AnEdgeThatTouchesACylinderIsGivenUp) {
   // The lowest edge of a tilted block lies 4 to the left of its origin, along y.
   const auto with_edge_at = [](double x) {
-    return reason_for(
+    return no_curves_for(
         kPipe, placed(turned(block("b", 10, 2, 10), {0.6, 0, 0.8}, {0.8, 0, -0.6}), x + 4, 0, 0));
   };
   EXPECT_EQ(with_edge_at(3), "");
@@ -82,7 +82,7 @@ TEST(IntersectionCurvesTest, AnEdgeThatTouchesACylinderIsGivenUp) {
 TEST(IntersectionCurvesTest, AnEdgeThatIsNearlyInAPlaneIsGivenUp) {
   // The lowest edge of a ridge, almost level, goes through the top of the plate.
   const auto with_slope = [](double slope) {
-    return reason_for(
+    return no_curves_for(
         kPlate, placed(turned(block("ridge", 10, 3, 3), {0, 1, 1}, {1, -slope / 2, slope / 2}), 0,
                        1.5 * std::sqrt(0.5), 2 + 1.5 * std::sqrt(0.5)));
   };

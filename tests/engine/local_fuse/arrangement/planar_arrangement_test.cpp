@@ -23,7 +23,7 @@ Tried<PlanarArrangement> outlines_of(const ModelSource& source) {
 }
 
 /// Why sides that were made by hand have no arrangement, in a length of 10.
-std::string reason_for(std::vector<SweepSide> sides) {
+std::string no_arrangement_for(std::vector<SweepSide> sides) {
   const Membership membership(evaluate(model_of({block("any", 1, 1, 1)})));
   return reason_of(arrange({{}, {Sweep{.sides = std::move(sides)}}}, membership, 10));
 }
@@ -77,12 +77,12 @@ TEST(OutlinesTest, RoundSidesThatMeetOthersAreGivenUp) {
 
 TEST(OutlinesTest, AnArcAsLongAsRoundingIsGivenUp) {
   const Vec3 from{1, 0, 0}, to{1, 1e-13, 0};
-  EXPECT_EQ(reason_for({{.from = from, .to = to, .round = true, .radius = 1}}),
+  EXPECT_EQ(no_arrangement_for({{.from = from, .to = to, .round = true, .radius = 1}}),
             "planar_arrangement: the ends of an arc are one node");
 }
 
 TEST(OutlinesTest, VeryManySidesOrCrossingsAreGivenUp) {
-  EXPECT_EQ(reason_for(std::vector<SweepSide>(1501)),
+  EXPECT_EQ(no_arrangement_for(std::vector<SweepSide>(1501)),
             "planar_arrangement: the outlines have too many sides");
   std::vector<SweepSide> grid;
   for (int k = 0; k < 100; ++k) {
@@ -90,7 +90,8 @@ TEST(OutlinesTest, VeryManySidesOrCrossingsAreGivenUp) {
     grid.push_back({.from = {at, 0, 0}, .to = {at, 11, 0}});
     grid.push_back({.from = {0, at, 0}, .to = {11, at, 0}});
   }
-  EXPECT_EQ(reason_for(grid), "planar_arrangement: the sides have too many ends and crossings");
+  EXPECT_EQ(no_arrangement_for(grid),
+            "planar_arrangement: the sides have too many ends and crossings");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using test::model_of;
 using test::reason_of;
 using test::turned;
 
-std::string reason_for(std::vector<FeatureSource> features) {
+std::string no_sweeps_for(std::vector<FeatureSource> features) {
   const FuseInput in(model_of(std::move(features)));
   return reason_of(find_sweeps(in.model, in.membership, in.features));
 }
@@ -24,14 +24,14 @@ TEST(SweepsTest, WhatIsNoPrismAndNoCylinderIsNotSwept) {
   for (const FeatureSource& f :
        {feature("f", "sphere", {{"radius", 1.0}}),
         feature("f", "cone", {{"radius_bottom", 2.0}, {"radius_top", 1.0}, {"height", 3.0}})})
-    EXPECT_EQ(reason_for({block("b", 4, 4, 4), f}),
+    EXPECT_EQ(no_sweeps_for({block("b", 4, 4, 4), f}),
               "sweeps: a feature is neither a prism nor a cylinder")
         << f.type;
 }
 
 TEST(SweepsTest, CylindersAlongDifferentAxesHaveNoDirectionInCommon) {
-  EXPECT_EQ(reason_for({cylinder("a", 1, 4), cylinder("b", 2, 4)}), "");
-  EXPECT_EQ(reason_for({cylinder("a", 1, 4), turned(cylinder("b", 2, 4), {1, 0, 0}, {0, 1, 0})}),
+  EXPECT_EQ(no_sweeps_for({cylinder("a", 1, 4), cylinder("b", 2, 4)}), "");
+  EXPECT_EQ(no_sweeps_for({cylinder("a", 1, 4), turned(cylinder("b", 2, 4), {1, 0, 0}, {0, 1, 0})}),
             "sweeps: no direction is along an axis of every feature");
 }
 

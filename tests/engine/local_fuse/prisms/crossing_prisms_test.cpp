@@ -11,12 +11,13 @@
 #include "engine/local_fuse/sewing/sew.h"
 #include "tests/support/large_models.h"
 #include "tests/support/local_fuse.h"
+#include "tests/support/run.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using test::all_of;
 using test::block;
@@ -28,7 +29,7 @@ using test::point;
 using test::reason_of;
 using test::turned;
 
-Tried<FusedPrisms> parts_of(const FeatureModel& model) {
+Tried<FusedPrisms> crossing_parts_of(const FeatureModel& model) {
   const Membership membership(model);
   FuseFrame frame = fuse_frame(membership);
   frame.reference = membership.bounds().lo;
@@ -47,7 +48,7 @@ void expect_what_the_kernel_makes(const ModelSource& source, const std::string& 
 }
 
 TEST(CrossedPartsTest, AStiffenerAcrossAPipeNeedsNoKernel) {
-  EXPECT_TRUE(parts_of(test::case_features("tool2-d")));
+  EXPECT_TRUE(crossing_parts_of(test::case_features("tool2-d")));
   expect_what_the_kernel_makes(test::case_model("tool2-d"), "tool2-d");
 }
 
@@ -56,7 +57,7 @@ TEST(CrossedPartsTest, PlanesCutRoundWallsInLinesCirclesAndEllipses) {
   const auto check = [&](const FeatureSource& f, int others) {
     const ModelSource source = model_of({pipe, f});
     const FeatureModel model = evaluate(source);
-    EXPECT_TRUE(parts_of(model)) << f.type;
+    EXPECT_TRUE(crossing_parts_of(model)) << f.type;
     expect_what_the_kernel_makes(source, f.type);
     int ellipses = 0;
     for (const BoundaryEdge& edge : build_cells(model, kRun).boundary.edges)
@@ -75,7 +76,7 @@ TEST(CrossedPartsTest, PlanesCutRoundWallsInLinesCirclesAndEllipses) {
 }
 
 TEST(CrossedPartsTest, PointsOfCirclesAndArcsTurnByAtMostSixDegrees) {
-  const auto parts = parts_of(
+  const auto parts = crossing_parts_of(
       evaluate(model_of({cylinder("pipe", 4, 10), placed(block("across", 20, 2, 3), 0, 0, 4)})));
   int circles = 0;
   for (const kernel::BrepEdge& edge : parts->parts.brep.edges) {
@@ -88,7 +89,7 @@ TEST(CrossedPartsTest, PointsOfCirclesAndArcsTurnByAtMostSixDegrees) {
 
 TEST(CrossedPartsTest, WhatIsInDoubtIsLeftToTheKernel) {
   const auto with = [](const FeatureSource& f) {
-    return reason_of(parts_of(evaluate(model_of({cylinder("pipe", 4, 10), f}))));
+    return reason_of(crossing_parts_of(evaluate(model_of({cylinder("pipe", 4, 10), f}))));
   };
   const std::string side =
       "intersection_curves: a plane touches or nearly touches a cylinder along its side";
@@ -113,7 +114,7 @@ TEST(CrossedPartsTest, AVertexNearACylinderIsLeftToTheKernel) {
   // A corner of the block points to the pipe's axis.
   const auto with_corner_at = [](double x) {
     const double half_diagonal = std::sqrt(8.0);
-    return reason_of(parts_of(evaluate(
+    return reason_of(crossing_parts_of(evaluate(
         model_of({cylinder("pipe", 4, 10), placed(turned(block("b", 4, 4, 3), {0, 0, 1}, {1, 1, 0}),
                                                   x + half_diagonal, 0, 4)}))));
   };
@@ -124,12 +125,12 @@ TEST(CrossedPartsTest, AVertexNearACylinderIsLeftToTheKernel) {
 }
 
 TEST(CrossedPartsTest, MoreFeaturesThanASetHoldsAreLeftToTheKernel) {
-  EXPECT_EQ(reason_of(parts_of(evaluate(test::row_of_blocks(65)))),
+  EXPECT_EQ(reason_of(crossing_parts_of(evaluate(test::row_of_blocks(65)))),
             "crossing_prisms: there are too many features");
 }
 
 /// A feature with sizes and places on a coarse grid or off it, along one of many directions.
-FeatureSource random_feature(Random& random, const std::string& id, bool flush) {
+FeatureSource random_crossing_feature(Random& random, const std::string& id, bool flush) {
   const auto number = [&](int low, int high) {
     return static_cast<double>(low + static_cast<int>(random.below(high - low + 1))) +
            (flush ? 0.0 : random.uniform(-0.4, 0.4));
@@ -173,12 +174,13 @@ TEST(CrossedPartsTest, RandomModelsAreWhatTheKernelMakesOfThem) {
   for (int k = 0; k < 400 && compared < 25; ++k) {
     ModelSource source = model_of({block("base", 24, 20, 3)});
     for (int f = 0; f < 4; ++f)
-      source.features.push_back(random_feature(random, "f" + std::to_string(f), k % 2 == 0));
+      source.features.push_back(
+          random_crossing_feature(random, "f" + std::to_string(f), k % 2 == 0));
     ModelSource edited = source;
-    edited.features[1 + random.below(4)] = random_feature(random, "other", k % 2 == 0);
+    edited.features[1 + random.below(4)] = random_crossing_feature(random, "other", k % 2 == 0);
     try {
       const FeatureModel base = evaluate(source), model = evaluate(edited);
-      if (!parts_of(model)) continue;
+      if (!crossing_parts_of(model)) continue;
       const CellularModel cells = build_cells(base, kRun), whole = build_cells(model, kRun);
       expect_what_the_kernel_makes(edited, std::to_string(k));
       EXPECT_EQ(test::difference_of(whole, build_cells(model, base, cells, kRun)), "") << k;

@@ -8,12 +8,13 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/local_fuse/sewing/sew.h"
 #include "tests/support/local_fuse.h"
+#include "tests/support/run.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using test::all_of;
 using test::block;

@@ -7,12 +7,13 @@
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/local_fuse.h"
+#include "tests/support/run.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using kernel::Brep;
 using kernel::BrepEdge;

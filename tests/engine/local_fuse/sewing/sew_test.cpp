@@ -10,12 +10,13 @@
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/large_models.h"
+#include "tests/support/run.h"
 #include "tests/support/same_boundary.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 using test::block;
 using test::cylinder;

@@ -4,11 +4,12 @@
 
 #include "engine/base/error.h"
 #include "engine/nodes/fill/fill.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 const Box kCube{{0, 0, 0}, {20, 20, 20}};
 
 /// A field that is .5 on a vertical line through the cube's middle and 2 far away.

@@ -4,11 +4,12 @@
 
 #include "engine/base/error.h"
 #include "engine/nodes/density.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 Box box(Vec3 lo, Vec3 hi) {
   Box b;

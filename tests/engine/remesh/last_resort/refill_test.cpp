@@ -10,6 +10,7 @@
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
@@ -18,7 +19,7 @@ using test::block;
 using test::cylinder;
 using test::placed;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 ModelSource plate_with_a_hole() {
   return test::model_of(

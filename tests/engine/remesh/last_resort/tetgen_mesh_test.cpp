@@ -10,6 +10,7 @@
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
@@ -20,7 +21,7 @@ using test::cylinder;
 using test::model_of;
 using test::placed;
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 /// tool1-a with pins much finer than an edge at 5,000 nodes.
 ModelSource fine_pins() {

@@ -7,11 +7,12 @@
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 
 namespace remeshd {
 namespace {
 
-const remeshd::Run kRun;  // GoogleTest's fixtures have a Run of their own
+using test::kRun;
 
 std::size_t bytes_of(const Revision& revision) {
   std::size_t bytes = 0;

@@ -14,12 +14,13 @@
 #include "engine/remesh/remesh.h"
 #include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
+#include "tests/support/run.h"
 #include "tests/support/stored.h"
 
 namespace remeshd {
 namespace {
 
-const Run kRun;
+using test::kRun;
 
 Revision first() {
   return make_revision(Revision::none(), test::case_model("tool1-a"), {.nodes = 600}, kRun);
