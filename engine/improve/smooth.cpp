@@ -161,7 +161,7 @@ template <class Energy>
 bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const Energy& energy,
                          Vec3& position) const {
   const Vec3& p = mesh_.node(node);
-  const bool slides = !facets_.empty();
+  const bool slides = !rules_.interior(node);
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
   const Vec3 unit = normalised(direction);
   double reach = kSmoothingLimits.descent_step * length_;
@@ -178,7 +178,7 @@ bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const En
 bool Smoother::smooth(std::int32_t node, double enough, double gain, Vec3& position) {
   if (!rules_.facets_at(node, facets_)) return false;
   gather(node);
-  const bool slides = !facets_.empty();
+  const bool slides = !rules_.interior(node);
   const Vec3 start = mesh_.node(node);
   Vec3 p = start;
   double q = slopes(p);

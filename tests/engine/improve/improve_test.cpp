@@ -259,5 +259,18 @@ TEST(Improve, LeavesANodeAloneThatIsInHundredsOfTets) {
   }
 }
 
+TEST(Improve, ANodeOfAFaceThatIsInsideOfTheMeshStaysOnTheFace) {
+  // As a refill may leave one. It moved freely, for no facet held it.
+  SolidFixture star = make_star(8);
+  BoundaryFace plane;
+  plane.surface.frame = Transform::translation({0, 0, 0.8});
+  star.boundary.faces.push_back(plane);
+  star.supports[0] = {Support::Kind::Face, 1};
+  star.mesh.nodes[0].x = 0.3;
+  const ImproveResult result = clean(star);
+  EXPECT_NE(result.mesh.nodes[0].x, 0.3);
+  EXPECT_NEAR(result.mesh.nodes[0].z, 0.8, 1e-12);
+}
+
 }  // namespace
 }  // namespace remeshd
