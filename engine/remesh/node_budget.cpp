@@ -1,5 +1,6 @@
 #include "engine/remesh/node_budget.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,12 +17,13 @@ namespace {
 struct BudgetLimits {
   double close = 0.005;       ///< of the nodes asked for
   double still = 1e-3;        ///< of the base size: less of a change is none
-  int tries = 5;              ///< starts that are made and counted
+  int tries = 6;              ///< starts that are made and counted
   double coarsest = 2;        ///< x base size of an even mesh: no coarser one is looked for
   double fewest_edges = 7.2;  ///< asked for on a circle, of which 6 are certain: no fewer
+  double beside = 0.1;        ///< of a bracket: no try is nearer to its ends
   int bisections = 50;
-  int recounts = 3;         ///< of the nodes that would do
-  double recounted = 0.05;  ///< of them: as near to the last count they are not counted again
+  int recounts = 6;         ///< of the nodes that would do
+  double recounted = 0.01;  ///< of them: as near to the last count they are not counted again
 };
 constexpr BudgetLimits kBudgetLimits;
 
@@ -65,23 +67,75 @@ struct Coarseness {
   double base, weakening;
 };
 
-/// Step `t` of a way from 0, finest, to 2.
-Coarseness coarseness(double t, double guess, double weakest) {
-  const double r = kBudgetLimits.coarsest;
-  return {guess * std::pow(r, 2 * std::fmin(t, 1) - 1), std::pow(weakest, std::fmax(t, 1) - 1)};
-}
+/// The search for the coarseness with which a start has the nodes asked for, on a way from 0,
+/// finest, to 2. Starts that were made bracket it; a start tells where between them it is to be
+/// expected.
+class CoarsenessSearch {
+ public:
+  /// `guess`: the base size half-way to the coarsest; `weakest`: the most that rules are weakened.
+  CoarsenessSearch(double nodes, double guess, double weakest)
+      : nodes_(nodes), guess_(guess), weakest_(weakest), now_(0.5) {}
 
-/// How coarse a mesh of so many nodes is to be expected to be, by the start of one that is `now`.
-Coarseness better_coarseness(double nodes, const Start& start, const Coarseness& now, double guess,
-                             double weakest) {
-  double fine = 0, coarse = 2;
-  for (int k = 0; k < kBudgetLimits.bisections; ++k) {
-    const double middle = 0.5 * (fine + coarse);
-    const Coarseness tried = coarseness(middle, guess, weakest);
-    (start.expected(tried.base, tried.weakening / now.weakening) > nodes ? fine : coarse) = middle;
+  [[nodiscard]] Coarseness now() const { return at(now_); }
+
+  /// Takes the start that was made with the coarseness of now. Whether another is to be made, with
+  /// that of now.
+  bool goes_on(const Start& start) {
+    const double count = start.nodes();
+    const double off = std::fabs(count / nodes_ - 1);
+    if (off < least_off_) {
+      least_off_ = off;
+      best_ = {start.field(), now().weakening};
+    }
+    if (off < kBudgetLimits.close || ++tries_ == kBudgetLimits.tries) return false;
+    (count > nodes_ ? fine_ : coarse_) = {now_, std::log(count / nodes_)};
+    const Coarseness was = now();
+    now_ = is_bracketed() ? between() : expected(start);
+    return now().weakening != was.weakening ||
+           std::fabs(now().base / was.base - 1) >= kBudgetLimits.still;
   }
-  return coarseness(0.5 * (fine + coarse), guess, weakest);
-}
+
+  /// Of the starts that were made the one whose count is nearest to what was asked for.
+  [[nodiscard]] Budgeted best() && { return std::move(best_); }
+
+ private:
+  [[nodiscard]] Coarseness at(double t) const {
+    return {guess_ * std::pow(kBudgetLimits.coarsest, 2 * std::fmin(t, 1) - 1),
+            std::pow(weakest_, std::fmax(t, 1) - 1)};
+  }
+  [[nodiscard]] bool is_bracketed() const {
+    return std::isfinite(fine_.log_count) && std::isfinite(coarse_.log_count);
+  }
+  /// As the counts of the ends say, but not next to one: counts jump where films get edges.
+  [[nodiscard]] double between() const {
+    const double share = fine_.log_count / (fine_.log_count - coarse_.log_count);
+    const double beside = kBudgetLimits.beside;
+    return std::lerp(fine_.at, coarse_.at, std::clamp(share, beside, 1 - beside));
+  }
+  /// As a start that was made says.
+  [[nodiscard]] double expected(const Start& start) const {
+    double fine = fine_.at, coarse = coarse_.at;
+    for (int k = 0; k < kBudgetLimits.bisections; ++k) {
+      const double middle = 0.5 * (fine + coarse);
+      const Coarseness tried = at(middle);
+      const double longer = tried.weakening / now().weakening;
+      (start.expected(tried.base, longer) > nodes_ ? fine : coarse) = middle;
+    }
+    return 0.5 * (fine + coarse);
+  }
+
+  struct End {
+    double at;
+    double log_count = HUGE_VAL;  ///< of its nodes, x those asked for; infinite before it is tried
+  };
+
+  double nodes_, guess_, weakest_;
+  double now_;
+  End fine_{0}, coarse_{2};  ///< too many nodes, too few
+  int tries_ = 0;
+  double least_off_ = HUGE_VAL;
+  Budgeted best_;
+};
 
 /// Makes starts of a model.
 class Starts {
@@ -134,23 +188,14 @@ Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const Mes
                           const FeatureModel& model, const CellularModel& cells, const Run& run) {
   const Starts starts(rules, options, model, cells.boundary.bounds, run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
-  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges);
-  Coarseness now{guess, 1};
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {std::move(sizes)};
-  for (int k = 1;; ++k) {
-    const Start start = starts.of(now);
-    const Coarseness better = better_coarseness(nodes, start, now, guess, weakest);
-    const bool still = better.weakening == now.weakening &&
-                       std::fabs(better.base / now.base - 1) < kBudgetLimits.still;
-    if (k < kBudgetLimits.tries && !still &&
-        std::fabs(start.nodes() / nodes - 1) >= kBudgetLimits.close) {
-      now = better;
-      continue;
-    }
-    Budgeted made{start.field(), now.weakening};
-    if (now.weakening > 1) made.satisfying = satisfying(nodes, cells, starts);
-    return made;
+  CoarsenessSearch search(
+      nodes, guess, std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges));
+  while (search.goes_on(starts.of(search.now()))) {
   }
+  Budgeted made = std::move(search).best();
+  if (made.weakening > 1) made.satisfying = satisfying(nodes, cells, starts);
+  return made;
 }
 
 }  // namespace remeshd
