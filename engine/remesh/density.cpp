@@ -99,7 +99,7 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     }
   }
   const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
-  const SizeRules rules(cells.boundary, options.sizing, most, run,
+  const SizeRules rules(cells.boundary, options.sizing, {most, edge_length}, run,
                         asked_sizes(model, cells.boundary, density.dense_places));
   if (density.count) {
     Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);

@@ -70,7 +70,7 @@ std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& bo
   return edges;
 }
 
-SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most,
+SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const BaseSizes& bases,
                      const Run& run, std::vector<SizeSource> asked)
     : sizing_(sizing), bounds_(boundary.bounds) {
   if (sizing.even) return;
@@ -78,7 +78,8 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double
   if (sizing.edges_per_circle > 0)
     details_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
   if (sizing.layers == 0) return;
-  const double least = least_size(sizing, most), film = kFilm * least;
+  const double most = bases.greatest;
+  const double least = least_size(sizing, bases.expected), film = kFilm * least;
   const auto edges = short_edges_of(boundary, film, most);
   details_.insert(details_.end(), edges.begin(), edges.end());
   thin_places_ = thin_places(boundary,

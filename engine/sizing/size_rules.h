@@ -23,15 +23,24 @@ struct ThinSide {
   [[nodiscard]] double nodes(double length) const;
 };
 
+/// Base sizes of the fields to be made.
+struct BaseSizes {
+  BaseSizes(double only)  // NOLINT(google-explicit-constructor): a length is a range of one
+      : greatest(only), expected(only) {}
+  BaseSizes(double no_greater_than, double about) : greatest(no_greater_than), expected(about) {}
+  double greatest;
+  double expected;  ///< walls and gaps are told apart down to the least size of a field of this one
+};
+
 /// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
 /// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across, model edges
 /// that are shorter than the base size for edges no longer than they are, where there are layers.
 /// Beside them what the model's size controls ask for.
 class SizeRules {
  public:
-  /// `most`: no base size is greater. `asked`: by controls (`size_sources`). Throws Cancelled.
-  SizeRules(const BoundaryModel& boundary, const Sizing& sizing, double most, const Run& run,
-            std::vector<SizeSource> asked = {});
+  /// `asked`: by controls (`size_sources`). Throws Cancelled.
+  SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const BaseSizes& bases,
+            const Run& run, std::vector<SizeSource> asked = {});
 
   /// The size field with that base size.
   /// @param weakening  >= 1: the rules ask for edges so many times longer, the controls do not

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -15,8 +17,10 @@ namespace remeshd {
 namespace {
 
 struct PlaceLimits {
-  double even = 1.5;    ///< the greatest thickness of a place over the least
-  double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
+  double even = 1.5;     ///< the greatest thickness of a place over the least
+  double smallest = 1;   ///< x thickness: from its middle to its corners, where it is not even
+  double largest = 1;    ///< x greatest thickness: the same; what lies between is not looked at
+  double cube = 0.15;   ///< x greatest thickness: side of those that one thin place does for
 };
 constexpr PlaceLimits kPlaceLimits;
 
@@ -85,32 +89,52 @@ class Search {
   std::vector<ThinPlace> take() { return std::move(places_); }
 
  private:
-  void visit(const Patch& patch) {
+  /// The thickness all over a patch.
+  struct Thickness {
+    double least, greatest;
+    bool film;
+  };
+
+  /// Adds the places of a patch: one where the thickness is nearly even all over it, which it tells
+  /// then.
+  std::optional<Thickness> visit(const Patch& patch) {
     poll_();
     const TriangleTree::Nearest nearest =
         tree_.nearest(patch.middle, most_ + patch.radius, neighbours_);
-    if (!nearest.found) return;
+    if (!nearest.found) return std::nullopt;
+    if (patch.radius > kPlaceLimits.largest * most_) return visit_halves(patch);
     double least = nearest.distance, greatest = nearest.distance;
     for (const Vec3& corner : patch.corners) {
       const double d = distance_to_others(corner, nearest.at);
       least = std::min(least, d);
       greatest = std::max(greatest, d);
     }
-    if (greatest < film_) {
-      places_.push_back({patch.face, patch.corners, least});
-      return;
-    }
-    const double thickness = std::max(least, least_);
-    if (greatest <= kPlaceLimits.even * thickness ||
-        patch.radius <= kPlaceLimits.smallest * thickness) {
-      if (thickness < most_) {
-        // From what is nearest, beside a film, this face is less far than the patch: it ends there.
-        const double film = tree_.nearest(nearest.at, film_, others_).distance;
-        places_.push_back({patch.face, patch.corners, film < film_ ? film : thickness});
-      }
-      return;
-    }
-    for (const Corners& half : halves_of(patch.corners)) visit({patch.face, half});
+    if (greatest < film_) return add(patch, {least, greatest, true});
+    least = std::max(least, least_);
+    if (greatest > kPlaceLimits.even * least && patch.radius > kPlaceLimits.smallest * least)
+      return visit_halves(patch);
+    if (least >= most_) return std::nullopt;
+    // From what is nearest, beside a film, this face is less far than the patch: it ends there.
+    const double film = tree_.nearest(nearest.at, film_, others_).distance;
+    if (film < film_) return add(patch, {film, film, true});
+    return add(patch, {least, std::max(least, greatest), false});
+  }
+
+  std::optional<Thickness> visit_halves(const Patch& patch) {
+    const std::size_t before = places_.size();
+    const auto halves = halves_of(patch.corners);
+    const auto one = visit({patch.face, halves[0]}), other = visit({patch.face, halves[1]});
+    if (!one || !other || one->film != other->film) return std::nullopt;
+    const Thickness both{std::min(one->least, other->least),
+                         std::max(one->greatest, other->greatest), one->film};
+    if (!both.film && both.greatest > kPlaceLimits.even * both.least) return std::nullopt;
+    places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(before), places_.end());
+    return add(patch, both);
+  }
+
+  Thickness add(const Patch& patch, const Thickness& thickness) {
+    places_.push_back({patch.face, patch.corners, thickness.least});
+    return thickness;
   }
 
   /// Of a point to the faces that are not neighbours. `on_one`: a point of one of them.
@@ -146,7 +170,7 @@ class Covering {
   explicit Covering(const ThinPlaceLimits& limits) : limits_(limits) {}
 
   [[nodiscard]] bool covers(const ThinPlace& place) const {
-    const Cube cube = cube_of(middle_of(place.triangle));
+    const Cube cube = cube_of(middle_of(place.triangle), limits_.most);
     for (int k = 0; k < 27; ++k) {
       const auto found =
           probes_.find({cube[0] + k % 3 - 1, cube[1] + k / 3 % 3 - 1, cube[2] + k / 9 - 1});
@@ -170,11 +194,14 @@ class Covering {
   };
 
   static Vec3 middle_of(const Corners& c) { return (1.0 / 3) * (c[0] + c[1] + c[2]); }
-  [[nodiscard]] Cube cube_of(const Vec3& p) const {
-    return {std::lround(p.x / limits_.most), std::lround(p.y / limits_.most),
-            std::lround(p.z / limits_.most)};
+  static Cube cube_of(const Vec3& p, double side) {
+    return {std::lround(p.x / side), std::lround(p.y / side), std::lround(p.z / side)};
   }
-  void add(const Vec3& p, double thickness) { probes_[cube_of(p)].push_back({p, thickness}); }
+  /// In a small cube the first is the thinnest, and does for all.
+  void add(const Vec3& p, double thickness) {
+    if (taken_.insert(cube_of(p, kPlaceLimits.cube * limits_.most)).second)
+      probes_[cube_of(p, limits_.most)].push_back({p, thickness});
+  }
   [[nodiscard]] bool covers(const Probe& probe, const ThinPlace& place) const {
     return std::ranges::all_of(place.triangle, [&](const Vec3& corner) {
       return probe.thickness + limits_.slope * distance(probe.at, corner) <= place.thickness;
@@ -182,7 +209,8 @@ class Covering {
   }
 
   ThinPlaceLimits limits_;
-  std::map<Cube, std::vector<Probe>> probes_;
+  std::map<Cube, std::vector<Probe>> probes_;  ///< by cubes as long as the greatest thickness
+  std::set<Cube> taken_;                       ///< small cubes that have one
 };
 
 /// Leaves what matters beside thinner places.

@@ -25,9 +25,10 @@ struct ThinPlaceLimits {
   double slope;  ///< where thickness grows faster than this along a face there need be no place
 };
 
-/// The thin places of all faces. They are divided until the thickness is nearly even on each, or
-/// they are about as small as it: what a large one misses, the other side's small ones have. Films
-/// are not divided.
+/// The thin places of all faces. Triangles are divided until they are no larger than the greatest
+/// thickness looked for, and on until the thickness is nearly even on each, or they are about as
+/// small as it; films are not. Where it is even on both halves of one, that is one place, so that a
+/// plate's two large triangles are two places.
 ///
 /// Faces that share an edge or a vertex are left out: they are near each other in any corner. By
 /// triangulations, so that round walls are off by the heights of their chords.

@@ -95,5 +95,16 @@ TEST(SizeRules, BothSidesOfAThinWallTakeNodes) {
   EXPECT_EQ(with_fine_edges, 0);
 }
 
+TEST(SizeRules, OfAWallAreAsThinForTheBaseExpectedAsForThatBaseAlone) {
+  // They were as thin as the greatest base lets a wall be, and the first edit made it anew.
+  const BoundaryModel plate =
+      build_cells(evaluate(test::model_of({test::block("b", 30, 20, 0.5)})), kRun).boundary;
+  const Vec3 middle{0, 0, 0.25};
+  const SizeField alone = SizeRules(plate, {.even = false}, 4, kRun).field(4, 1);
+  const SizeField of_a_range = SizeRules(plate, {.even = false}, {16, 4}, kRun).field(4, 1);
+  EXPECT_NEAR(alone(middle), 0.5, 0.1);
+  EXPECT_EQ(of_a_range(middle), alone(middle));
+}
+
 }  // namespace
 }  // namespace remeshd

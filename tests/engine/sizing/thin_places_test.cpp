@@ -95,5 +95,22 @@ TEST(ThinPlaces, AreNotWhereThicknessGrowsFasterThanSizesMay) {
   EXPECT_LT(area(few), 0.7 * area(all));
 }
 
+TEST(ThinPlaces, OfALargeTriangleAreNotBetweenTheThinOnes) {
+  // The corners of the top and the middles of its two triangles are over pockets, the rest is not.
+  std::vector<FeatureSource> features{test::block("b", 60, 60, 10)};
+  int k = 0;
+  for (const double at : {10.0, 27.0})
+    for (const double x : {-at, at})
+      for (const double y : {-at, at})
+        features.push_back(test::placed(test::block("p" + std::to_string(k++), 8, 8, 9), x, y, 0,
+                                        Nature::Subtractive));
+  double on_top = 0;
+  for (const ThinPlace& p : thin_places(boundary_of(test::model_of(features)), kThree, kRun))
+    if (std::ranges::all_of(p.triangle, [](const Vec3& q) { return q.z > 9.999; }))
+      on_top += area({p});
+  EXPECT_GT(on_top, 8 * 64);   // over the pockets
+  EXPECT_LT(on_top, 8 * 196);  // no further than 3 from them
+}
+
 }  // namespace
 }  // namespace remeshd
