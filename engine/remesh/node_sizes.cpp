@@ -50,10 +50,17 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   const bool known = is_known(parent), same_tets = keeps_tets(revision);
   std::vector<double> all(output.mesh.nodes.size());
   in_blocks(all.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      all[n] = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept)
-                   ? made_for(parent, output.map.original_node[n])
-                   : sizes(positions[n]);
+    for (std::size_t n = begin; n < end; ++n) {
+      const bool kept = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept);
+      const double was = kept ? made_for(parent, output.map.original_node[n]) : 0;
+      if (kept && same_tets) {
+        all[n] = was;
+        continue;
+      }
+      // What was off has been looked at: a node that stays is right for the length there.
+      const double wanted = sizes(positions[n]);
+      all[n] = kept && !differ(was, wanted) ? was : wanted;
+    }
   });
   return {std::span<const double>(all), parent.output.node_sizes};
 }

@@ -74,6 +74,19 @@ TEST(NodeSizes, OfAnEditOfSizesAloneItIsMadeFinerThereAndNowhereElse) {
   EXPECT_GE(fine.report.quality.dihedral_min, 15);
 }
 
+TEST(NodeSizes, WhatStaysWhereItWasMadeFinerIsRightForTheLengthThere) {
+  // It counted as made for the length before, and each edit after made the place anew.
+  const Revision base = make_revision(Revision::none(), plate_with_hole(), sized_edit(4), kRun);
+  const Revision fine = edited(base, in_corner(1));
+  const SizeField sizes = sizes_of(fine, kRun);
+  for (std::size_t n = 0; n < fine.output.mesh.nodes.size(); ++n) {
+    const double there = sizes(fine.output.mesh.nodes[n]);
+    EXPECT_NEAR(fine.output.node_sizes[n] / there, 1, 0.26) << n;
+  }
+  const Revision next = edited(fine, SetFeatureParameter{"hole", "radius", 4.5});
+  EXPECT_EQ(kept_beyond(fine, next, {0, 0, 4}, 25), 1);
+}
+
 TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
   ModelSource source = plate_with_hole();
   source.sizes = {{"spot", *in_corner(1).place, 1.0}};
