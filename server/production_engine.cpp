@@ -40,7 +40,7 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 18,
+  return {.algorithm_version = 19,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

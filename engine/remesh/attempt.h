@@ -61,7 +61,7 @@ struct Attempt {
   std::optional<Warning> fault;  ///< what is wrong with the mesh, and where
   std::vector<Vec3> refined_at;  ///< where its edges were to be finer
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
-  bool hopeless = false;  ///< whatever fills the place that is wrong is flat
+  bool hopeless = false;  ///< another one that is so too, and no mesh is to be had
   bool copies = false;    ///< its nodes may be copies of the parent's
   bool serves = true;     ///< false: the problem is none for this strategy, or too large for it
 

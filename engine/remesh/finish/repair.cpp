@@ -1,4 +1,4 @@
-#include "engine/remesh/repair.h"
+#include "engine/remesh/finish/repair.h"
 
 #include <algorithm>
 #include <cmath>

@@ -313,26 +313,24 @@ bool only_tets_are_wrong(const Verification& verification) {
          verification.count(MeshFailure::BadTet) + verification.count(MeshFailure::OutsideTet);
 }
 
-std::vector<std::uint8_t> worth_improving(const TetMesh& made, const RefilledMesh& refilled,
-                                          const ReusedMesh& before, const Candidate& c,
+std::vector<std::uint8_t> worth_improving(const TetMesh& made, std::span<const std::int32_t> was,
+                                          const ReusedMesh& before,
+                                          std::span<const Support> supports,
                                           const BoundaryModel& boundary, double thinner_than) {
   const ThinWalls films(boundary, thinner_than);
-  const bool at_films = !c.verification.valid;
   std::vector<std::uint8_t> dirty(made.tets.size(), 1);
   for (std::size_t k = 0; k < dirty.size(); ++k) {
-    const std::int32_t was = refilled.was[k];
-    if (was >= 0 && (before.dirty.empty() || before.dirty[was] == 0)) {
+    if (was[k] >= 0 && (before.dirty.empty() || before.dirty[was[k]] == 0)) {
       dirty[k] = 0;
       continue;
     }
-    if (at_films) continue;
-    std::array<Support, 4> supports;
+    std::array<Support, 4> stands;
     std::array<Vec3, 4> nodes;
     for (int i = 0; i < 4; ++i) {
-      supports[i] = c.nodes.supports[made.tets[k][i]];
+      stands[i] = supports[made.tets[k][i]];
       nodes[i] = made.nodes[made.tets[k][i]];
     }
-    if (films.holds(supports, nodes)) dirty[k] = 0;
+    if (films.holds(stands, nodes)) dirty[k] = 0;
   }
   return dirty;
 }

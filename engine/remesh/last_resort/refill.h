@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "engine/patch/candidate.h"
 #include "engine/patch/reuse_improved_tets.h"
 #include "engine/patch/stitch.h"
 #include "engine/sizing/size_field.h"
@@ -45,11 +44,13 @@ std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
 /// Whether nothing is wrong but some tets, which clean-up may do away with.
 bool only_tets_are_wrong(const Verification& verification);
 
-/// By tet of a refilled mesh: 1 where it is new, or was to be cleaned up before, and, where the
-/// mesh is valid, does not lie across a film, where no tet is better.
+/// By tet of a valid mesh that was refilled: 1 where it is new, or was to be cleaned up before, and
+/// does not lie across a film, where no tet is better.
+/// @param was           by tet: that of the mesh before, -1 for new ones
 /// @param thinner_than  length: of a film
-std::vector<std::uint8_t> worth_improving(const TetMesh& made, const RefilledMesh& refilled,
-                                          const ReusedMesh& before, const Candidate& candidate,
+std::vector<std::uint8_t> worth_improving(const TetMesh& made, std::span<const std::int32_t> was,
+                                          const ReusedMesh& before,
+                                          std::span<const Support> supports,
                                           const BoundaryModel& boundary, double thinner_than);
 
 }  // namespace remeshd

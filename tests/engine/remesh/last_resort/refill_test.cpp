@@ -160,6 +160,25 @@ TEST_F(AFilm, WhereWhateverFillsItIsFlatIsRefusedByPlaceOnceItIsSoTwice) {
   EXPECT_EQ(tries("TetGen"), 0);
 }
 
+TEST_F(AFilm, AllOverThePartIsNoPlaceToBeRefilled) {
+  // A core that all but fills its bore: refill after refill of half of the mesh took minutes.
+  const auto bar = [](double core) {
+    return test::model_of({cylinder("bar", 10, 30),
+                           placed(cylinder("bore", 8, 40), 0, 0, -5, Nature::Subtractive),
+                           cylinder("core", core, 30), placed(cylinder("base", 9, 2), 0, 0, -1)});
+  };
+  const MeshOptions coarse{.nodes = 1000, .sizing = options_.sizing};
+  const Revision base = make_revision(Revision::none(), bar(6), coarse, kRun);
+  const ErrorInfo info =
+      test::error_of([&] { make_revision(base, bar(7.99), {.sizing = coarse.sizing}, kRun); });
+  EXPECT_EQ(info.reason, "BOUNDARY_NOT_RECOVERED");
+  EXPECT_THAT(info.features, testing::Contains("core"));
+  ASSERT_FALSE(info.attempts.empty());
+  EXPECT_THAT(info.attempts.front(),
+              testing::StartsWith("local, 4 edge lengths, refilled: too much is wrong"));
+  EXPECT_THAT(info.attempts, testing::Each(testing::Not(testing::StartsWith("fresh"))));
+}
+
 TEST_F(AFilm, IsBridgedInAFirstMesh) {
   const Revision film = make_revision(Revision::none(), plate(2e-3), options_, kRun);
   EXPECT_NE(film.report.strategy, MeshStrategy::TetGen);

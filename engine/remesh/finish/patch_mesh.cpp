@@ -1,0 +1,233 @@
+#include "engine/remesh/finish/patch_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "engine/extract/peel.h"
+#include "engine/improve/improve.h"
+#include "engine/nodes/dump.h"
+#include "engine/optimise/live_mesh.h"
+#include "engine/patch/node_map.h"
+#include "engine/patch/stitch.h"
+
+namespace remeshd {
+namespace {
+
+/// What is known of the tets of a patch and their neighbours beyond it, from before.
+class Known {
+ public:
+  Known(const NodeSet& nodes, const DelaunayMesh& mesh, const MeshPatch& patch,
+        const CopyPlan& plan)
+      : nodes_(nodes),
+        mesh_(mesh),
+        patch_(patch),
+        plan_(plan),
+        known_(KnownClassification::nothing(mesh, patch.exterior)) {}
+
+  KnownClassification classification() {
+    find_unchanged();
+    if (!gone_.empty()) find_outside_still();
+    return std::move(known_);
+  }
+
+ private:
+  /// Seen from one side, the first node the least.
+  using Facet = std::array<std::int32_t, 3>;
+
+  static Facet facet_of(const Tet& t, int opposite) {
+    const auto& f = kTetFacets[opposite];
+    Facet facet{t[f[0]], t[f[1]], t[f[2]]};
+    std::ranges::rotate(facet, std::ranges::min_element(facet));
+    return facet;
+  }
+
+  /// A node's number in the patch as it was, where it is where it was then; else -1.
+  [[nodiscard]] std::int32_t before(std::int32_t node) const {
+    if (node < 0) return -1;
+    const std::int32_t then = nodes_.original[node];
+    return then >= 0 && nodes_.positions[node] == patch_.positions[then] ? then : -1;
+  }
+
+  /// The tets that are as they were and meet no changed box; notes the others as gone.
+  void find_unchanged() {
+    // A mesh that began anew has other slots, and may have fewer.
+    const auto then_slots = static_cast<std::int32_t>(patch_.mesh.slots());
+    for (std::int32_t s = 0; s < then_slots; ++s) {
+      if (!patch_.mesh.in_use(s)) continue;
+      const Tet then = patch_.mesh.corners(s);
+      if (is_now(s, then)) {
+        if (!plan_.meets_changed(mesh_.corners(s), nodes_.positions))
+          known_.tets[s] = patch_.inside[s] != 0 ? KnownClassification::Known::Inside
+                                                 : KnownClassification::Known::Outside;
+      } else if (std::ranges::min(then) >= 0) {
+        for (int i = 0; i < 4; ++i) gone_.emplace_back(facet_of(then, i), patch_.inside[s]);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_now(std::int32_t slot, const Tet& then) const {
+    if (slot >= static_cast<std::int32_t>(mesh_.slots()) || !mesh_.in_use(slot)) return false;
+    return std::ranges::equal(then, mesh_.corners(slot), [&](std::int32_t a, std::int32_t b) {
+      return a < 0 || b < 0 ? a == b : a == before(b);  // super vertices
+    });
+  }
+
+  /// Other tets of nodes that stayed, where nothing changed, in the place of tets outside of the
+  /// model: a node that moves outside of a round face, however far, lets tets go whose balls it was
+  /// in, and what comes instead may lie against the face, inside of it.
+  void find_outside_still() {
+    std::ranges::sort(gone_);
+    for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh_.slots()); ++s) {
+      if (!mesh_.in_use(s) || known_.tets[s] != KnownClassification::Known::No) continue;
+      Tet then = mesh_.corners(s);
+      for (std::int32_t& n : then) n = before(n);
+      if (std::ranges::min(then) < 0 || plan_.meets_changed(mesh_.corners(s), nodes_.positions))
+        continue;
+      int outside = 0, inside = 0;
+      for (int i = 0; i < 4; ++i) {
+        const Facet facet = facet_of(then, i);
+        const auto was = std::ranges::lower_bound(gone_, facet, {}, &Gone::first);
+        if (was != gone_.end() && was->first == facet) ++(was->second != 0 ? inside : outside);
+      }
+      if (outside > 0 && inside == 0) known_.tets[s] = KnownClassification::Known::Outside;
+    }
+  }
+
+  const NodeSet& nodes_;
+  const DelaunayMesh& mesh_;
+  const MeshPatch& patch_;
+  const CopyPlan& plan_;
+  KnownClassification known_;
+  using Gone = std::pair<Facet, std::uint8_t>;  ///< of a tet that is not any more; 1: inside
+  std::vector<Gone> gone_;
+};
+
+/// Supports of the nodes that are not in the patch; of the others any.
+CowVector<Support> supports_left(const Revision& parent, const MeshPatch& cut,
+                                 const EntityMap* entities) {
+  const CowVector<Support>& then = parent.supports();
+  const CowVector<Vec3>& positions = parent.delaunay_state->positions();
+  if (entities == nullptr) return CowVector<Support>(then.size(), {});
+  CowVector<Support> supports = then;
+  const std::vector<std::int32_t>& patch = cut.nodes;  // ascending
+  auto next = patch.begin();
+  then.for_each([&](std::size_t n, const Support& was) {
+    if (was.kind == Support::Kind::Interior) return;
+    next = std::find_if(next, patch.end(),
+                        [&](std::int32_t p) { return p >= static_cast<std::int32_t>(n); });
+    if (next != patch.end() && *next == static_cast<std::int32_t>(n)) return;
+    const std::optional<Support> support = (*entities)(was, positions[n]);
+    if (!support) throw PatchTooSmall{"naming where nodes stand"};
+    supports.set(n, *support);
+  });
+  return supports;
+}
+
+/// The patch's mesh as it comes from the loop, all of it to be cleaned up.
+ReusedMesh all_new(const Candidate& c) {
+  const std::vector<Tet>& tets = c.delaunay.tets;
+  return {{c.nodes.positions, tets}, std::vector<std::uint8_t>(tets.size(), 1), {}};
+}
+
+}  // namespace
+
+std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
+                                      const Run& run) {
+  std::vector<std::int32_t> number(nodes.positions.size(), -1);
+  std::fill_n(number.begin(), nodes.interface_nodes, 0);
+  for (const Tet& t : tets)
+    for (const std::int32_t n : t) number[n] = 0;
+  std::vector<std::int32_t> unused;
+  std::int32_t next = 0;
+  for (std::int32_t n = 0; n < nodes.size(); ++n) {
+    if (number[n] < 0) {
+      unused.push_back(n);
+      continue;
+    }
+    nodes.move(n, next);
+    number[n] = next++;
+  }
+  if (unused.empty()) return number;
+  nodes.resize(next);
+  for (Tet& t : tets) t = renamed(t, number);
+  if (mesh.remove(unused, run)) {
+    mesh.rename(number, next);
+  } else {
+    mesh = mesh.emptied();
+    std::vector<std::int32_t> all(next);
+    std::iota(all.begin(), all.end(), 0);
+    mesh.insert(nodes.positions, all, run);
+  }
+  if (mesh.patch_too_small()) throw PatchTooSmall{"leaving out nodes"};
+  return number;
+}
+
+PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                  const InsideTest& inside) {
+  return peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
+              Known(c.nodes, c.loop.mesh, patch, task.plan).classification(),
+              {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
+}
+
+Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
+                  const MeshPatch& patch, const InsideTest& inside) {
+  Candidate c;
+  c.loop = std::move(loop);
+  c.nodes = std::move(nodes);
+  task.run.report("extract", 0.8);
+  c.delaunay = peeled(c, task, patch, inside);
+  drop_unused(c.nodes, c.delaunay.tets, c.loop.mesh, task.run);
+  dump_nodes(task.run, "08-peel", c.nodes, task.density.sizes, c.delaunay.tets);
+  return c;
+}
+
+std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
+                                    std::span<const std::int32_t> at) {
+  std::vector<std::int32_t> result(at.size(), -1);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (at[k] >= 0) result[k] = values[at[k]];
+  return result;
+}
+
+ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                      bool clean_up) {
+  const MeshOptions& options = task.options;
+  ReusedMesh reused = options.clean_up ? reuse_improved_tets(c.nodes, c.delaunay, patch,
+                                                             task.plan.transforms(), task.run)
+                                       : all_new(c);
+  task.run.report("improve", 0.85);
+  c.bad_at_interface = 0;
+  if (!clean_up) return reused;
+  ImproveResult improved =
+      improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
+              {.threshold = options.threshold, .locked = c.nodes.interface_nodes}, task.run);
+  c.bad_at_interface = improved.bad_at_interface;
+  return {
+      std::move(improved.mesh),
+      {},
+      {looked_up(reused.same.peeled, improved.was), looked_up(reused.same.output, improved.was)}};
+}
+
+void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
+              std::uint32_t most_failures) {
+  const CellularModel& cells = task.cells;
+  c.whole = {};  // its memory, where it is made again
+  const PatchMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
+  c.whole = stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
+                   task.plan, task.run);
+  task.run.report("verify", 0.95);
+  const VerifiedParent parent =
+      verified_parent(task.parent, c.whole.map.original_node, c.whole.map.original_tet);
+  const VerifyOptions proof{
+      .material = [&](const Vec3& p) { return task.plan.modified().inside(p); },
+      .parent = &parent,
+      .most_failures = most_failures};
+  const Stopwatch watch;
+  c.verification = verify(c.whole.mesh, c.whole.delaunay_state.supports, cells.boundary,
+                          cells.volume, task.run, proof);
+  c.verify_seconds += watch.total();
+}
+
+}  // namespace remeshd

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/delaunay/delaunay_mesh.h"
+#include "engine/nodes/node_set.h"
+#include "engine/patch/candidate.h"
+#include "engine/patch/patch.h"
+#include "engine/patch/reuse_improved_tets.h"
+#include "engine/remesh/steps.h"
+
+/// The steps from a patch's optimised nodes to its mesh in the parent's.
+namespace remeshd {
+
+/// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws PatchTooSmall.
+Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
+                  const MeshPatch& patch, const InsideTest& inside);
+
+/// The Delaunay mesh's tets in the model.
+PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                  const InsideTest& inside);
+
+/// Leaves out the nodes that no tet uses, but for those at the interface, and renumbers the tets
+/// and the Delaunay mesh. Returns the numbers, by node; -1 for those left out. Throws
+/// PatchTooSmall.
+std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
+                                      const Run& run);
+
+/// The patch's mesh: improved tets reused where nothing changed, the rest cleaned up.
+ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool clean_up);
+
+/// Puts a patch's mesh into the parent's and verifies the whole; `most_failures` as in
+/// VerifyOptions. Throws PatchTooSmall.
+void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
+              std::uint32_t most_failures = VerifyOptions{}.most_failures);
+
+/// The values at some places, -1 where a place is.
+std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
+                                    std::span<const std::int32_t> at);
+
+}  // namespace remeshd

@@ -1,0 +1,162 @@
+#include "engine/remesh/last_resort/confine.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/base/stopwatch.h"
+#include "engine/improve/improve.h"
+#include "engine/optimise/live_mesh.h"
+#include "engine/remesh/finish/patch_mesh.h"
+#include "engine/remesh/finish/repair.h"
+#include "engine/remesh/last_resort/refill.h"
+#include "engine/sizing/size_rules.h"
+
+namespace remeshd {
+namespace {
+
+struct ConfineLimits {
+  std::uint32_t all_failures = 100'000;
+  double most = 0.15;  ///< of the tets: with more faults there is no place that is wrong
+  double hopeless =
+      0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
+};
+constexpr ConfineLimits kConfineLimits;
+constexpr std::array kRefillMargins{1.5, 1.5, 3.0, 3.0, 6.0};  // x edge length
+
+/// Whether so much is wrong that other refills of this mesh are in vain: between walls that all but
+/// coincide whatever fills the place is flat. `made`: tets of the refill.
+bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
+  return static_cast<double>(c.verification.failures.size()) >
+         kConfineLimits.hopeless * static_cast<double>(made);
+}
+
+/// By tet of the patch's mesh: 1 where it was found to be wrong.
+std::vector<std::uint8_t> faulty_tets(const Candidate& c) {
+  std::set<std::int32_t> faulty;
+  for (const MeshDefect& defect : c.verification.failures) faulty.insert(defect.entity);
+  std::vector<std::uint8_t> wrong;
+  for (const std::int32_t t : c.whole.new_tets) wrong.push_back(faulty.contains(t) ? 1 : 0);
+  return wrong;
+}
+
+/// The mesh with a part of the patch refilled, its new nodes in the Delaunay mesh too, cleaned up
+/// and verified. `made_anew`: of its tets, those that are new. Throws PatchTooSmall.
+Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh refilled,
+                        const MeshingTask& task, const MeshPatch& patch, const InsideTest& inside,
+                        std::ptrdiff_t& made_anew) {
+  Candidate next;
+  next.loop = c.loop;
+  next.nodes = c.nodes;
+  next.verify_seconds = c.verify_seconds;
+  const std::int32_t first_new = c.nodes.size();
+  for (std::size_t k = 0; k < refilled.supports.size(); ++k)
+    next.nodes.add_new(refilled.mesh.nodes[first_new + k], refilled.supports[k]);
+  std::vector<std::uint8_t> holds(next.nodes.positions.size(), 0);
+  std::fill_n(holds.begin(), first_new, 1);
+  LiveMesh live(c.loop.mesh, std::move(holds), false, task.run);
+  live.follow(next.nodes);
+  next.loop.mesh = live.mesh();
+  const std::vector<std::int32_t> number =
+      drop_unused(next.nodes, refilled.mesh.tets, next.loop.mesh, task.run);
+  for (std::size_t n = 0; n < number.size(); ++n)
+    if (number[n] >= 0) refilled.mesh.nodes[number[n]] = refilled.mesh.nodes[n];
+  refilled.mesh.nodes.resize(next.nodes.positions.size());
+  next.delaunay = peeled(next, task, patch, inside);
+
+  ReusedMesh made{std::move(refilled.mesh), {}, {{}, looked_up(mesh.same.output, refilled.was)}};
+  std::vector<std::int32_t> was = refilled.was;
+  put_back(next, made, task, patch, kConfineLimits.all_failures);
+  made_anew = std::ranges::count(was, -1);
+  const auto improve_some = [&](const std::vector<std::uint8_t>& dirty) {
+    ImproveResult improved = improve(
+        made.mesh, next.nodes.supports, task.cells.boundary, dirty,
+        {.threshold = task.options.threshold, .locked = next.nodes.interface_nodes}, task.run);
+    was = looked_up(was, improved.was);
+    made = {std::move(improved.mesh), {}, {{}, looked_up(mesh.same.output, was)}};
+    put_back(next, made, task, patch, kConfineLimits.all_failures);
+    made_anew = std::ranges::count(was, -1);
+  };
+  if (!task.options.clean_up || is_hopeless(next, made_anew)) return next;
+  // What is wrong first: where that cannot be mended, it is in vain to improve the rest.
+  if (!next.verification.valid && only_tets_are_wrong(next.verification) &&
+      can_be_improved(made.mesh, next.verification))
+    improve_some(faulty_tets(next));
+  if (next.verification.valid)
+    improve_some(worth_improving(made.mesh, was, mesh, next.nodes.supports, task.cells.boundary,
+                                 least_size(task.options.sizing, task.density.sizes.base())));
+  return next;
+}
+
+}  // namespace
+
+void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+             const InsideTest& inside, Attempt& attempt) {
+  ReusedMesh mesh = cleaned_up(c, task, patch, false);  // clean-up mends nothing
+  put_back(c, mesh, task, patch, kConfineLimits.all_failures);
+  if (c.verification.valid) {  // it is what is wrong
+    mesh = cleaned_up(c, task, patch, task.options.clean_up);
+    put_back(c, mesh, task, patch, kConfineLimits.all_failures);
+  }
+  const std::vector<Vec3> places = faulty_places(c.verification);
+  const std::size_t tets = mesh.mesh.tets.size();
+  if (static_cast<double>(places.size()) > kConfineLimits.most * static_cast<double>(tets)) {
+    attempt.tries.push_back({attempt.name + ", refilled",
+                             "too much is wrong: " + std::to_string(places.size()) +
+                                 " places of a mesh of " + std::to_string(tets) + " tets",
+                             0});
+    attempt.hopeless = !task.options.sizing.even;
+    return;
+  }
+  std::vector<Vec3> wrong_again;
+  struct Tried {
+    double margin = 0;
+    std::size_t wrong_again = 0;
+  } last;
+  for (const double margin : kRefillMargins) {
+    if (places.empty()) return;
+    if (margin == last.margin && wrong_again.size() == last.wrong_again) continue;  // the same
+    last = {margin, wrong_again.size()};
+    const Stopwatch watch;
+    const auto give_up = [&](const std::string& why) {
+      attempt.tries.push_back({attempt.name + ", refilled", why, watch.total()});
+    };
+    auto made = refill({c.whole, c.verification, mesh.mesh, places, wrong_again},
+                       task.cells.boundary, task.density.sizes, margin, task.run);
+    if (const auto* why = std::get_if<std::string>(&made)) {
+      give_up(*why);
+      continue;
+    }
+    try {
+      std::ptrdiff_t made_anew = 0;
+      Candidate next = with_refilled(c, mesh, std::get<RefilledMesh>(std::move(made)), task, patch,
+                                     inside, made_anew);
+      if (next.verification.valid) {
+        const MeshDefect& defect = c.verification.failures.front();
+        attempt.warnings.push_back({.code = WarningCode::Fallback,
+                                    .message = defect.what + "; TetGen filled the place",
+                                    .point = defect.place});
+        c = std::move(next);
+        attempt.last_resort_share =
+            static_cast<double>(made_anew) / static_cast<double>(c.whole.mesh.tets.size());
+        return;
+      }
+      give_up(next.verification.failures.front().what);
+      if (is_hopeless(next, made_anew)) {
+        attempt.hopeless = true;
+        return;
+      }
+      const std::vector<Vec3> more = faulty_places(next.verification);
+      wrong_again.insert(wrong_again.end(), more.begin(), more.end());
+    } catch (const PatchTooSmall& where) {
+      give_up(std::string("the part cut out of the base did not suffice for ") + where.where);
+      return;  // nor for more round it
+    }
+  }
+}
+
+}  // namespace remeshd
