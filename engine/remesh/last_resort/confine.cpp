@@ -21,7 +21,8 @@ namespace {
 
 struct ConfineLimits {
   std::uint32_t all_failures = 100'000;
-  double most = 0.15;  ///< of the tets: with more faults there is no place that is wrong
+  /// Of the tets: with more faults, though it got many more nodes, there is no place that is wrong.
+  double most = 0.15;
   double hopeless =
       0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
 };
@@ -35,13 +36,18 @@ bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
          kConfineLimits.hopeless * static_cast<double>(made);
 }
 
-/// By tet of the patch's mesh: 1 where it was found to be wrong.
-std::vector<std::uint8_t> faulty_tets(const Candidate& c) {
+/// By tet of a patch's mesh: 1 where it was found to be wrong or has a node in common with one.
+std::vector<std::uint8_t> round_faulty_tets(const Candidate& c, const TetMesh& mesh) {
   std::set<std::int32_t> faulty;
   for (const MeshDefect& defect : c.verification.failures) faulty.insert(defect.entity);
-  std::vector<std::uint8_t> wrong;
-  for (const std::int32_t t : c.whole.new_tets) wrong.push_back(faulty.contains(t) ? 1 : 0);
-  return wrong;
+  std::vector<std::uint8_t> at_faulty(mesh.nodes.size(), 0);
+  for (std::size_t k = 0; k < mesh.tets.size(); ++k)
+    if (faulty.contains(c.whole.new_tets[k]))
+      for (const std::int32_t n : mesh.tets[k]) at_faulty[n] = 1;
+  std::vector<std::uint8_t> dirty(mesh.tets.size(), 0);
+  for (std::size_t k = 0; k < mesh.tets.size(); ++k)
+    for (const std::int32_t n : mesh.tets[k]) dirty[k] |= at_faulty[n];
+  return dirty;
 }
 
 /// The mesh with a part of the patch refilled, its new nodes in the Delaunay mesh too, cleaned up
@@ -85,7 +91,7 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
   // What is wrong first: where that cannot be mended, it is in vain to improve the rest.
   if (!next.verification.valid && only_tets_are_wrong(next.verification) &&
       can_be_improved(made.mesh, next.verification))
-    improve_some(faulty_tets(next));
+    improve_some(round_faulty_tets(next, made.mesh));
   if (next.verification.valid)
     improve_some(worth_improving(made.mesh, was, mesh, next.nodes.supports, task.cells.boundary,
                                  least_size(task.options.sizing, task.density.sizes.base())));
@@ -104,7 +110,8 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
   }
   const std::vector<Vec3> places = faulty_places(c.verification);
   const std::size_t tets = mesh.mesh.tets.size();
-  if (static_cast<double>(places.size()) > kConfineLimits.most * static_cast<double>(tets)) {
+  if (c.too_fine &&
+      static_cast<double>(places.size()) > kConfineLimits.most * static_cast<double>(tets)) {
     attempt.tries.push_back({attempt.name + ", refilled",
                              "too much is wrong: " + std::to_string(places.size()) +
                                  " places of a mesh of " + std::to_string(tets) + " tets",
