@@ -17,9 +17,9 @@ namespace remeshd {
 namespace {
 
 struct PlaceLimits {
-  double even = 1.5;     ///< the greatest thickness of a place over the least
-  double smallest = 1;   ///< x thickness: from its middle to its corners, where it is not even
-  double largest = 1;    ///< x greatest thickness: the same; what lies between is not looked at
+  double even = 1.5;    ///< the greatest thickness of a place over the least
+  double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
+  double largest = 1;   ///< x greatest thickness: the same; what lies between is not looked at
   double cube = 0.15;   ///< x greatest thickness: side of those that one thin place does for
 };
 constexpr PlaceLimits kPlaceLimits;

@@ -21,8 +21,7 @@ namespace {
 
 struct ConfineLimits {
   std::uint32_t all_failures = 100'000;
-  /// Of the tets: with more faults, though it got many more nodes, there is no place that is wrong.
-  double most = 0.15;
+  double most = 0.15;  ///< of the tets: a mesh with more faults is wrong all over
   double hopeless =
       0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
 };
@@ -34,6 +33,23 @@ constexpr std::array kRefillMargins{1.5, 1.5, 3.0, 3.0, 6.0};  // x edge length
 bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
   return static_cast<double>(c.verification.failures.size()) >
          kConfineLimits.hopeless * static_cast<double>(made);
+}
+
+/// The mesh before clean-up, which mends nothing, or, where clean-up is what is wrong, after it;
+/// put back, with all that is wrong told. Throws PatchTooSmall.
+ReusedMesh with_all_faults(Candidate& c, const MeshingTask& task, const MeshPatch& patch) {
+  ReusedMesh mesh = cleaned_up(c, task, patch, false);
+  put_back(c, mesh, task, patch, kConfineLimits.all_failures);
+  if (!c.verification.valid) return mesh;
+  mesh = cleaned_up(c, task, patch, task.options.clean_up);
+  put_back(c, mesh, task, patch, kConfineLimits.all_failures);
+  return mesh;
+}
+
+/// Whether there is no place that is wrong, and its nodes were not too few.
+bool is_wrong_all_over(const Candidate& c, std::size_t places, std::size_t tets) {
+  return c.too_fine &&
+         static_cast<double>(places) > kConfineLimits.most * static_cast<double>(tets);
 }
 
 /// By tet of a patch's mesh: 1 where it was found to be wrong or has a node in common with one.
@@ -102,19 +118,13 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
 
 void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
              const InsideTest& inside, Attempt& attempt) {
-  ReusedMesh mesh = cleaned_up(c, task, patch, false);  // clean-up mends nothing
-  put_back(c, mesh, task, patch, kConfineLimits.all_failures);
-  if (c.verification.valid) {  // it is what is wrong
-    mesh = cleaned_up(c, task, patch, task.options.clean_up);
-    put_back(c, mesh, task, patch, kConfineLimits.all_failures);
-  }
+  const ReusedMesh mesh = with_all_faults(c, task, patch);
   const std::vector<Vec3> places = faulty_places(c.verification);
-  const std::size_t tets = mesh.mesh.tets.size();
-  if (c.too_fine &&
-      static_cast<double>(places.size()) > kConfineLimits.most * static_cast<double>(tets)) {
+  if (is_wrong_all_over(c, places.size(), mesh.mesh.tets.size())) {
     attempt.tries.push_back({attempt.name + ", refilled",
                              "too much is wrong: " + std::to_string(places.size()) +
-                                 " places of a mesh of " + std::to_string(tets) + " tets",
+                                 " places of a mesh of " + std::to_string(mesh.mesh.tets.size()) +
+                                 " tets",
                              0});
     attempt.hopeless = !task.options.sizing.even;
     return;

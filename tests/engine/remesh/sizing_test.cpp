@@ -41,9 +41,11 @@ TEST(Sizing, CirclesGetTheirEdgesAndTheBudgetHolds) {
 TEST(Sizing, TheBudgetHoldsWhereTheRulesJustDo) {
   // The search swung between weakened rules and coarser ones, and took its last start: 1,567.
   std::vector<FeatureSource> features{test::block("plate", 30, 30, 3)};
-  for (int k = 0; k < 6; ++k)
-    features.push_back(test::placed(test::cylinder("pin" + std::to_string(k), 1.5, 3),
-                                    -10 + 10 * (k / 3), -10 + 10 * (k % 3), 2.25));
+  int pin = 0;
+  for (const double x : {-10.0, 0.0})
+    for (const double y : {-10.0, 0.0, 10.0})
+      features.push_back(
+          test::placed(test::cylinder("pin" + std::to_string(pin++), 1.5, 3), x, y, 2.25));
   const Revision r = make_revision(Revision::none(), test::model_of(features), graded(1470), kRun);
   EXPECT_NEAR(r.report.counts.nodes, 1470, 0.03 * 1470);
 }
