@@ -15,18 +15,18 @@
 namespace remeshd {
 namespace {
 
-/// What is known of the tets of a patch and their neighbours beyond it, from before.
-class Known {
+/// Finds what is known of the tets of a patch and their neighbours beyond it, from before.
+class PatchClassifier {
  public:
-  Known(const NodeSet& nodes, const DelaunayMesh& mesh, const MeshPatch& patch,
-        const CopyPlan& plan)
+  PatchClassifier(const NodeSet& nodes, const DelaunayMesh& mesh, const MeshPatch& patch,
+                  const CopyPlan& plan)
       : nodes_(nodes),
         mesh_(mesh),
         patch_(patch),
         plan_(plan),
         known_(KnownClassification::nothing(mesh, patch.exterior)) {}
 
-  KnownClassification classification() {
+  KnownClassification known() {
     find_unchanged();
     if (!gone_.empty()) find_outside_still();
     return std::move(known_);
@@ -167,7 +167,7 @@ std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, De
 PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                   const InsideTest& inside) {
   return peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
-              Known(c.nodes, c.loop.mesh, patch, task.plan).classification(),
+              PatchClassifier(c.nodes, c.loop.mesh, patch, task.plan).known(),
               {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
 }
 
