@@ -165,13 +165,13 @@ TEST_F(LifeOfAProcess, IsToldByHealth) {
 }
 
 TEST_F(LifeOfAProcess, OpensItsLogAnewOnSighup) {
-  Process process({"--listen", "127.0.0.1:0", "--log-file", file("log"), "--log-format", "json",
-                   "--port-file", file("port")});
-  ASSERT_TRUE(eventually([&] { return fs::exists(file("port")); }));
+  const std::string serving = "\"message\":\"serving remesh.v1 on ";
+  Process process({"--listen", "127.0.0.1:0", "--log-file", file("log"), "--log-format", "json"});
+  ASSERT_TRUE(eventually([&] { return text(file("log")).find(serving) != std::string::npos; }));
   fs::rename(file("log"), file("log.1"));
   process.signal(SIGHUP);
   EXPECT_TRUE(eventually([&] { return text(file("log")).find("SIGHUP") != std::string::npos; }));
-  EXPECT_THAT(text(file("log.1")), HasSubstr("\"message\":\"serving remesh.v1 on "));
+  EXPECT_THAT(text(file("log.1")), HasSubstr(serving));
   struct stat status {};
   ASSERT_EQ(::stat(file("log").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
