@@ -9,7 +9,8 @@
 namespace remeshd {
 
 /// By output node of a revision the edge length that it was made for: that of its size field where
-/// the node is new or has moved, the parent's where it has stayed. None of an even mesh.
+/// the node is new or has moved, or has stayed though that differs much from the parent's, else the
+/// parent's. None of an even mesh.
 CowVector<double> made_for(const Revision& parent, const Revision& revision, const Run& run);
 
 /// The plan with what would stay in place new round nodes that were made for edge lengths that
