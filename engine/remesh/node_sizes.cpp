@@ -53,13 +53,9 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
     for (std::size_t n = begin; n < end; ++n) {
       const bool kept = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept);
       const double was = kept ? made_for(parent, output.map.original_node[n]) : 0;
-      if (kept && same_tets) {
-        all[n] = was;
-        continue;
-      }
       // What was off has been looked at: a node that stays is right for the length there.
-      const double wanted = sizes(positions[n]);
-      all[n] = kept && !differ(was, wanted) ? was : wanted;
+      const bool as_before = kept && (same_tets || !differ(was, sizes(positions[n])));
+      all[n] = as_before ? was : sizes(positions[n]);
     }
   });
   return {std::span<const double>(all), parent.output.node_sizes};

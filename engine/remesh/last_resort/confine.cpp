@@ -126,7 +126,6 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
                                  " places of a mesh of " + std::to_string(mesh.mesh.tets.size()) +
                                  " tets",
                              0});
-    attempt.hopeless = !task.options.sizing.even;
     return;
   }
   std::vector<Vec3> wrong_again;

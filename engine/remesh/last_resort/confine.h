@@ -9,7 +9,7 @@ namespace remeshd {
 
 /// The local last resort, where a mesh is not valid: what is wrong is refilled, with smaller facets
 /// where it is wrong again, and more and more round it. A mesh that is wrong all over, many nodes
-/// inserted or not, stays as it is, which marks the attempt as hopeless.
+/// inserted or not, stays as it is.
 ///
 /// Post: `candidate` is valid, with a warning in `attempt` and the share of the tets that were made
 /// anew; or it is wrong still, and `attempt` has what was tried.
