@@ -25,7 +25,7 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
   const CellularModel cells = build_cells(model, run);
   Density density = resolve_density(parent(base), options, model, cells, run);
   Forecast expected = forecast(density, model, cells, options, watch.total(), run);
-  std::vector<Warning> warnings = names_to_be_lost(parent(base), model, cells.boundary);
+  std::vector<Warning> warnings = names_to_be_lost(parent(base), model, cells.boundary, run);
   std::ranges::move(density.warnings, std::back_inserter(warnings));
   return {.volume = cells.volume,
           .area = cells.area,
@@ -40,7 +40,7 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 19,
+  return {.algorithm_version = 20,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

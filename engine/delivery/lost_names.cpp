@@ -193,10 +193,11 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
 /// Appends the size controls whose selectors name no face of the boundary, but for those that named
 /// none in the original.
 void add_emptied_sizes(const Revision& original, const FeatureModel& model,
-                       const BoundaryModel& boundary, std::vector<Warning>& warnings) {
+                       const BoundaryModel& boundary, const Run& run,
+                       std::vector<Warning>& warnings) {
   if (model.sizes.empty()) return;
-  const auto before = sizes_of_nothing(original.model.sizes, original.cells.boundary);
-  for (const std::string& size : sizes_of_nothing(model.sizes, boundary))
+  const auto before = sizes_of_nothing(original.model, original.cells.boundary, run);
+  for (const std::string& size : sizes_of_nothing(model, boundary, run))
     if (std::ranges::find(before, size) == before.end())
       warnings.push_back({.code = WarningCode::GroupEmptied,
                           .message = "the size " + size + " selects no face of the boundary",
@@ -205,18 +206,18 @@ void add_emptied_sizes(const Revision& original, const FeatureModel& model,
 
 }  // namespace
 
-std::vector<Warning> lost_names(const Revision& original, const Revision& made) {
+std::vector<Warning> lost_names(const Revision& original, const Revision& made, const Run& run) {
   std::vector<Warning> warnings;
   if (!same_names(original, made))
     warnings = losses(original, made.model, Names(made.output.groups));
-  add_emptied_sizes(original, made.model, made.cells.boundary, warnings);
+  add_emptied_sizes(original, made.model, made.cells.boundary, run, warnings);
   return warnings;
 }
 
 std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureModel& model,
-                                      const BoundaryModel& boundary) {
+                                      const BoundaryModel& boundary, const Run& run) {
   std::vector<Warning> warnings = losses(original, model, NamesToCome(model, boundary));
-  add_emptied_sizes(original, model, boundary, warnings);
+  add_emptied_sizes(original, model, boundary, run, warnings);
   return warnings;
 }
 

@@ -14,13 +14,13 @@ namespace remeshd {
 /// A feature that lost all of its faces is told once, as one without effect where that is certain.
 /// Of features and sizes that the original had without effect already nothing is said again.
 /// `original`: null for a first mesh.
-std::vector<Warning> lost_names(const Revision& original, const Revision& made);
+std::vector<Warning> lost_names(const Revision& original, const Revision& made, const Run& run);
 
 /// Those of them that are certain before there is a mesh, from the model and the boundary alone: a
 /// verified mesh has a facet on each face, and none with a name that its face has not. What depends
 /// on where tets lie is left out: whether a feature without a face still has material, and groups
 /// on faces that several features share.
 std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureModel& model,
-                                      const BoundaryModel& boundary);
+                                      const BoundaryModel& boundary, const Run& run);
 
 }  // namespace remeshd

@@ -2,6 +2,7 @@
 
 #include <muParser.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -128,19 +129,23 @@ struct Scope::Parser {
   double evaluate(const std::string& text, std::string_view feature, std::string_view parameter) {
     const std::vector<std::string> missing = unknowns(text, feature, parameter);
     if (!missing.empty()) throw error::unknown_name(feature, parameter, missing.front(), text);
-    double result = 0;
+    const double result = one_value(text, feature, parameter);
+    if (!std::isfinite(result)) throw error::non_finite_value(feature, parameter, text);
+    return result;
+  }
+
+  /// The value of a text whose names are all defined, be it finite or not.
+  double one_value(const std::string& text, std::string_view feature, std::string_view parameter) {
     try {
       mu.SetExpr(text);
       int count = 0;
       const double* values = mu.Eval(count);
       if (count != 1)
         throw error::invalid_expression(feature, parameter, text, "a list is no value");
-      result = values[0];
+      return values[0];
     } catch (const mu::ParserError& e) {
       throw error::invalid_expression(feature, parameter, text, e.GetMsg());
     }
-    if (!std::isfinite(result)) throw error::non_finite_value(feature, parameter, text);
-    return result;
   }
 };
 
@@ -210,15 +215,68 @@ double Scope::value(const Scalar& scalar, const std::map<std::string, double>& b
   const auto* text = std::get_if<std::string>(&scalar);
   if (text == nullptr) return value(scalar, feature, parameter);
   Parser inner;
+  for (const auto& [name, number] : known_names(inner, *text, before, feature, parameter))
+    inner.mu.DefineConst(name, number);
+  return inner.evaluate(*text, feature, parameter);
+}
+
+OpenExpression Scope::open(const std::string& text, std::span<const char* const> names,
+                           const std::map<std::string, double>& before, std::string_view feature,
+                           std::string_view parameter) const {
+  Parser inner;
+  double any = 0;
+  for (const char* name : names) inner.mu.DefineVar(name, &any);
+  OpenExpression expression{text, known_names(inner, text, before, feature, parameter)};
+  for (const char* name : names) expression.numbers.erase(name);
+  for (const auto& [name, number] : expression.numbers) inner.mu.DefineConst(name, number);
+  for (const std::string& name : inner.unknowns(text, feature, parameter))
+    if (std::ranges::find(names, name) == names.end())
+      throw error::unknown_name(feature, parameter, name, text);
+  inner.one_value(text, feature, parameter);  // reads it whole
+  return expression;
+}
+
+std::map<std::string, double> Scope::known_names(Parser& inner, const std::string& text,
+                                                 const std::map<std::string, double>& before,
+                                                 std::string_view feature,
+                                                 std::string_view parameter) const {
+  std::map<std::string, double> known;
   const auto& parameters = parser_->mu.GetConst();
-  for (const std::string& name : inner.unknowns(*text, feature, parameter)) {
+  for (const std::string& name : inner.unknowns(text, feature, parameter)) {
     if (const auto own = before.find(name); own != before.end()) {
-      inner.mu.DefineConst(name, own->second);
-    } else if (const auto known = parameters.find(name); known != parameters.end()) {
-      inner.mu.DefineConst(name, known->second);
+      known[name] = own->second;
+    } else if (const auto found = parameters.find(name); found != parameters.end()) {
+      known[name] = found->second;
     }
   }
-  return inner.evaluate(*text, feature, parameter);
+  return known;
+}
+
+struct OpenValue::Parser {
+  mu::Parser mu = bare_parser();
+  std::vector<double> values;
+};
+
+OpenValue::OpenValue(const OpenExpression& expression, std::span<const char* const> names)
+    : parser_(std::make_unique<Parser>()) {
+  parser_->values.resize(names.size());
+  for (const auto& [name, number] : expression.numbers) parser_->mu.DefineConst(name, number);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    parser_->mu.DefineVar(names[k], &parser_->values[k]);
+  parser_->mu.SetExpr(expression.text);
+}
+
+OpenValue::~OpenValue() = default;
+OpenValue::OpenValue(OpenValue&&) noexcept = default;
+
+double OpenValue::operator()(std::span<const double> values) {
+  std::ranges::copy(values, parser_->values.begin());
+  try {
+    const double value = parser_->mu.Eval();
+    return std::isfinite(value) ? value : std::nan("");
+  } catch (const mu::ParserError&) {
+    return std::nan("");  // of these values alone: the text has been read once
+  }
 }
 
 }  // namespace remeshd

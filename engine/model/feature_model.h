@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/vec.h"
+#include "engine/model/selection/selected_faces.h"
 #include "engine/model/source.h"
 
 namespace remeshd {
@@ -72,8 +73,7 @@ struct Feature {
 
 /// Faces of one feature, and the target edge length that a size control asks for on them.
 struct SizedFaces {
-  int feature = -1;                ///< index in history
-  std::vector<std::string> faces;  ///< as `faces_of` names them, each once
+  SelectedFaces on;
   double size = 0;
   friend bool operator==(const SizedFaces&, const SizedFaces&) = default;
 };
@@ -92,7 +92,8 @@ struct SizedBox {
 /// An evaluated size control.
 struct SizeControl {
   std::string id;
-  /// The faces that its selector names, feature by feature, maybe none; or a part of space.
+  /// The faces that its selector names, feature by feature in the order of history, maybe none; or
+  /// a part of space.
   std::variant<std::vector<SizedFaces>, SizedBall, SizedBox> place;
   friend bool operator==(const SizeControl&, const SizeControl&) = default;
 };

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMeasureStep = 1.0;      // of the edge length
 constexpr double kMeasurePoints = 20000;  // at most; the order of sources needs no more
+constexpr double kInPlaceExtent = 0.1;    // x a feature's least extent: as far as `in_place` holds
 
 /// The rigid motion that carries the frame `from` to `to`; a pure translation where the axes agree.
 Transform motion(const Transform& from, const Transform& to) {
@@ -42,8 +43,8 @@ bool same_shape(const Feature& a, const Feature& b) {
 
 }  // namespace
 
-CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
-                   const Run& run)
+CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified,
+                   const CopyLengths& lengths, const Run& run)
     : modified_(modified),
       original_(original),
       probe_(tolerance::kProbe * modified_.bounds().diagonal()) {
@@ -51,8 +52,8 @@ CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified, d
     changed_.push_back(modified_.bounds());
     return;
   }
-  match(original, modified);
-  measure(edge_length, run);
+  match(original, modified, lengths.in_place);
+  measure(lengths.edge_length, run);
 }
 
 std::int32_t CopyPlan::find_transform(const Feature& original, const Feature& modified) {
@@ -68,7 +69,18 @@ std::int32_t CopyPlan::find_transform(const Feature& original, const Feature& mo
   return static_cast<std::int32_t>(transforms_.size()) - 1;
 }
 
-void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified) {
+bool CopyPlan::moves_less(int original, const Transform& motion, double in_place) const {
+  const Box& box = original_.solids()[original].bounds();
+  const Vec3 extent = box.hi - box.lo;
+  const double least = std::fmin(extent.x, std::fmin(extent.y, extent.z));
+  const double most = std::fmin(in_place, kInPlaceExtent * least);
+  return std::ranges::all_of(corners_of(box), [&](const Vec3& corner) {
+    return distance(corner, motion.apply(corner)) < most;
+  });
+}
+
+void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified, double in_place) {
+  const double size = modified_.bounds().diagonal();
   std::vector<std::uint8_t> matched(original.features.size(), 0);
   int last = -1;
   for (int m = 0; m < static_cast<int>(modified.features.size()); ++m) {
@@ -81,8 +93,10 @@ void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified)
     }
     matched[o] = 1;
     const Feature& then = original.features[o];
-    const std::int32_t transform = find_transform(then, now);
-    const bool same = same_shape(then, now);
+    const Transform moved = motion(then.alignment, now.alignment);
+    const bool stays = !same_motion(moved, {}, size) && moves_less(o, moved, in_place);
+    const std::int32_t transform = find_transform(then, stays ? then : now);
+    const bool same = !stays && same_shape(then, now);
     sources_.push_back({o, m, transform, inverses_[transform], same, 0});
     const bool in_order = o > last;
     last = std::max(last, o);

@@ -19,8 +19,17 @@ struct SourceFeature {
   int modified = -1;            ///< index in the modified model
   std::int32_t transform = -1;  ///< index into CopyPlan::transforms
   Transform to_original;        ///< A_orig * A_mod^-1
-  bool same_shape = false;      ///< the original, moved by the transformation, is the modified one
-  double volume = 0;            ///< of the copycells it covers, estimated on a lattice
+  /// The original, moved by the transformation, is the modified one; not where it is left in place.
+  bool same_shape = false;
+  double volume = 0;  ///< of the copycells it covers, estimated on a lattice
+};
+
+struct CopyLengths {
+  double edge_length = 0;  ///< target; sets how finely the copying volumes are measured
+  /// A feature that moves by less, and by little of its own extents, is copied where it is, not
+  /// with its motion as the paper has it: its faces move less than its nodes stand apart, and what
+  /// crosses it stays.
+  double in_place = 0;
 };
 
 /// Where the material at a point of the modified model comes from, by point membership in the
@@ -35,9 +44,8 @@ class CopyPlan {
   static constexpr std::int32_t kOutside = -2;  ///< not in the modified model
   static constexpr std::int32_t kNew = -1;      ///< in a newcell
 
-  /// Of an original without features everything is new. `edge_length`: target; sets how finely the
-  /// copying volumes are measured.
-  CopyPlan(const FeatureModel& original, const FeatureModel& modified, double edge_length,
+  /// Of an original without features everything is new.
+  CopyPlan(const FeatureModel& original, const FeatureModel& modified, const CopyLengths& lengths,
            const Run& run);
 
   /// What of a region is made anew, not copied.
@@ -87,8 +95,9 @@ class CopyPlan {
  private:
   [[nodiscard]] bool is_new(const Vec3& p, Anew which) const;
   [[nodiscard]] std::int32_t copied_by(const Vec3& p) const;
-  void match(const FeatureModel& original, const FeatureModel& modified);
+  void match(const FeatureModel& original, const FeatureModel& modified, double in_place);
   void measure(double edge_length, const Run& run);
+  [[nodiscard]] bool moves_less(int original, const Transform& motion, double in_place) const;
   std::int32_t find_transform(const Feature& original, const Feature& modified);
 
   Membership modified_;

@@ -16,7 +16,8 @@ constexpr int kSteps = 2;        // cubes to that
 
 const CopyPlan& Problem::plan() const {
   if (!plan_) {
-    CopyPlan plan(parent.delaunay_model(), modified.model, density.sizes.base(), run);
+    CopyPlan plan(parent.delaunay_model(), modified.model,
+                  copy_lengths(density.sizes.base(), density.sizes.even()), run);
     std::optional<CopyPlan> anew = resized(plan, parent, modified, density.sizes, run);
     is_resized_ = anew.has_value();
     plan_ = std::make_unique<const CopyPlan>(anew ? *std::move(anew) : std::move(plan));
@@ -38,8 +39,8 @@ const EntityMap& Problem::entities() const {
 }
 
 std::unique_ptr<const CopyPlan> plan_of_nothing(const Problem& problem) {
-  return std::make_unique<const CopyPlan>(FeatureModel{}, problem.modified.model,
-                                          problem.density.sizes.base(), problem.run);
+  return std::make_unique<const CopyPlan>(FeatureModel{}, problem.modified.model, CopyLengths{},
+                                          problem.run);
 }
 
 std::vector<Vec3> Attempt::faulty_places() const {

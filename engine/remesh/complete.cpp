@@ -115,7 +115,7 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
   revision.output.node_sizes = made_for(parent, revision, problem.run);
   report.last_resort_share = last_resort_share(parent, report, made_anew);
-  for (auto& found : {lost_names(parent, revision), shortfalls(revision)})
+  for (auto& found : {lost_names(parent, revision, problem.run), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());
   report.seconds.total = watch.total();
   const PhaseSeconds& s = report.seconds;

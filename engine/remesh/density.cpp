@@ -9,7 +9,6 @@
 #include "engine/model/selection/size_error.h"
 #include "engine/nodes/density.h"
 #include "engine/nodes/fill/fill.h"
-#include "engine/plan/copy_plan.h"
 #include "engine/remesh/node_budget.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/sizing/size_controls.h"
@@ -24,6 +23,7 @@ struct NewcellBalls {
   double apart = 1.5, radius = 0.5;  ///< x edge length
 };
 constexpr NewcellBalls kBalls;
+constexpr double kInPlace = 0.25;  // x base size: what moves by less is copied where it is
 
 /// How many nodes there would have to be, and how many edges circles have now.
 Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
@@ -60,8 +60,8 @@ Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
 
 /// What asks for edge lengths beside the rules: the model, and densities that edits were given.
 std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryModel& boundary,
-                                    const std::vector<SizedBall>& dense_places) {
-  std::vector<SizeSource> sources = size_sources(model.sizes, boundary);
+                                    const std::vector<SizedBall>& dense_places, const Run& run) {
+  std::vector<SizeSource> sources = size_sources(model, boundary, run);
   for (const SizedBall& place : dense_places) sources.push_back(size_source(place));
   return sources;
 }
@@ -69,7 +69,7 @@ std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryMod
 /// The newcells of an edit, as balls that ask for an edge length.
 std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& model,
                                 double edge_length, const Run& run) {
-  const CopyPlan plan(parent.delaunay_model(), model, edge_length, run);
+  const CopyPlan plan(parent.delaunay_model(), model, copy_lengths(parent.edge_length, false), run);
   // No point of space is further from the lattice than the balls and half an edge length.
   const double constant = kBalls.apart * edge_length;
   std::vector<SizedBall> balls;
@@ -100,7 +100,7 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
   }
   const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
   const SizeRules rules(cells.boundary, options.sizing, {most, edge_length}, run,
-                        asked_sizes(model, cells.boundary, density.dense_places));
+                        asked_sizes(model, cells.boundary, density.dense_places, run));
   if (density.count) {
     Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
     if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
@@ -130,7 +130,7 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
   const double volume = cells.volume, area = cells.area;
   const bool first = parent.output.mesh.tets.empty();
   if (first)
-    for (const std::string& size : sizes_of_nothing(model.sizes, cells.boundary))
+    for (const std::string& size : sizes_of_nothing(model, cells.boundary, run))
       throw error::selector_empty(size);
   Density density;
   double edge_length = 0;
@@ -155,11 +155,15 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
   return density;
 }
 
+CopyLengths copy_lengths(double base, bool even) {
+  return {.edge_length = base, .in_place = even ? 0 : kInPlace * base};
+}
+
 SizeField sizes_of(const Revision& revision, const Run& run) {
   if (revision.sizes) return *revision.sizes;
   const BoundaryModel& boundary = revision.cells.boundary;
   return SizeRules(boundary, revision.options.sizing, revision.edge_length, run,
-                   asked_sizes(revision.model, boundary, revision.dense_places))
+                   asked_sizes(revision.model, boundary, revision.dense_places, run))
       .field(revision.edge_length, revision.rules_weakening);
 }
 

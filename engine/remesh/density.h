@@ -6,6 +6,7 @@
 
 #include "engine/base/run.h"
 #include "engine/base/warning.h"
+#include "engine/plan/copy_plan.h"
 #include "engine/revision/revision.h"
 #include "engine/sizing/size_field.h"
 
@@ -27,6 +28,10 @@ struct Density {
 /// would need more nodes than `run.max_nodes`.
 Density resolve_density(const Revision& parent, const MeshOptions& options,
                         const FeatureModel& model, const CellularModel& cells, const Run& run);
+
+/// What an edit's plan measures and copies in place by. An even mesh is the paper's: whatever moves
+/// is copied with its motion.
+CopyLengths copy_lengths(double base, bool even);
 
 /// The target edge lengths that a revision was meshed with.
 SizeField sizes_of(const Revision& revision, const Run& run);

@@ -113,8 +113,9 @@ std::vector<Forecast::Detail> details_of(const Density& density, const FeatureMo
       ask(model.features[name.feature].id, name.face, size);
   for (const SizeControl& control : model.sizes)
     if (const auto* selected = std::get_if<std::vector<SizedFaces>>(&control.place))
-      for (const SizedFaces& on : *selected)
-        for (const std::string& face : on.faces) ask(model.features[on.feature].id, face, on.size);
+      for (const SizedFaces& sized : *selected)
+        for (const std::string& face : sized.on.faces)
+          ask(model.features[sized.on.feature].id, face, sized.size);
   std::vector<Forecast::Detail> details;
   for (const auto& [name, size] : least) details.push_back({name.first, name.second, size});
   std::ranges::stable_sort(details, {}, &Forecast::Detail::size);

@@ -193,7 +193,7 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
       problem.run.warn(report.warnings);
       if (problem.run.on_warnings)
         problem.run.warn(names_to_be_lost(problem.parent, problem.modified.model,
-                                          problem.modified.cells.boundary));
+                                          problem.modified.cells.boundary, problem.run));
       Stopwatch watch;
       static_cast<void>(problem.plan());
       watch.lap(report.seconds.difference);

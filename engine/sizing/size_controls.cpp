@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <variant>
+
+#include "engine/cellular/boundary_model/face_part.h"
+#include "engine/model/solid.h"
 
 namespace remeshd {
 
@@ -10,17 +15,57 @@ namespace {
 
 using Selected = std::vector<SizedFaces>;
 
-/// The length asked for on a face of the boundary; infinite where it is not selected.
-double asked_on(const BoundaryFace& face, const Selected& selected) {
-  double size = HUGE_VAL;
+constexpr double kPartLength = 0.5;       // of the length asked for: how finely a part is told
+constexpr double kMaterialBalls = 50000;  // in the box of a feature, at most
+constexpr double kHalfDiagonal = std::numbers::sqrt3 / 2;  // of a cube, by its side
+
+/// Of the faces selected those that a face of the boundary is covered by.
+std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selected& selected) {
+  std::vector<const SizedFaces*> found;
   for (const FaceName& name : face.names) {
-    const auto of_feature =
-        std::ranges::lower_bound(selected, name.feature, {}, &SizedFaces::feature);
-    if (of_feature == selected.end() || of_feature->feature != name.feature) continue;
-    if (std::ranges::find(of_feature->faces, name.face) != of_feature->faces.end())
-      size = std::fmin(size, of_feature->size);
+    const auto of_feature = std::ranges::equal_range(
+        selected, name.feature, {}, [](const SizedFaces& sized) { return sized.on.feature; });
+    for (const SizedFaces& sized : of_feature)
+      if (std::ranges::find(sized.on.faces, name.face) != sized.on.faces.end())
+        found.push_back(&sized);
   }
-  return size;
+  return found;
+}
+
+bool is_conditional(const SizedFaces& sized) { return !sized.on.condition.text.empty(); }
+
+/// What is selected of a face of the boundary by a condition, as fine as the length asked for.
+std::vector<std::array<Vec3, 3>> part_of(const BoundaryFace& face, const SizedFaces& sized,
+                                         const Run& run) {
+  return part_where(face, sized.on.condition, kPartLength * sized.size, run);
+}
+
+/// Balls of the length asked for that cover the material of a feature, where the condition holds,
+/// if it is selected; as many as there are points of a cubic lattice in it, of large features not
+/// all.
+std::vector<SizedBall> material_of(const SizedFaces& sized, const FeatureModel& model,
+                                   const Run& run) {
+  if (!sized.on.whole || model.features[sized.on.feature].nature != Nature::Additive) return {};
+  const Membership membership(model);
+  const Box& box = membership.solids()[sized.on.feature].bounds();
+  const Vec3 extent = box.hi - box.lo;
+  const double apart =
+      std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / kMaterialBalls));
+  const auto steps = [apart](double v) { return static_cast<int>(std::ceil(v / apart)); };
+  std::optional<ConditionTest> holds;
+  if (is_conditional(sized)) holds.emplace(sized.on.condition);
+  Polling poll(run);
+  std::vector<SizedBall> balls;
+  for (int k = 0; k < steps(extent.z); ++k)
+    for (int j = 0; j < steps(extent.y); ++j)
+      for (int i = 0; i < steps(extent.x); ++i) {
+        poll();
+        const Vec3 p = box.lo + apart * Vec3{i + 0.5, j + 0.5, k + 0.5};
+        if (membership.contains(sized.on.feature, p) && membership.inside(p) &&
+            (!holds || (*holds)(p, {})))
+          balls.push_back({p, kHalfDiagonal * apart, sized.size});
+      }
+  return balls;
 }
 
 /// What of the box lies below the plane of its top is all of it.
@@ -44,14 +89,25 @@ SizeSource size_source(const SizedBall& ball) {
       .filled = true};
 }
 
-std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
-                                     const BoundaryModel& boundary) {
-  std::vector<double> on(boundary.faces.size(), HUGE_VAL);
+std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryModel& boundary,
+                                     const Run& run) {
+  std::vector<double> on(boundary.faces.size(), HUGE_VAL);  // whole faces
   std::vector<SizeSource> sources;
-  for (const SizeControl& control : sizes) {
+  for (const SizeControl& control : model.sizes) {
     if (const auto* selected = std::get_if<Selected>(&control.place)) {
+      for (const SizedFaces& sized : *selected)
+        for (const SizedBall& ball : material_of(sized, model, run))
+          sources.push_back(size_source(ball));
       for (std::size_t f = 0; f < on.size(); ++f)
-        on[f] = std::fmin(on[f], asked_on(boundary.faces[f], *selected));
+        for (const SizedFaces* sized : selected_on(boundary.faces[f], *selected)) {
+          if (!is_conditional(*sized)) {
+            on[f] = std::fmin(on[f], sized->size);
+            continue;
+          }
+          for (const auto& triangle : part_of(boundary.faces[f], *sized, run))
+            sources.push_back(
+                {.piece = triangle, .box = box_of(triangle), .size = sized->size, .asked = true});
+        }
     } else if (const auto* ball = std::get_if<SizedBall>(&control.place)) {
       sources.push_back(size_source(*ball));
     } else {
@@ -67,15 +123,24 @@ std::vector<SizeSource> size_sources(const std::vector<SizeControl>& sizes,
   return sources;
 }
 
-std::vector<std::string> sizes_of_nothing(const std::vector<SizeControl>& sizes,
-                                          const BoundaryModel& boundary) {
+std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
+                                          const Run& run) {
   std::vector<std::string> ids;
-  for (const SizeControl& control : sizes)
-    if (const auto* selected = std::get_if<Selected>(&control.place))
-      if (std::ranges::none_of(boundary.faces, [&](const BoundaryFace& face) {
-            return std::isfinite(asked_on(face, *selected));
-          }))
-        ids.push_back(control.id);
+  for (const SizeControl& control : model.sizes) {
+    const auto* selected = std::get_if<Selected>(&control.place);
+    if (selected == nullptr) continue;
+    const auto names = [&](const BoundaryFace& face) {
+      return std::ranges::any_of(selected_on(face, *selected), [&](const SizedFaces* sized) {
+        return !is_conditional(*sized) || !part_of(face, *sized, run).empty();
+      });
+    };
+    const auto has_material = [&](const SizedFaces& sized) {
+      return !material_of(sized, model, run).empty();
+    };
+    if (std::ranges::none_of(boundary.faces, names) &&
+        std::ranges::none_of(*selected, has_material))
+      ids.push_back(control.id);
+  }
   return ids;
 }
 

@@ -56,16 +56,6 @@ TEST_F(Unsupported, FieldsOfAFirstMeshAreNamed) {
   create(request);
 }
 
-TEST_F(Unsupported, ASelectorWithAConditionIsNamedByItsSize) {
-  auto request = create_request(plate(6));
-  v1::SizeControl& size = *request.mutable_model()->add_sizes();
-  size.set_id("top");
-  size.set_on("plate.top & x > 1");
-  size.mutable_size()->set_number_value(1);
-  v1::RevisionResult result;
-  expect_refused(try_create(request, &result), "sizes.top.on");
-}
-
 TEST_F(Unsupported, EditsOfGroupsAreNamed) {
   expect_no_edit("set_group", [](v1::Edit& e) { e.mutable_set_group(); });
   expect_no_edit("remove_group", [](v1::Edit& e) { e.mutable_remove_group(); });

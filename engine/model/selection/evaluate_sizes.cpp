@@ -1,17 +1,13 @@
 #include "engine/model/selection/evaluate_sizes.h"
 
-#include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 
 #include "engine/base/error.h"
 #include "engine/model/expression.h"
-#include "engine/model/feature_types.h"
 #include "engine/model/limits.h"
-#include "engine/model/selection/selector.h"
+#include "engine/model/selection/select_faces.h"
 #include "engine/model/selection/size_error.h"
-#include "engine/model/solid.h"
 
 namespace remeshd {
 namespace {
@@ -20,18 +16,6 @@ double checked_length(double value, const std::string& parameter) {
   if (value < kMinSize || value > kMaxLength)
     throw error::value_out_of_range("", parameter, value, "between 1e-9 and 1e9");
   return value;
-}
-
-/// The numbers of a feature by name, as its expressions would see them.
-std::map<std::string, double> numbers_of(const FeatureSource& feature, const Scope& scope) {
-  std::map<std::string, double> numbers;
-  for (const auto& [name, value] : feature.parameters)
-    numbers[name] = scope.value(value, feature.id, name);
-  if (const FeatureTypeInfo* type = find_feature_type(feature.type))
-    for (const ParameterInfo& info : type->parameters)
-      if (!info.default_value.empty() && !numbers.contains(info.name))
-        numbers[info.name] = scope.value(info.default_value, feature.id, info.name);
-  return numbers;
 }
 
 /// What evaluates the sizes of one model.
@@ -90,26 +74,20 @@ class Sizes {
   }
 
   [[nodiscard]] std::vector<SizedFaces> evaluate(const std::string& on, const Scalar& size) {
-    const Selector selector(on, where_ + ".on");
-    questions_ += selector.terms() * features_.size();
+    const std::vector<SelectorTerm> terms = read_selector(on, where_ + ".on");
+    questions_ += terms.size() * features_.size();
     if (questions_ > kSelectorLimits.questions)
       throw error::limit_exceeded("", where_ + ".on", "terms of selectors, times features,",
                                   questions_, kSelectorLimits.questions);
     // A number is wrong whether it is selected for anything or not.
     const bool is_number = std::holds_alternative<double>(size);
     const double everywhere = is_number ? length(size, ".size") : 0;
-    std::vector<SizedFaces> selected;
-    for (std::size_t k = 0; k < features_.size(); ++k) {
-      SizedFaces sized{.feature = static_cast<int>(k), .faces = {}};
-      for (const SolidFace& face : faces_of(features_[k]))
-        if (selector.names(features_[k].id, face.name) &&
-            std::ranges::find(sized.faces, face.name) == sized.faces.end())
-          sized.faces.push_back(face.name);
-      if (sized.faces.empty()) continue;
-      sized.size = is_number ? everywhere : length_on(source_.features[k], size);
-      selected.push_back(std::move(sized));
+    std::vector<SizedFaces> sized;
+    for (SelectedFaces& faces : select_faces(terms, source_, features_, scope_, where_ + ".on")) {
+      const double here = is_number ? everywhere : length_on(source_.features[faces.feature], size);
+      sized.push_back({std::move(faces), here});
     }
-    return selected;
+    return sized;
   }
 
   [[nodiscard]] double length_on(const FeatureSource& feature, const Scalar& size) const {

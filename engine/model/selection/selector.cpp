@@ -41,34 +41,53 @@ bool matches(std::string_view glob, std::string_view name) {
   return glob.find_first_not_of('*', g) == kNone;
 }
 
+/// Where the term that begins there ends: at the next `|` that is not half of a condition's `||`.
+std::size_t end_of_term(std::string_view text, std::size_t begin) {
+  bool in_condition = false;
+  for (std::size_t k = begin; k < text.size(); ++k) {
+    if (text[k] == '&') in_condition = true;
+    if (text[k] != '|') continue;
+    if (!in_condition || k + 1 == text.size() || text[k + 1] != '|') return k;
+    ++k;
+  }
+  return text.size();
+}
+
+SelectorTerm read_term(std::string_view text, std::string_view whole, std::string_view parameter) {
+  const std::size_t at = text.find('&');
+  const std::string_view glob = trimmed(text.substr(0, at));
+  if (glob.empty()) throw error::selector_invalid(parameter, whole, "has an empty term");
+  if (glob.size() > kSelectorLimits.term_length)
+    throw error::selector_invalid(parameter, whole, "has a term longer than any name");
+  if (!std::ranges::all_of(glob, may_stand_in_a_term))
+    throw error::selector_invalid(parameter, whole, "has a character that no name has");
+  if (at == std::string_view::npos) return {std::string(glob), {}};
+  const std::string_view condition = trimmed(text.substr(at + 1));
+  if (condition.empty()) throw error::selector_invalid(parameter, whole, "has an empty condition");
+  if (condition.front() == '&')
+    throw error::selector_invalid(parameter, whole, "has && where a condition begins");
+  return {std::string(glob), std::string(condition)};
+}
+
 }  // namespace
 
-Selector::Selector(std::string_view text, std::string_view parameter) {
-  if (text.find('&') != std::string_view::npos) throw error::condition_unsupported(parameter);
+bool SelectorTerm::names(std::string_view feature) const { return matches(glob, feature); }
+
+bool SelectorTerm::names(std::string_view feature, std::string_view face) const {
+  return names(feature) || matches(glob, std::string(feature) + "." + std::string(face));
+}
+
+std::vector<SelectorTerm> read_selector(std::string_view text, std::string_view parameter) {
+  std::vector<SelectorTerm> terms;
   for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('|', begin), text.size());
-    const std::string_view term = trimmed(text.substr(begin, end - begin));
-    if (term.empty()) throw error::selector_invalid(parameter, text, "has an empty term");
-    if (term.size() > kSelectorLimits.term_length)
-      throw error::selector_invalid(parameter, text, "has a term longer than any name");
-    if (!std::ranges::all_of(term, may_stand_in_a_term))
-      throw error::selector_invalid(parameter, text, "has a character that no name has");
-    if (terms_.size() == kSelectorLimits.terms)
+    const std::size_t end = end_of_term(text, begin);
+    if (terms.size() == kSelectorLimits.terms)
       throw error::selector_invalid(
           parameter, text, "has more than " + std::to_string(kSelectorLimits.terms) + " terms");
-    terms_.emplace_back(term);
+    terms.push_back(read_term(text.substr(begin, end - begin), text, parameter));
     begin = end + 1;
   }
-}
-
-bool Selector::names(std::string_view feature) const {
-  return std::ranges::any_of(terms_,
-                             [&](const std::string& term) { return matches(term, feature); });
-}
-
-bool Selector::names(std::string_view feature, std::string_view face) const {
-  const std::string name = std::string(feature) + "." + std::string(face);
-  return names(feature) || names(name);
+  return terms;
 }
 
 }  // namespace remeshd

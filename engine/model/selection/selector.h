@@ -7,30 +7,30 @@
 namespace remeshd {
 
 struct SelectorLimits {
-  std::size_t term_length = 160;  ///< characters: no name is longer
+  std::size_t term_length = 160;  ///< characters of a glob: no name is longer
   std::size_t terms = 64;         ///< of one selector
   /// Of one model: what its selectors may ask, feature by feature and term by term.
   std::size_t questions = 1'000'000;
 };
 inline constexpr SelectorLimits kSelectorLimits;
 
-/// Names faces of features: globs with `|` between them, each over names of faces (`hole*.wall`) or
-/// over ids of features, all of whose faces it names (`rib`). `*` stands for any characters, `?`
-/// for any one.
-class Selector {
- public:
-  /// Throws Error(SELECTOR_INVALID), or UNSUPPORTED for a condition (`plate.top & z > 10`).
-  /// `parameter` says whose selector it is.
-  Selector(std::string_view text, std::string_view parameter);
+/// One term of a selector: a glob over names of faces (`hole*.wall`) or over ids of features, all
+/// of whose faces it names (`rib`), and maybe a condition on points of those faces. `*` stands for
+/// any characters, `?` for any one.
+struct SelectorTerm {
+  std::string glob;
+  std::string condition;  ///< an expression, not read yet; empty: it holds everywhere
 
-  [[nodiscard]] std::size_t terms() const { return terms_.size(); }
   /// Whether it names all faces of the feature of that id.
   [[nodiscard]] bool names(std::string_view feature) const;
   /// Whether it names this one of its faces.
   [[nodiscard]] bool names(std::string_view feature, std::string_view face) const;
-
- private:
-  std::vector<std::string> terms_;
 };
+
+/// The terms of a selector: globs, each maybe with a condition behind `&`, with `|` between them
+/// (`plate.top & z > 10 | rib`). Within a condition `&&` and `||` are the expression's own.
+///
+/// Throws Error(SELECTOR_INVALID). `parameter` says whose selector it is.
+std::vector<SelectorTerm> read_selector(std::string_view text, std::string_view parameter);
 
 }  // namespace remeshd

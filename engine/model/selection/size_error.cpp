@@ -37,14 +37,7 @@ Error selector_invalid(std::string_view parameter, std::string_view selector,
       "SELECTOR_INVALID", std::string(parameter),
       "the selector " + quoted(selector) + " of " + std::string(parameter) + " " + std::string(why),
       "write names of faces or ids of features, with * for any characters, ? for any "
-      "one and | between them: hole*.wall | rib");
-}
-
-Error condition_unsupported(std::string_view parameter) {
-  Error failure = unsupported("a condition in a selector");
-  failure.info().message += ": " + std::string(parameter);
-  failure.info().parameter = std::string(parameter);
-  return failure;
+      "one, | between them, and behind & where of them: hole*.wall | plate.top & z > 10");
 }
 
 Error selector_empty(std::string_view size) {

@@ -9,8 +9,6 @@
 namespace remeshd::error {
 
 Error selector_invalid(std::string_view parameter, std::string_view selector, std::string_view why);
-/// A selector with a condition, which this build does not do.
-Error condition_unsupported(std::string_view parameter);
 /// A size whose selector names no face of the model's boundary.
 Error selector_empty(std::string_view size);
 Error duplicate_size(std::string_view size);

@@ -120,7 +120,7 @@ class Delivered : public testing::Test {
     c.verification.changed_tets.resize(parent.output.mesh.tets.size());
     std::iota(c.verification.changed_tets.begin(), c.verification.changed_tets.end(), 0);
     Revision r = to_be_meshed();
-    const CopyPlan plan(original.model, r.model, r.edge_length, kRun);
+    const CopyPlan plan(original.model, r.model, {r.edge_length}, kRun);
     deliver(std::move(c), original, parent, plan, r, kRun);
     return r;
   }

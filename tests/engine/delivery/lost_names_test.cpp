@@ -59,33 +59,33 @@ const NameLists kPlateWithHole{{"hole.wall"}, {"plate.bottom"}, {"plate.top"}};
 
 TEST(LostNames, AreNoneWhereTheNamesStay) {
   const Revision original = named(plate(10), kPlateWithHole);
-  EXPECT_THAT(lost_names(Revision::none(), original), IsEmpty());
-  EXPECT_THAT(lost_names(original, named(plate(11), kPlateWithHole)), IsEmpty());
+  EXPECT_THAT(lost_names(Revision::none(), original, kRun), IsEmpty());
+  EXPECT_THAT(lost_names(original, named(plate(11), kPlateWithHole), kRun), IsEmpty());
 }
 
 TEST(LostNames, AHoleMovedOffThePartIsTold) {
   const Revision original = named(plate(10), kPlateWithHole);
   const Revision without = named(plate(40), kPlate);
-  EXPECT_THAT(told(lost_names(original, without)),
+  EXPECT_THAT(told(lost_names(original, without, kRun)),
               ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
-  EXPECT_THAT(told(lost_names(Revision::none(), without)),
+  EXPECT_THAT(told(lost_names(Revision::none(), without, kRun)),
               ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
   // It was told when it happened.
-  EXPECT_THAT(lost_names(without, named(plate(50), kPlate)), IsEmpty());
+  EXPECT_THAT(lost_names(without, named(plate(50), kPlate), kRun), IsEmpty());
 }
 
 TEST(LostNames, AFaceOfAFeatureThatHasOthersIsToldByItself) {
   const NameLists with{{"rib.left"}, {"rib.right"}, {"rib.top"}};
   const ModelSource model = model_of({block("rib", 1, 1, 1)});
   const Revision original = named(model, with, {{"rib"}});
-  EXPECT_THAT(told(lost_names(original, named(model, {{"rib.top"}}, {{"rib"}}))),
+  EXPECT_THAT(told(lost_names(original, named(model, {{"rib.top"}}, {{"rib"}}), kRun)),
               ElementsAre("FACE_LOST rib | rib.left", "FACE_LOST rib | rib.right"));
 }
 
 TEST(LostNames, FacesOfARemovedFeatureAreToldAtOnce) {
   const Revision original = named(plate(10), {{"hole.bottom"}, {"hole.wall"}, {"plate.top"}});
   const ModelSource model = model_of({block("plate", 20, 20, 4)});
-  EXPECT_THAT(told(lost_names(original, named(model, {{"plate.top"}}))),
+  EXPECT_THAT(told(lost_names(original, named(model, {{"plate.top"}}), kRun)),
               ElementsAre("FACE_LOST hole | hole.bottom hole.wall"));
 }
 
@@ -93,7 +93,7 @@ TEST(LostNames, AGroupIsToldWhereItsFacesAreStillThere) {
   const ModelSource model = model_of({block("plate", 20, 20, 4), block("hub", 4, 4, 4)});
   const NameLists apart{{"hub.top"}, {"plate.top"}};
   const Revision original = named(model, {{"hub.top"}, {"hub.top", "plate.top"}, {"plate.top"}});
-  EXPECT_THAT(told(lost_names(original, named(model, apart))),
+  EXPECT_THAT(told(lost_names(original, named(model, apart), kRun)),
               ElementsAre("GROUP_EMPTIED | hub.top+plate.top"));
 }
 
@@ -102,8 +102,9 @@ TEST(LostNames, WithoutEffectIsSaidOnlyWhereItIsCertain) {
     return model_of({block("plate", 20, 20, 4), other, last});
   };
   const auto unnamed_last = [&](const ModelSource& model) {
-    return told(lost_names(Revision::none(), named(model, {{"plate.top"}, {"other.wall"}},
-                                                   {{"plate"}, {"other", "plate"}})));
+    return told(lost_names(
+        Revision::none(),
+        named(model, {{"plate.top"}, {"other.wall"}}, {{"plate"}, {"other", "plate"}}), kRun));
   };
   const FeatureSource far = placed(cylinder("hole", 2, 6), 40, 10, 0, kHole);
   // Away from everything.
@@ -121,13 +122,14 @@ TEST(LostNames, WithoutEffectIsSaidOnlyWhereItIsCertain) {
 
 TEST(LostNames, AFeatureThatHasMaterialHasAnEffect) {
   const ModelSource model = model_of({block("plate", 20, 20, 4), block("inlay", 1, 1, 1)});
-  EXPECT_THAT(lost_names(Revision::none(), named(model, kPlate, {{"plate"}, {"plate", "inlay"}})),
-              IsEmpty());
+  EXPECT_THAT(
+      lost_names(Revision::none(), named(model, kPlate, {{"plate"}, {"plate", "inlay"}}), kRun),
+      IsEmpty());
 }
 
 TEST(LostNames, AnEditThatMovesAHoleOffAPlateSaysSoInItsReport) {
   const Revision original = make_revision(Revision::none(), plate(10), {.nodes = 300}, kRun);
-  EXPECT_THAT(told(lost_names(Revision::none(), original)), IsEmpty());
+  EXPECT_THAT(told(lost_names(Revision::none(), original, kRun)), IsEmpty());
   const ModelSource moved = plate(40);
   const Revision remesh = make_revision(original, moved, {}, kRun);
   EXPECT_THAT(told(remesh.report.warnings),
@@ -213,10 +215,10 @@ TEST(LostNames, ASizeThatSelectsNothingAnyMoreIsToldOnce) {
     return r;
   };
   const Revision there = revision(10, "hole"), gone = revision(90, "hole");
-  EXPECT_THAT(told(lost_names(there, there)), IsEmpty());
-  EXPECT_THAT(told(lost_names(there, gone)), ElementsAre("GROUP_EMPTIED | rim"));
-  EXPECT_THAT(told(lost_names(gone, gone)), IsEmpty());
-  EXPECT_THAT(told(names_to_be_lost(there, gone.model, gone.cells.boundary)),
+  EXPECT_THAT(told(lost_names(there, there, kRun)), IsEmpty());
+  EXPECT_THAT(told(lost_names(there, gone, kRun)), ElementsAre("GROUP_EMPTIED | rim"));
+  EXPECT_THAT(told(lost_names(gone, gone, kRun)), IsEmpty());
+  EXPECT_THAT(told(names_to_be_lost(there, gone.model, gone.cells.boundary, kRun)),
               testing::Contains("GROUP_EMPTIED | rim"));
 }
 

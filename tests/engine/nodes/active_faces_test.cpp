@@ -25,7 +25,7 @@ CopiedNodes under_the_boss(double z) {
   for (const Vec3& p : {Vec3{-11, 0, 10}, {11, 0, 10}, {0, -11, 10}, {0, 11, 10}, {0, 0, 20}})
     nodes.add_new(p);
   std::ranges::fill(nodes.state, NodeState::Fixed);
-  free_at_active_faces(nodes, CopyPlan(original, modified, kEdgeLength, kRun), kEdgeLength, kRun);
+  free_at_active_faces(nodes, CopyPlan(original, modified, {kEdgeLength}, kRun), kEdgeLength, kRun);
   nodes.resize(nodes.size() - 5);
   return nodes;
 }

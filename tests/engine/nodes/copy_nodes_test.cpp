@@ -26,7 +26,7 @@ struct Copied {
       : original(make_revision(Revision::none(), test::case_model(name),
                                {.nodes = 2500, .iterations = 4}, kRun)),
         modified(evaluate(apply(original.source, edit))),
-        source(original.model, modified, original.edge_length, kRun),
+        source(original.model, modified, {original.edge_length}, kRun),
         nodes(copy_all()) {}
 
   CopiedNodes copy_all() const {

@@ -60,7 +60,8 @@ class MovedBlocks : public testing::Test {
     std::vector<std::int32_t> all(60);
     std::iota(all.begin(), all.end(), 0);
     mesh.insert(nodes.positions, all, kRun);
-    StitchedMesh first = stitched(Revision::none(), {}, nodes, mesh, CopyPlan({}, model, 1, kRun));
+    StitchedMesh first =
+        stitched(Revision::none(), {}, nodes, mesh, CopyPlan({}, model, {1}, kRun));
     original_.model = model;
     original_.output.mesh = std::move(first.mesh);
     original_.output.map = std::move(first.map);
@@ -95,7 +96,7 @@ class MovedBlocks : public testing::Test {
   }
 
   Revision original_;
-  const CopyPlan plan_{blocks(0), blocks(kBy), 0.5, kRun};
+  const CopyPlan plan_{blocks(0), blocks(kBy), {0.5}, kRun};
 };
 
 TEST_F(MovedBlocks, TetsOfAFirstMeshStandInTheOrderOfTheirLowestNodes) {

@@ -17,7 +17,7 @@ FeatureModel edited(const std::string& original, const std::string& edit) {
 }
 
 TEST(CopyPlan, WithoutAnOriginalEverythingIsNew) {
-  const CopyPlan source(FeatureModel{}, test::case_features("simple-a"), kEdge, kRun);
+  const CopyPlan source(FeatureModel{}, test::case_features("simple-a"), {kEdge}, kRun);
   EXPECT_EQ(source({0, 0, 20}), CopyPlan::kNew);
   EXPECT_EQ(source({0, 0, 70}), CopyPlan::kOutside);
 }
@@ -25,7 +25,7 @@ TEST(CopyPlan, WithoutAnOriginalEverythingIsNew) {
 TEST(CopyPlan, AMovedFeatureBringsItsMaterialAlong) {
   const FeatureModel original = test::case_features("simple-a");
   const FeatureModel modified = edited("simple-a", "simple-ab");
-  const CopyPlan source(original, modified, kEdge, kRun);
+  const CopyPlan source(original, modified, {kEdge}, kRun);
   const std::int32_t base = source({0, 0, 20}), top = source({20, 0, 50});
   ASSERT_GE(base, 0);
   ASSERT_GE(top, 0);
@@ -34,9 +34,28 @@ TEST(CopyPlan, AMovedFeatureBringsItsMaterialAlong) {
   EXPECT_EQ(source({-20, 0, 50}), CopyPlan::kOutside);
 }
 
+TEST(CopyPlan, WhatMovesByLittleIsCopiedWhereItIsIfAskedFor) {
+  const FeatureModel original = test::case_features("simple-a");
+  const auto transform_at_top = [&](double by, double in_place) {
+    const FeatureModel modified =
+        evaluate(apply(test::case_model("simple-a"), {{SetParameter{"top_x", -20 + by}}}));
+    const CopyPlan source(original, modified, {.edge_length = 4, .in_place = in_place}, kRun);
+    const std::int32_t t = source({-20, 0, 50});
+    EXPECT_GE(t, 0);
+    // Where its wall was is a change if it is within material now that did not come along.
+    EXPECT_EQ(source.active_face({-5, 0, 50}, {1, 0, 0}), t == source.identity());
+    return source.transforms()[t];
+  };
+  EXPECT_EQ(transform_at_top(0.5, 0), Transform::translation({0.5, 0, 0}));
+  EXPECT_TRUE(transform_at_top(0.5, 1).is_identity());
+  EXPECT_EQ(transform_at_top(1.5, 1), Transform::translation({1.5, 0, 0}));
+  // A tenth of its least extent is 2.
+  EXPECT_EQ(transform_at_top(2.5, 4), Transform::translation({2.5, 0, 0}));
+}
+
 TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
   const FeatureModel original = test::case_features("tool2-a");
-  const CopyPlan source(original, edited("tool2-a", "tool2-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("tool2-a", "tool2-ab"), {kEdge}, kRun);
   ASSERT_FALSE(source.sources().empty());
   EXPECT_EQ(original.features[source.sources().front().original].id, "base");
   for (std::size_t k = 1; k < source.sources().size(); ++k)
@@ -45,7 +64,7 @@ TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
 
 TEST(CopyPlan, WhereAHoleWasAndIsNoMoreTheMaterialIsNew) {
   const FeatureModel original = test::case_features("fig11-a");
-  const CopyPlan source(original, edited("fig11-a", "fig11-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig11-a", "fig11-ab"), {kEdge}, kRun);
   EXPECT_EQ(source({-26, 0, 7}), CopyPlan::kNew);      // old hole at x -20, radius 8
   EXPECT_EQ(source({-10, 0, 7}), CopyPlan::kOutside);  // new hole at x -10, radius 6
   EXPECT_GE(source({30, 0, 7}), 0);
@@ -55,7 +74,7 @@ TEST(CopyPlan, WhereAHoleWasAndIsNoMoreTheMaterialIsNew) {
 
 TEST(CopyPlan, ACentredReferenceMovesTheCopyWithTheCentre) {
   const FeatureModel original = test::case_features("fig10-a");
-  const CopyPlan source(original, edited("fig10-a", "fig10-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig10-a", "fig10-ab"), {kEdge}, kRun);
   const std::int32_t t = source({0, 0, 19});
   ASSERT_GE(t, 0);
   EXPECT_EQ(source.transforms()[t].apply({0, 0, 16}), (Vec3{0, 0, 19}));
@@ -63,7 +82,7 @@ TEST(CopyPlan, ACentredReferenceMovesTheCopyWithTheCentre) {
 
 TEST(CopyPlan, TheFootOfAMovedRibIsActiveWhereItWasAndWhereItIs) {
   const FeatureModel original = test::case_features("fig6-a");
-  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), {kEdge}, kRun);
   const Vec3 up{0, 0, 1};
   EXPECT_TRUE(source.active_face({-20, 0, 10}, up));  // boundary now, was none
   EXPECT_TRUE(source.active_face({10, 0, 10}, up));   // copies of different origin meet
@@ -77,7 +96,7 @@ TEST(CopyPlan, ATinyMoveIsStillAMove) {
   const FeatureModel original = evaluate(document);
   test::parameter(document, "top_x") = -20 + 1e-7;
   const FeatureModel modified = evaluate(document);
-  const CopyPlan source(original, modified, kEdge, kRun);
+  const CopyPlan source(original, modified, {kEdge}, kRun);
   const std::int32_t top = source({-20, 0, 50});
   ASSERT_GE(top, 0);
   EXPECT_FALSE(source.transforms()[top].is_identity());
@@ -86,18 +105,18 @@ TEST(CopyPlan, ATinyMoveIsStillAMove) {
 
 TEST(CopyPlan, NothingChangedLeavesNoBox) {
   const FeatureModel model = test::case_features("tool1-a");
-  EXPECT_TRUE(CopyPlan(model, model, kEdge, kRun).changed().empty());
+  EXPECT_TRUE(CopyPlan(model, model, {kEdge}, kRun).changed().empty());
 }
 
 TEST(CopyPlan, FeaturesThatMoveTogetherShareATransformation) {
   const FeatureModel original = test::case_features("fig6-a");
-  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const CopyPlan source(original, edited("fig6-a", "fig6-ab"), {kEdge}, kRun);
   EXPECT_EQ(source.transforms().size(), 2U);
 }
 
 TEST(CopyPlan, InARegionToBeMadeAnewEverythingIsNew) {
   const FeatureModel model = test::case_features("simple-a");
-  const CopyPlan same(model, model, kEdge, kRun);
+  const CopyPlan same(model, model, {kEdge}, kRun);
   EXPECT_EQ(same({0, 0, 20}), same.identity());
   const std::vector<Vec3> places{{0, 0, 20}};
   const CopyPlan plan = same.with_new_in(Region(places, 5, 2));
@@ -109,7 +128,7 @@ TEST(CopyPlan, InARegionToBeMadeAnewEverythingIsNew) {
 }
 
 TEST(CopyPlan, InARegionToBeMadeAnewInPlaceMovedMaterialIsCopied) {
-  const CopyPlan source(test::case_features("fig6-a"), edited("fig6-a", "fig6-ab"), kEdge, kRun);
+  const CopyPlan source(test::case_features("fig6-a"), edited("fig6-a", "fig6-ab"), {kEdge}, kRun);
   const Box& box = source.modified().bounds();
   std::vector<Vec3> stays, moves;
   for (int k = 0; k < 20 * 20 * 20; ++k) {

@@ -50,7 +50,7 @@ TEST(Forecast, NamesWhatAsksForTheShortestEdgesFirst) {
 
 TEST(Forecast, NamesFacesThatTheModelAsksForEdgesOn) {
   FeatureModel model = test::case_features("simple-a");
-  model.sizes = {{"fine", std::vector<SizedFaces>{{0, {"top"}, 0.5}}}};
+  model.sizes = {{"fine", std::vector<SizedFaces>{{{0, {"top"}, false, {}}, 0.5}}}};
   const Forecast f = forecast_of(model, sized_by({}, 8.0));
   ASSERT_FALSE(f.details.empty());
   EXPECT_EQ(f.details.front().feature, model.features.front().id);

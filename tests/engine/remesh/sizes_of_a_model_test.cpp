@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
@@ -43,6 +44,45 @@ TEST(SizesOfAModel, MakeItsMeshFinerThere) {
       Revision::none(), plate_with_sizes({{"rim", "hole.wall", "radius/4"}}), sized(), kRun);
   EXPECT_GE(facets_on(fine, "hole.wall"), 6 * facets_on(plain, "hole.wall"));
   EXPECT_LE(facets_on(fine, "plate.x_max"), 2 * facets_on(plain, "plate.x_max"));
+}
+
+TEST(SizesOfAModel, UnderAConditionHoldWhereItDoes) {
+  const Revision fine = make_revision(
+      Revision::none(), plate_with_sizes({{"corner", "plate.top & x > 10 && y > dy/4", 1.0}}),
+      sized(), kRun);
+  const auto longest_near = [&](double x, double y) {
+    double longest = 0;
+    const auto& nodes = fine.output.mesh.nodes;
+    for (const MeshFacet& f : fine.output.groups.facets) {
+      const Vec3 c = (nodes[f.nodes[0]] + nodes[f.nodes[1]] + nodes[f.nodes[2]]) / 3;
+      if (c.z < 8 - 1e-6 || std::hypot(c.x - x, c.y - y) > 4) continue;
+      for (int k = 0; k < 3; ++k)
+        longest = std::fmax(longest, distance(nodes[f.nodes[k]], nodes[f.nodes[(k + 1) % 3]]));
+    }
+    return longest;
+  };
+  EXPECT_LT(longest_near(15, 15), 2);
+  EXPECT_GT(longest_near(15, -15), 3);
+}
+
+TEST(SizesOfAModel, OnAFeatureHoldInItsMaterialToo) {
+  ModelSource source = test::model_of(
+      {test::block("body", 40, 40, 40), test::placed(test::block("core", 16, 16, 16), 0, 0, 12)});
+  source.sizes = {{"core", "core", 1.6}};
+  const Revision r = make_revision(Revision::none(), source, sized(), kRun);
+  // Nothing of the core is boundary, and it has as many nodes as a lattice of that length.
+  const auto within = [](const Vec3& p) {
+    return std::fabs(p.x) < 8 && std::fabs(p.y) < 8 && std::fabs(p.z - 20) < 8;
+  };
+  EXPECT_GT(std::ranges::count_if(r.output.mesh.nodes, within), 700);
+}
+
+TEST(SizesOfAModel, WhoseConditionHoldsNowhereAreAnErrorOfAFirstMesh) {
+  const ErrorInfo info = test::error_of([] {
+    make_revision(Revision::none(), plate_with_sizes({{"rim", "hole.wall & z > 50", 1.0}}), sized(),
+                  kRun);
+  });
+  EXPECT_EQ(test::place_of(info), "SELECTOR_EMPTY - sizes.rim.on");
 }
 
 TEST(SizesOfAModel, DoNotHoldInAnEvenMesh) {

@@ -32,7 +32,7 @@ struct Plate {
   [[nodiscard]] SizeField field(double base = 5, std::optional<double> least = {}) const {
     const Sizing no_rules{.even = false, .edges_per_circle = 0, .layers = 0, .min_size = least};
     return SizeRules(cells.boundary, no_rules, base, kRun,
-                     size_sources(model.sizes, cells.boundary))
+                     size_sources(model, cells.boundary, kRun))
         .field(base, 2);
   }
   FeatureModel model;
@@ -88,18 +88,35 @@ TEST(SizeControls, GoBelowTheLeastLengthOfRules) {
   EXPECT_EQ(field.least(), 0.25);
 }
 
+TEST(SizeControls, OnAFeatureHoldInItsMaterial) {
+  const SizeField field = Plate({{"a", "tip", 1.0}}).field();
+  EXPECT_NEAR(field({15, 0, 11}), 1, 1e-9) << "2.4 from its wall";
+  EXPECT_NEAR(field({15, 0, 8.4}), 1, 1e-9);
+  EXPECT_NEAR(field({15, 0, 4}), 1 + 0.3 * 4, 0.3);
+}
+
+TEST(SizeControls, UnderAConditionHoldWhereItDoes) {
+  const SizeField field = Plate({{"a", "plate.top & x < 0 && y > 10 | tip & z > 12", 1.0}}).field();
+  EXPECT_NEAR(field({-20, 25, 8}), 1, 1e-6);
+  EXPECT_NEAR(field({-20, 4, 8}), 1 + 0.3 * 6, 0.3);
+  EXPECT_NEAR(field({18, 0, 13.5}), 1, 0.1);
+  EXPECT_NEAR(field({21, 0, 8}), 1 + 0.3 * 4.2, 0.3);
+}
+
 TEST(SizeControls, ThatAskForMoreThanTheBaseSizeChangeNothing) {
   EXPECT_TRUE(Plate({{"a", "hole.wall", 6.0}, {"b", "tip.wall", 6.0}}).field().even());
 }
 
 TEST(SizeControls, OnFacesThatAreNotThereAreOfNothing) {
   const Plate plate({{"a", "hole.wall", 1.0},
-                     {"b", "inner", 1.0},
+                     {"b", "inner.wall", 1.0},
                      {"c", "gone*", 1.0},
+                     {"e", "hole.wall & z > 30", 1.0},
                      {"d", BallSource{0.0, 0.0, 90.0, 1.0}, 1.0}});
-  EXPECT_THAT(sizes_of_nothing(plate.model.sizes, plate.cells.boundary), ElementsAre("b", "c"));
-  EXPECT_THAT(sizes_of_nothing({}, plate.cells.boundary), IsEmpty());
-  EXPECT_EQ(size_sources(plate.model.sizes, plate.cells.boundary).size(), 2U);
+  EXPECT_THAT(sizes_of_nothing(plate.model, plate.cells.boundary, kRun),
+              ElementsAre("b", "c", "e"));
+  EXPECT_THAT(sizes_of_nothing({}, plate.cells.boundary, kRun), IsEmpty());
+  EXPECT_EQ(size_sources(plate.model, plate.cells.boundary, kRun).size(), 2U);
 }
 
 }  // namespace

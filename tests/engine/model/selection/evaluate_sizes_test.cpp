@@ -47,17 +47,21 @@ TEST(Sizes, KeepTheirOrderAndIds) {
 }
 
 TEST(Sizes, OnFacesHoldTheFacesOfEachFeatureSelected) {
-  EXPECT_EQ(selected("hole*.wall", 1.5), (Selected{{1, {"wall"}, 1.5}, {2, {"wall"}, 1.5}}));
-  EXPECT_EQ(selected("hole2 | plate.top", 1.5),
-            (Selected{{0, {"top"}, 1.5}, {2, {"wall", "bottom", "top"}, 1.5}}));
-  EXPECT_EQ(selected("slot.wall", 1.5), (Selected{{3, {"wall"}, 1.5}})) << "each face once";
+  EXPECT_EQ(selected("hole*.wall", 1.5),
+            (Selected{{{1, {"wall"}, false, {}}, 1.5}, {{2, {"wall"}, false, {}}, 1.5}}));
+  EXPECT_EQ(
+      selected("hole2 | plate.top", 1.5),
+      (Selected{{{0, {"top"}, false, {}}, 1.5}, {{2, {"wall", "bottom", "top"}, true, {}}, 1.5}}));
+  EXPECT_EQ(selected("slot.wall", 1.5), (Selected{{{3, {"wall"}, false, {}}, 1.5}}))
+      << "each face once";
   EXPECT_EQ(selected("gone*", 1.5), Selected());
 }
 
 TEST(Sizes, OnFacesSeeTheFeaturesParametersBeforeTheModels) {
-  EXPECT_EQ(selected("hole*.wall", "radius/4"), (Selected{{1, {"wall"}, 1.0}, {2, {"wall"}, 1.5}}));
-  EXPECT_EQ(selected("hole1.wall", "fine * height"), (Selected{{1, {"wall"}, 5.0}}));
-  EXPECT_EQ(selected("plate.top", "radius/4"), (Selected{{0, {"top"}, 25.0}}));
+  EXPECT_EQ(selected("hole*.wall", "radius/4"),
+            (Selected{{{1, {"wall"}, false, {}}, 1.0}, {{2, {"wall"}, false, {}}, 1.5}}));
+  EXPECT_EQ(selected("hole1.wall", "fine * height"), (Selected{{{1, {"wall"}, false, {}}, 5.0}}));
+  EXPECT_EQ(selected("plate.top", "radius/4"), (Selected{{{0, {"top"}, false, {}}, 25.0}}));
 }
 
 TEST(Sizes, OnFacesSeeWhatAFeatureLeavesToItsType) {
@@ -66,6 +70,26 @@ TEST(Sizes, OnFacesSeeWhatAFeatureLeavesToItsType) {
       test::feature("ring", "revolution",
                     {test::point(1.0, 0.0), test::point(2.0, 0.0), test::point(1.0, 2.0)}, {}));
   EXPECT_EQ(std::get<Selected>(evaluate(source).sizes[0].place).at(0).size, 1);
+}
+
+TEST(Sizes, OnFacesUnderAConditionStandBesideThoseWithout) {
+  const Selected two = selected("hole*.wall & z > height/2 | plate.top | hole2.top", "fine");
+  ASSERT_EQ(two.size(), 4U);
+  const OpenExpression condition{"z > height/2", {{"height", 10}}};
+  EXPECT_EQ(two[0], (SizedFaces{{0, {"top"}, false, {}}, 0.5}));
+  EXPECT_EQ(two[1], (SizedFaces{{1, {"wall"}, false, condition}, 0.5}));
+  EXPECT_EQ(two[2], (SizedFaces{{2, {"top"}, false, {}}, 0.5}));
+  EXPECT_EQ(two[3], (SizedFaces{{2, {"wall"}, false, condition}, 0.5}));
+}
+
+TEST(Sizes, ConditionsSeeThePlaceBeforeAnyParameter) {
+  ModelSource source = model({{"a", "plate.top & x > y + fine", 1.0}});
+  source.parameters.push_back({"x", 100.0});
+  const Selected on = std::get<Selected>(evaluate(source).sizes.at(0).place);
+  EXPECT_EQ(on.at(0).on.condition, (OpenExpression{"x > y + fine", {{"fine", 0.5}}}));
+  ConditionTest test(on[0].on.condition);
+  EXPECT_TRUE(test({2, 1, 0}, {0, 0, 1}));
+  EXPECT_FALSE(test({1.4, 1, 0}, {0, 0, 1}));
 }
 
 TEST(Sizes, InPartsOfSpaceSeeTheModelsParameters) {
@@ -91,7 +115,10 @@ TEST(Sizes, ThatAreWrongAreNamedWithTheirField) {
   EXPECT_EQ(refused("plate", "1, 2"), "INVALID_EXPRESSION plate sizes.a.size");
   EXPECT_EQ(refused(ball, "height"), "UNKNOWN_NAME - sizes.a.size");
   EXPECT_EQ(refused("a b", 1.0), "SELECTOR_INVALID - sizes.a.on");
-  EXPECT_EQ(refused("plate & z > 1", 1.0), "UNSUPPORTED - sizes.a.on");
+  EXPECT_EQ(refused("hole* & z > depth", 1.0), "UNKNOWN_NAME hole1 sizes.a.on");
+  EXPECT_EQ(refused("plate & z >", 1.0), "INVALID_EXPRESSION plate sizes.a.on");
+  EXPECT_EQ(refused("plate & x, y", 1.0), "INVALID_EXPRESSION plate sizes.a.on");
+  EXPECT_EQ(refused("plate & z = 1", 1.0), "INVALID_EXPRESSION plate sizes.a.on");
   EXPECT_EQ(refused(BallSource{0.0, "q", 0.0, 1.0}, 1.0), "UNKNOWN_NAME - sizes.a.in.ball[1]");
   EXPECT_EQ(refused(BallSource{0.0, 0.0, 0.0, 0.0}, 1.0),
             "VALUE_OUT_OF_RANGE - sizes.a.in.ball[3]");

@@ -41,7 +41,7 @@ struct Ready {
       : model(evaluate(source)),
         cells(build_cells(model, kRun)),
         edge_length(edge_length_for(cells.volume, cells.area, nodes)),
-        plan(FeatureModel{}, model, edge_length, kRun) {}
+        plan(FeatureModel{}, model, CopyLengths{}, kRun) {}
   [[nodiscard]] TetGenInput input() const { return {model, plan, cells, edge_length}; }
 };
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/base/vec.h"
+#include "engine/model/expression.h"
+
+namespace remeshd {
+
+/// What a selector's condition is asked with: a point of a face and its unit normal there, out of
+/// the material; in material the normal is nought.
+inline constexpr std::array kPlaceNames{"x", "y", "z", "nx", "ny", "nz"};
+
+/// Faces of one feature that a selector names, where its condition holds.
+struct SelectedFaces {
+  int feature = -1;                ///< index in history
+  std::vector<std::string> faces;  ///< as `faces_of` names them, each once
+  bool whole = false;              ///< the feature itself is named, so its material is selected too
+  OpenExpression condition;        ///< over `kPlaceNames`; an empty text holds everywhere
+  friend bool operator==(const SelectedFaces&, const SelectedFaces&) = default;
+};
+
+/// Tells where a condition holds: where its value is a number other than 0. Not safe from several
+/// threads.
+class ConditionTest {
+ public:
+  explicit ConditionTest(const OpenExpression& condition) : value_(condition, kPlaceNames) {}
+  bool operator()(const Vec3& p, const Vec3& normal) {
+    const double value = value_(std::array{p.x, p.y, p.z, normal.x, normal.y, normal.z});
+    return value != 0 && std::isfinite(value);
+  }
+
+ private:
+  OpenValue value_;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,59 @@
+#include "engine/cellular/boundary_model/face_part.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/cellular/cellular_model.h"
+#include "tests/support/cases.h"
+#include "tests/support/run.h"
+
+namespace remeshd {
+namespace {
+
+using test::kRun;
+
+const BoundaryFace& face_named(const CellularModel& cells, const std::string& name) {
+  for (const BoundaryFace& face : cells.boundary.faces)
+    if (face.names.front().face == name) return face;
+  throw std::out_of_range(name);
+}
+
+/// Area of the part of a face where a condition holds.
+double area_where(const FeatureModel& model, const std::string& face, const std::string& condition,
+                  double length) {
+  const CellularModel cells = build_cells(model, kRun);
+  double area = 0;
+  for (const auto& t : part_where(face_named(cells, face), {condition, {}}, length, kRun))
+    area += 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+  return area;
+}
+
+FeatureModel plate() { return evaluate(test::model_of({test::block("plate", 60, 40, 8)})); }
+FeatureModel pin() { return evaluate(test::model_of({test::cylinder("pin", 5, 20)})); }
+
+TEST(FacePart, OfAPlaneIsAsLargeAsWhatTheConditionCutsOff) {
+  EXPECT_NEAR(area_where(plate(), "top", "x > 7.3", 0.2), 22.7 * 40, 0.2 * 40);
+  EXPECT_NEAR(area_where(plate(), "top", "x*x + y*y < 100", 0.2), 100 * M_PI, 0.2 * 20 * M_PI);
+  EXPECT_NEAR(area_where(plate(), "top", "nz > 0.5", 1), 2400, 1e-9);
+  EXPECT_EQ(area_where(plate(), "top", "nz < 0.5", 1), 0);
+  EXPECT_EQ(area_where(plate(), "top", "z > 50", 1), 0);
+}
+
+TEST(FacePart, OfACurvedFaceLiesOnIt) {
+  EXPECT_NEAR(area_where(pin(), "wall", "nx > 0.5", 0.1), 5 * 20 * 2 * M_PI / 3, 6);
+  const CellularModel cells = build_cells(pin(), kRun);
+  for (const auto& t : part_where(face_named(cells, "wall"), {"z > 12", {}}, 0.1, kRun))
+    for (const Vec3& p : t) {
+      EXPECT_NEAR(std::hypot(p.x, p.y), 5, 1e-6);
+      EXPECT_GT(p.z, 12 - 0.2);
+    }
+}
+
+TEST(FacePart, IsNothingWhereTheConditionHasNoValue) {
+  EXPECT_EQ(area_where(plate(), "top", "sqrt(-1 - x*x) < 5", 1), 0);
+  EXPECT_NEAR(area_where(plate(), "top", "sqrt(x) >= 0", 0.2), 1200, 10);
+}
+
+}  // namespace
+}  // namespace remeshd
