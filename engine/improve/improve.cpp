@@ -53,7 +53,11 @@ class CleanUp {
         max_ring_(std::clamp(options.max_ring, 3, EdgeRing::kMaxTets)),
         score_(options.threshold, options.min_dihedral),
         aggressive_(mesh_, rules_, smoother_, score_, max_ring_),
-        dirty_(dirty.begin(), dirty.end()) {}
+        work_(mesh.tets.size(), Work::Same) {
+    for (std::size_t t = 0; t < dirty.size(); ++t)
+      if (dirty[t] != 0) work_[t] = Work::Changed;
+    if (options_.confined) mark_nodes_of_dirty();
+  }
 
   ImproveResult work() {
     InVain in_vain;
@@ -77,9 +81,7 @@ class CleanUp {
     result.was.reserve(result.mesh.tets.size());
     for (std::int32_t t = 0; t < mesh_.slots(); ++t) {
       if (!mesh_.used(t)) continue;
-      const auto slot = static_cast<std::size_t>(t);
-      const bool same = slot < start_.tets.size() && start_.tets[slot] == mesh_.tet(t);
-      result.was.push_back(same ? t : -1);
+      result.was.push_back(is_of_input(t) ? t : -1);
     }
     result.node_moved.resize(start_.nodes.size());
     for (std::size_t n = 0; n < start_.nodes.size(); ++n)
@@ -88,8 +90,36 @@ class CleanUp {
   }
 
  private:
+  /// Why a tet may be worked on. A tet of the input is Changed or Same, what an operation makes in
+  /// the place of others Changed; a Same one that a move of a node has changed is Moved.
+  enum class Work : std::uint8_t { Same, Moved, Changed };
+
   [[nodiscard]] bool bad(std::int32_t t) const {
-    return mesh_.used(t) && dirty_[t] != 0 && score_(mesh_, t) < 1;
+    return mesh_.used(t) && work_[t] != Work::Same && is_near(mesh_.tet(t)) &&
+           score_(mesh_, t) < enough(t);
+  }
+
+  /// The score at which a tet is left alone: of one that was not to be worked on, what it had.
+  [[nodiscard]] double enough(std::int32_t t) const {
+    if (!options_.confined || work_[t] != Work::Moved || !is_of_input(t)) return 1;
+    const auto& p = start_.nodes;
+    const Tet& n = mesh_.tet(t);
+    return std::min(1.0, score_(p[n[0]], p[n[1]], p[n[2]], p[n[3]]));
+  }
+  [[nodiscard]] bool is_of_input(std::int32_t t) const {
+    const auto slot = static_cast<std::size_t>(t);
+    return slot < start_.tets.size() && start_.tets[slot] == mesh_.tet(t);
+  }
+
+  [[nodiscard]] bool is_near(const Tet& t) const {
+    return !options_.confined ||
+           std::ranges::any_of(t, [&](std::int32_t n) { return at_dirty_[n] != 0; });
+  }
+  void mark_nodes_of_dirty() {
+    at_dirty_.assign(start_.nodes.size(), 0);
+    for (std::size_t t = 0; t < start_.tets.size(); ++t)
+      if (work_[t] == Work::Changed)
+        for (const std::int32_t n : start_.tets[t]) at_dirty_[n] = 1;
   }
 
   [[nodiscard]] std::vector<std::int32_t> bad_tets() const {
@@ -217,9 +247,9 @@ class CleanUp {
   }
 
   void touch(std::span<const std::int32_t> tets) {
-    dirty_.resize(static_cast<std::size_t>(mesh_.slots()), 1);
+    work_.resize(static_cast<std::size_t>(mesh_.slots()), Work::Changed);
     for (const std::int32_t t : tets) {
-      dirty_[t] = 1;
+      if (work_[t] == Work::Same) work_[t] = is_of_input(t) ? Work::Moved : Work::Changed;
       if (bad(t)) push(t);
     }
   }
@@ -234,7 +264,8 @@ class CleanUp {
   int max_ring_;
   Score score_;
   AggressiveImprovement aggressive_;
-  std::vector<std::uint8_t> dirty_;
+  std::vector<Work> work_;              ///< by tet
+  std::vector<std::uint8_t> at_dirty_;  ///< by node: 1 at a dirty tet of the input, if confined
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;
 };
 

@@ -25,6 +25,11 @@ struct ImproveOptions {
   double chord_tolerance = 0.05;
   /// Nodes below are interface nodes of a patch: they stay, and so does the hull between them.
   std::int32_t locked = 0;
+  /// Tets that have no node in common with a dirty one are not worked on, and of the others that
+  /// are not dirty none that is as good as it was. Else a tet that was bad all along, once a repair
+  /// has touched it, is repaired in its turn, and so on: where a thin wall has many such tets
+  /// clean-up wanders through all of the patch.
+  bool confined = false;
 };
 
 struct ImproveResult {

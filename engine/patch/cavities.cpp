@@ -13,44 +13,89 @@ namespace remeshd {
 
 namespace {
 
-/// A facet by its two larger nodes; the smallest names the bucket that it stands in.
+/// A facet of a changed tet by its two larger nodes; the smallest names the bucket it stands in.
 struct BucketFacet {
   std::int32_t mid, high;
-  std::int32_t owner;
+  std::int32_t owner;  ///< among the changed tets
+  bool even;           ///< which side of the facet the tet is on
 };
 
-/// The nodes of the facet opposite a corner, ascending.
-std::array<std::int32_t, 3> facet_key(const Tet& t, int corner) {
+/// The facet of a tet opposite a corner, and its smallest node.
+std::pair<std::int32_t, BucketFacet> facet_of(const Tet& t, int corner, std::int32_t owner) {
   const auto& f = kTetFacets[corner];
   std::array<std::int32_t, 3> key{t[f[0]], t[f[1]], t[f[2]]};
-  std::sort(key.begin(), key.end());
-  return key;
+  bool even = true;
+  const auto order = [&](int i, int j) {
+    if (key[i] < key[j]) return;
+    std::swap(key[i], key[j]);
+    even = !even;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return {key[0], {key[1], key[2], owner, even}};
 }
 
-/// Tets that share a facet, on either side of the exchange, belong to one cavity.
-void join_across_facets(std::span<const Tet> tets, std::size_t node_count, UnionFind& sets,
+/// The changed tets at one facet, by mesh (Delaunay, output) and side: -1 where there is none.
+using FacetOwners = std::array<std::array<std::int32_t, 2>, 2>;
+
+/// Whether both meshes have a facet, with tets on the same sides of it.
+bool in_both(const FacetOwners& owners) {
+  const auto alike = [&](int side) { return (owners[0][side] < 0) == (owners[1][side] < 0); };
+  return alike(0) && alike(1);
+}
+
+void join_at_facet(const FacetOwners& owners, CavityExtent extent, UnionFind& sets) {
+  const bool by_side = extent == CavityExtent::Least && in_both(owners);
+  std::array<std::int32_t, 2> first{-1, -1};  // by side, or at 0 of both
+  for (int side = 0; side < 2; ++side)
+    for (const auto& of_mesh : owners) {
+      if (of_mesh[side] < 0) continue;
+      std::int32_t& joined = first[by_side ? side : 0];
+      if (joined < 0) joined = of_mesh[side];
+      sets.join(joined, of_mesh[side]);
+    }
+}
+
+/// Joins the tets of one cavity. `delaunay_count`: so many of them are of the Delaunay mesh, the
+/// others of the output.
+void join_across_facets(std::span<const Tet> tets, std::size_t delaunay_count,
+                        std::size_t node_count, CavityExtent extent, UnionFind& sets,
                         Polling& poll) {
   const auto facets = grouped<BucketFacet>(node_count, [&](const auto& visit) {
     for (std::size_t k = 0; k < tets.size(); ++k)
       for (int i = 0; i < 4; ++i) {
-        const auto key = facet_key(tets[k], i);
-        visit(key[0], BucketFacet{key[1], key[2], static_cast<std::int32_t>(k)});
+        const auto [low, facet] = facet_of(tets[k], i, static_cast<std::int32_t>(k));
+        visit(low, facet);
       }
   });
+  std::vector<std::uint8_t> done;
   for (std::size_t n = 0; n < node_count; ++n) {
     poll();
     const std::span<const BucketFacet> at = facets[n];
-    for (std::size_t a = 0; a < at.size(); ++a)
-      for (std::size_t b = a + 1; b < at.size(); ++b)
-        if (at[a].mid == at[b].mid && at[a].high == at[b].high) sets.join(at[a].owner, at[b].owner);
+    done.assign(at.size(), 0);
+    for (std::size_t a = 0; a < at.size(); ++a) {
+      if (done[a] != 0) continue;
+      FacetOwners owners{{{-1, -1}, {-1, -1}}};
+      for (std::size_t b = a; b < at.size(); ++b) {
+        if (at[a].mid != at[b].mid || at[a].high != at[b].high) continue;
+        done[b] = 1;
+        const bool output = static_cast<std::size_t>(at[b].owner) >= delaunay_count;
+        std::int32_t& owner = owners[output ? 1 : 0][at[b].even ? 1 : 0];
+        if (owner >= 0) sets.join(owner, at[b].owner);  // of a mesh that is wrong
+        owner = at[b].owner;
+      }
+      join_at_facet(owners, extent, sets);
+    }
   }
 }
 
 /// The changed tets of both meshes, and which belong to one cavity.
 class Exchange {
  public:
-  Exchange(std::span<const Tet> delaunay, std::span<const Tet> output, std::size_t node_count)
-      : delaunay_(delaunay), output_(output), node_count_(node_count) {}
+  Exchange(std::span<const Tet> delaunay, std::span<const Tet> output, std::size_t node_count,
+           CavityExtent extent)
+      : delaunay_(delaunay), output_(output), node_count_(node_count), extent_(extent) {}
 
   /// `same`: by Delaunay tet the same output tet, or -1.
   void join(std::span<const std::int32_t> same, Polling& poll) {
@@ -68,7 +113,7 @@ class Exchange {
     tets.reserve(changed_.size());
     for (std::size_t c = 0; c < changed_.size(); ++c) tets.push_back(tet(c));
     sets_ = UnionFind(changed_.size());
-    join_across_facets(tets, node_count_, sets_, poll);
+    join_across_facets(tets, delaunay_count_, node_count_, extent_, sets_, poll);
     for (const auto& [of_delaunay, of_output] : anchors_)
       sets_.join(place(of_delaunay, 0, delaunay_count_),
                  place(of_output, delaunay_count_, changed_.size()));
@@ -136,6 +181,7 @@ class Exchange {
 
   std::span<const Tet> delaunay_, output_;
   std::size_t node_count_;
+  CavityExtent extent_;
   std::vector<std::int32_t> changed_;  ///< Delaunay tets, then output ones
   std::size_t delaunay_count_ = 0;     ///< of those
   UnionFind sets_{0};
@@ -145,7 +191,8 @@ class Exchange {
 }  // namespace
 
 Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
-                       std::span<const std::int32_t> same, std::size_t node_count, const Run& run) {
+                       std::span<const std::int32_t> same, std::size_t node_count,
+                       CavityExtent extent, const Run& run) {
   Polling poll(run);
   Cavities cavities;
   cavities.same.assign(delaunay.size(), -1);
@@ -162,7 +209,7 @@ Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> outpu
     if (cavities.same[k] < 0) cavities.same[k] = index.find(delaunay[k]);
     if (cavities.same[k] >= 0) stands[cavities.same[k]] = 1;
   }
-  Exchange exchange(delaunay, output, node_count);
+  Exchange exchange(delaunay, output, node_count, extent);
   do exchange.join(cavities.same, poll);
   while (exchange.anchor(cavities.same));
   exchange.list(cavities);

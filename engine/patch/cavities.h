@@ -18,10 +18,20 @@ struct Cavities {
   std::vector<Cavity> list;
 };
 
-/// Tets that share a facet, on either side of the exchange, belong to one cavity; each has Delaunay
-/// tets, if there are any. `same`: by output tet the Delaunay tet with the same nodes where that is
-/// known, else -1; may be empty. `node_count`: above every node of the tets.
+/// How far a cavity goes.
+enum class CavityExtent : std::uint8_t {
+  /// Changed tets of one mesh that share a facet belong to one cavity.
+  Connected,
+  /// But for a facet that both meshes have: there those on one side of it do, of either mesh, for
+  /// they may be exchanged without what is on the other. The least cavities with one hull.
+  Least,
+};
+
+/// Cavities each of which has Delaunay tets, if there are any. `same`: by output tet the Delaunay
+/// tet with the same nodes where that is known, else -1; may be empty. `node_count`: above every
+/// node of the tets.
 Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> output,
-                       std::span<const std::int32_t> same, std::size_t node_count, const Run& run);
+                       std::span<const std::int32_t> same, std::size_t node_count,
+                       CavityExtent extent, const Run& run);
 
 }  // namespace remeshd

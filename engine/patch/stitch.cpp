@@ -190,8 +190,9 @@ class Stitcher {
         patch_.delaunay, cut_.cut, names_, static_cast<std::int32_t>(whole_.mesh.nodes.size()));
     delaunay_state.tet_of_slot.resize(delaunay_state.mesh.slots(), DelaunayState::kOutside);
     std::vector<std::int32_t> tet_of_slot(slot.size(), DelaunayState::kOutside);  // of the patch
-    const Cavities cavities = find_cavities(patch_.peeled.tets, patch_.mesh.tets,
-                                            patch_.same.peeled, names_.size(), run_);
+    const Cavities cavities =
+        find_cavities(patch_.peeled.tets, patch_.mesh.tets, patch_.same.peeled, names_.size(),
+                      patch_.cavities, run_);
     std::vector<std::int32_t> free = cut_.parent_cavities;
     std::vector<std::int32_t> number;
     for (const std::int32_t c : free) delaunay_state.cavities.edit(c) = {};

@@ -15,6 +15,7 @@ struct PatchMesh {
   const PeeledMesh& peeled;      ///< its tets in the model
   const TetMesh& mesh;           ///< cleaned up
   const SameTets& same;          ///< by tet of `mesh`; empty where nothing is known
+  CavityExtent cavities = CavityExtent::Connected;  ///< as what it gives is to have them
 };
 
 /// A whole mesh with where it came from.

@@ -200,9 +200,11 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
   task.run.report("improve", 0.85);
   c.bad_at_interface = 0;
   if (!clean_up) return reused;
-  ImproveResult improved =
-      improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
-              {.threshold = options.threshold, .locked = c.nodes.interface_nodes}, task.run);
+  ImproveResult improved = improve(reused.mesh, c.nodes.supports, task.cells.boundary, reused.dirty,
+                                   {.threshold = options.threshold,
+                                    .locked = c.nodes.interface_nodes,
+                                    .confined = !options.sizing.even},
+                                   task.run);
   c.bad_at_interface = improved.bad_at_interface;
   return {
       std::move(improved.mesh),
@@ -214,7 +216,11 @@ void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, con
               std::uint32_t most_failures) {
   const CellularModel& cells = task.cells;
   c.whole = {};  // its memory, where it is made again
-  const PatchMesh made{c.nodes, c.loop.mesh, c.delaunay, mesh.mesh, mesh.same};
+  // In an even mesh, which is to be what it always was, a cavity is all that hangs together.
+  const PatchMesh made{
+      c.nodes,    c.loop.mesh,
+      c.delaunay, mesh.mesh,
+      mesh.same,  task.options.sizing.even ? CavityExtent::Connected : CavityExtent::Least};
   c.whole = stitch(task.parent, supports_left(task.parent, patch, task.entities), patch, made,
                    task.plan, task.run);
   task.run.report("verify", 0.95);

@@ -174,6 +174,32 @@ TEST(Improve, LeavesTheMeshFarFromDirtyTetsAsItIs) {
   EXPECT_NE(result.mesh.tets, s.mesh.tets);
 }
 
+TEST(Improve, ConfinedDoesNotWanderThroughTetsThatWereBadAllAlong) {
+  // A raw Delaunay mesh has slivers everywhere: each that a repair touches would be the next.
+  const SolidFixture s = make_box({4, 1, 1}, 14, 3);
+  std::vector<std::uint8_t> dirty(s.mesh.tets.size(), 0);
+  std::vector<std::uint8_t> near(s.mesh.nodes.size(), 0);
+  for (std::size_t t = 0; t < dirty.size(); ++t)
+    if (centroid(s.mesh.nodes, s.mesh.tets[t]).x < -1.8) {
+      dirty[t] = 1;
+      for (const std::int32_t n : s.mesh.tets[t]) near[n] = 1;
+    }
+  for (int ring = 0; ring < 2; ++ring) {
+    const std::vector<std::uint8_t> inner = near;
+    for (const Tet& t : s.mesh.tets)
+      if (std::ranges::any_of(t, [&](std::int32_t n) { return inner[n] != 0; }))
+        for (const std::int32_t n : t) near[n] = 1;
+  }
+  const auto moved_elsewhere = [&](const ImproveOptions& options) {
+    const ImproveResult r = improve(s.mesh, s.supports, s.boundary, dirty, options, {});
+    std::ptrdiff_t moved = 0;
+    for (std::size_t n = 0; n < near.size(); ++n) moved += r.node_moved[n] != 0 && near[n] == 0;
+    return moved;
+  };
+  EXPECT_EQ(moved_elsewhere({.confined = true}), 0);
+  EXPECT_GT(moved_elsewhere({}), 50);
+}
+
 TEST(Improve, GivesTheSameBytesForTheSameInput) {
   const SolidFixture s = make_cylinder(5, 4, 30, 7);
   const ImproveResult first = clean(s);

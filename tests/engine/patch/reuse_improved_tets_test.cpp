@@ -20,7 +20,7 @@ struct Original : MeshPatch {
     output_nodes = positions;
     tets = {{0, 1, 2, 4}};
     output = {{0, 1, 2, 3}, {1, 2, 3, 4}};
-    cavities = find_cavities(tets, output, {}, positions.size(), kRun);
+    cavities = find_cavities(tets, output, {}, positions.size(), CavityExtent::Connected, kRun);
   }
 };
 
@@ -76,7 +76,8 @@ struct BesideNewNode : testing::Test {
     original.output_nodes = original.positions;
     original.output_nodes[3] = {0.8, 0.8, 1};
     original.tets = original.output = {{0, 1, 2, 3}};
-    original.cavities = find_cavities(original.tets, original.output, {}, 4, kRun);
+    original.cavities =
+        find_cavities(original.tets, original.output, {}, 4, CavityExtent::Connected, kRun);
     nodes = copies_of(original, 4);
     nodes.add_new({0.7, 0.7, 0.9});
   }
