@@ -11,9 +11,12 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kMeasureStep = 1.0;      // of the edge length
-constexpr double kMeasurePoints = 20000;  // at most; the order of sources needs no more
-constexpr double kInPlaceExtent = 0.1;    // x a feature's least extent: as far as `in_place` holds
+struct PlanLimits {
+  double step = 1.0;       ///< of the measuring lattice, x the edge length
+  double points = 20000;   ///< of it at most; the order of sources needs no more
+  double of_extent = 0.1;  ///< x a feature's least extent: as far as `in_place` holds
+};
+constexpr PlanLimits kPlanLimits;
 
 /// The rigid motion that carries the frame `from` to `to`; a pure translation where the axes agree.
 Transform motion(const Transform& from, const Transform& to) {
@@ -73,7 +76,7 @@ bool CopyPlan::moves_less(int original, const Transform& motion, double in_place
   const Box& box = original_.solids()[original].bounds();
   const Vec3 extent = box.hi - box.lo;
   const double least = std::fmin(extent.x, std::fmin(extent.y, extent.z));
-  const double most = std::fmin(in_place, kInPlaceExtent * least);
+  const double most = std::fmin(in_place, kPlanLimits.of_extent * least);
   return std::ranges::all_of(corners_of(box), [&](const Vec3& corner) {
     return distance(corner, motion.apply(corner)) < most;
   });
@@ -112,8 +115,8 @@ void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified,
 void CopyPlan::measure(double edge_length, const Run& run) {
   const Box& box = modified_.bounds();
   const Vec3 extent = box.hi - box.lo;
-  const double h = std::fmax(kMeasureStep * edge_length,
-                             std::cbrt(extent.x * extent.y * extent.z / kMeasurePoints));
+  const double h = std::fmax(kPlanLimits.step * edge_length,
+                             std::cbrt(extent.x * extent.y * extent.z / kPlanLimits.points));
   const auto steps = [h](double v) { return static_cast<int>(std::ceil(v / h)); };
   for (int k = 0; k < steps(extent.z); ++k) {
     run.poll();

@@ -15,9 +15,11 @@ namespace {
 
 using Selected = std::vector<SizedFaces>;
 
-constexpr double kPartLength = 0.5;       // of the length asked for: how finely a part is told
-constexpr double kMaterialBalls = 50000;  // in the box of a feature, at most
-constexpr double kHalfDiagonal = std::numbers::sqrt3 / 2;  // of a cube, by its side
+struct SelectionLimits {
+  double part_length = 0.5;       ///< of the length asked for: how finely a part of a face is told
+  double material_balls = 50000;  ///< in the boxes of the features named, at most
+};
+constexpr SelectionLimits kSelectionLimits;
 
 /// Of the faces selected those that a face of the boundary is covered by.
 std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selected& selected) {
@@ -37,36 +39,54 @@ bool is_conditional(const SizedFaces& sized) { return !sized.on.condition.text.e
 /// What is selected of a face of the boundary by a condition, as fine as the length asked for.
 std::vector<std::array<Vec3, 3>> part_of(const BoundaryFace& face, const SizedFaces& sized,
                                          const Run& run) {
-  return part_where(face, sized.on.condition, kPartLength * sized.size, run);
+  return part_where(face, sized.on.condition, kSelectionLimits.part_length * sized.size, run);
 }
 
-/// Balls of the length asked for that cover the material of a feature, where the condition holds,
-/// if it is selected; as many as there are points of a cubic lattice in it, of large features not
-/// all.
-std::vector<SizedBall> material_of(const SizedFaces& sized, const FeatureModel& model,
-                                   const Run& run) {
-  if (!sized.on.whole || model.features[sized.on.feature].nature != Nature::Additive) return {};
-  const Membership membership(model);
-  const Box& box = membership.solids()[sized.on.feature].bounds();
-  const Vec3 extent = box.hi - box.lo;
-  const double apart =
-      std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / kMaterialBalls));
-  const auto steps = [apart](double v) { return static_cast<int>(std::ceil(v / apart)); };
-  std::optional<ConditionTest> holds;
-  if (is_conditional(sized)) holds.emplace(sized.on.condition);
-  Polling poll(run);
-  std::vector<SizedBall> balls;
-  for (int k = 0; k < steps(extent.z); ++k)
-    for (int j = 0; j < steps(extent.y); ++j)
-      for (int i = 0; i < steps(extent.x); ++i) {
-        poll();
-        const Vec3 p = box.lo + apart * Vec3{i + 0.5, j + 0.5, k + 0.5};
-        if (membership.contains(sized.on.feature, p) && membership.inside(p) &&
-            (!holds || (*holds)(p, {})))
-          balls.push_back({p, kHalfDiagonal * apart, sized.size});
-      }
-  return balls;
-}
+/// Covers the material of features that size controls name with balls of the length asked for.
+class MaterialCover {
+ public:
+  MaterialCover(const FeatureModel& model, const Run& run)
+      : model_(model), run_(run), membership_(model) {
+    for (const SizeControl& control : model.sizes)
+      if (const auto* selected = std::get_if<Selected>(&control.place))
+        features_ += std::ranges::count_if(*selected, [&](const auto& s) { return has_any(s); });
+  }
+
+  /// As many balls as a cubic lattice has points in the material where the condition holds, of
+  /// features that are large for their number and the length not all.
+  [[nodiscard]] std::vector<SizedBall> of(const SizedFaces& sized) const {
+    if (!has_any(sized)) return {};
+    const Box& box = membership_.solids()[sized.on.feature].bounds();
+    const Vec3 extent = box.hi - box.lo;
+    const double most = kSelectionLimits.material_balls / static_cast<double>(features_);
+    const double apart = std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / most));
+    const auto steps = [apart](double v) { return static_cast<int>(std::ceil(v / apart)); };
+    std::optional<ConditionTest> holds;
+    if (is_conditional(sized)) holds.emplace(sized.on.condition);
+    Polling poll(run_);
+    std::vector<SizedBall> balls;
+    for (int k = 0; k < steps(extent.z); ++k)
+      for (int j = 0; j < steps(extent.y); ++j)
+        for (int i = 0; i < steps(extent.x); ++i) {
+          poll();
+          const Vec3 p = box.lo + apart * Vec3{i + 0.5, j + 0.5, k + 0.5};
+          if (membership_.contains(sized.on.feature, p) && membership_.inside(p) &&
+              (!holds || (*holds)(p, {})))
+            balls.push_back({p, 0.5 * std::numbers::sqrt3 * apart, sized.size});
+        }
+    return balls;
+  }
+
+ private:
+  [[nodiscard]] bool has_any(const SizedFaces& sized) const {
+    return sized.on.whole && model_.features[sized.on.feature].nature == Nature::Additive;
+  }
+
+  const FeatureModel& model_;
+  const Run& run_;
+  Membership membership_;
+  std::ptrdiff_t features_ = 0;  ///< with material that is named
+};
 
 /// What of the box lies below the plane of its top is all of it.
 SizeSource source_of(const SizedBox& box) {
@@ -93,11 +113,12 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
                                      const Run& run) {
   std::vector<double> on(boundary.faces.size(), HUGE_VAL);  // whole faces
   std::vector<SizeSource> sources;
+  if (model.sizes.empty()) return sources;
+  const MaterialCover material(model, run);
   for (const SizeControl& control : model.sizes) {
     if (const auto* selected = std::get_if<Selected>(&control.place)) {
       for (const SizedFaces& sized : *selected)
-        for (const SizedBall& ball : material_of(sized, model, run))
-          sources.push_back(size_source(ball));
+        for (const SizedBall& ball : material.of(sized)) sources.push_back(size_source(ball));
       for (std::size_t f = 0; f < on.size(); ++f)
         for (const SizedFaces* sized : selected_on(boundary.faces[f], *selected)) {
           if (!is_conditional(*sized)) {
@@ -126,6 +147,8 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
 std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
                                           const Run& run) {
   std::vector<std::string> ids;
+  if (model.sizes.empty()) return ids;
+  const MaterialCover material(model, run);
   for (const SizeControl& control : model.sizes) {
     const auto* selected = std::get_if<Selected>(&control.place);
     if (selected == nullptr) continue;
@@ -134,9 +157,7 @@ std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const Bound
         return !is_conditional(*sized) || !part_of(face, *sized, run).empty();
       });
     };
-    const auto has_material = [&](const SizedFaces& sized) {
-      return !material_of(sized, model, run).empty();
-    };
+    const auto has_material = [&](const SizedFaces& s) { return !material.of(s).empty(); };
     if (std::ranges::none_of(boundary.faces, names) &&
         std::ranges::none_of(*selected, has_material))
       ids.push_back(control.id);

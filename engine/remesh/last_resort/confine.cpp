@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,6 +25,9 @@ struct ConfineLimits {
   double most = 0.15;  ///< of the tets: a mesh with more faults is wrong all over
   double hopeless =
       0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
+  /// Of the faults of the refill before: another is made only after one with fewer. Of 81 meshes of
+  /// the campaign 78 were valid with the first refill and one with the second, none with a later.
+  double fewer = 0.7;
 };
 constexpr ConfineLimits kConfineLimits;
 constexpr std::array kRefillMargins{1.5, 1.5, 3.0, 3.0, 6.0};  // x edge length
@@ -132,11 +136,13 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
   struct Tried {
     double margin = 0;
     std::size_t wrong_again = 0;
+    double faults = HUGE_VAL;
   } last;
   for (const double margin : kRefillMargins) {
     if (places.empty()) return;
     if (margin == last.margin && wrong_again.size() == last.wrong_again) continue;  // the same
-    last = {margin, wrong_again.size()};
+    last.margin = margin;
+    last.wrong_again = wrong_again.size();
     const Stopwatch watch;
     const auto give_up = [&](const std::string& why) {
       attempt.tries.push_back({attempt.name + ", refilled", why, watch.total()});
@@ -166,6 +172,8 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
         attempt.hopeless = true;
         return;
       }
+      const auto faults = static_cast<double>(next.verification.failures.size());
+      if (faults > kConfineLimits.fewer * std::exchange(last.faults, faults)) return;
       const std::vector<Vec3> more = faulty_places(next.verification);
       wrong_again.insert(wrong_again.end(), more.begin(), more.end());
     } catch (const PatchTooSmall& where) {

@@ -95,6 +95,12 @@ TEST(SizeControls, OnAFeatureHoldInItsMaterial) {
   EXPECT_NEAR(field({15, 0, 4}), 1 + 0.3 * 4, 0.3);
 }
 
+TEST(SizeControls, OnManyFeaturesHaveABoundedNumberOfSources) {
+  const Plate plate({{"a", "*", 0.01}, {"b", "tip | plate", 0.02}});
+  EXPECT_LT(size_sources(plate.model, plate.cells.boundary, kRun).size(), 50'100U);
+  EXPECT_NEAR(plate.field()({20, -20, 4}), 0.01, 1e-9);
+}
+
 TEST(SizeControls, UnderAConditionHoldWhereItDoes) {
   const SizeField field = Plate({{"a", "plate.top & x < 0 && y > 10 | tip & z > 12", 1.0}}).field();
   EXPECT_NEAR(field({-20, 25, 8}), 1, 1e-6);
