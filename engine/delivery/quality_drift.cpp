@@ -10,7 +10,8 @@ namespace remeshd {
 namespace {
 
 constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_expected = 0.1};
-constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.01};
+/// A detail that an edit adds or removes alone changes the mean by .01.
+constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.02};
 
 }  // namespace
 

@@ -84,6 +84,9 @@ class Sizes {
     const double everywhere = is_number ? length(size, ".size") : 0;
     std::vector<SizedFaces> sized;
     for (SelectedFaces& faces : select_faces(terms, source_, features_, scope_, where_ + ".on")) {
+      if (!faces.condition.text.empty() && ++conditions_ > kSelectorLimits.conditions)
+        throw error::limit_exceeded("", where_ + ".on", "conditions of selectors, times features,",
+                                    conditions_, kSelectorLimits.conditions);
       const double here = is_number ? everywhere : length_on(source_.features[faces.feature], size);
       sized.push_back({std::move(faces), here});
     }
@@ -101,6 +104,7 @@ class Sizes {
   const Scope& scope_;
   std::string where_;          ///< the size being evaluated
   std::size_t questions_ = 0;  ///< of selectors so far
+  std::size_t conditions_ = 0;
 };
 
 }  // namespace

@@ -11,6 +11,8 @@ struct SelectorLimits {
   std::size_t terms = 64;         ///< of one selector
   /// Of one model: what its selectors may ask, feature by feature and term by term.
   std::size_t questions = 1'000'000;
+  /// Of one model: its conditions, each as often as there are features that its term names.
+  std::size_t conditions = 10'000;
 };
 inline constexpr SelectorLimits kSelectorLimits;
 

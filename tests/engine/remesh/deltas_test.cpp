@@ -207,8 +207,10 @@ struct Result {
 /// connectivity of `from` was made for.
 Result expect_contract(const Revision& anchor, const Revision& from, const ModelSource& source) {
   Result result;
+  MeshOptions inherited;
+  inherited.sizing = from.options.sizing;
   try {
-    result.made = make_revision(from, source, {}, kRun);
+    result.made = make_revision(from, source, inherited, kRun);
   } catch (const Error& e) {
     result.what = e.info().reason;
     EXPECT_NE(result.what, "");
@@ -237,9 +239,17 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
   return result;
 }
 
-bool all_deltas() {
+/// Which edits the environment asks for: `all` of even meshes, or `sized`: all with default sizes.
+std::string deltas_asked_for() {
   const char* which = std::getenv("REMESHD_DELTAS");
-  return which != nullptr && std::string(which) == "all";
+  return which != nullptr ? which : "";
+}
+bool all_deltas() { return deltas_asked_for() == "all" || deltas_asked_for() == "sized"; }
+
+MeshOptions options() {
+  MeshOptions options = kOfDeltas;
+  options.sizing.even = deltas_asked_for() != "sized";
+  return options;
 }
 
 /// By how much the k-th edit of 2 * kSizes changes a number.
@@ -287,7 +297,7 @@ class EveryDelta : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryDelta, GivesAValidMeshThatIsAsContinuousAsPromisedOrARefusal) {
   ModelSource source = test::case_model(GetParam());
-  const Revision base = make_revision(Revision::none(), source, kOfDeltas, kRun);
+  const Revision base = make_revision(Revision::none(), source, options(), kRun);
   const std::vector<Literal> all = literals(source);
   const auto check = [&](std::size_t n, std::size_t k) {
     const double by = delta(k, base);

@@ -154,5 +154,18 @@ TEST(Sizes, DoNotAskTooMuchOfTheirSelectors) {
   EXPECT_EQ(test::error_of([&] { evaluate(source); }).reason, "LIMIT_EXCEEDED");
 }
 
+TEST(Sizes, DoNotHaveTooManyConditions) {
+  std::string terms = "*&x>1";
+  for (int k = 1; k < 64; ++k) terms += "|*&x>1";
+  ModelSource source = model({});
+  for (int k = 0; k < 36; ++k)
+    source.features.push_back(test::block("more" + std::to_string(k), 1, 1, 1));
+  for (int k = 0; k < 3; ++k) source.sizes.push_back({"s" + std::to_string(k), terms, 1.0});
+  EXPECT_NO_THROW(evaluate(source)) << "3 x 64 x 40";
+  source.sizes.push_back({"s3", terms, 1.0});
+  const ErrorInfo info = test::error_of([&] { evaluate(source); });
+  EXPECT_EQ(test::place_of(info), "LIMIT_EXCEEDED - sizes.s3.on");
+}
+
 }  // namespace
 }  // namespace remeshd
