@@ -230,8 +230,8 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
   EXPECT_EQ(none, r.report.strategy == MeshStrategy::Unchanged);
   if (none) expect_unchanged(from, r);
   if (r.report.strategy == MeshStrategy::Morphed) expect_continued(anchor, r, motions);
-  // Surfaces that are not on the boundary count too.
-  if (!none && largest < kNearly * kSmallest * l &&
+  // Surfaces that are not on the boundary count too. Sized meshes count in local lengths.
+  if (!none && from.options.sizing.even && largest < kNearly * kSmallest * l &&
       motion_bound(anchor.model, r.model) < kFollowed * l &&
       same_topology(anchor.cells.boundary, r.cells.boundary)) {
     EXPECT_TRUE(r.report.strategy == MeshStrategy::Morphed || says_why(r.report));
