@@ -59,8 +59,10 @@ class MaterialCover {
     const Box& box = membership_.solids()[sized.on.feature].bounds();
     const Vec3 extent = box.hi - box.lo;
     const double most = kSelectionLimits.material_balls / static_cast<double>(features_);
-    const double apart = std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / most));
-    const auto steps = [apart](double v) { return static_cast<int>(std::ceil(v / apart)); };
+    double apart = std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / most));
+    const auto across = [&](double v) { return std::ceil(v / apart); };
+    while (across(extent.x) * across(extent.y) * across(extent.z) > 2 * most) apart *= 1.5;  // thin
+    const auto steps = [&](double v) { return static_cast<int>(across(v)); };
     std::optional<ConditionTest> holds;
     if (is_conditional(sized)) holds.emplace(sized.on.condition);
     Polling poll(run_);

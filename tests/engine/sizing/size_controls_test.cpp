@@ -101,6 +101,13 @@ TEST(SizeControls, OnManyFeaturesHaveABoundedNumberOfSources) {
   EXPECT_NEAR(plate.field()({20, -20, 4}), 0.01, 1e-9);
 }
 
+TEST(SizeControls, OnAThinFeatureHaveABoundedNumberOfSources) {
+  ModelSource source = test::model_of({test::block("sheet", 1000, 1000, 1e-3)});
+  source.sizes = {{"a", "sheet", 1e-3}};
+  const FeatureModel model = evaluate(source);
+  EXPECT_LT(size_sources(model, build_cells(model, kRun).boundary, kRun).size(), 100'100U);
+}
+
 TEST(SizeControls, UnderAConditionHoldWhereItDoes) {
   const SizeField field = Plate({{"a", "plate.top & x < 0 && y > 10 | tip & z > 12", 1.0}}).field();
   EXPECT_NEAR(field({-20, 25, 8}), 1, 1e-6);
