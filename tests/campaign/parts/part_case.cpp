@@ -16,8 +16,8 @@ namespace remeshd::campaign {
 namespace {
 
 constexpr double kDetailed = 0.3;  // share of cases
-constexpr int kChangeTries = 30;  // in a row that come to nothing, before the loop ends
-constexpr double kEffect = 1e-9;  // of the part's size: an edit that changes less changes nothing
+constexpr int kChangeTries = 30;   // in a row that come to nothing, before the loop ends
+constexpr double kEffect = 1e-9;   // of the part's size: an edit that changes less changes nothing
 
 std::uint64_t seed_of(const CaseRequest& request) {
   Random random(request.seed * 0x9E3779B97F4A7C15ULL + request.number);

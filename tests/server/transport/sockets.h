@@ -39,9 +39,9 @@ inline bool closed_by_peer(const Descriptor& connection) {
 class Folder {
  public:
   Folder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("remeshd-transport-" + std::to_string(::getpid()) + "-" +
-               std::to_string(counter++))) {
+      : path_(
+            std::filesystem::temp_directory_path() /
+            ("remeshd-transport-" + std::to_string(::getpid()) + "-" + std::to_string(counter++))) {
     std::filesystem::create_directories(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }
