@@ -14,6 +14,7 @@
 #include "engine/base/stopwatch.h"
 #include "engine/kernel/brep.h"
 #include "engine/model/solid.h"
+#include "engine/remesh/density.h"
 #include "engine/remesh/remesh.h"
 #include "engine/verify/verify.h"
 #include "tests/support/cases.h"
@@ -225,13 +226,13 @@ Result expect_contract(const Revision& anchor, const Revision& from, const Model
   expect_valid_edit(from, r);
   const std::vector<double> motions = face_motions(anchor.cells.boundary, r.cells.boundary);
   const double largest = *std::max_element(motions.begin(), motions.end());
-  const double l = anchor.edge_length;
+  const double l = sizes_of(anchor, kRun).least();
   const bool none = same_geometry(from.meshed_model, r.model);
   EXPECT_EQ(none, r.report.strategy == MeshStrategy::Unchanged);
   if (none) expect_unchanged(from, r);
   if (r.report.strategy == MeshStrategy::Morphed) expect_continued(anchor, r, motions);
-  // Surfaces that are not on the boundary count too. Sized meshes count in local lengths.
-  if (!none && from.options.sizing.even && largest < kNearly * kSmallest * l &&
+  // Surfaces that are not on the boundary count too.
+  if (!none && largest < kNearly * kSmallest * l &&
       motion_bound(anchor.model, r.model) < kFollowed * l &&
       same_topology(anchor.cells.boundary, r.cells.boundary)) {
     EXPECT_TRUE(r.report.strategy == MeshStrategy::Morphed || says_why(r.report));
