@@ -87,14 +87,15 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
     nodes.supports[winner.node] = {kind, winner.entity};
     nodes.positions[winner.node] = target(boundary, nodes.supports[winner.node], winner);
     const Vec3 placed = nodes.positions[winner.node];
-    const double apart = options.split_distance * options.sizes(placed);
     for (std::size_t k = first; k < last && options.split; ++k) {
       if (k == strongest || pulls[k].weight < options.split_ratio * winner.weight) continue;
       const Meeting meeting = adjacency.meeting(kind, winner.entity, pulls[k].entity);
       if (meeting == Meeting::Blunt) continue;
       const Support support{kind, pulls[k].entity};
       const Vec3 place = target(boundary, support, pulls[k]);
-      if (meeting == Meeting::Sharp && norm2(place - placed) < apart * apart) continue;
+      if (meeting == Meeting::Sharp &&
+          distance(place, placed) < options.split_distance * options.sizes(placed))
+        continue;
       nodes.add_new(place, support);
     }
     first = last;

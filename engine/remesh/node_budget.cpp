@@ -31,12 +31,15 @@ constexpr BudgetLimits kBudgetLimits;
 /// gaps. Each node stands for a volume that holds more or fewer nodes as its edge length changes.
 class Start {
  public:
-  Start(SizeField field, const std::vector<Vec3>& nodes, const std::vector<ThinSide>& sides)
+  /// `longest`: it matters nowhere by how much more is asked for.
+  Start(SizeField field, const std::vector<Vec3>& nodes, const std::vector<ThinSide>& sides,
+        double longest)
       : field_(std::move(field)) {
     asked_.reserve(nodes.size());
-    for (const Vec3& p : nodes) asked_.push_back(field_.asked_for(p));
+    for (const Vec3& p : nodes) asked_.push_back(field_.asked_for(p, longest));
     sides_.reserve(sides.size());
-    for (const ThinSide& side : sides) sides_.push_back({side, field_.asked_for(side.middle)});
+    for (const ThinSide& side : sides)
+      sides_.push_back({side, field_.asked_for(side.middle, longest)});
   }
   [[nodiscard]] const SizeField& field() const { return field_; }
   /// Nodes that a mesh with the field has.
@@ -140,20 +143,22 @@ class CoarsenessSearch {
 /// Makes starts of a model.
 class Starts {
  public:
+  /// `longest`: no start is counted as with a base size of more, for rules as they are in it.
   Starts(const SizeRules& rules, const MeshOptions& options, const FeatureModel& model,
-         const Box& bounds, const Run& run)
+         const Box& bounds, double longest, const Run& run)
       : rules_(rules),
         sides_(rules.sides()),
         options_(options),
         membership_(model),
         bounds_(bounds),
+        longest_(longest),
         run_(run) {}
 
   [[nodiscard]] Start of(const Coarseness& c) const {
     SizeField field = rules_.field(c.base, c.weakening);
     const auto inside = [&](const Vec3& p) { return membership_.inside(p); };
     const std::vector<Vec3> nodes = fill_graded({bounds_}, inside, field, options_.seed, run_);
-    return Start(std::move(field), nodes, sides_);
+    return Start(std::move(field), nodes, sides_, longest_);
   }
 
  private:
@@ -162,6 +167,7 @@ class Starts {
   const MeshOptions& options_;
   Membership membership_;
   const Box& bounds_;
+  double longest_;
   const Run& run_;
 };
 
@@ -186,11 +192,12 @@ double coarsest_base(const CellularModel& cells, double nodes) {
 
 Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
                           const FeatureModel& model, const CellularModel& cells, const Run& run) {
-  const Starts starts(rules, options, model, cells.boundary.bounds, run);
+  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges);
+  const Starts starts(rules, options, model, cells.boundary.bounds,
+                      weakest * coarsest_base(cells, nodes), run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {std::move(sizes)};
-  CoarsenessSearch search(
-      nodes, guess, std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges));
+  CoarsenessSearch search(nodes, guess, weakest);
   while (search.goes_on(starts.of(search.now()))) {
   }
   Budgeted made = std::move(search).best();

@@ -113,15 +113,22 @@ class SizeField::Tree {
   }
   /// The least that sources ask for, where that is below `enough`, else that.
   [[nodiscard]] double operator()(const Vec3& p, double enough = HUGE_VAL) const {
-    Least least{enough, -1};
-    if (const std::optional<std::size_t> cell = grid_.cell_of(p)) {
-      const std::int32_t first = begin_at_[*cell];
-      if (first < 0 && enough <= limits_.base) return enough;
-      if (first >= 0) least.size = std::min(enough, sources_[first].at(p, limits_, enough));
-    }
+    const Beginning beginning = begin(p, enough);
+    if (beginning.none_matters) return enough;
+    Least least{beginning.size, -1};
     search(p, least);
     return least.size;
   }
+  /// Whether a source asks for less than a length.
+  [[nodiscard]] bool any_below(const Vec3& p, double length) const {
+    const Beginning beginning = begin(p, length);
+    if (beginning.none_matters || beginning.size < length) return !beginning.none_matters;
+    Least least{length, -1, length};
+    search(p, least);
+    return least.source >= 0;
+  }
+  /// What one source asks for that is near the point, or `enough` where that is less.
+  [[nodiscard]] double of_one(const Vec3& p, double enough) const { return begin(p, enough).size; }
 
  private:
   struct Node {
@@ -134,7 +141,19 @@ class SizeField::Tree {
   struct Least {
     double size;
     std::int32_t source;
+    double sought = 0;  ///< the search ends at the first that is less than this
   };
+  struct Beginning {
+    double size;        ///< what the source to begin at asks for, where less than enough
+    bool none_matters;  ///< no source asks for less than enough
+  };
+  [[nodiscard]] Beginning begin(const Vec3& p, double enough) const {
+    const std::optional<std::size_t> cell = grid_.cell_of(p);
+    if (!cell) return {enough, false};
+    const std::int32_t first = begin_at_[*cell];
+    if (first < 0) return {enough, enough <= limits_.base};
+    return {std::min(enough, sources_[first].at(p, limits_, enough)), false};
+  }
 
   /// Whether a node, at a distance from the point that is looked at, may have less than `least`.
   [[nodiscard]] bool may_have_less(const Node& node, double distance2, const Least& least) const {
@@ -167,8 +186,10 @@ class SizeField::Tree {
     const Node& node = nodes_[at];
     if (node.count > 0) {
       for (std::int32_t s = node.begin; s < node.begin + node.count; ++s)
-        if (const double size = sources_[s].at(p, limits_, least.size); size < least.size)
-          least = {size, s};
+        if (const double size = sources_[s].at(p, limits_, least.size); size < least.size) {
+          least.size = size;
+          least.source = s;
+        }
       return;
     }
     std::int32_t near = at + 1, far = node.second;
@@ -178,6 +199,7 @@ class SizeField::Tree {
       std::swap(to_near, to_far);
     }
     if (may_have_less(nodes_[near], to_near, least)) search(p, least, near);
+    if (least.size < least.sought) return;
     if (may_have_less(nodes_[far], to_far, least)) search(p, least, far);
   }
 
@@ -221,7 +243,17 @@ SizeField SizeField::refined(std::span<const Vec3> places, double share, const B
 
 std::size_t SizeField::bytes() const { return even() ? 0 : tree_->bytes(); }
 
-double SizeField::asked_for(const Vec3& p) const { return even() ? HUGE_VAL : (*tree_)(p); }
+double SizeField::asked_for(const Vec3& p, double enough) const {
+  return even() ? enough : (*tree_)(p, enough);
+}
+
+bool SizeField::is_below(const Vec3& p, double length) const {
+  return limits_.base < length || (!even() && tree_->any_below(p, length));
+}
+
+double SizeField::bound(const Vec3& p) const {
+  return even() ? limits_.base : tree_->of_one(p, limits_.base);
+}
 
 double SizeField::operator()(const Vec3& p) const {
   return even() ? limits_.base : (*tree_)(p, limits_.base);

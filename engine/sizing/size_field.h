@@ -64,8 +64,12 @@ class SizeField {
 
   /// Edge length at a point; length.
   [[nodiscard]] double operator()(const Vec3& p) const;
-  /// What is asked for at a point whatever the base size; infinite where nothing is.
-  [[nodiscard]] double asked_for(const Vec3& p) const;
+  /// Whether that is less than a length. Cheaper than the edge length.
+  [[nodiscard]] bool is_below(const Vec3& p, double length) const;
+  /// A length that it does not exceed, and seldom is much less than. Cheaper still.
+  [[nodiscard]] double bound(const Vec3& p) const;
+  /// What is asked for at a point whatever the base size, where that is below `enough`, else that.
+  [[nodiscard]] double asked_for(const Vec3& p, double enough = HUGE_VAL) const;
   /// Edge length where nothing asks for less.
   [[nodiscard]] double base() const { return limits_.base; }
   /// No edge length is less than this.

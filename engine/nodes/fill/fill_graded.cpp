@@ -92,7 +92,7 @@ class Octrees {
     const double constant = width * lattice_.constant();
     if (!box.contains(middle, constant)) return;
     if (level < levels_ &&
-        constant > kGradedFilling.largest * kGradedFilling.constant * sizes_(middle)) {
+        sizes_.is_below(middle, constant / (kGradedFilling.largest * kGradedFilling.constant))) {
       for (int octant = 0; octant < 8; ++octant)
         divide({2 * cube[0] + (octant & 1), 2 * cube[1] + (octant >> 1 & 1),
                 2 * cube[2] + (octant >> 2)},
@@ -153,10 +153,13 @@ void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) 
   Polling poll(run);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     poll();
-    bool crowded = false;
-    grid.for_each_within(nodes[n], kGradedFilling.closest * sizes(nodes[n]),
-                         [&](std::int32_t other, double) { crowded |= stays[other] != 0; });
-    stays[n] = crowded ? 0 : 1;
+    double nearest2 = HUGE_VAL;  // within what may be too near
+    grid.for_each_within(nodes[n], kGradedFilling.closest * sizes.bound(nodes[n]),
+                         [&](std::int32_t other, double d2) {
+                           if (stays[other] != 0) nearest2 = std::fmin(nearest2, d2);
+                         });
+    const double long_enough = std::sqrt(nearest2) / kGradedFilling.closest;
+    stays[n] = nearest2 == HUGE_VAL || sizes.is_below(nodes[n], long_enough) ? 1 : 0;
   }
   std::size_t left = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n)

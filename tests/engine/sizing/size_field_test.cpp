@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/base/random.h"
 
 namespace remeshd {
@@ -79,6 +81,24 @@ TEST(SizeField, TellsWhatAllSourcesTell) {
     double least = 10;
     for (const SizeSource& s : sources) least = std::fmin(least, s.at(p, kTen));
     ASSERT_EQ(field(p), least) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+TEST(SizeField, TellsLengthsThatItIsBelowAndOneThatItDoesNotExceed) {
+  const SizeField field(kTen, many(), kBounds);
+  const SizeField even = 10;
+  Random random(1);
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 p = any_point(random);
+    const double length = field(p);
+    EXPECT_FALSE(field.is_below(p, 0.999 * length));
+    EXPECT_TRUE(field.is_below(p, 1.001 * length));
+    EXPECT_GE(field.bound(p), length);
+    EXPECT_LE(field.bound(p), field.base());
+    EXPECT_DOUBLE_EQ(field.asked_for(p, 4), std::fmin(field.asked_for(p), 4));
+    EXPECT_FALSE(even.is_below(p, 10));
+    EXPECT_TRUE(even.is_below(p, 10.1));
+    EXPECT_EQ(even.bound(p), 10);
   }
 }
 
