@@ -79,8 +79,10 @@ class NameChecker {
       for (const double probe : {tiny_, 0.01 * tiny_})
         any = any || (membership_.inside(p - probe * out) && !membership_.inside(p + probe * out));
     }
-    const double reach = 2 * surface_.allowed(static_cast<std::int32_t>(index)) + tiny_;
     // A chord of a curved rim may cut that far into the face.
+    const auto facet_index = static_cast<std::int32_t>(index);
+    const double reach =
+        2 * std::max(surface_.allowed(facet_index), surface_.rim_rise(facet_index)) + tiny_;
     if (!any && !rays_.boundary_within(project(surface, c), reach))
       findings_.add("facet place", "a facet where the model has no boundary", c);
   }

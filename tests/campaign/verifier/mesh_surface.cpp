@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace remeshd::campaign {
 namespace {
@@ -33,6 +34,26 @@ double chord_rise(double size, double radius) {
 
 }  // namespace
 
+double rise_over_intersection(const Surface& one, const Surface& other, const Vec3& a,
+                              const Vec3& b) {
+  constexpr int kSteps = 50;
+  constexpr double kParallel = 1e-12;  // sine of the angle, squared
+  constexpr double kEnough = 1e-9;     // of the chord
+  const Vec3 middle = 0.5 * (a + b);
+  const double chord = distance(a, b);
+  Vec3 p = middle;
+  for (int step = 0; step < kSteps && distance(p, middle) < chord; ++step) {
+    // The least motion after which p is on both tangent planes.
+    const double d1 = signed_distance(one, p), d2 = signed_distance(other, p);
+    if (std::fabs(d1) + std::fabs(d2) <= kEnough * chord) return distance(p, middle);
+    const Vec3 n1 = normal(one, p), n2 = normal(other, p);
+    const double c = dot(n1, n2), s2 = norm2(cross(n1, n2));
+    if (s2 < kParallel) return 0;
+    p = p - ((d1 - c * d2) / s2) * n1 - ((d2 - c * d1) / s2) * n2;
+  }
+  return 0;
+}
+
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   // Ericson 2005, section 5.1.5.
   const Vec3 ab = b - a, ac = c - a, ap = p - a;
@@ -58,25 +79,33 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
 MeshSurface::MeshSurface(const TetMesh& mesh, const std::vector<Triangle>& facets,
                          const Membership& membership, double tiny)
     : mesh_(mesh), facets_(facets), tiny_(tiny) {
-  measure_rises(membership);
+  find_surfaces(membership);
+  measure_rises();
+  measure_rim_rises();
   build_grid();
 }
 
-void MeshSurface::measure_rises(const Membership& membership) {
-  // For each boundary node the smallest radius of curvature of the surfaces that it lies on.
-  std::vector<double> radius(mesh_.nodes.size(), -1);
+void MeshSurface::find_surfaces(const Membership& membership) {
+  on_.resize(mesh_.nodes.size());
+  std::vector<char> looked_at(mesh_.nodes.size(), 0);
   for (const Triangle& facet : facets_)
     for (const std::int32_t n : facet) {
-      if (radius[n] >= 0) continue;
-      radius[n] = HUGE_VAL;
+      if (std::exchange(looked_at[n], 1) == 1) continue;
       const Vec3& p = mesh_.nodes[n];
       for (const Solid& solid : membership.solids()) {
         if (!solid.bounds().contains(p, tiny_)) continue;
         for (const SolidFace& face : solid.faces())
-          if (std::fabs(signed_distance(face.surface, p)) <= tiny_)
-            radius[n] = std::min(radius[n], curvature_radius(face.surface, p));
+          if (std::fabs(signed_distance(face.surface, p)) <= tiny_) on_[n].push_back(&face.surface);
       }
     }
+}
+
+void MeshSurface::measure_rises() {
+  // For each boundary node the smallest radius of curvature of the surfaces that it lies on.
+  std::vector<double> radius(mesh_.nodes.size(), HUGE_VAL);
+  for (std::size_t n = 0; n < on_.size(); ++n)
+    for (const Surface* surface : on_[n])
+      radius[n] = std::min(radius[n], curvature_radius(*surface, mesh_.nodes[n]));
   // A facet's own rise, from its edges; at each node that of the facets round it; and the facet's
   // allowance from its nodes.
   std::vector<double> round(mesh_.nodes.size(), 0);
@@ -99,6 +128,22 @@ void MeshSurface::measure_rises(const Membership& membership) {
     for (const std::int32_t n : facet) most = std::max(most, round[n]);
     allowed_.push_back(most + tiny_);
     most_allowed_ = std::max(most_allowed_, allowed_.back());
+  }
+}
+
+void MeshSurface::measure_rim_rises() {
+  for (const Triangle& facet : facets_) {
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t a = facet[i], b = facet[(i + 1) % 3];
+      std::vector<const Surface*> both = on_[a];
+      std::erase_if(both, [&](const Surface* s) { return std::ranges::count(on_[b], s) == 0; });
+      for (std::size_t j = 0; j < both.size(); ++j)
+        for (std::size_t k = 0; k < j; ++k)
+          most = std::max(
+              most, rise_over_intersection(*both[j], *both[k], mesh_.nodes[a], mesh_.nodes[b]));
+    }
+    rim_rise_.push_back(most);
   }
 }
 

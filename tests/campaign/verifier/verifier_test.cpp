@@ -7,6 +7,7 @@
 
 #include "engine/model/feature_model.h"
 #include "tests/campaign/rays.h"
+#include "tests/campaign/verifier/mesh_surface.h"
 #include "tests/support/cases.h"
 
 namespace remeshd::campaign {
@@ -315,6 +316,25 @@ TEST(Verifier, FindsAWrongVolumeInTheReport) {
   const Findings findings = verify_edited(r);
   for (const char* check : {"volume", "exact volume", "reported volume"})
     EXPECT_TRUE(findings.has(check)) << check << "\n" << list(findings);
+}
+
+// A sphere that rises .01 above a plate: the chord of the circle where it leaves the plate is much
+// farther off that circle than off the sphere.
+TEST(MeshSurface, TellsHowFarAChordIsOffTheCurveWhereTwoFacesMeet) {
+  ModelSource model =
+      test::one_feature(test::feature("plate", "block", {{"dx", 4.0}, {"dy", 4.0}, {"dz", 1.0}}));
+  FeatureSource ball = test::feature("ball", "sphere", {{"radius", 1.0}});
+  ball.placement.origin = {0.0, 0.0, 0.01};
+  model.features.push_back(ball);
+  const Membership membership(evaluate(model));
+  ASSERT_FALSE(membership.inside({0.0, 0.0, 1.02}));
+  ASSERT_TRUE(membership.inside({0.0, 0.0, 1.005}));
+  const double r = std::sqrt(1 - 0.99 * 0.99), half = 0.5 * r, in = std::sqrt(r * r - half * half);
+  const TetMesh mesh{{{in, -half, 1}, {in, half, 1}, {0, 0, 1.01}}, {}};
+  const std::vector<Triangle> facets{{0, 1, 2}};
+  const MeshSurface surface(mesh, facets, membership, 1e-6);
+  EXPECT_NEAR(surface.rim_rise(0), r - in, 1e-6);
+  EXPECT_GT(surface.rim_rise(0), 2 * surface.allowed(0));
 }
 
 TEST(Rays, FindTheBoundaryWithinReachOnly) {
