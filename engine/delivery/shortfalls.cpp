@@ -52,6 +52,12 @@ std::vector<Warning> shortfalls(const Revision& made) {
         warning(WarningCode::ChordsCoarse, "chords lie up to " + digits(chord, 3) +
                                                " off their curved faces, at an edge length of " +
                                                digits(made.edge_length, 3)));
+  if (const std::uint32_t straight = report.counts.straight_edges; straight > 0)
+    warnings.push_back(
+        warning(WarningCode::EdgesStraight,
+                std::to_string(straight) + " of " + std::to_string(report.counts.mid_nodes) +
+                    " mid-nodes lie off their curved faces, in the middle of straight "
+                    "edges: curved ones would turn tets over"));
   return warnings;
 }
 

@@ -49,4 +49,8 @@ Vec3 centroid(const Nodes& nodes, const Tet& t) {
 constexpr std::array<std::array<int, 3>, 4> kTetFacets{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
+/// Corners of the edges of a tet, in VTK's order of mid-nodes.
+constexpr std::array<std::array<int, 2>, 6> kTetEdges{
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
 }  // namespace remeshd

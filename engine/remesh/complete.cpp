@@ -10,6 +10,7 @@
 #include "engine/delivery/shortfalls.h"
 #include "engine/remesh/node_sizes.h"
 #include "engine/remesh/strategies.h"
+#include "engine/second_order/mid_nodes.h"
 
 namespace remeshd {
 namespace {
@@ -114,6 +115,8 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
   revision.output.node_sizes = made_for(parent, revision, problem.run);
+  revision.output.mids = {.next_id = parent.output.mids.next_id};
+  if (revision.options.order == 2) add_mid_nodes(parent, revision, problem.run);
   report.last_resort_share = last_resort_share(parent, report, made_anew);
   for (auto& found : {lost_names(parent, revision, problem.run), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());

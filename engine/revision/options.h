@@ -35,7 +35,8 @@ struct MeshOptions {
   bool clean_up = true;  ///< false leaves the peeled Delaunay mesh as it is
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
   double threshold = goals::kThreshold;
-  Sizing sizing;  ///< where the mesh is finer than its edge length
+  std::uint32_t order = 1;  ///< of the tets: 1, or 2, with mid-nodes on the model's boundary
+  Sizing sizing;            ///< where the mesh is finer than its edge length
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,20 @@ struct MeshGroups {
   std::vector<std::vector<std::string>> cell_owners;  ///< feature ids in history order
 };
 
+/// Mid-nodes of a mesh of second order, one to each edge; none in a mesh of first order.
+struct MidNodes {
+  CowVector<Vec3> positions;
+  CowVector<std::array<std::int32_t, 2>> edges;    ///< by mid-node: corner nodes, the lower first
+  CowVector<std::array<std::int32_t, 6>> of_tets;  ///< by tet: of its edges 01 12 20 03 13 23
+  CowVector<std::uint64_t> ids;                    ///< permanent, as those of nodes
+  CowVector<NodeOrigin> origin;
+  CowVector<std::int32_t> original;   ///< in the original mesh; -1 where New
+  CowVector<std::int32_t> transform;  ///< index into `NodeMap::transforms`; -1 where New
+  /// Those on straight edges where the model's boundary is curved, ascending.
+  std::vector<std::int32_t> straightened;
+  std::uint64_t next_id = 1;  ///< permanent ids below are taken along the chain of ancestors
+};
+
 /// Everything the output mesh is made of, in the order of the files and the stream.
 struct OutputMesh {
   PagedMesh mesh;
@@ -51,6 +66,7 @@ struct OutputMesh {
   CowVector<double> node_sizes;
   MeshGroups groups;
   NodeMap map;
+  MidNodes mids;
 };
 
 }  // namespace remeshd

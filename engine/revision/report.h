@@ -29,6 +29,9 @@ struct Counts {
   std::uint32_t nodes_kept = 0, nodes_moved = 0, tets_kept = 0;
   std::uint32_t iterations = 0;
   std::uint32_t nodes_inserted = 0;  ///< to make the boundary complete
+  std::uint32_t mid_nodes = 0;       ///< of tets of second order
+  /// Of those, where the boundary is curved, left in the middle lest a tet turns over.
+  std::uint32_t straight_edges = 0;
 };
 
 /// Which way led to the mesh; a later one is taken where the earlier gave no valid mesh.

@@ -8,7 +8,8 @@ from pathlib import Path
 
 # The road the data travels.
 STATIONS = ("base mesh kernel model delaunay cellular local_fuse difference sizing plan boundary "
-            "nodes optimise extract improve verify revision patch delivery remesh").split()
+            "nodes optimise extract improve verify revision patch delivery second_order "
+            "remesh").split()
 # What programs under any licence may be built from (deploy/LICENSING.md).
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"

@@ -58,6 +58,9 @@ std::vector<MemoryBlock> memory_blocks(const Revision& revision) {
   blocks.add_all(d.mesh.nodes, d.mesh.tets, d.node_ids, d.tet_ids, d.groups.facets,
                  d.groups.tet_cell, d.map.node_origin, d.map.original_node, d.map.node_transform,
                  d.map.original_tet, d.node_sizes, revision.measures, revision.boxes);
+  const MidNodes& mids = d.mids;
+  blocks.add_all(mids.positions, mids.edges, mids.of_tets, mids.ids, mids.origin, mids.original,
+                 mids.transform, mids.straightened);
   if (const DelaunayState* m = revision.delaunay_state.get()) {
     m->mesh.visit_arrays([&](const auto&... arrays) { blocks.add_all(arrays...); });
     blocks.add_all(m->supports, m->tet_of_slot, m->cavities);

@@ -12,11 +12,11 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 15;
+constexpr std::uint32_t kFormat = 16;
 // With less of the report, whose latest parts come last, and without the options' sizing, the
-// models' sizes and dense places after it.
+// models' sizes and dense places, and the second order after it.
 constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
-                        kNoSizes = 14;
+                        kNoSizes = 14, kNoOrder = 15;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -76,6 +76,8 @@ std::string write_documents(const Revision& revision) {
             revision.options.sizing, revision.rules_weakening, nodes_needed(report),
             revision.source.sizes, revision.meshed_source.sizes, revision.dense_places);
     if (revision.anchor) archive(revision.anchor->source.sizes);
+    archive(revision.options.order, revision.output.mids.next_id, report.counts.mid_nodes,
+            report.counts.straight_edges);
   }
   return std::move(out).str();
 }
@@ -109,6 +111,10 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
       archive(revision.source.sizes, revision.meshed_source.sizes, revision.dense_places);
       if (documents.anchored) archive(documents.anchor_source.sizes);
     }
+    Counts& counts = revision.report.counts;
+    if (format > kNoOrder)
+      archive(revision.options.order, revision.output.mids.next_id, counts.mid_nodes,
+              counts.straight_edges);
 #endif
   } catch (const Error&) {
     throw;

@@ -238,6 +238,27 @@ void read_output(const Reader& read, const OutputMesh* alike, OutputMesh& d) {
   read("delivery.transforms", d.map.transforms);
 }
 
+void write_mids(Writer& write, const MidNodes& m) {
+  write("mids.nodes", m.positions);
+  write("mids.edges", m.edges);
+  write("mids.tets", m.of_tets);
+  write("mids.ids", m.ids);
+  write("mids.origins", m.origin);
+  write("mids.originals", m.original);
+  write("mids.transforms", m.transform);
+  write("mids.straightened", m.straightened);
+}
+void read_mids(const Reader& read, const MidNodes* alike, MidNodes& m) {
+  read("mids.nodes", m.positions, member(alike, &MidNodes::positions));
+  read("mids.edges", m.edges, member(alike, &MidNodes::edges));
+  read("mids.tets", m.of_tets, member(alike, &MidNodes::of_tets));
+  read("mids.ids", m.ids, member(alike, &MidNodes::ids));
+  read("mids.origins", m.origin, member(alike, &MidNodes::origin));
+  read("mids.originals", m.original, member(alike, &MidNodes::original));
+  read("mids.transforms", m.transform, member(alike, &MidNodes::transform));
+  read("mids.straightened", m.straightened);
+}
+
 void read_delaunay_state(const Reader& read, const DelaunayState* alike, DelaunayState& state) {
   state.mesh.visit_named([&](const char* name, auto& values) {
     using Values = std::remove_reference_t<decltype(values)>;
@@ -297,6 +318,7 @@ StoredArrays image_of(const Revision& revision) {
     write_supports(write, "anchor.supports", anchor->supports, "master.supports");
   }
   if (!d.node_sizes.empty()) write(kNodeSizes, d.node_sizes);
+  if (revision.options.order == 2) write_mids(write, d.mids);
   write.bytes(kDocuments, write_documents(revision));
   return write.take();
 }
@@ -311,6 +333,9 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   if (image.find(kNodeSizes) != nullptr)
     read(kNodeSizes, revision.output.node_sizes,
          member(member(alike, &Revision::output), &OutputMesh::node_sizes));
+  if (revision.options.order == 2)
+    read_mids(read, member(member(alike, &Revision::output), &OutputMesh::mids),
+              revision.output.mids);
   DelaunayState state = std::move(documents.delaunay_state);
   read_delaunay_state(read, alike ? alike->delaunay_state.get() : nullptr, state);
   if (documents.anchored)

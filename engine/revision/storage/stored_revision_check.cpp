@@ -156,6 +156,31 @@ void check_piece(const BoundaryPiece& piece, const FeatureModel& model) {
   check_names(piece.other_names, model);
 }
 
+void check_mids(const OutputMesh& d) {
+  const MidNodes& m = d.mids;
+  const std::size_t mids = m.positions.size();
+  check_places(m.positions, "mids.nodes");
+  expect_size(m.edges.size(), mids, "mids.edges");
+  m.edges.for_each([&](std::size_t, const auto& corners) {
+    expect_below(corners, 0, d.mesh.nodes.size(), "mids.edges");
+  });
+  expect_size(m.of_tets.size(), mids > 0 ? d.mesh.tets.size() : 0, "mids.tets");
+  m.of_tets.for_each(
+      [&](std::size_t, const auto& of_tet) { expect_below(of_tet, 0, mids, "mids.tets"); });
+  expect_size(m.ids.size(), mids, "mids.ids");
+  expect_size(m.origin.size(), mids, "mids.origins");
+  m.origin.for_each([&](std::size_t, NodeOrigin origin) {
+    if (origin > NodeOrigin::Moved) fail("mids.origins");
+  });
+  constexpr std::size_t kAny = std::size_t{1} << 31U;  // of the parent, which is not here
+  expect_size(m.original.size(), mids, "mids.originals");
+  expect_below(m.original, -1, kAny, "mids.originals");
+  expect_size(m.transform.size(), mids, "mids.transforms");
+  expect_below(m.transform, -1, d.map.transforms.size(), "mids.transforms");
+  expect_below(m.straightened, 0, mids, "mids.straightened");
+  if (!std::ranges::is_sorted(m.straightened)) fail("mids.straightened");
+}
+
 /// Of nodes, where there are any, and of places.
 void check_sizes(const Revision& revision) {
   constexpr const char* kArray = "sizes.nodes";
@@ -194,6 +219,7 @@ void check_indices(const Revision& revision) {
     for (const double number : transform.m) expect_finite(std::isfinite(number));
   check_delivery(revision.output);
   check_sizes(revision);
+  check_mids(revision.output);
   check_master(*revision.delaunay_state, revision.output, revision.cells.boundary);
   if (const Anchor* anchor = revision.anchor.get()) {
     check_places(anchor->nodes, "anchor.nodes");

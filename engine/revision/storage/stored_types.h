@@ -43,7 +43,7 @@ void serialize(auto& a, FeatureSource& f) {
 void serialize(auto& a, ParameterSource& p) {
   a(p.name, p.value, p.lower, p.upper, p.integer, p.unit, p.description);
 }
-/// But for the sizing, which came later.
+/// But for the sizing and the order, which came later.
 void serialize(auto& a, MeshOptions& o) {
   a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.rebuild, o.clean_up, o.threshold);
 }
@@ -54,6 +54,7 @@ void serialize(auto& a, BoundaryPiece& p) {
   a(p.boundary, p.outward, p.surface, p.material_names, p.other_names, p.box);
 }
 void serialize(auto& a, BoundaryParts& p) { a(p.brep, p.pieces); }
+/// But for the mid-nodes, which came later.
 void serialize(auto& a, Counts& c) {
   a(c.nodes, c.tets, c.boundary_facets, c.samples, c.active_samples, c.nodes_copied, c.nodes_new,
     c.free_at_start, c.free_at_end, c.free_per_iteration, c.nodes_kept, c.nodes_moved, c.tets_kept,
