@@ -97,16 +97,11 @@ std::vector<WarningCode> fail_on_of(const v1::MeshOptions& message) {
     if (!v1::Warning::Code_IsValid(code) || code == v1::Warning::CODE_UNSPECIFIED)
       throw error::option_invalid("fail_on", "names no warning");
     out.push_back(static_cast<WarningCode>(code - 1));
-    // No mesh of this daemon has it: to promise that it is an error would be a lie.
-    if (out.back() == WarningCode::EdgesStraight) throw error::unsupported("fail_on");
   }
   return out;
 }
 
 OptionsPatch decode(const v1::MeshOptions& message) {
-  if (message.has_order() && message.order() == 2) throw error::unsupported("order");
-  if (message.has_order() && message.order() != 1)
-    throw error::option_invalid("order", "is neither 1 nor 2");
   fail_on_of(message);
   OptionsPatch out;
   if (message.target_case() == v1::MeshOptions::kNodes) out.nodes = message.nodes();
@@ -115,6 +110,7 @@ OptionsPatch decode(const v1::MeshOptions& message) {
   if (message.has_seed()) out.seed = message.seed();
   if (message.has_clean_up()) out.clean_up = message.clean_up();
   if (message.has_threshold()) out.threshold = message.threshold();
+  if (message.has_order()) out.order = message.order();
   out.inside = inside_of(message.inside());
   out.start = start_of(message.start());
   out.sizing = decode(message.sizing());

@@ -43,7 +43,7 @@ v1::MeshOptions encode(const MeshOptions& options) {
                                                                     : v1::INSIDE_TEST_MEMBERSHIP);
   out.set_start(options.start == MeshOptions::Start::Random ? v1::START_RANDOM : v1::START_LATTICE);
   out.set_threshold(options.threshold);
-  out.set_order(1);
+  out.set_order(options.order);
   put(options.sizing, *out.mutable_sizing());
   return out;
 }

@@ -65,6 +65,8 @@ void put_counts(const Counts& counts, v1::Report& out) {
   out.set_nodes_moved(counts.nodes_moved);
   out.set_nodes_new(counts.nodes_new);
   out.set_tets_kept(counts.tets_kept);
+  out.set_mid_nodes(counts.mid_nodes);
+  out.set_straight_edges(counts.straight_edges);
 }
 
 void put_verification(const VerificationFigures& figures, v1::Report::Verification& out) {
@@ -138,7 +140,7 @@ v1::Report encode_report(const HeldRevision& held) {
   out.set_way(encode(report.strategy));
   out.set_last_resort_share(report.last_resort_share);
   put_counts(report.counts, out);
-  out.set_order(1);
+  out.set_order(held.revision.options.order);
   out.set_volume(report.volume);
   out.set_exact_volume(report.exact_volume);
   out.set_edge_length(report.edge_length);

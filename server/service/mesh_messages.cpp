@@ -17,6 +17,9 @@ namespace v1 = remesh::v1;
 static_assert(static_cast<int>(ArrayName::Nodes) == v1::MESH_ARRAY_NODES &&
                   static_cast<int>(ArrayName::OriginalTets) == v1::MESH_ARRAY_ORIGINAL_TETS &&
                   static_cast<int>(ArrayName::NodeSizes) == v1::MESH_ARRAY_NODE_SIZES &&
+                  static_cast<int>(ArrayName::MidNodes) == v1::MESH_ARRAY_MID_NODES &&
+                  static_cast<int>(ArrayName::MidNodeTransforms) ==
+                      v1::MESH_ARRAY_MID_NODE_TRANSFORMS &&
                   static_cast<int>(NumberType::F64) == v1::ARRAY_TYPE_F64 &&
                   static_cast<int>(NumberType::Text) == v1::ARRAY_TYPE_TEXT,
               "the session's numbers are the protocol's");
@@ -27,7 +30,7 @@ v1::MeshArray name_of(const MeshArray& array) {
 
 bool is_supported(int array) {
   return (array >= v1::MESH_ARRAY_NODES && array <= v1::MESH_ARRAY_ORIGINAL_TETS) ||
-         array == v1::MESH_ARRAY_NODE_SIZES;
+         (array >= v1::MESH_ARRAY_NODE_SIZES && array <= v1::MESH_ARRAY_MID_NODE_TRANSFORMS);
 }
 
 std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
@@ -125,8 +128,9 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
   header.set_base(base_);
   header.set_model_name(revision.source.name);
   header.set_unit(revision.source.unit);
-  header.set_order(1);
+  header.set_order(revision.options.order);
   header.set_nodes(size_of(delivery.mesh.nodes.size()));
+  header.set_mid_nodes(size_of(delivery.mids.positions.size()));
   header.set_tets(size_of(delivery.mesh.tets.size()));
   header.set_facets(size_of(delivery.groups.facets.size()));
   for (const Sent& sent : content_->arrays) {

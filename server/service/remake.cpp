@@ -33,6 +33,7 @@ OptionsPatch all_of(const MeshOptions& options) {
           .start = options.start,
           .threshold = options.threshold,
           .clean_up = options.clean_up,
+          .order = options.order,
           .sizing = all_of(options.sizing)};
 }
 

@@ -62,7 +62,7 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
         v1::ServerCapabilities::CAPABILITY_FORECAST, v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
         v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE})
     out.mutable_capabilities()->add_capabilities(capability);
-  out.mutable_capabilities()->add_orders(1);
+  for (const std::uint32_t order : {1U, 2U}) out.mutable_capabilities()->add_orders(order);
   for (const v1::MeshArray array : supported_arrays())
     out.mutable_capabilities()->add_arrays(array);
   put_limits(session, facts, limits, *out.mutable_limits());

@@ -33,6 +33,7 @@ struct OptionsPatch {
   std::optional<MeshOptions::Start> start;
   std::optional<double> threshold;
   std::optional<bool> clean_up;
+  std::optional<std::uint32_t> order;  ///< of the tets
   SizingPatch sizing;
 };
 

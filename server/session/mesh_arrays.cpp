@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/mesh/tet_mesh.h"
 #include "proto/checksum.h"
 
 namespace remeshd {
@@ -94,6 +95,33 @@ std::string lines(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Mid-nodes of a facet, of its edges 01, 12 and 20.
+std::array<std::int32_t, 3> mids_of(const MeshFacet& facet, const OutputMesh& d) {
+  const Tet& tet = d.mesh.tets[facet.tet];
+  const auto& mids = d.mids.of_tets[facet.tet];
+  std::array<std::int32_t, 3> out{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t e = 0; e < kTetEdges.size(); ++e) {
+      const std::int32_t a = tet[kTetEdges[e][0]], b = tet[kTetEdges[e][1]];
+      const std::int32_t from = facet.nodes[k], to = facet.nodes[(k + 1) % 3];
+      if ((a == from && b == to) || (a == to && b == from)) out[k] = mids[e];
+    }
+  return out;
+}
+
+void add_mids(const OutputMesh& d, std::vector<MeshArray>& arrays) {
+  using enum ArrayName;
+  using enum NumberType;
+  const auto& m = d.mids;
+  for (MeshArray array :
+       {array_of(ArrayName::MidNodes, F64, m.positions), array_of(EdgeMids, I32, m.edges),
+        array_of(TetMids, I32, m.of_tets),
+        array_of(FacetMids, d.groups.facets, [&d](const MeshFacet& f) { return mids_of(f, d); }),
+        array_of(MidNodeIds, U64, m.ids), array_of(MidNodeOrigins, U8, m.origin),
+        array_of(OriginalMidNodes, I32, m.original), array_of(MidNodeTransforms, I32, m.transform)})
+    arrays.push_back(std::move(array));
+}
+
 }  // namespace
 
 std::vector<MeshArray> mesh_arrays(const OutputMesh& d) {
@@ -119,6 +147,7 @@ std::vector<MeshArray> mesh_arrays(const OutputMesh& d) {
       text_array(TransformFeatures, m.transform_features.size(), lines(m.transform_features)),
       array_of(OriginalTets, I32, m.original_tet)};
   if (!d.node_sizes.empty()) arrays.push_back(array_of(NodeSizes, F64, d.node_sizes));
+  if (!d.mids.positions.empty()) add_mids(d, arrays);
   return arrays;
 }
 

@@ -33,8 +33,16 @@ enum class ArrayName : std::uint8_t {
   TransformFeatures,
   OriginalTets,
   NodeSizes = 20,
+  MidNodes,
+  EdgeMids,
+  TetMids,
+  FacetMids,
+  MidNodeIds,
+  MidNodeOrigins,
+  OriginalMidNodes,
+  MidNodeTransforms,
 };
-inline constexpr std::size_t kLastArrayName = 20;
+inline constexpr std::size_t kLastArrayName = 28;
 
 /// Of one number of an array, with the numbers of the protocol's ArrayType.
 enum class NumberType : std::uint8_t { F64 = 1, I32, U64, U8, Text };
@@ -66,7 +74,8 @@ struct MeshArray {
   }
 };
 
-/// The arrays that a mesh has, in the order of their names: all, but for the sizes of an even one.
+/// The arrays that a mesh has, in the order of their names: all, but for the sizes of an even one
+/// and the mid-nodes of one of first order.
 /// The delivery must outlive them.
 std::vector<MeshArray> mesh_arrays(const OutputMesh& delivery);
 

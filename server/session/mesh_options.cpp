@@ -29,6 +29,8 @@ void check(const OptionsPatch& patch) {
     throw error::option_invalid("iterations", "is more than 1000");
   if (patch.threshold && !(*patch.threshold >= 0 && *patch.threshold <= 0.8))
     throw error::option_invalid("threshold", "is not between 0 and 0.8");
+  if (patch.order && *patch.order != 1 && *patch.order != 2)
+    throw error::option_invalid("order", "is neither 1 nor 2");
   check(patch.sizing);
 }
 
@@ -54,6 +56,7 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
   options.start = patch.start.value_or(base.start);
   options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
+  options.order = patch.order.value_or(base.order);
   options.sizing = patched(patch.sizing, base.sizing);
   return options;
 }

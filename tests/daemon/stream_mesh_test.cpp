@@ -68,6 +68,43 @@ TEST_F(StreamedMeshes, ComeAsDifferencesAndAreTheSameToTheBit) {
   stream.finish();
 }
 
+TEST_F(StreamedMeshes, OfSecondOrderComeAsDifferencesToo) {
+  auto first = tool();
+  first.mutable_options()->set_order(2);
+  EditStream stream = client_.stream();
+  std::vector<EditStream::Answers> answers;
+  answers.push_back(stream.create(first, MeshWanted{.delta = true}));
+  answers.push_back(stream.edit(pins(4.1), MeshWanted{.delta = true}));
+  auto linear = pins(4.2);
+  linear.mutable_options()->set_order(1);
+  answers.push_back(stream.edit(linear, MeshWanted{.delta = true}));
+  std::vector<std::size_t> mids;
+  for (auto& answer : answers) {
+    const v1::RevisionResult result = answer.result.get();
+    const auto mesh = answer.mesh.get();
+    EXPECT_TRUE(*mesh == client_.get_mesh(result.revision().id()));
+    EXPECT_EQ(mesh->mid_nodes.size(), result.report().mid_nodes());
+    EXPECT_EQ(mesh->tet_mids.size(), mesh->mid_nodes.empty() ? 0 : mesh->tets.size());
+    mids.push_back(mesh->mid_nodes.size());
+  }
+  stream.finish();
+  EXPECT_GT(mids[0], 20000U);
+  EXPECT_GT(mids[1], 20000U) << "an edit inherits the order";
+  EXPECT_EQ(mids[2], 0U);
+}
+
+TEST_F(StreamedMeshes, OfSecondOrderHaveTheSameCorners) {
+  auto quadratic = tool();
+  quadratic.mutable_options()->set_order(2);
+  EditStream stream = client_.stream();
+  const auto one = stream.create(tool(), MeshWanted{}).mesh.get();
+  const auto two = stream.create(quadratic, MeshWanted{}).mesh.get();
+  stream.finish();
+  EXPECT_NE(one->revision, two->revision);
+  EXPECT_EQ(one->nodes, two->nodes);
+  EXPECT_EQ(one->tets, two->tets);
+}
+
 TEST_F(StreamedMeshes, AreShortWhereLittleChanged) {
   EditStream stream = client_.stream();
   auto first = stream.create(tool(), MeshWanted{});

@@ -261,6 +261,8 @@ TEST_F(Errors, OptionsOutOfRangeAreNamed) {
   EXPECT_EQ(option([](auto& o) { o.set_start(static_cast<v1::Start>(7)); }), "start");
   EXPECT_EQ(option([](auto& o) { o.set_threshold(0.9); }), "threshold");
   EXPECT_EQ(option([](auto& o) { o.set_threshold(std::nan("")); }), "threshold");
+  EXPECT_EQ(option([](auto& o) { o.set_order(0); }), "order");
+  EXPECT_EQ(option([](auto& o) { o.set_order(3); }), "order");
   EXPECT_EQ(option([](auto& o) { o.mutable_sizing()->set_edges_per_circle(2); }),
             "sizing.edges_per_circle");
   EXPECT_EQ(option([](auto& o) { o.mutable_sizing()->set_layers(17); }), "sizing.layers");

@@ -88,6 +88,7 @@ StoredArrays image_of_fake(const Revision& r) {
   out.value(o.rebuild);
   out.value(o.clean_up);
   out.value(o.threshold);
+  out.value(o.order);
   out.value(o.sizing.even);
   out.value(o.sizing.edges_per_circle);
   out.value(o.sizing.layers);
@@ -173,6 +174,7 @@ Revision revision_of_fake(const StoredArrays& image) {
   in.value(o.rebuild);
   in.value(o.clean_up);
   in.value(o.threshold);
+  in.value(o.order);
   in.value(o.sizing.even);
   in.value(o.sizing.edges_per_circle);
   in.value(o.sizing.layers);

@@ -115,6 +115,7 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   request.mutable_options()->set_inside(v1::INSIDE_TEST_CONTROL_MESH);
   request.mutable_options()->set_start(v1::START_RANDOM);
   request.mutable_options()->set_threshold(0.4);
+  request.mutable_options()->set_order(2);
   const auto base = create(request);
   const auto child = edit("plate", set("at", 12));
   EXPECT_EQ(child.revision().parent(), base.revision().id());
@@ -129,6 +130,7 @@ TEST_F(Revisions, AnEditIsTheChildOfItsBaseAndInheritsItsOptions) {
   EXPECT_EQ(description.options().inside(), v1::INSIDE_TEST_CONTROL_MESH);
   EXPECT_EQ(description.options().start(), v1::START_RANDOM);
   EXPECT_EQ(description.options().threshold(), 0.4);
+  EXPECT_EQ(description.options().order(), 2U);
   // The density is inherited, not the count.
   EXPECT_EQ(description.options().target_case(), v1::MeshOptions::kSize);
   EXPECT_EQ(description.options().size(), 2.5);

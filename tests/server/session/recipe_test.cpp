@@ -39,6 +39,7 @@ Recipe recipe_with_everything() {
   recipe.options.start = MeshOptions::Start::Random;
   recipe.options.rebuild = true;
   recipe.options.threshold = 0.45;
+  recipe.options.order = 2;
   recipe.options.sizing = {
       .even = false, .edges_per_circle = 20, .layers = 0, .min_size = 1.0 / 3, .growth = 1.1};
   recipe.digests = {{ArrayName::Nodes, std::string(64, 'c')}, {ArrayName::Tets, "d"}};
@@ -56,6 +57,14 @@ TEST(RecipeText, OfAModelWithoutSizesIsThatOfBeforeThereWereAny) {
   EXPECT_NE(write_recipe(recipe).find("\"sizes\""), std::string::npos);
   recipe.model.sizes.clear();
   EXPECT_EQ(write_recipe(recipe).find("\"sizes\""), std::string::npos);
+  EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
+}
+
+TEST(RecipeText, OfTheFirstOrderIsThatOfBeforeThereWasASecond) {
+  Recipe recipe = recipe_with_everything();
+  EXPECT_NE(write_recipe(recipe).find("\"order\""), std::string::npos);
+  recipe.options.order = 1;
+  EXPECT_EQ(write_recipe(recipe).find("\"order\""), std::string::npos);
   EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
 }
 

@@ -119,7 +119,7 @@ TEST(RevisionId, DiffersWithOptionsParentAndAlgorithm) {
         MeshOptions{.nodes = 100, .seed = 2}, MeshOptions{.nodes = 100, .clean_up = false},
         MeshOptions{.nodes = 100, .inside = MeshOptions::Inside::ControlMesh},
         MeshOptions{.nodes = 100, .start = MeshOptions::Start::Random},
-        MeshOptions{.nodes = 100, .threshold = 0.4}})
+        MeshOptions{.nodes = 100, .threshold = 0.4}, MeshOptions{.nodes = 100, .order = 2}})
     EXPECT_TRUE(ids.insert(revision_id(model(), options, "", 1)).second);
   EXPECT_TRUE(ids.insert(revision_id(model(), {}, std::string(64, 'a'), 1)).second);
   EXPECT_TRUE(ids.insert(revision_id(model(), {}, "", 2)).second);
