@@ -118,6 +118,11 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
                   "Clean up tets of a volume-length measure below this [0.52]")
       ->check(CLI::Range(0.0, 0.8))
       ->type_name("Q");
+  command
+      .add_option("--order", order,
+                  "Order of the tets: 2 has nodes on their edges too, on the true geometry [1]")
+      ->check(CLI::Range(1U, 2U))
+      ->type_name("1|2");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
   add_sizing_to(command);
   command
@@ -166,6 +171,7 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (start == kLattice) message.set_start(remesh::v1::START_LATTICE);
   if (start == kRandom) message.set_start(remesh::v1::START_RANDOM);
   if (threshold) message.set_threshold(*threshold);
+  if (order) message.set_order(*order);
   if (no_clean_up) message.set_clean_up(false);
   if (even) message.mutable_sizing()->set_even(true);
   if (edges_per_circle) message.mutable_sizing()->set_edges_per_circle(*edges_per_circle);

@@ -24,6 +24,7 @@ struct MeshingOptions {
   std::string inside;  ///< empty, `membership` or `control-mesh`
   std::string start;   ///< empty, `lattice` or `random`
   std::optional<double> threshold;
+  std::optional<std::uint32_t> order;  ///< of the tets: 1 or 2
   bool no_clean_up = false;
   bool even = false;
   std::optional<std::uint32_t> edges_per_circle, layers;

@@ -16,13 +16,19 @@ std::string share(std::uint32_t part, std::uint32_t whole) {
   return std::to_string(part) + " (" + rounded(100.0 * part / whole, 4) + " %)";
 }
 
+std::string nodes_of(const Report& report) {
+  const std::string corners = std::to_string(report.nodes());
+  return report.order() == 2 ? corners + " and " + std::to_string(report.mid_nodes()) + " on edges"
+                             : corners;
+}
+
 void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
   const Report& report = reply.report();
   const auto& quality = report.quality();
   write_table(
       out, {{"revision", reply.revision().id()},
             {"design", short_name(reply.revision())},
-            {"nodes", std::to_string(report.nodes())},
+            {"nodes", nodes_of(report)},
             {"tets", std::to_string(report.tets())},
             {"nodes kept", share(report.nodes_kept(), report.nodes())},
             {"tets kept", share(report.tets_kept(), report.tets())},

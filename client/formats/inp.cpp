@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "client/formats/element_nodes.h"
 #include "client/formats/inp_head.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
@@ -12,8 +13,8 @@
 namespace remeshd::client {
 namespace {
 
-/// Abaqus's number of the facet of a C3D4 opposite each corner: S1 is 1-2-3, S2 1-4-2, S3 2-4-3,
-/// S4 3-4-1.
+/// Abaqus's number of the facet of a C3D4 or C3D10 opposite each corner: S1 is 1-2-3, S2 1-4-2, S3
+/// 2-4-3, S4 3-4-1.
 constexpr std::array<int, 4> kFaceNumber{3, 4, 2, 1};
 
 /// A coordinate that reads back to the same bits. Without an exponent where that can be: CalculiX
@@ -92,7 +93,7 @@ void append_faces(std::string& out, const Mesh& mesh) {
     std::string sides;
     for (const Facet& facet : mesh.facets) {
       if (!std::ranges::binary_search(face.groups, facet.group)) continue;
-      for (const std::int32_t node : facet.nodes) nodes.insert(node + 1);
+      for (const std::int32_t node : nodes_of(mesh, facet)) nodes.insert(node + 1);
       append(sides, facet.tet + 1);
       sides += ", S";
       append(sides, kFaceNumber[corner_opposite(mesh, facet)]);
@@ -112,22 +113,24 @@ std::string to_inp(const Mesh& mesh) {
   std::string out = "*HEADING\ntetrahedral mesh by remeshd\n";
   // Read back, a file that was cut at the end of a line is told from a whole one by these.
   out += kInpHead;
-  append(out, mesh.nodes.size());
+  append(out, mesh.nodes.size() + mesh.mid_nodes.size());
   out += ", ";
   append(out, mesh.tets.size());
   out += "\n*NODE\n";
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    append(out, n + 1);
-    for (const double coordinate : mesh.nodes[n]) {
-      out += ", ";
-      append_coordinate(out, coordinate);
+  std::size_t number = 0;
+  for (const auto* nodes : {&mesh.nodes, &mesh.mid_nodes})
+    for (const auto& node : *nodes) {
+      append(out, ++number);
+      for (const double coordinate : node) {
+        out += ", ";
+        append_coordinate(out, coordinate);
+      }
+      out += '\n';
     }
-    out += '\n';
-  }
-  out += "*ELEMENT, TYPE=C3D4\n";
+  out += is_second_order(mesh) ? "*ELEMENT, TYPE=C3D10\n" : "*ELEMENT, TYPE=C3D4\n";
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     append(out, t + 1);
-    for (const std::int32_t node : mesh.tets[t]) {
+    for (const std::int32_t node : nodes_of(mesh, t)) {
       out += ", ";
       append(out, node + 1);
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "client/formats/element_nodes.h"
 #include "client/formats/element_types.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
@@ -93,9 +96,9 @@ std::uint64_t filled(const Entities& list) {
       std::ranges::count_if(list.elements, [](const auto& e) { return !e.empty(); }));
 }
 
-template <class CornersOf>
+template <class NodesOf>
 void write_elements(std::string& out, const Entities& list, std::int32_t type,
-                    std::uint64_t first_tag, const CornersOf& corners_of) {
+                    std::uint64_t first_tag, const NodesOf& nodes_of_element) {
   for (std::size_t k = 0; k < list.elements.size(); ++k) {
     if (list.elements[k].empty()) continue;
     put(out, list.dimension);
@@ -104,26 +107,33 @@ void write_elements(std::string& out, const Entities& list, std::int32_t type,
     put(out, std::uint64_t{list.elements[k].size()});
     for (const std::size_t element : list.elements[k]) {
       put(out, first_tag + element);
-      for (const std::int32_t node : corners_of(element))
+      for (const std::int32_t node : nodes_of_element(element))
         put(out, static_cast<std::uint64_t>(node) + 1);
     }
   }
 }
 
-/// The edge lengths aimed at, as a view of the nodes.
+/// Gmsh has the mid-nodes of the edges 13 and 23 the other way round.
+std::vector<std::int32_t> in_gmsh_order(std::vector<std::int32_t> nodes) {
+  if (nodes.size() == 10) std::swap(nodes[8], nodes[9]);
+  return nodes;
+}
+
+/// The edge lengths aimed at, as a view of the nodes: of all, or readers refuse it.
 void write_sizes(std::string& out, const Mesh& mesh) {
-  if (mesh.node_sizes.empty()) return;
+  const std::vector<double> sizes = sizes_of(mesh);
+  if (sizes.empty()) return;
   constexpr std::int32_t kStep = 0, kComponents = 1;
   out += "$NodeData\n1\n\"size\"\n1\n0\n3\n";  // its name, its time, three numbers
   append(out, kStep);
   out += '\n';
   append(out, kComponents);
   out += '\n';
-  append(out, mesh.node_sizes.size());
+  append(out, sizes.size());
   out += '\n';
-  for (std::size_t n = 0; n < mesh.node_sizes.size(); ++n) {
+  for (std::size_t n = 0; n < sizes.size(); ++n) {
     put(out, static_cast<std::int32_t>(n + 1));
-    put(out, mesh.node_sizes[n]);
+    put(out, sizes[n]);
   }
   out += "\n$EndNodeData\n";
 }
@@ -155,7 +165,7 @@ std::string to_msh(const Mesh& mesh) {
 
   // One block keeps the nodes in their order for readers that go by place, not by tag.
   out += "\n$EndEntities\n$Nodes\n";
-  const std::uint64_t nodes = mesh.nodes.size();
+  const std::uint64_t nodes = mesh.nodes.size() + mesh.mid_nodes.size();
   const std::uint64_t none = 0;
   const std::uint64_t one = 1;
   put(out, nodes > 0 ? one : none);
@@ -168,8 +178,9 @@ std::string to_msh(const Mesh& mesh) {
     put(out, std::int32_t{0});  // no parametric coordinates
     put(out, nodes);
     for (std::uint64_t tag = 1; tag <= nodes; ++tag) put(out, tag);
-    for (const auto& node : mesh.nodes)
-      for (const double coordinate : node) put(out, coordinate);
+    for (const auto* list : {&mesh.nodes, &mesh.mid_nodes})
+      for (const auto& node : *list)
+        for (const double coordinate : node) put(out, coordinate);
   }
 
   out += "\n$EndNodes\n$Elements\n";
@@ -178,12 +189,11 @@ std::string to_msh(const Mesh& mesh) {
   put(out, elements);
   put(out, elements > 0 ? one : none);
   put(out, elements);
-  write_elements(
-      out, surfaces, kGmshTriangle,
-      1 + mesh.tets.size(), [&](std::size_t f) -> const auto& { return mesh.facets[f].nodes; });
-  write_elements(
-      out, volumes, kGmshTetrahedron,
-      1, [&](std::size_t t) -> const auto& { return mesh.tets[t]; });
+  const bool second = is_second_order(mesh);
+  write_elements(out, surfaces, second ? kGmshTriangle6 : kGmshTriangle, 1 + mesh.tets.size(),
+                 [&](std::size_t f) { return nodes_of(mesh, mesh.facets[f]); });
+  write_elements(out, volumes, second ? kGmshTetrahedron10 : kGmshTetrahedron, 1,
+                 [&](std::size_t t) { return in_gmsh_order(nodes_of(mesh, t)); });
   out += "\n$EndElements\n";
   write_sizes(out, mesh);
   return out;

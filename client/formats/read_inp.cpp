@@ -29,15 +29,31 @@ std::vector<std::string_view> fields(std::string_view line) {
   }
 }
 
-enum class Block { Nodes, Tets, Other };
+enum class Block { Nodes, Tets, QuadraticTets, Other };
 
 /// What the data lines below a keyword line are.
 Block block_of(const std::string& keyword) {
   if (keyword == "*NODE" || keyword.starts_with("*NODE,")) return Block::Nodes;
   if (!keyword.starts_with("*ELEMENT,")) return Block::Other;
-  return keyword.find("TYPE=C3D4,") != std::string::npos || keyword.ends_with("TYPE=C3D4")
-             ? Block::Tets
-             : Block::Other;
+  const auto are = [&](const std::string& type) {
+    return keyword.find(type + ",") != std::string::npos || keyword.ends_with(type);
+  };
+  return are("TYPE=C3D4") ? Block::Tets : are("TYPE=C3D10") ? Block::QuadraticTets : Block::Other;
+}
+
+/// Entries of its data lines.
+std::size_t entries(Block block) {
+  switch (block) {
+    case Block::Nodes:
+      return 4;
+    case Block::Tets:
+      return 5;
+    case Block::QuadraticTets:
+      return 11;
+    case Block::Other:
+      break;
+  }
+  return 0;
 }
 
 /// Nodes by number.
@@ -99,7 +115,7 @@ FileMesh parse_inp(std::string_view bytes) {
     }
     if (block == Block::Other) continue;
     const auto parts = fields(line);
-    const std::size_t wanted = block == Block::Nodes ? 4 : 5;
+    const std::size_t wanted = entries(block);
     if (parts.size() < wanted) throw FileError("a line is too short: " + std::string(line));
     if (block == Block::Nodes)
       read_node(parts, mesh, places);
@@ -108,7 +124,7 @@ FileMesh parse_inp(std::string_view bytes) {
     // Some programs leave the end of the last line out. It is not missed where the last number
     // cannot be the beginning of another.
     const bool open = scanner.at_end() && parts.size() == wanted && bytes.back() > ' ';
-    if (open && (block == Block::Nodes || may_go_on(parts[4], places)))
+    if (open && (block == Block::Nodes || may_go_on(parts[wanted - 1], places)))
       throw FileError("its last line may be cut, for it has no end: " + std::string(line));
   }
   if (mesh.nodes.size() < wrote.nodes || mesh.tets.size() < wrote.tets)

@@ -87,21 +87,22 @@ void read_elements(Values values, FileMesh& mesh, const NodesByTag& places) {
     values.integer();  // dimension
     values.integer();  // entity
     const int type = values.integer();
-    const int corners = nodes_of(type);
-    if (corners == 0) throw FileError("elements of type " + std::to_string(type) + " are unknown");
+    const int nodes = nodes_of(type);
+    const bool is_tet = type == kGmshTetrahedron || type == kGmshTetrahedron10;
+    if (nodes == 0) throw FileError("elements of type " + std::to_string(type) + " are unknown");
     const std::uint64_t count = values.size();
-    values.expect(count, static_cast<std::size_t>(corners + 1) * values.least_bytes());
+    values.expect(count, static_cast<std::size_t>(nodes + 1) * values.least_bytes());
     for (std::uint64_t element = 0; element < count; ++element) {
       values.size();  // tag
       std::array<std::int32_t, 4> tet{};
-      for (int k = 0; k < corners; ++k) {
+      for (int k = 0; k < nodes; ++k) {
         const std::uint64_t tag = values.size();
-        if (type != kGmshTetrahedron) continue;
+        if (!is_tet || k >= 4) continue;
         const auto place = places.find(tag);
         if (place == places.end()) throw FileError("a tet refers to a node that is not there");
         tet[static_cast<std::size_t>(k)] = place->second;
       }
-      if (type == kGmshTetrahedron) mesh.tets.push_back(tet);
+      if (is_tet) mesh.tets.push_back(tet);
     }
   }
 }

@@ -174,12 +174,13 @@ void read_piece(pugi::xml_node piece, const Storage& storage, FileMesh& mesh) {
   const auto types = array("types");
   if (offsets.size() != types.size()) throw FileError("its cells are damaged");
   for (std::size_t c = 0; c < types.size(); ++c) {
-    if (types[c] != kVtkTetra) continue;
-    if (offsets[c] < 4 || static_cast<std::size_t>(offsets[c]) > connectivity.size())
+    if (types[c] != kVtkTetra && types[c] != kVtkQuadraticTetra) continue;
+    const std::int64_t nodes = types[c] == kVtkTetra ? 4 : 10;
+    if (offsets[c] < nodes || static_cast<std::size_t>(offsets[c]) > connectivity.size())
       throw FileError("its cells are damaged");
     std::array<std::int32_t, 4> tet{};
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::int64_t node = connectivity[static_cast<std::size_t>(offsets[c]) - 4 + k];
+      const std::int64_t node = connectivity[static_cast<std::size_t>(offsets[c] - nodes) + k];
       if (node < 0 || static_cast<std::uint64_t>(node) >= mesh.nodes.size() - first)
         throw FileError("a tet refers to a node that is not there");
       tet[k] = static_cast<std::int32_t>(static_cast<std::size_t>(node) + first);

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <string_view>
 
+#include "client/formats/element_nodes.h"
 #include "client/formats/element_types.h"
 #include "client/formats/named_groups.h"
 #include "client/formats/text.h"
@@ -93,14 +94,22 @@ class Arrays {
   std::vector<Array> list_;
 };
 
+/// What corner nodes have, then what mid-nodes have.
+template <class T>
+std::vector<T> joined(std::vector<T> corners, const std::vector<T>& mids) {
+  corners.insert(corners.end(), mids.begin(), mids.end());
+  return corners;
+}
+
 void add_point_data(Arrays& arrays, const Mesh& mesh) {
   std::vector<std::uint8_t> origin;
-  for (const NodeOrigin o : mesh.node_origin) origin.push_back(static_cast<std::uint8_t>(o));
+  for (const NodeOrigin o : joined(mesh.node_origin, mesh.mid_node_origin))
+    origin.push_back(static_cast<std::uint8_t>(o));
   arrays.add("PointData", "origin", 1, origin);
-  arrays.add("PointData", "original_node", 1, mesh.original_node);
-  arrays.add("PointData", "transform", 1, mesh.node_transform);
-  arrays.add("PointData", "node_id", 1, mesh.node_ids);
-  if (!mesh.node_sizes.empty()) arrays.add("PointData", "size", 1, mesh.node_sizes);
+  arrays.add("PointData", "original_node", 1, joined(mesh.original_node, mesh.original_mid_node));
+  arrays.add("PointData", "transform", 1, joined(mesh.node_transform, mesh.mid_node_transform));
+  arrays.add("PointData", "node_id", 1, joined(mesh.node_ids, mesh.mid_node_ids));
+  if (!mesh.node_sizes.empty()) arrays.add("PointData", "size", 1, sizes_of(mesh));
 }
 
 void add_cell_data(Arrays& arrays, const Mesh& mesh) {
@@ -146,19 +155,24 @@ void add_field_data(Arrays& arrays, const Mesh& mesh) {
 
 void add_geometry(Arrays& arrays, const Mesh& mesh) {
   std::vector<double> points;
-  points.reserve(3 * mesh.nodes.size());
-  for (const auto& node : mesh.nodes) points.insert(points.end(), node.begin(), node.end());
+  points.reserve(3 * (mesh.nodes.size() + mesh.mid_nodes.size()));
+  for (const auto* nodes : {&mesh.nodes, &mesh.mid_nodes})
+    for (const auto& node : *nodes) points.insert(points.end(), node.begin(), node.end());
   arrays.add("Points", "Points", 3, points);
 
+  const bool second = is_second_order(mesh);
+  const std::int64_t nodes = second ? 10 : 4;
   std::vector<std::int64_t> connectivity;
-  connectivity.reserve(4 * mesh.tets.size());
-  for (const auto& tet : mesh.tets) connectivity.insert(connectivity.end(), tet.begin(), tet.end());
+  connectivity.reserve(static_cast<std::size_t>(nodes) * mesh.tets.size());
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (const std::int32_t node : nodes_of(mesh, t)) connectivity.push_back(node);
   arrays.add("Cells", "connectivity", 1, connectivity);
   std::vector<std::int64_t> offsets(mesh.tets.size());
   for (std::size_t t = 0; t < offsets.size(); ++t)
-    offsets[t] = 4 * (static_cast<std::int64_t>(t) + 1);
+    offsets[t] = nodes * (static_cast<std::int64_t>(t) + 1);
   arrays.add("Cells", "offsets", 1, offsets);
-  arrays.add("Cells", "types", 1, std::vector<std::uint8_t>(mesh.tets.size(), kVtkTetra));
+  arrays.add("Cells", "types", 1,
+             std::vector<std::uint8_t>(mesh.tets.size(), second ? kVtkQuadraticTetra : kVtkTetra));
 }
 
 }  // namespace
@@ -179,7 +193,7 @@ std::string to_vtu(const Mesh& mesh) {
       "    <FieldData>\n";
   arrays.write_tags(out, "FieldData");
   out += "    </FieldData>\n    <Piece NumberOfPoints=\"";
-  append(out, mesh.nodes.size());
+  append(out, mesh.nodes.size() + mesh.mid_nodes.size());
   out += "\" NumberOfCells=\"";
   append(out, mesh.tets.size());
   out += "\">\n      <PointData Scalars=\"origin\">\n";

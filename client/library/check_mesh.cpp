@@ -21,6 +21,28 @@ void check_facets_tet(const Facet& facet, const Mesh& mesh) {
   if (shared != 3) mesh_damaged("a facet is not one of its tet");
 }
 
+void check_mids(const Mesh& mesh, const std::set<MeshArray>& arrays) {
+  using namespace remesh::v1;  // NOLINT(google-build-using-namespace): names of arrays
+  const auto has = [&](auto... wanted) { return (arrays.contains(wanted) && ...); };
+  if (has(MESH_ARRAY_EDGE_MIDS, MESH_ARRAY_NODES))
+    for (const auto& corners : mesh.edge_mids)
+      for (const std::int32_t node : corners)
+        check_index(node, 0, mesh.nodes.size(), MESH_ARRAY_EDGE_MIDS);
+  if (has(MESH_ARRAY_TET_MIDS, MESH_ARRAY_MID_NODES))
+    for (const auto& mids : mesh.tet_mids)
+      for (const std::int32_t mid : mids)
+        check_index(mid, 0, mesh.mid_nodes.size(), MESH_ARRAY_TET_MIDS);
+  if (has(MESH_ARRAY_FACET_MIDS, MESH_ARRAY_MID_NODES))
+    for (const Facet& facet : mesh.facets)
+      for (const std::int32_t mid : facet.mids)
+        check_index(mid, 0, mesh.mid_nodes.size(), MESH_ARRAY_FACET_MIDS);
+  if (has(MESH_ARRAY_MID_NODE_TRANSFORMS, MESH_ARRAY_TRANSFORMS))
+    for (const std::int32_t transform : mesh.mid_node_transform)
+      check_index(transform, -1, mesh.transforms.size(), MESH_ARRAY_MID_NODE_TRANSFORMS);
+  for (const NodeOrigin origin : mesh.mid_node_origin)
+    check_index(static_cast<std::int64_t>(origin), 0, 3, MESH_ARRAY_MID_NODE_ORIGINS);
+}
+
 }  // namespace
 
 void check_mesh(const Mesh& mesh, const std::set<MeshArray>& arrays) {
@@ -49,6 +71,7 @@ void check_mesh(const Mesh& mesh, const std::set<MeshArray>& arrays) {
       check_index(transform, -1, mesh.transforms.size(), MESH_ARRAY_NODE_TRANSFORMS);
   for (const NodeOrigin origin : mesh.node_origin)
     check_index(static_cast<std::int64_t>(origin), 0, 3, MESH_ARRAY_NODE_ORIGINS);
+  check_mids(mesh, arrays);
 }
 
 }  // namespace remeshd::client

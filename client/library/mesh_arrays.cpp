@@ -137,6 +137,18 @@ constexpr std::array kKnown{
     text<&Mesh::transform_features>(remesh::v1::MESH_ARRAY_TRANSFORM_FEATURES),
     numbers<&Mesh::original_tet>(remesh::v1::MESH_ARRAY_ORIGINAL_TETS, RowOf::Tet, ARRAY_TYPE_I32),
     numbers<&Mesh::node_sizes>(remesh::v1::MESH_ARRAY_NODE_SIZES, RowOf::Node, ARRAY_TYPE_F64),
+    numbers<&Mesh::mid_nodes>(remesh::v1::MESH_ARRAY_MID_NODES, RowOf::MidNode, ARRAY_TYPE_F64, 3),
+    numbers<&Mesh::edge_mids>(remesh::v1::MESH_ARRAY_EDGE_MIDS, RowOf::MidNode, ARRAY_TYPE_I32, 2),
+    numbers<&Mesh::tet_mids>(remesh::v1::MESH_ARRAY_TET_MIDS, RowOf::Tet, ARRAY_TYPE_I32, 6),
+    facets<&Facet::mids>(remesh::v1::MESH_ARRAY_FACET_MIDS, 3),
+    numbers<&Mesh::mid_node_ids>(remesh::v1::MESH_ARRAY_MID_NODE_IDS, RowOf::MidNode,
+                                 ARRAY_TYPE_U64),
+    numbers<&Mesh::mid_node_origin>(remesh::v1::MESH_ARRAY_MID_NODE_ORIGINS, RowOf::MidNode,
+                                    ARRAY_TYPE_U8),
+    numbers<&Mesh::original_mid_node>(remesh::v1::MESH_ARRAY_ORIGINAL_MID_NODES, RowOf::MidNode,
+                                      ARRAY_TYPE_I32),
+    numbers<&Mesh::mid_node_transform>(remesh::v1::MESH_ARRAY_MID_NODE_TRANSFORMS, RowOf::MidNode,
+                                       ARRAY_TYPE_I32),
 };
 
 }  // namespace

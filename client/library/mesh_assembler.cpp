@@ -26,10 +26,21 @@ std::optional<std::uint32_t> rows_of(RowOf what, const MeshHeader& header) {
       return header.tets();
     case RowOf::Facet:
       return header.facets();
+    case RowOf::MidNode:
+      return header.mid_nodes();
     case RowOf::Other:
       return {};
   }
   return {};
+}
+
+/// Whether a mesh cannot be without an array: an even one has no sizes, one of first order no
+/// mid-nodes.
+bool has_to_be(MeshArray array, const MeshHeader& header) {
+  if (array == remesh::v1::MESH_ARRAY_NODE_SIZES) return false;
+  const bool of_second_order = array >= remesh::v1::MESH_ARRAY_MID_NODES &&
+                               array <= remesh::v1::MESH_ARRAY_MID_NODE_TRANSFORMS;
+  return !of_second_order || header.order() == 2;
 }
 
 ArrayShape shape_of(const MeshHeader::Array& entry) { return {entry.type(), entry.components()}; }
@@ -191,8 +202,7 @@ std::string MeshAssembler::decode(const MeshHeader::Array& entry) {
 Mesh MeshAssembler::finish() {
   if (!ended_) mesh_damaged("its end is missing");
   for (const MeshArray array : wanted_)
-    if (find_array(array) != nullptr && array != remesh::v1::MESH_ARRAY_NODE_SIZES &&
-        !arrays_.contains(array))
+    if (find_array(array) != nullptr && !arrays_.contains(array) && has_to_be(array, header_))
       mesh_damaged(name_of(array) + " is missing");
   const bool transforms = arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORMS) &&
                           arrays_.contains(remesh::v1::MESH_ARRAY_TRANSFORM_FEATURES);

@@ -75,6 +75,19 @@ inline std::vector<SentArray> arrays_of(const Mesh& mesh) {
       raw(v1::MESH_ARRAY_ORIGINAL_TETS, kI32, 1, mesh.original_tet)};
   if (!mesh.node_sizes.empty())
     arrays.push_back(raw(v1::MESH_ARRAY_NODE_SIZES, kF64, 1, mesh.node_sizes));
+  if (mesh.mid_nodes.empty()) return arrays;
+  std::vector<std::array<std::int32_t, 3>> facet_mids;
+  for (const Facet& facet : mesh.facets) facet_mids.push_back(facet.mids);
+  for (SentArray array :
+       {raw(v1::MESH_ARRAY_MID_NODES, kF64, 3, mesh.mid_nodes),
+        raw(v1::MESH_ARRAY_EDGE_MIDS, kI32, 2, mesh.edge_mids),
+        raw(v1::MESH_ARRAY_TET_MIDS, kI32, 6, mesh.tet_mids),
+        raw(v1::MESH_ARRAY_FACET_MIDS, kI32, 3, facet_mids),
+        raw(v1::MESH_ARRAY_MID_NODE_IDS, kU64, 1, mesh.mid_node_ids),
+        raw(v1::MESH_ARRAY_MID_NODE_ORIGINS, v1::ARRAY_TYPE_U8, 1, mesh.mid_node_origin),
+        raw(v1::MESH_ARRAY_ORIGINAL_MID_NODES, kI32, 1, mesh.original_mid_node),
+        raw(v1::MESH_ARRAY_MID_NODE_TRANSFORMS, kI32, 1, mesh.mid_node_transform)})
+    arrays.push_back(std::move(array));
   return arrays;
 }
 
@@ -129,7 +142,8 @@ inline std::vector<remesh::v1::MeshMessage> mesh_messages(const Mesh& mesh,
   header.set_revision(mesh.revision);
   header.set_parent(mesh.parent);
   if (sending.base != nullptr) header.set_base(sending.base->revision);
-  header.set_order(1);
+  header.set_order(mesh.tet_mids.empty() ? 1 : 2);
+  header.set_mid_nodes(static_cast<std::uint32_t>(mesh.mid_nodes.size()));
   header.set_nodes(static_cast<std::uint32_t>(mesh.nodes.size()));
   header.set_tets(static_cast<std::uint32_t>(mesh.tets.size()));
   header.set_facets(static_cast<std::uint32_t>(mesh.facets.size()));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 
 #include "engine/mesh/tet_mesh.h"
 #include "remeshd/mesh.h"
@@ -92,6 +93,40 @@ inline Mesh sample_mesh(int n) {
   mesh.transforms = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
                      {0, -1, 0, 0.1, 1, 0, 0, 0.2, 0, 0, 1, -1.0 / 3}};
   mesh.transform_features = {"base", "Slot1"};
+  return mesh;
+}
+
+/// The same mesh with a node on each edge, beside its middle, and a valid value in every field.
+inline Mesh with_mid_nodes(Mesh mesh) {
+  std::map<std::array<std::int32_t, 2>, std::int32_t> known;
+  const auto mid_of = [&](std::int32_t a, std::int32_t b) {
+    const std::array<std::int32_t, 2> edge{std::min(a, b), std::max(a, b)};
+    const auto next = static_cast<std::int32_t>(known.size());
+    const auto [entry, added] = known.emplace(edge, next);
+    if (added) {
+      const auto &p = mesh.nodes[static_cast<std::size_t>(a)],
+                 &q = mesh.nodes[static_cast<std::size_t>(b)];
+      mesh.edge_mids.push_back(edge);
+      mesh.mid_nodes.push_back({0.5 * (p[0] + q[0]) + 1e-3 / 7, 0.5 * (p[1] + q[1]) - 1e-3 / 3,
+                                0.5 * (p[2] + q[2]) + 1e-3 / 9});
+    }
+    return entry->second;
+  };
+  for (const auto& tet : mesh.tets) {
+    auto& mids = mesh.tet_mids.emplace_back();
+    for (std::size_t k = 0; k < 6; ++k)
+      mids[k] = mid_of(tet[static_cast<std::size_t>(kTetEdges[k][0])],
+                       tet[static_cast<std::size_t>(kTetEdges[k][1])]);
+  }
+  for (Facet& facet : mesh.facets)
+    for (std::size_t k = 0; k < 3; ++k)
+      facet.mids[k] = mid_of(facet.nodes[k], facet.nodes[(k + 1) % 3]);
+  for (std::size_t k = 0; k < mesh.mid_nodes.size(); ++k) {
+    mesh.mid_node_ids.push_back((std::uint64_t{1} << 61) + 5 * k);
+    mesh.mid_node_origin.push_back(static_cast<NodeOrigin>(k % 3));
+    mesh.original_mid_node.push_back(k % 3 == 0 ? -1 : static_cast<std::int32_t>(3 * k));
+    mesh.mid_node_transform.push_back(k % 3 == 0 ? -1 : static_cast<std::int32_t>(k % 2));
+  }
   return mesh;
 }
 

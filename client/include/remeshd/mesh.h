@@ -16,7 +16,8 @@ enum class NodeOrigin : std::uint8_t { New = 0, Kept = 1, Moved = 2 };
 struct Facet {
   std::array<std::int32_t, 3> nodes{};
   std::int32_t tet = -1;
-  std::int32_t group = -1;  ///< index into `Mesh::facet_groups`
+  std::int32_t group = -1;                       ///< index into `Mesh::facet_groups`
+  std::array<std::int32_t, 3> mids{-1, -1, -1};  ///< of second order: of the edges 01 12 20
 
   friend bool operator==(const Facet&, const Facet&) = default;
 };
@@ -50,6 +51,16 @@ struct Mesh {
   /// right, without fused operations; the identity copies bits.
   std::vector<std::array<double, 12>> transforms;
   std::vector<std::string> transform_features;  ///< the first source feature of each transform
+
+  // Second order; empty in a mesh of first. Mid-nodes are counted by themselves, from 0.
+  std::vector<std::array<double, 3>> mid_nodes;        ///< x, y, z in the model's unit
+  std::vector<std::array<std::int32_t, 2>> edge_mids;  ///< by mid-node: corner nodes of its edge
+  /// By tet: mid-nodes of the edges 01 12 20 03 13 23, the order of VTK and Abaqus.
+  std::vector<std::array<std::int32_t, 6>> tet_mids;
+  std::vector<std::uint64_t> mid_node_ids;
+  std::vector<NodeOrigin> mid_node_origin;
+  std::vector<std::int32_t> original_mid_node;
+  std::vector<std::int32_t> mid_node_transform;
 
   friend bool operator==(const Mesh&, const Mesh&) = default;
 };

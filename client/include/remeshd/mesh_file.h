@@ -33,25 +33,29 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 /// Throws FileError.
 void write_file(const std::filesystem::path& path, const std::string& bytes);
 
-/// VTK XML unstructured grid, tets only, raw appended data.
+/// In each format a mesh of second order has its mid-nodes after all corner nodes.
+///
+/// VTK XML unstructured grid, tets only (types 10 or 24), raw appended data.
 ///
 /// Point data: `origin` (0 new, 1 kept, 2 moved), `original_node` (-1 where new), `transform`
-/// (index, -1 where new), `node_id`. Cell data: `kept` (0, 1), `original_tet` (-1 where not kept),
+/// (index, -1 where new), `node_id`; of mid-nodes `original_node` counts the parent's mid-nodes,
+/// from 0. Cell data: `kept` (0, 1), `original_tet` (-1 where not kept),
 /// `tet_id`, `cell` (of the cellular model), `owner:F` (1 where feature F owns the tet's cell),
 /// `facet_groups` (four numbers: the group of the facet opposite each corner, -1 inside) and
 /// `face_group` (the first of them that is not -1: colour the surface by it). Field data:
 /// `face:F.f` (the facet groups that lie on this face), `transform:K` (12 numbers).
 std::string to_vtu(const Mesh& mesh);
 
-/// Gmsh 4.1, binary. Node tags are 1 + index, tet tags 1 + index, facet tags follow the tets'.
+/// Gmsh 4.1, binary, triangles and tets of types 2 and 4, or 9 and 11. Node tags are 1 + index, tet
+/// tags 1 + index, facet tags follow the tets'.
 ///
 /// One volume entity for each cell and one surface entity for each facet group; physical groups of
 /// the same numbers, named by all their owners or faces (`base+slot1`). Where such a name joins
 /// several, each single feature and face has a physical group too, over all its entities.
 std::string to_msh(const Mesh& mesh);
 
-/// Abaqus and CalculiX input: `*NODE`, `*ELEMENT, TYPE=C3D4`, an element set for each owner, a node
-/// set and an element surface (S1..S4) for each face.
+/// Abaqus and CalculiX input: `*NODE`, `*ELEMENT` of C3D4 or C3D10, an element set for each owner,
+/// a node set and an element surface (S1..S4) for each face.
 ///
 /// Labels are the names of the features and faces with `.` written as `_`, because Abaqus takes a
 /// dot for an instance; labels are not sensitive to case there, so one that is taken gets `_2`.

@@ -59,6 +59,18 @@ TEST_F(Cli, OptionsThatAreNotGivenStayUnsetSoThatTheDaemonDecides) {
   EXPECT_EQ(service_.requests[1].create().options().iterations(), 0U);
 }
 
+TEST_F(Cli, MeshSendsTheOrderThatIsGiven) {
+  const std::vector<std::string> mesh{"mesh", kCases + "/simple-a.json", "-o", file("m.msh")};
+  const auto with_order = [&](const std::string& order) {
+    std::vector<std::string> arguments = mesh;
+    arguments.insert(arguments.end(), {"--order", order});
+    return arguments;
+  };
+  ASSERT_EQ(run(with_order("2")), kFine) << err_.str();
+  EXPECT_EQ(service_.requests[0].create().options().order(), 2U);
+  for (const char* wrong : {"0", "3", "two"}) EXPECT_EQ(run(with_order(wrong)), kUsage) << wrong;
+}
+
 TEST_F(Cli, MeshSendsTheRulesOfASizeFieldThatAreGiven) {
   const std::vector<std::string> mesh{"mesh", kCases + "/simple-a.json", "-o", file("m.msh")};
   const auto sent = [&](const std::vector<std::string>& flags) {

@@ -267,6 +267,29 @@ def check_revisions(folder, address):
     remesh("get", "simple-a@1", "-o", folder / "get.inp", code=3, address=address)
 
 
+def check_second_order(folder, address):
+    """Tets of ten nodes in every format; an edit inherits them and keeps most of them where they were."""
+    model, edit = case("tool1-ab")
+    said = remesh("mesh", model, "--nodes", NODES, "--order", "2", "--design", "second", "-o", folder / "s.vtu",
+                  address=address).stdout
+    assert " on edges" in said, said
+    base = meshio.read(folder / "s.vtu")
+    points = set(map(tuple, base.points))
+    remesh("edit", "second", edit, "-o", folder / "t.vtu", "--json", folder / "t.json", address=address)
+    report = json.loads((folder / "t.json").read_text())
+    assert (report["order"], report["straight_edges"]) == (2, 0), report
+    nodes = report["nodes"] + report["mid_nodes"]
+    for name in ("t.vtu", "t.msh", "t.inp"):
+        if name != "t.vtu":
+            remesh("get", "second", "-o", folder / name, address=address)
+        mesh = meshio.read(folder / name)
+        tets = sum(len(block.data) for block in mesh.cells if block.type == "tetra10")
+        assert (len(mesh.points), tets) == (nodes, report["tets"]), name
+    stayed = sum(tuple(p) in points for p in mesh.points)
+    assert stayed > nodes / 2, f"{stayed} of {nodes} points are where they were"
+    print(f"second order: {stayed} of {nodes} points are where they were")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -278,6 +301,8 @@ def main():
             check_sweep(folder, daemon.address)
             check_refusals(folder, daemon.address)
             check_interrupt(folder, daemon.address)
+            check_order(folder, daemon.address)
+            check_second_order(folder, daemon.address)
             check_heads(folder, daemon.address)
             check_cache(folder, daemon.address)
             check_revisions(folder, daemon.address)

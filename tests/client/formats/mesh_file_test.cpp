@@ -65,6 +65,21 @@ TEST_P(MeshFile, IsReadBackToTheBitByIndependentLibraries) {
   EXPECT_TRUE(run_script("read_back.py", {file_, folder_.path()}));
 }
 
+TEST_P(MeshFile, OfSecondOrderIsReadBackToTheBitByIndependentLibraries) {
+  const Mesh mesh = with_mid_nodes(sample_mesh(2));
+  write_mesh(file_, mesh);
+  write_raw_arrays(folder_.path(), mesh);
+  EXPECT_TRUE(run_script("read_back.py", {file_, folder_.path()}));
+}
+
+TEST_P(MeshFile, OfSecondOrderIsReadBackByOurOwnReader) {
+  const Mesh mesh = with_mid_nodes(sample_mesh(2));
+  write_mesh(file_, mesh);
+  const FileMesh back = read_mesh(file_);
+  EXPECT_EQ(back.nodes.size(), mesh.nodes.size() + mesh.mid_nodes.size());
+  EXPECT_EQ(back.tets, mesh.tets);
+}
+
 TEST_P(MeshFile, IsReadBackToTheBitByOurOwnReader) {
   const Mesh mesh = sample_mesh(2);
   write_mesh(file_, mesh);

@@ -41,6 +41,12 @@ inline void write_raw_arrays(const std::filesystem::path& folder, const Mesh& me
   write_raw(folder / "tet_id", mesh.tet_ids);
   write_raw(folder / "cell", mesh.tet_cell);
   write_raw(folder / "facets", mesh.facets);
+  write_raw(folder / "mid_points", mesh.mid_nodes);
+  write_raw(folder / "tet_mids", mesh.tet_mids);
+  write_raw(folder / "mid_origin", mesh.mid_node_origin);
+  write_raw(folder / "original_mid_node", mesh.original_mid_node);
+  write_raw(folder / "mid_node_id", mesh.mid_node_ids);
+  write_raw(folder / "edge_mids", mesh.edge_mids);
   std::ofstream(folder / "names.json") << "{\"facet_groups\": " << json(mesh.facet_groups)
                                        << ", \"cell_owners\": " << json(mesh.cell_owners) << "}";
 }

@@ -38,7 +38,7 @@ def check_sizes(mesh, want):
 
 def check_vtu(file, mesh, want):
     data = {name: arrays[0] for name, arrays in mesh.cell_data.items()}
-    assert len(mesh.cells) == 1 and mesh.cells[0].type == "tetra"
+    assert len(mesh.cells) == 1 and mesh.cells[0].type == want["tet_type"]
     same("tets", mesh.cells[0].data, want["tets"])
     same("origin", mesh.point_data["origin"], want["origin"])
     same("original_node", mesh.point_data["original_node"], want["original_node"])
@@ -55,7 +55,7 @@ def check_vtu(file, mesh, want):
     for name in names:
         groups = set(int(g) for g in mesh.field_data["face:" + name])
         got = [np.delete(tet, corner)
-               for tet, sides in zip(mesh.cells[0].data, data["facet_groups"])
+               for tet, sides in zip(mesh.cells[0].data[:, :4], data["facet_groups"])
                for corner in range(4) if int(sides[corner]) in groups]
         assert facets_of(got) == want["facets_on"](name), name
     reader = vtkXMLUnstructuredGridReader()
@@ -64,29 +64,41 @@ def check_vtu(file, mesh, want):
     grid = reader.GetOutput()
     assert grid.GetNumberOfCells() == len(want["tets"])
     same("VTK points", vtk_to_numpy(grid.GetPoints().GetData()), want["points"])
-    same("VTK tets", vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4),
-         want["tets"])
+    same("VTK tets", vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+         .reshape(want["tets"].shape), want["tets"])
+    assert vtk_to_numpy(grid.GetCellTypesArray()).tolist() == \
+        [{"tetra": 10, "tetra10": 24}[want["tet_type"]]] * len(want["tets"])
     same("VTK tet_id", vtk_to_numpy(grid.GetCellData().GetArray("tet_id")), want["tet_id"])
+
+
+def check_facet_mids(facets, want):
+    """Mid-nodes stand on the edges 01 12 20 of their facet."""
+    for facet in facets:
+        for k in range(3):
+            edge = sorted((facet[k], facet[(k + 1) % 3]))
+            assert list(want["edge_mids"][facet[3 + k] - want["corners"]]) == edge
 
 
 def check_msh(file, mesh, want):
     check_sizes(mesh, want)
-    tets = [c for c in mesh.cells if c.type == "tetra"]
+    tets = [c for c in mesh.cells if c.type == want["tet_type"]]
     assert len(tets) == len(want["cell_owners"])
     for cell, block in enumerate(tets):
         same("tets of a cell", block.data, want["tets"][want["cell"] == cell])
-    for dimension, type_, groups in ((2, "triangle", want["facet_groups"]),
-                                     (3, "tetra", want["cell_owners"])):
+    for dimension, type_, groups in ((2, want["facet_type"], want["facet_groups"]),
+                                     (3, want["tet_type"], want["cell_owners"])):
         for name in {n for group in groups for n in group} | {"+".join(g) for g in groups}:
             tag, dim = mesh.field_data[name]
             assert dim == dimension
             got = [block.data[members] for block, members in zip(mesh.cells, mesh.cell_sets[name])
                    if block.type == type_ and len(members)]
-            got = facets_of(np.vstack(got))
+            if dimension == 2 and type_ == "triangle6":
+                check_facet_mids(np.vstack(got), want)
+            got = facets_of(np.vstack(got)[:, :dimension + 1])
             if dimension == 2:
                 wanted = want["facets_on"](name)
             else:
-                wanted = facets_of(t for t, c in zip(want["tets"], want["cell"])
+                wanted = facets_of(t[:4] for t, c in zip(want["tets"], want["cell"])
                                    if set(name.split("+")) <= set(want["cell_owners"][c]))
             assert got == wanted, name
 
@@ -98,7 +110,7 @@ def abaqus_sides(tet):
 
 
 def check_inp(file, mesh, want):
-    assert len(mesh.cells) == 1
+    assert len(mesh.cells) == 1 and mesh.cells[0].type == want["tet_type"]
     same("tets", mesh.cells[0].data, want["tets"])
     p = want["points"]
     a, b, c, d = (p[want["tets"][:, k]] for k in range(4))
@@ -117,13 +129,39 @@ def check_inp(file, mesh, want):
             name = None
         elif name:
             element, side = (f.strip() for f in line.split(","))
-            nodes = abaqus_sides(want["tets"][int(element) - 1])[side]
+            nodes = abaqus_sides(want["tets"][int(element) - 1, :4])[side]
             surfaces.setdefault(name, []).append(nodes)
     for face in {n for group in want["facet_groups"] for n in group}:
         label = face.replace(".", "_")
         wanted = want["facets_on"](face)
         assert facets_of(surfaces[label]) == wanted, face
-        same(label, mesh.point_sets[label], np.unique(np.array(wanted)).astype(np.int32))
+        nodes = np.unique(np.array(wanted)).astype(np.int32)
+        assert set(nodes) <= set(mesh.point_sets[label])
+        # Of the mid-nodes those whose edge has both ends there, and is one of a facet.
+        edges = {tuple(sorted((f[k], f[(k + 1) % 3]))) for f in wanted for k in range(3)}
+        mids = [m + want["corners"] for m, e in enumerate(want["edge_mids"]) if tuple(e) in edges]
+        same(label, mesh.point_sets[label], np.concatenate([nodes, mids]).astype(np.int32))
+
+
+def add_mids(folder, want):
+    """Mid-nodes come after all corners; there are none in a mesh of first order."""
+    want["corners"] = len(want["points"])
+    want["edge_mids"] = raw(folder, "edge_mids", "<i4", 2)
+    second = len(want["edge_mids"]) > 0
+    want["tet_type"] = "tetra10" if second else "tetra"
+    want["facet_type"] = "triangle6" if second else "triangle"
+    if not second:
+        return
+    mids = raw(folder, "tet_mids", "<i4", 6) + want["corners"]
+    want["tets"] = np.hstack([want["tets"], mids.astype("<i4")])
+    if len(want["size"]):
+        ends = want["size"][want["edge_mids"]]
+        want["size"] = np.concatenate([want["size"], 0.5 * (ends[:, 0] + ends[:, 1])])
+    want["points"] = np.vstack([want["points"], raw(folder, "mid_points", "<f8", 3)])
+    for name, dtype in (("origin", "u1"), ("node_id", "<u8")):
+        want[name] = np.concatenate([want[name], raw(folder, "mid_" + name, dtype)])
+    originals = raw(folder, "original_mid_node", "<i4")
+    want["original_node"] = np.concatenate([want["original_node"], originals])
 
 
 def main():
@@ -139,8 +177,9 @@ def main():
         "tet_id": raw(folder, "tet_id", "<u8"),
         "cell": raw(folder, "cell", "<i4"),
     }
+    add_mids(folder, want)
     want.update(json.loads((folder / "names.json").read_text()))
-    facets = raw(folder, "facets", "<i4", 5)
+    facets = raw(folder, "facets", "<i4", 8)
 
     def facets_on(name):
         """The facets that lie on all the faces that are joined in `name`."""

@@ -83,6 +83,35 @@ TEST(MeshAssembler, TakesAnEvenMeshWhichHasNoSizes) {
   EXPECT_EQ(assemble(mesh_messages(mesh)), mesh);
 }
 
+TEST(MeshAssembler, TakesAMeshOfSecondOrderWholeAndAsDifferences) {
+  Mesh mesh = with_mid_nodes(*base_mesh());
+  EXPECT_EQ(assemble(mesh_messages(mesh)), mesh);
+  const auto base = std::make_shared<const Mesh>(mesh);
+  mesh.revision = "edited";
+  mesh.mid_nodes[7] = {0.25, -0.5, 0.125};
+  mesh.mid_node_origin[7] = NodeOrigin::Moved;
+  const Messages messages = mesh_messages(mesh, {.part_size = 100, .base = base.get()});
+  EXPECT_EQ(assemble(messages, {}, base), mesh);
+}
+
+TEST(MeshAssembler, RefusesAMeshOfSecondOrderWithoutItsMidNodes) {
+  const std::vector<MeshArray> some{remesh::v1::MESH_ARRAY_NODES, remesh::v1::MESH_ARRAY_TETS};
+  const std::vector<MeshArray> more{remesh::v1::MESH_ARRAY_NODES, remesh::v1::MESH_ARRAY_TETS,
+                                    remesh::v1::MESH_ARRAY_TET_MIDS};
+  EXPECT_NO_THROW(assemble(mesh_messages(sample_mesh(1), {.arrays = some}), more));
+  EXPECT_THROW(assemble(mesh_messages(with_mid_nodes(sample_mesh(1)), {.arrays = some}), more),
+               CallError);
+}
+
+TEST(MeshAssembler, RefusesMidNodesThatAreNotThere) {
+  Mesh mesh = with_mid_nodes(sample_mesh(1));
+  mesh.tet_mids[2][4] = static_cast<std::int32_t>(mesh.mid_nodes.size());
+  EXPECT_THROW(assemble(mesh_messages(mesh)), CallError);
+  mesh = with_mid_nodes(sample_mesh(1));
+  mesh.facets[1].mids[0] = -1;
+  EXPECT_THROW(assemble(mesh_messages(mesh)), CallError);
+}
+
 TEST(MeshAssembler, PassesOverArraysOfANewerProtocol) {
   const Mesh mesh = sample_mesh(1);
   Messages messages = mesh_messages(mesh);
