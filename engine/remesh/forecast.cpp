@@ -22,6 +22,7 @@ struct Cost {
   double bytes = 6e6, bytes_per_face = 0.25e6;  ///< of cells and boundary
   double bytes_per_node = 1330;                 ///< of an even mesh
   double graded = 420;                          ///< more bytes a node where it is not even
+  double quadratic = 540;                       ///< more bytes a node where there are mid-nodes
   /// x a node's share of a small Delaunay mesh: in the volume, and more for the share of the nodes
   /// that are on the boundary, to a power, for models that are all walls take many repairs.
   double per_node = 6, on_boundary = 125, power = 4;
@@ -136,9 +137,11 @@ Forecast forecast(const Density& density, const FeatureModel& model, const Cellu
   static const double kDelaunay = delaunay_seconds();
   const double per_node =
       kDelaunay * (kCost.per_node + kCost.on_boundary * std::pow(share, kCost.power));
+  const double bytes_per_node = kCost.bytes_per_node + (density.sizes.even() ? 0 : kCost.graded) +
+                                (options.order == 2 ? kCost.quadratic : 0);
   const double bytes = kCost.bytes +
                        kCost.bytes_per_face * static_cast<double>(boundary.faces.size()) +
-                       (kCost.bytes_per_node + (density.sizes.even() ? 0 : kCost.graded)) * nodes;
+                       bytes_per_node * nodes;
   return {.nodes = static_cast<std::uint32_t>(std::lround(nodes)),
           .bytes = static_cast<std::uint64_t>(bytes),
           .seconds = setup + per_node * nodes,

@@ -39,6 +39,14 @@ TEST(Forecast, HasTheNodesOfTheMeshWithinThreeInAHundred) {
   }
 }
 
+TEST(Forecast, HasMoreMemoryWhereThereAreMidNodes) {
+  const FeatureModel model = test::case_features("tool1-a");
+  MeshOptions options{.nodes = 3000};
+  const std::uint64_t straight = forecast_of(model, options).bytes;
+  options.order = 2;
+  EXPECT_GT(forecast_of(model, options).bytes, straight + 3000 * 6 * sizeof(Vec3));
+}
+
 TEST(Forecast, NamesWhatAsksForTheShortestEdgesFirst) {
   const Forecast f = forecast_of(test::case_features("tool1-a"), sized_by(4000));
   ASSERT_FALSE(f.details.empty());

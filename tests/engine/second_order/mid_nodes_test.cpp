@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "engine/boundary/facet_faces.h"
 #include "engine/remesh/remesh.h"
@@ -253,6 +254,57 @@ TEST(MidNodes, StayInTheMiddleOfStraightEdgesRatherThanTurnATetOver) {
     EXPECT_EQ(r.output.mids.positions[mid],
               0.5 * (r.output.mesh.nodes[a] + r.output.mesh.nodes[b]));
   }
+}
+
+struct TetOnTheHole {
+  std::size_t tet;
+  std::int32_t apex, curved;  ///< its node inside of the model; a mid-node opposite
+};
+
+/// A tet with three nodes on the hole's wall and one inside of the model.
+TetOnTheHole tet_on_the_hole(const Revision& r) {
+  const std::vector<Support> supports = r.supports().flat();
+  const MidNodes& mids = r.output.mids;
+  for (const MeshFacet& facet : r.output.groups.facets) {
+    if (r.output.groups.facet_groups[facet.group] != std::vector<std::string>{"hole.wall"})
+      continue;
+    const auto t = static_cast<std::size_t>(facet.tet);
+    const Tet& tet = r.output.mesh.tets[t];
+    const auto apex =
+        *std::ranges::find_if(tet, [&](std::int32_t n) { return !has_corner(facet.nodes, n); });
+    if (supports[apex].kind != Support::Kind::Interior) continue;
+    for (int k = 0; k < 6; ++k) {
+      const std::int32_t mid = mids.of_tets[t][k];
+      const auto& [a, b] = mids.edges[mid];
+      const Vec3 middle = 0.5 * (r.output.mesh.nodes[a] + r.output.mesh.nodes[b]);
+      if (a != apex && b != apex && distance(mids.positions[mid], middle) > 0.05)
+        return {t, apex, mid};
+    }
+  }
+  throw std::logic_error("no tet on the hole");
+}
+
+/// Puts a node somewhere else, its edges straight.
+void put(Revision& r, std::int32_t node, const Vec3& place) {
+  r.output.mesh.nodes.edit(node) = place;
+  for (std::size_t mid = 0; mid < r.output.mids.edges.size(); ++mid) {
+    const auto& [a, b] = r.output.mids.edges[mid];
+    if (a != node && b != node) continue;
+    r.output.mids.positions.edit(mid) = 0.5 * (r.output.mesh.nodes[a] + r.output.mesh.nodes[b]);
+  }
+}
+
+// As a flip makes them: its edges were those of other tets, in which they could be curved.
+TEST(MidNodes, ANewTetThatHasOnlyEdgesOfOldOnesIsNotTurnedOver) {
+  Revision parent = base();
+  const auto [tet, apex, curved] = tet_on_the_hole(parent);
+  const Vec3 between = parent.output.mids.positions[curved];  // where the curve comes to lie
+  Revision r = edited(base(), SetFeatureParameter{"hole", "radius", 6.0});
+  for (Revision* both : {&parent, &r}) put(*both, apex, between);
+  ASSERT_LT(least_jacobian(tet_of(r, tet)), 0.1);
+  r.output.map.original_tet.edit(tet) = -1;
+  add_mid_nodes(parent, r, kRun);
+  EXPECT_GE(least_jacobian(tet_of(r, tet)), 0.1);
 }
 
 }  // namespace
