@@ -1,5 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
@@ -8,22 +11,43 @@
 #include "client/cli/mesh_base.h"
 #include "client/cli/mesh_options.h"
 #include "client/cli/reply.h"
+#include "client/cli/short_edits.h"
 
 namespace remeshd::cli {
 namespace {
 
 struct EditArguments {
-  std::string base, edit;
+  std::string base, document;
+  std::vector<std::string> assignments, removed;  ///< after the document
   ReplyFiles files;
   MeshingOptions meshing;
   bool require_head = false;
 };
 
+remesh::v1::ModelEdit edit_of(const EditArguments& arguments) {
+  remesh::v1::ModelEdit edit;
+  if (!arguments.document.empty()) edit = read_edit(arguments.document);
+  for (const std::string& assignment : arguments.assignments) add_assignment(edit, assignment);
+  for (const std::string& feature : arguments.removed)
+    edit.add_edits()->mutable_remove_feature()->set_feature(feature);
+  if (arguments.document.empty() && edit.edits().empty())
+    throw UsageError("nothing to change: wanted is EDIT.json, --set or --remove");
+  return edit;
+}
+
+/// The reply to a request, with the place of an error in the edit's document.
+remesh::v1::RevisionResult reply_to(client::EditStream& stream,
+                                    remesh::v1::EditRevisionRequest request,
+                                    const EditArguments& arguments) {
+  const auto send = [&] { return stream.edit(std::move(request)).get(); };
+  return arguments.document.empty() ? send() : in_document(arguments.document, send);
+}
+
 int edit(Session& session, const EditArguments& arguments) {
   arguments.files.check();
   const Base base = resolve_base(arguments.base);
   remesh::v1::EditRevisionRequest request;
-  *request.mutable_edit() = read_edit(arguments.edit);
+  *request.mutable_edit() = edit_of(arguments);
   client::EditStream stream = session.stream();
   // A base that is meshed here takes the options, and the edit inherits them.
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
@@ -31,8 +55,7 @@ int edit(Session& session, const EditArguments& arguments) {
       arguments.base, [&] { return mesh_base(session, stream, base, arguments.meshing); }));
   arguments.meshing.fill(request, !base_is_model);
   if (arguments.require_head) request.mutable_head()->set_require(true);
-  const auto reply =
-      in_document(arguments.edit, [&] { return stream.edit(std::move(request)).get(); });
+  const auto reply = reply_to(stream, std::move(request), arguments);
   stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.files);
@@ -51,7 +74,18 @@ void add_edit_command(CLI::App& app, Action& action) {
           "a `/` or ends in .json; a model file is meshed first, with the options given, "
           "if the daemon lacks it")
       ->required();
-  command->add_option("EDIT.json", arguments->edit, "Edit document")->required();
+  command->add_option("EDIT.json", arguments->document, "Edit document");
+  command
+      ->add_option("--set", arguments->assignments,
+                   "Set a parameter of the model, or one of a feature (hole.radius=9), to a number "
+                   "or an expression; may be given several times, after EDIT.json in effect")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--remove", arguments->removed, "Remove a feature; likewise, after --set")
+      ->type_name("FEATURE")
+      ->expected(1)
+      ->take_all();
   arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
   command

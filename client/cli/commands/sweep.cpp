@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
@@ -9,6 +10,7 @@
 #include "client/cli/mesh_base.h"
 #include "client/cli/mesh_options.h"
 #include "client/cli/reply.h"
+#include "client/cli/short_edits.h"
 #include "client/cli/table.h"
 #include "client/cli/warnings.h"
 #include "proto/json_writer.h"
@@ -69,20 +71,11 @@ std::string start(Session& session, client::EditStream& stream, const Base& base
   return description.revision().id();
 }
 
-/// Sets a parameter of the model, or one of a feature where the name has a dot.
 remesh::v1::ModelEdit edit_of(const std::string& parameter, double value) {
   remesh::v1::ModelEdit edit;
-  const std::size_t dot = parameter.find('.');
-  if (dot == std::string::npos) {
-    auto* set = edit.add_edits()->mutable_set_parameter();
-    set->set_name(parameter);
-    set->mutable_value()->set_number_value(value);
-  } else {
-    auto* set = edit.add_edits()->mutable_set_feature_parameter();
-    set->set_feature(parameter.substr(0, dot));
-    set->set_name(parameter.substr(dot + 1));
-    set->mutable_value()->set_number_value(value);
-  }
+  google::protobuf::Value number;
+  number.set_number_value(value);
+  add_set_parameter(edit, parameter, std::move(number));
   return edit;
 }
 

@@ -217,6 +217,43 @@ TEST_F(Cli, SweepMovesNoHeadWhereTheDaemonFilesAllRevisions) {
   EXPECT_THAT(rows(), SizeIs(4));
 }
 
+TEST_F(Cli, EditTakesItsChangesFromTheCommandLine) {
+  ASSERT_EQ(run({"edit", "simple", "--set", "wall=8", "--remove", "rib", "--set",
+                 "hole.radius=9.5e-1", "--set", "depth=wall / 2", "-o", file("m.vtu")}),
+            kFine)
+      << err_.str();
+  const auto& edits = service_.requests[0].edit().edit().edits();
+  ASSERT_EQ(edits.size(), 4);
+  EXPECT_EQ(edits[0].set_parameter().name(), "wall");
+  EXPECT_EQ(edits[0].set_parameter().value().number_value(), 8);
+  EXPECT_EQ(edits[1].set_feature_parameter().feature(), "hole");
+  EXPECT_EQ(edits[1].set_feature_parameter().name(), "radius");
+  EXPECT_EQ(edits[1].set_feature_parameter().value().number_value(), 0.95);
+  EXPECT_EQ(edits[2].set_parameter().value().string_value(), "wall / 2");
+  EXPECT_EQ(edits[3].remove_feature().feature(), "rib");
+}
+
+TEST_F(Cli, EditAppliesItsDocumentBeforeTheChangesOfTheCommandLine) {
+  ASSERT_EQ(run({"edit", "simple", kCases + "/simple-ab.edit.json", "--set", "wall=8", "-o",
+                 file("m.vtu")}),
+            kFine)
+      << err_.str();
+  const auto& edits = service_.requests[0].edit().edit().edits();
+  ASSERT_GE(edits.size(), 2);
+  EXPECT_NE(edits[0].set_parameter().name(), "wall");
+  EXPECT_EQ(edits[edits.size() - 1].set_parameter().name(), "wall");
+}
+
+TEST_F(Cli, EditWithoutAChangeOrWithHalfOfOneIsAUsageError) {
+  EXPECT_EQ(run({"edit", "simple", "-o", file("m.vtu")}), kUsage);
+  EXPECT_THAT(err_.str(), HasSubstr("EDIT.json, --set or --remove"));
+  for (const char* wrong : {"wall", "=8", "wall="}) {
+    EXPECT_EQ(run({"edit", "simple", "--set", wrong, "-o", file("m.vtu")}), kUsage) << wrong;
+    EXPECT_THAT(err_.str(), HasSubstr(std::string("--set ") + wrong));
+  }
+  EXPECT_THAT(service_.requests, SizeIs(0));
+}
+
 TEST_F(Cli, SweepFilesItsRevisionsInTheDesignThatIsNamed) {
   ASSERT_EQ(run({"sweep", kCases + "/simple-a.json", "top_x", "1", "2", "1", "--design", "dd"}),
             kFine);

@@ -96,6 +96,10 @@ def check_same_bytes(folder, address):
         assert without_seconds(here[0]) == without_seconds(local[0]) == without_seconds(again[0])
         assert [r["cached"] for r, _ in (here, local, again)] == [False, False, True]
         assert here[0]["seconds"] == again[0]["seconds"], "a cached Report is the stored one"
+    remesh("edit", chains[0][0][0]["revision"], "--set", "hole_circle=38.01", "--seed", 3, "-o", folder / "same.vtu",
+           "--json", folder / "r.json", address=address)
+    by_words = json.loads((folder / "r.json").read_text())
+    assert by_words["revision"] == chains[0][1][0]["revision"] and by_words["cached"], by_words
     ways = [report["way"] for report, _ in chains[0]]
     assert ways == ["WAY_LOCAL", "WAY_MORPHED", "WAY_LOCAL"], ways
 
