@@ -1,6 +1,8 @@
 #include "client/cli/reply.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 
 #include "client/cli/table.h"
 #include "client/cli/warnings.h"
@@ -28,16 +30,19 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
   write_table(
       out, {{"revision", reply.revision().id()},
             {"design", short_name(reply.revision())},
+            {"way", name_of(report.way())},
+            {"edge length", rounded(report.edge_length())},
             {"nodes", nodes_of(report)},
             {"tets", std::to_string(report.tets())},
             {"nodes kept", share(report.nodes_kept(), report.nodes())},
             {"tets kept", share(report.tets_kept(), report.tets())},
-            {"volume", exact(report.volume()) + " (exact " + exact(report.exact_volume()) + ")"},
+            {"volume",
+             rounded(report.volume(), 8) + " (exact " + rounded(report.exact_volume(), 8) + ")"},
             {"verified", std::to_string(report.verification().tets_proved()) + " tets, " +
-                             std::to_string(report.verification().tets_inherited()) +
-                             " inherited; chords off by " +
-                             rounded(report.verification().chord_error(), 3) + ", volume by " +
-                             rounded(report.verification().volume_error(), 3)},
+                             std::to_string(report.verification().tets_inherited()) + " inherited"},
+            {"chord error", rounded(report.verification().chord_error(), 3)},
+            {"volume error", rounded(report.verification().volume_error(), 3) +
+                                 " of it, what chords cut off apart"},
             {"volume-length", "mean " + rounded(quality.volume_length_mean(), 4) +
                                   ", 1st percentile " + rounded(quality.volume_length_p01(), 4) +
                                   ", minimum " + rounded(quality.volume_length_min(), 4)},
@@ -49,20 +54,31 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
 
 }  // namespace
 
+std::string name_of(remesh::v1::Report::Way way) {
+  if (way == remesh::v1::Report::WAY_TETGEN) return "TetGen";
+  std::string name = remesh::v1::Report::Way_Name(way).substr(std::string("WAY_").size());
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name;
+}
+
 std::string short_name(const remesh::v1::RevisionInfo& revision) {
   if (revision.design().empty()) return revision.id().substr(0, 12);
   return revision.design() + "@" + std::to_string(revision.number());
 }
 
 void ReplyFiles::add_to(CLI::App& command) {
-  command.add_option("-o,--output", mesh, "Mesh file: .vtu, .msh or .inp")
+  command
+      .add_option("-o,--output", meshes,
+                  "Mesh file: .vtu, .msh or .inp; may be given several times")
       ->required()
-      ->type_name("OUT");
+      ->type_name("OUT")
+      ->expected(1)
+      ->take_all();
   command.add_option("--json", report, "Write the Report here; `-`: to stdout")->type_name("FILE");
 }
 
 void ReplyFiles::check() const {
-  check_mesh_file(mesh);
+  for (const std::filesystem::path& mesh : meshes) check_mesh_file(mesh);
   check_text_file(report);
 }
 
@@ -72,7 +88,7 @@ void deliver(Session& session, const remesh::v1::RevisionResult& reply, const Re
     session.console().note("the head of " + reply.revision().design() + " stays at " +
                            std::to_string(reply.head_number()) +
                            ": it is not the base of this edit any more");
-  session.write_mesh_of(reply.revision().id(), files.mesh);
+  session.write_mesh_of(reply.revision().id(), files.meshes);
   if (!files.report.empty()) session.write_text(files.report, write_json(reply.report()));
   if (files.report != "-") write_summary(session.out(), reply);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "client/cli/session.h"
 #include "remesh/v1/remesh.pb.h"
@@ -14,8 +16,8 @@ namespace remeshd::cli {
 
 /// Where the mesh and the Report of a mesh or an edit go.
 struct ReplyFiles {
-  std::string mesh;
-  std::string report;  ///< `-`: the data stream; empty: nowhere
+  std::vector<std::filesystem::path> meshes;  ///< the same mesh in each
+  std::string report;                         ///< `-`: the data stream; empty: nowhere
 
   void add_to(CLI::App& command);
   void check() const;  ///< throws what check_mesh_file and check_text_file throw
@@ -25,6 +27,9 @@ struct ReplyFiles {
 /// messages, mesh and Report to their files, and, unless the Report went there, a short table to
 /// the data stream.
 void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files);
+
+/// A way as strategies are called: `local`, `TetGen`.
+std::string name_of(remesh::v1::Report::Way way);
 
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);

@@ -33,7 +33,8 @@ void build(CLI::App& app, Line& line) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "remesh " REMESHD_VERSION);
   app.footer(kFooter);
-  app.add_option("--address", line.options.address, "Where the daemon listens [127.0.0.1:50051]")
+  app.add_option("--address", line.options.address,
+                 "Where the daemon listens [127.0.0.1:50051]; `local`: as --local")
       ->envname("REMESH_ADDRESS")
       ->type_name("HOST:PORT");
   const auto file = [&app](const char* flag, const char* variable, std::filesystem::path& path,
@@ -46,11 +47,9 @@ void build(CLI::App& app, Line& line) {
   file("--tls-key", "REMESH_TLS_KEY", line.options.tls_key, "Its key (PEM)");
   file("--token-file", "REMESH_TOKEN_FILE", line.options.token_file,
        "File with the token that the daemon knows its user by");
-  auto* local =
-      app.add_flag("--local", line.options.local, "Work without a daemon, in this process");
+  app.add_flag("--local", line.options.local, "Work without a daemon, in this process");
   app.add_option("--store", line.options.store,
                  "Where --local keeps its revisions [$XDG_CACHE_HOME/remeshd, ~/.cache/remeshd]")
-      ->needs(local)
       ->type_name("DIR");
   app.add_option("--timeout", line.options.timeout, "Give a call up after so many seconds")
       ->check(CLI::Range(0.001, 1e6))
@@ -71,6 +70,13 @@ void build(CLI::App& app, Line& line) {
   add_quality_command(app, line.action);
   add_types_command(app, line.action);
   add_info_command(app, line.action);
+}
+
+/// What options mean together.
+void settle(GlobalOptions& options) {
+  options.local = options.local || options.address == "local";
+  if (!options.local && !options.store.empty())
+    throw UsageError("--store is where --local keeps its revisions: without that it means nothing");
 }
 
 /// Says what went wrong and which exit code that is. `place`: in a file, else empty.
@@ -121,6 +127,7 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     console.set_verbosity(line.quiet     ? Verbosity::Quiet
                           : line.verbose ? Verbosity::Verbose
                                          : Verbosity::Normal);
+    settle(line.options);
     return act(line, surroundings, console);
   } catch (const CLI::ParseError& e) {
     const int code = app.exit(e, surroundings.out, surroundings.err);

@@ -39,7 +39,8 @@ void Session::write_text(const std::filesystem::path& file, const std::string& t
   }
 }
 
-void Session::write_mesh_of(const std::string& revision, const std::filesystem::path& file) {
+void Session::write_mesh_of(const std::string& revision,
+                            const std::vector<std::filesystem::path>& files) {
   const client::Mesh mesh =
       client().get_mesh(revision, call(), [this](std::uint64_t done, std::uint64_t total) {
         remesh::v1::Progress progress;
@@ -50,8 +51,10 @@ void Session::write_mesh_of(const std::string& revision, const std::filesystem::
       });
   console_.end_progress();
   poll();
-  client::write_mesh(file, mesh);
-  console_.detail("wrote " + file.string());
+  for (const std::filesystem::path& file : files) {
+    client::write_mesh(file, mesh);
+    console_.detail("wrote " + file.string());
+  }
 }
 
 void check_mesh_file(const std::filesystem::path& file) {

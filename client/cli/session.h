@@ -35,7 +35,7 @@ class Session {
   /// Writes text to a file, or to the data stream where the name is `-`.
   void write_text(const std::filesystem::path& file, const std::string& text) const;
   /// Fetches the mesh of a revision and writes it in the format of the name's ending.
-  void write_mesh_of(const std::string& revision, const std::filesystem::path& file);
+  void write_mesh_of(const std::string& revision, const std::vector<std::filesystem::path>& files);
 
  private:
   const Surroundings& surroundings_;

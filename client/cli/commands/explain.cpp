@@ -1,6 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include "client/cli/commands/command.h"
@@ -13,14 +11,6 @@ namespace {
 
 using remesh::v1::Report;
 using Rows = std::vector<std::vector<std::string>>;
-
-/// `WAY_LOCAL` as the attempts call it: `local`.
-std::string name_of(Report::Way way) {
-  if (way == Report::WAY_TETGEN) return "TetGen";
-  std::string name = Report::Way_Name(way).substr(std::string("WAY_").size());
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name;
-}
 
 /// None, as of what the daemon tells no seconds of, is `-`.
 std::string seconds(double value) {

@@ -98,7 +98,7 @@ void add_get(CLI::App& app, Action& action) {
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
       check_mesh_file(arguments->mesh_file);
-      session.write_mesh_of(arguments->revision, arguments->mesh_file);
+      session.write_mesh_of(arguments->revision, {arguments->mesh_file});
       if (arguments->report_file.empty()) return kFine;
       const auto description = session.client().get_revision(arguments->revision, session.call());
       session.write_text(arguments->report_file, write_json(description.report()));

@@ -140,7 +140,7 @@ void write_files(Session& session, const SweepArguments& arguments, int step,
                  const remesh::v1::RevisionResult& reply) {
   const std::filesystem::path folder = arguments.folder;
   session.write_mesh_of(reply.revision().id(),
-                        folder / file_name(step, arguments.steps, "." + arguments.format));
+                        {folder / file_name(step, arguments.steps, "." + arguments.format)});
   session.write_text(folder / file_name(step, arguments.steps, ".json"),
                      write_json(reply.report()));
 }

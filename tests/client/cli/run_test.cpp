@@ -114,6 +114,31 @@ TEST_F(Cli, TakesGlobalOptionsBeforeAndAfterTheCommand) {
   EXPECT_EQ(seen_.store, "/tmp/y");
 }
 
+TEST_F(Cli, TheAddressLocalMeansNoDaemon) {
+  ::setenv("REMESH_ADDRESS", "local", 1);
+  EXPECT_EQ(run({"revisions", "--store", "/tmp/x"}), kFine) << err_.str();
+  EXPECT_TRUE(seen_.local);
+  EXPECT_EQ(run({"revisions", "--address", "host:3"}), kFine);
+  EXPECT_FALSE(seen_.local);
+  ::unsetenv("REMESH_ADDRESS");
+}
+
+TEST_F(Cli, MeshWritesEveryFileThatIsNamed) {
+  ASSERT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.vtu"), "-o", file("m.inp")}),
+            kFine)
+      << err_.str();
+  for (const char* name : {"m.vtu", "m.inp"})
+    EXPECT_EQ(client::read_mesh(folder_ / name).tets, service_.mesh.tets) << name;
+  EXPECT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.vtu"), "-o", file("m.pdf")}),
+            kUsage);
+}
+
+TEST_F(Cli, TheSummarySaysWhichWayAMeshCameAboutAndHowFine) {
+  ASSERT_EQ(run({"mesh", kCases + "/simple-a.json", "-o", file("m.vtu")}), kFine) << err_.str();
+  for (const char* row : {"way ", "local", "edge length ", "chord error "})
+    EXPECT_THAT(out_.str(), HasSubstr(row));
+}
+
 TEST_F(Cli, TakesTheAddressFromTheEnvironment) {
   ::setenv("REMESH_ADDRESS", "elsewhere:5", 1);
   EXPECT_EQ(run({"revisions"}), kFine);
