@@ -30,7 +30,7 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
   write_table(
       out, {{"revision", reply.revision().id()},
             {"design", short_name(reply.revision())},
-            {"way", name_of(report.way())},
+            {"way", way_name(report.way())},
             {"edge length", rounded(report.edge_length())},
             {"nodes", nodes_of(report)},
             {"tets", std::to_string(report.tets())},
@@ -54,7 +54,7 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
 
 }  // namespace
 
-std::string name_of(remesh::v1::Report::Way way) {
+std::string way_name(remesh::v1::Report::Way way) {
   if (way == remesh::v1::Report::WAY_TETGEN) return "TetGen";
   std::string name = remesh::v1::Report::Way_Name(way).substr(std::string("WAY_").size());
   std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });

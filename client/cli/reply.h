@@ -29,7 +29,7 @@ struct ReplyFiles {
 void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files);
 
 /// A way as strategies are called: `local`, `TetGen`.
-std::string name_of(remesh::v1::Report::Way way);
+std::string way_name(remesh::v1::Report::Way way);
 
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);

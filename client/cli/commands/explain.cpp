@@ -25,11 +25,11 @@ void add_attempt(const Report::Attempt& attempt, const std::string& step, Rows& 
 
 /// What made the mesh, after what was tried before it. A renewal is tried when there is a mesh.
 void add_mesh(const Report& report, Rows& rows) {
-  const std::string renewed = name_of(Report::WAY_RENEWED);
+  const std::string renewed = way_name(Report::WAY_RENEWED);
   for (const Report::Attempt& attempt : report.attempts())
     if (attempt.strategy() != renewed) add_attempt(attempt, "mesh", rows);
   const Report::Attempt& taken = report.diagnostics().taken();
-  rows.push_back({"mesh", taken.strategy().empty() ? name_of(report.way()) : taken.strategy(),
+  rows.push_back({"mesh", taken.strategy().empty() ? way_name(report.way()) : taken.strategy(),
                   "taken", seconds(taken.seconds()), "-"});
   for (const Report::Attempt& attempt : report.attempts())
     if (attempt.strategy() == renewed) add_attempt(attempt, "mesh", rows);

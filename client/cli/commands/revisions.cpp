@@ -1,10 +1,13 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
+#include <optional>
 
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/model_changes.h"
 #include "client/cli/reply.h"
 #include "client/cli/table.h"
 #include "proto/json_writer.h"
@@ -14,7 +17,42 @@ namespace {
 
 using Revisions = std::vector<remesh::v1::RevisionInfo>;
 
-void list(Session& session, const Revisions& revisions, const std::string& json_file) {
+/// Models of revisions, each asked for once; none of what the daemon has no more.
+class Models {
+ public:
+  explicit Models(Session& session) : session_(session) {}
+
+  const std::optional<remesh::v1::FeatureModel>& of(const std::string& revision) {
+    const auto [found, is_new] = models_.try_emplace(revision);
+    if (!is_new) return found->second;
+    try {
+      found->second = session_.client().get_revision(revision, session_.call()).model();
+    } catch (const client::CallError& error) {
+      if (error.detail().code() != remesh::v1::Error::CODE_NOT_FOUND) throw;
+    }
+    return found->second;
+  }
+
+ private:
+  Session& session_;
+  std::map<std::string, std::optional<remesh::v1::FeatureModel>> models_;
+};
+
+/// What a revision changed of its parent, in words.
+std::string change_in_words(Models& models, const remesh::v1::RevisionInfo& revision) {
+  if (revision.parent().empty()) return "first mesh";
+  const auto &before = models.of(revision.parent()), &after = models.of(revision.id());
+  if (!before || !after) return "-";
+  const std::vector<std::string> changes = model_changes(*before, *after);
+  if (changes.empty()) return "same model";
+  std::string text;
+  for (const std::string& change : changes) text += (text.empty() ? "" : ", ") + change;
+  return text;
+}
+
+/// `models`: where those of a design come from, whose changes are told; null: they are not.
+void list(Session& session, const Revisions& revisions, const std::string& json_file,
+          Models* models) {
   if (!json_file.empty()) {
     remesh::v1::ListRevisionsResponse all;
     for (const auto& revision : revisions) *all.add_revisions() = revision;
@@ -23,12 +61,15 @@ void list(Session& session, const Revisions& revisions, const std::string& json_
   if (json_file == "-") return;
   std::vector<std::vector<std::string>> rows{
       {"revision", "id", "parent", "nodes", "tets", "created", "head"}};
-  for (const auto& revision : revisions)
+  if (models != nullptr) rows.front().emplace_back("change");
+  for (const auto& revision : revisions) {
     rows.push_back({short_name(revision), revision.id().substr(0, kShownDigits),
                     revision.parent().empty() ? "-" : revision.parent().substr(0, kShownDigits),
                     std::to_string(revision.nodes()), std::to_string(revision.tets()),
                     google::protobuf::util::TimeUtil::ToString(revision.created()),
                     revision.head() ? "*" : ""});
+    if (models != nullptr) rows.back().push_back(change_in_words(*models, revision));
+  }
   write_table(session.out(), rows);
 }
 
@@ -40,13 +81,15 @@ void add_log(CLI::App& app, Action& action) {
   struct Arguments {
     std::string design, json;
   };
-  auto* command = app.add_subcommand("log", "Revisions of a design");
+  auto* command = app.add_subcommand("log", "Revisions of a design, and what each changed");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DESIGN", arguments->design, "Name of the design")->required();
   add_json_option(*command, arguments->json);
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
-      list(session, session.client().log(arguments->design, session.call()), arguments->json);
+      Models models(session);
+      list(session, session.client().log(arguments->design, session.call()), arguments->json,
+           &models);
       return kFine;
     };
   });
@@ -58,7 +101,7 @@ void add_revisions(CLI::App& app, Action& action) {
   add_json_option(*command, *json);
   command->callback([json, &action] {
     action = [json](Session& session) {
-      list(session, session.client().list_revisions({}, session.call()), *json);
+      list(session, session.client().list_revisions({}, session.call()), *json, nullptr);
       return kFine;
     };
   });
