@@ -114,4 +114,11 @@ std::vector<std::string> model_changes(const FeatureModel& before, const Feature
   return words;
 }
 
+std::string changes_in_words(const FeatureModel& before, const FeatureModel& after) {
+  std::string text;
+  for (const std::string& change : model_changes(before, after))
+    text += (text.empty() ? "" : ", ") + change;
+  return text.empty() ? "same model" : text;
+}
+
 }  // namespace remeshd::cli

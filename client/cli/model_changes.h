@@ -13,4 +13,8 @@ namespace remeshd::cli {
 std::vector<std::string> model_changes(const remesh::v1::FeatureModel& before,
                                        const remesh::v1::FeatureModel& after);
 
+/// The same in one line; `same model` where there are none.
+std::string changes_in_words(const remesh::v1::FeatureModel& before,
+                             const remesh::v1::FeatureModel& after);
+
 }  // namespace remeshd::cli

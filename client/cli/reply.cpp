@@ -66,14 +66,17 @@ std::string short_name(const remesh::v1::RevisionInfo& revision) {
   return revision.design() + "@" + std::to_string(revision.number());
 }
 
-void ReplyFiles::add_to(CLI::App& command) {
+void add_mesh_files(CLI::App& command, std::vector<std::filesystem::path>& files) {
   command
-      .add_option("-o,--output", meshes,
-                  "Mesh file: .vtu, .msh or .inp; may be given several times")
+      .add_option("-o,--output", files, "Mesh file: .vtu, .msh or .inp; may be given several times")
       ->required()
       ->type_name("OUT")
       ->expected(1)
       ->take_all();
+}
+
+void ReplyFiles::add_to(CLI::App& command) {
+  add_mesh_files(command, meshes);
   command.add_option("--json", report, "Write the Report here; `-`: to stdout")->type_name("FILE");
 }
 

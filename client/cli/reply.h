@@ -23,6 +23,9 @@ struct ReplyFiles {
   void check() const;  ///< throws what check_mesh_file and check_text_file throw
 };
 
+/// The option `-o` of commands that write a mesh.
+void add_mesh_files(CLI::App& command, std::vector<std::filesystem::path>& files);
+
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the
 /// messages, mesh and Report to their files, and, unless the Report went there, a short table to
 /// the data stream.

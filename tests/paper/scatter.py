@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""How much a displacement depends on the seed of the mesh: tool1-a in CalculiX, straight tet4.
+"""How much a displacement depends on the seed of the mesh: tool1-a in CalculiX.
 
-    tests/paper/scatter.py [--seeds 1 2 3 4 5] [--nodes 3000] [--even] build/bin
+    tests/paper/scatter.py [--seeds 1 2 3 4 5] [--nodes 3000] [--order 1|2] [--even] build/bin
 
 The bottom of the plate is held, the top of pin1 is loaded along x by a total force, spread over its
 facets evenly. Told is the mean displacement along x of the loaded face, weighted as the force is:
@@ -18,7 +18,9 @@ import numpy as np
 MODEL = Path(__file__).parent.parent / "cases/tool1-a.json"
 FORCE = 1000.0        # N
 MATERIAL = "*MATERIAL, NAME=steel\n*ELASTIC\n210000, .3\n"
-FACES = {"S1": (0, 1, 2), "S2": (0, 3, 1), "S3": (1, 3, 2), "S4": (2, 3, 0)}  # of a C3D4
+# Of a C3D4 or C3D10: corners of each face, and the mid-nodes between them.
+FACES = {"S1": ((0, 1, 2), (4, 5, 6)), "S2": ((0, 3, 1), (7, 8, 4)),
+         "S3": ((1, 3, 2), (8, 9, 5)), "S4": ((2, 3, 0), (9, 7, 6))}
 
 
 def parameter(line, name):
@@ -30,7 +32,7 @@ def parameter(line, name):
 
 
 def read_mesh(file):
-    """Nodes and elements by label, and the facets of each surface as corner labels."""
+    """Nodes and elements by label, and the facets of each surface: labels of corners and of mid-nodes."""
     nodes, elements, surfaces, kind, name = {}, {}, {}, None, None
     for line in file.read_text().splitlines():
         if line.startswith("**"):
@@ -43,21 +45,25 @@ def read_mesh(file):
         if kind == "*NODE":
             nodes[int(fields[0])] = np.array([float(f) for f in fields[1:4]])
         elif kind == "*ELEMENT":
-            elements[int(fields[0])] = [int(f) for f in fields[1:5]]
+            elements[int(fields[0])] = [int(f) for f in fields[1:]]
         elif kind == "*SURFACE":
-            corners = [elements[int(fields[0])][k] for k in FACES[fields[1]]]
-            surfaces.setdefault(name, []).append(corners)
+            element = elements[int(fields[0])]
+            corners, mids = ([element[k] for k in at if k < len(element)] for at in FACES[fields[1]])
+            surfaces.setdefault(name, []).append((corners, mids))
     return nodes, elements, surfaces
 
 
 def share_of_force(nodes, facets):
-    """By node the share of a force that is spread evenly over facets."""
+    """By node the share of a force that is spread evenly over plane facets.
+
+    The shape functions of a quadratic triangle integrate to 0 at its corners, to a third at its mid-nodes.
+    """
     shares, whole = {}, 0.0
-    for facet in facets:
-        a, b, c = (nodes[n] for n in facet)
+    for corners, mids in facets:
+        a, b, c = (nodes[n] for n in corners)
         area = .5 * np.linalg.norm(np.cross(b - a, c - a))
         whole += area
-        for n in facet:
+        for n in mids or corners:
             shares[n] = shares.get(n, 0.0) + area / 3
     return {n: share / whole for n, share in shares.items()}
 
@@ -87,6 +93,7 @@ def main():
     parser.add_argument("binaries", help="folder of remesh")
     parser.add_argument("--seeds", nargs="+", type=int, default=[1, 2, 3, 4, 5])
     parser.add_argument("--nodes", type=int, default=3000)
+    parser.add_argument("--order", type=int, choices=(1, 2), default=1, help="of the tets")
     parser.add_argument("--even", action="store_true")
     options = parser.parse_args()
     found = []
@@ -97,6 +104,7 @@ def main():
             subprocess.run([str(Path(options.binaries) / "remesh"), "--local", "-q", "--store",
                             str(folder / "store"), "mesh", str(MODEL),
                             "--nodes", str(options.nodes), "--seed", str(seed),
+                            "--order", str(options.order),
                             *(["--even"] if options.even else []), "-o", str(mesh)], check=True)
             nodes, mean = displacement(folder, mesh)
         print(f"seed {seed}: {nodes} nodes, {1000 * mean:.4f} um")

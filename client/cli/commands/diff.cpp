@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "client/cli/base.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
+#include "client/cli/model_changes.h"
 #include "client/cli/table.h"
 #include "proto/json_writer.h"
 
@@ -48,6 +50,21 @@ void write_comparison(std::ostream& out, const remesh::v1::Comparison& compariso
                     {"error bound", exact(comparison.error_bound())}});
 }
 
+/// None for an edit, which is no model by itself.
+std::optional<remesh::v1::FeatureModel> model_of(Session& session,
+                                                 const remesh::v1::ModelChoice& choice) {
+  if (choice.has_model()) return choice.model();
+  if (choice.has_edit()) return {};
+  return session.client().get_revision(choice.revision(), session.call()).model();
+}
+
+/// What differs in the documents, before what that does to the geometry.
+void write_changes(Session& session, const remesh::v1::CompareRequest& request) {
+  const auto before = model_of(session, request.original());
+  const auto after = model_of(session, request.modified());
+  if (before && after) write_table(session.out(), {{"changes", changes_in_words(*before, *after)}});
+}
+
 int diff(Session& session, const DiffArguments& arguments) {
   remesh::v1::CompareRequest request;
   *request.mutable_original() = choice_of(resolve(arguments.original));
@@ -56,7 +73,10 @@ int diff(Session& session, const DiffArguments& arguments) {
   *request.mutable_modified() = choice_of(resolve(arguments.modified));
   const auto comparison = session.client().compare(request, session.call());
   if (!arguments.file.empty()) session.write_text(arguments.file, write_json(comparison));
-  if (arguments.file != "-") write_comparison(session.out(), comparison);
+  if (arguments.file != "-") {
+    write_changes(session, request);
+    write_comparison(session.out(), comparison);
+  }
   return kFine;
 }
 

@@ -1,6 +1,7 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,16 +39,12 @@ class Models {
   std::map<std::string, std::optional<remesh::v1::FeatureModel>> models_;
 };
 
-/// What a revision changed of its parent, in words.
+/// What a revision changed of its parent.
 std::string change_in_words(Models& models, const remesh::v1::RevisionInfo& revision) {
   if (revision.parent().empty()) return "first mesh";
   const auto &before = models.of(revision.parent()), &after = models.of(revision.id());
   if (!before || !after) return "-";
-  const std::vector<std::string> changes = model_changes(*before, *after);
-  if (changes.empty()) return "same model";
-  std::string text;
-  for (const std::string& change : changes) text += (text.empty() ? "" : ", ") + change;
-  return text;
+  return changes_in_words(*before, *after);
 }
 
 /// `models`: where those of a design come from, whose changes are told; null: they are not.
@@ -128,20 +125,19 @@ void add_model(CLI::App& app, Action& action) {
 
 void add_get(CLI::App& app, Action& action) {
   struct Arguments {
-    std::string revision, mesh_file, report_file;
+    std::string revision, report_file;
+    std::vector<std::filesystem::path> mesh_files;
   };
   auto* command = app.add_subcommand("get", "Write the mesh of a revision");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("REV", arguments->revision, "Revision")->required();
-  command->add_option("-o,--output", arguments->mesh_file, "Mesh file: .vtu, .msh or .inp")
-      ->required()
-      ->type_name("OUT");
+  add_mesh_files(*command, arguments->mesh_files);
   command->add_option("--json", arguments->report_file, "Write its Report here; `-`: to stdout")
       ->type_name("FILE");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
-      check_mesh_file(arguments->mesh_file);
-      session.write_mesh_of(arguments->revision, {arguments->mesh_file});
+      for (const auto& file : arguments->mesh_files) check_mesh_file(file);
+      session.write_mesh_of(arguments->revision, arguments->mesh_files);
       if (arguments->report_file.empty()) return kFine;
       const auto description = session.client().get_revision(arguments->revision, session.call());
       session.write_text(arguments->report_file, write_json(description.report()));

@@ -350,6 +350,9 @@ TEST_F(Cli, DiffSendsRevisionsModelsAndEditsAndWritesClassesAsNumbers) {
   ASSERT_EQ(run({"diff", "a@1", "a@2"}), kFine) << err_.str();
   EXPECT_EQ(service_.compare_request.original().revision(), "a@1");
   EXPECT_EQ(service_.compare_request.modified().revision(), "a@2");
+  EXPECT_THAT(out_.str(), HasSubstr("changes  same model"));
+  ASSERT_EQ(run({"diff", kCases + "/tool1-a.json", kCases + "/tool1-b.json"}), kFine);
+  EXPECT_THAT(out_.str(), HasSubstr(" -> "));
   EXPECT_EQ(run({"diff", kCases + "/fig11-ab.edit.json", "a@2"}), kUsage);
 }
 
@@ -407,6 +410,8 @@ TEST_F(Cli, ListsModelsAndDeletesRevisions) {
   EXPECT_TRUE(service_.deletions[1].allow_head());
   ASSERT_EQ(run({"get", "one", "-o", file("g.inp")}), kFine);
   EXPECT_EQ(client::read_mesh(folder_ / "g.inp").nodes.size(), service_.mesh.nodes.size());
+  ASSERT_EQ(run({"get", "one", "-o", file("h.inp"), "-o", file("h.msh")}), kFine);
+  EXPECT_EQ(client::read_mesh(folder_ / "h.msh").nodes.size(), service_.mesh.nodes.size());
   ASSERT_EQ(run({"types"}), kFine);
   EXPECT_THAT(out_.str(), HasSubstr("sphere  radius"));
 }
