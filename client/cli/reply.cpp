@@ -42,7 +42,7 @@ void write_summary(std::ostream& out, const remesh::v1::RevisionResult& reply) {
                              std::to_string(report.verification().tets_inherited()) + " inherited"},
             {"chord error", rounded(report.verification().chord_error(), 3)},
             {"volume error", rounded(report.verification().volume_error(), 3) +
-                                 " of it, what chords cut off apart"},
+                                 " (relative; what chords cut off does not count)"},
             {"volume-length", "mean " + rounded(quality.volume_length_mean(), 4) +
                                   ", 1st percentile " + rounded(quality.volume_length_p01(), 4) +
                                   ", minimum " + rounded(quality.volume_length_min(), 4)},
