@@ -77,16 +77,19 @@ void add_json_option(CLI::App& command, std::string& file) {
 void add_log(CLI::App& app, Action& action) {
   struct Arguments {
     std::string design, json;
+    bool changes = false;
   };
-  auto* command = app.add_subcommand("log", "Revisions of a design, and what each changed");
+  auto* command = app.add_subcommand("log", "Revisions of a design");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DESIGN", arguments->design, "Name of the design")->required();
+  command->add_flag("--changes", arguments->changes,
+                    "Tell in words what each changed of its parent; the daemon reads all of them");
   add_json_option(*command, arguments->json);
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
       Models models(session);
       list(session, session.client().log(arguments->design, session.call()), arguments->json,
-           &models);
+           arguments->changes ? &models : nullptr);
       return kFine;
     };
   });

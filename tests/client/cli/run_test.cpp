@@ -395,9 +395,11 @@ TEST_F(Cli, ListsModelsAndDeletesRevisions) {
   EXPECT_THAT(out_.str(), AllOf(HasSubstr("one@1     bbbbbbbbbbbb"), HasSubstr("two@2")));
   ASSERT_EQ(run({"log", "two", "--json", file("l.json")}), kFine);
   EXPECT_EQ(read_json("l.json")["revisions"].size(), 1U);
+  EXPECT_THAT(out_.str(), testing::Not(HasSubstr("first mesh")));
+  ASSERT_EQ(run({"log", "two", "--changes"}), kFine);
   EXPECT_THAT(out_.str(), HasSubstr("first mesh"));
   service_.revisions.back().set_parent("parent");
-  ASSERT_EQ(run({"log", "two"}), kFine);
+  ASSERT_EQ(run({"log", "two", "--changes"}), kFine);
   EXPECT_THAT(out_.str(), HasSubstr("same model"));
   ASSERT_EQ(run({"model", "one@1", "-o", file("m.json")}), kFine);
   EXPECT_EQ(read_json("m.json")["name"], "described");
