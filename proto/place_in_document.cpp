@@ -68,13 +68,14 @@ const Json* in_feature(const Json* feature, std::string_view parameter) {
   return value != nullptr ? follow(value, rest) : feature;
 }
 
-/// `holes` of `sizes.holes.in.ball[3]`, which is left with `.in.ball[3]`; empty of no size's.
-std::string_view take_size(std::string_view& path) {
+/// `holes` of `sizes.holes.in.ball[3]`, which is left with `.in.ball[3]`; empty where the path does
+/// not begin with `list`.
+std::string_view take_entry(std::string_view& path, std::string_view list) {
   std::string_view rest = path;
-  if (take_name(rest) != "sizes" || !rest.starts_with('.')) return {};
-  const std::string_view id = take_name(rest);
+  if (take_name(rest) != list || !rest.starts_with('.')) return {};
+  const std::string_view name = take_name(rest);
   path = rest;
-  return id;
+  return name;
 }
 
 const Json* in_sizes(const Json* sizes, std::string_view id, std::string_view path) {
@@ -85,10 +86,19 @@ const Json* in_sizes(const Json* sizes, std::string_view id, std::string_view pa
   return nullptr;
 }
 
+/// A group is a member of an object: its selector, or an object with that.
+const Json* in_group(const Json* groups, std::string_view name, std::string_view path) {
+  const Json* group = member(groups, name);
+  return group != nullptr ? follow(group, path) : groups;
+}
+
 const Json* in_model(const Json* model, const ValueAtFault& what) {
   std::string_view of_size = what.parameter;
-  if (const std::string_view size = take_size(of_size); !size.empty())
+  if (const std::string_view size = take_entry(of_size, "sizes"); !size.empty())
     return in_sizes(member(model, "sizes"), size, of_size);
+  std::string_view of_group = what.parameter;
+  if (const std::string_view group = take_entry(of_group, "groups"); !group.empty())
+    return in_group(member(model, "groups"), group, of_group);
   if (what.feature.empty()) return member(member(model, "parameters"), what.parameter);
   const Json* features = member(model, "features");
   const auto* list = features != nullptr ? std::get_if<Json::List>(&features->value) : nullptr;
@@ -120,7 +130,12 @@ const Json* in_edit(const Json* edit, const ValueAtFault& what) {
                : nullptr;
   if (const Json* set = member(edit, "setSize")) {
     std::string_view of_size = what.parameter;
-    return is(member(set, "id"), take_size(of_size)) ? follow(set, of_size) : nullptr;
+    return is(member(set, "id"), take_entry(of_size, "sizes")) ? follow(set, of_size) : nullptr;
+  }
+  if (const Json* set = member(edit, "setGroup")) {
+    std::string_view of_group = what.parameter;
+    return is(member(set, "name"), take_entry(of_group, "groups")) ? follow(set, of_group)
+                                                                   : nullptr;
   }
   if (const Json* added = member(member(edit, "addFeature"), "feature"))
     return is(member(added, "id"), what.feature) ? in_feature(added, what.parameter) : nullptr;

@@ -1,6 +1,8 @@
 #include "client/cli/mesh_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -14,6 +16,18 @@ const std::string kMembership = "membership";
 const std::string kControlMesh = "control-mesh";
 const std::string kLattice = "lattice";
 const std::string kRandom = "random";
+
+/// Warnings of what a model asks for and its mesh has not.
+constexpr std::array kLosses{Warning::GROUP_EMPTIED,          Warning::FACE_LOST,
+                             Warning::FEATURE_WITHOUT_EFFECT, Warning::CHORDS_COARSE,
+                             Warning::DETAIL_NOT_RESOLVED,    Warning::EDGES_STRAIGHT};
+
+std::string names_of_losses() {
+  std::string names;
+  for (const Warning::Code code : kLosses)
+    names += (names.empty() ? "" : ", ") + Warning::Code_Name(code);
+  return names;
+}
 
 std::string check_size(const std::string& text) {
   double value = 0;
@@ -132,6 +146,8 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
       ->allow_extra_args(false)
       ->check(CLI::Validator(check_warning, "", ""))
       ->type_name("CODE[,CODE]");
+  command.add_flag("--strict", strict,
+                   "What is lost is an error: " + names_of_losses() + "; exit code 4");
 }
 
 void MeshingOptions::add_sizing_to(CLI::App& command) {
@@ -184,6 +200,9 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
 google::protobuf::RepeatedField<int> MeshingOptions::warning_codes() const {
   google::protobuf::RepeatedField<int> codes;
   for (const std::string& name : fail_on) codes.Add(warning_of(name));
+  if (strict)
+    for (const Warning::Code code : kLosses)
+      if (std::ranges::find(codes, code) == codes.end()) codes.Add(code);
   return codes;
 }
 

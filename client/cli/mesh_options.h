@@ -32,12 +32,13 @@ struct MeshingOptions {
   std::string design;
   bool keep_head = false;
   std::vector<std::string> fail_on;  ///< names of warnings
+  bool strict = false;               ///< those of losses too
 
   void add_to(CLI::App& command);
   /// Those alone that say what the mesh is like, and which warnings are errors.
   void add_mesh_to(CLI::App& command);
   [[nodiscard]] remesh::v1::MeshOptions to_message() const;
-  /// Those of `fail_on`, as the field of the message has them.
+  /// Those of `fail_on` and `strict`, as the field of the message has them.
   [[nodiscard]] google::protobuf::RepeatedField<int> warning_codes() const;
 
   /// Fills everything that both kinds of request have. Without mesh options an edit inherits them;
@@ -45,7 +46,7 @@ struct MeshingOptions {
   template <class Request>
   void fill(Request& request, bool with_mesh_options) const {
     if (with_mesh_options) *request.mutable_options() = to_message();
-    if (!fail_on.empty()) *request.mutable_options()->mutable_fail_on() = warning_codes();
+    if (!fail_on.empty() || strict) *request.mutable_options()->mutable_fail_on() = warning_codes();
     request.set_design(design);
     request.set_threads(threads);
     if (keep_head) request.mutable_head()->set_advance(false);

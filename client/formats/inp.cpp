@@ -73,37 +73,80 @@ std::size_t corner_opposite(const Mesh& mesh, const Facet& facet) {
   return corner;
 }
 
-void append_owners(std::string& out, const Mesh& mesh) {
-  Labels labels;
+/// An element set, with a line that tells its name as it is.
+void append_tets(std::string& out, const char* what, const std::string& name,
+                 const std::vector<std::size_t>& tets, Labels& labels) {
+  if (tets.empty()) return;
+  out.append("** ").append(what).append(" ").append(name).append("\n*ELSET, ELSET=");
+  out.append(labels.make(name)).append("\n");
+  append_numbers(out, tets);
+}
+
+/// A node set and a surface of facets.
+void append_facets(std::string& out, const char* what, const std::string& name,
+                   const std::vector<std::size_t>& facets, const Mesh& mesh, Labels& labels) {
+  if (facets.empty()) return;
+  std::set<std::int32_t> nodes;
+  std::string sides;
+  for (const std::size_t f : facets) {
+    const Facet& facet = mesh.facets[f];
+    for (const std::int32_t node : nodes_of(mesh, facet)) nodes.insert(node + 1);
+    append(sides, facet.tet + 1);
+    sides += ", S";
+    append(sides, kFaceNumber[corner_opposite(mesh, facet)]);
+    sides += '\n';
+  }
+  const std::string label = labels.make(name);
+  out.append("** ").append(what).append(" ").append(name).append("\n*NSET, NSET=");
+  out.append(label).append("\n");
+  append_numbers(out, nodes);
+  out.append("*SURFACE, NAME=").append(label).append(", TYPE=ELEMENT\n").append(sides);
+}
+
+/// Labels of a file: those of nodes and surfaces, and those of elements.
+struct SetLabels {
+  Labels faces, elements;
+};
+
+/// First the groups of the model, which get their names whatever they are.
+void append_groups(std::string& out, const Mesh& mesh, SetLabels& labels) {
+  for (const ModelGroup& group : model_groups(mesh)) {
+    append_facets(out, "group", group.name, {group.facets.begin(), group.facets.end()}, mesh,
+                  labels.faces);
+    std::vector<std::size_t> tets;
+    for (const std::int32_t t : group.tets) tets.push_back(static_cast<std::size_t>(t) + 1);
+    append_tets(out, "group", group.name, tets, labels.elements);
+  }
+}
+
+/// All elements and all nodes, for materials and for what CalculiX asks a set for.
+void append_all(std::string& out, const Mesh& mesh, SetLabels& labels) {
+  if (mesh.tets.empty()) return;
+  const auto append_range = [&out](const char* set, const std::string& label, std::size_t last) {
+    out.append(set).append(label).append(", GENERATE\n1, ");
+    append(out, last);
+    out += ", 1\n";  // meshio wants the step
+  };
+  append_range("*ELSET, ELSET=", labels.elements.make(kAllName), mesh.tets.size());
+  append_range("*NSET, NSET=", labels.faces.make(kAllName),
+               mesh.nodes.size() + mesh.mid_nodes.size());
+}
+
+void append_owners(std::string& out, const Mesh& mesh, Labels& labels) {
   for (const NamedGroups& owner : by_name(mesh.cell_owners)) {
     std::vector<std::size_t> tets;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
       if (std::ranges::binary_search(owner.groups, mesh.tet_cell[t])) tets.push_back(t + 1);
-    if (tets.empty()) continue;
-    out.append("** feature ").append(owner.name).append("\n*ELSET, ELSET=");
-    out.append(labels.make(owner.name)).append("\n");
-    append_numbers(out, tets);
+    append_tets(out, "feature", owner.name, tets, labels);
   }
 }
 
-void append_faces(std::string& out, const Mesh& mesh) {
-  Labels labels;
+void append_faces(std::string& out, const Mesh& mesh, Labels& labels) {
   for (const NamedGroups& face : by_name(mesh.facet_groups)) {
-    std::set<std::int32_t> nodes;
-    std::string sides;
-    for (const Facet& facet : mesh.facets) {
-      if (!std::ranges::binary_search(face.groups, facet.group)) continue;
-      for (const std::int32_t node : nodes_of(mesh, facet)) nodes.insert(node + 1);
-      append(sides, facet.tet + 1);
-      sides += ", S";
-      append(sides, kFaceNumber[corner_opposite(mesh, facet)]);
-      sides += '\n';
-    }
-    if (nodes.empty()) continue;
-    const std::string label = labels.make(face.name);
-    out.append("** face ").append(face.name).append("\n*NSET, NSET=").append(label).append("\n");
-    append_numbers(out, nodes);
-    out.append("*SURFACE, NAME=").append(label).append(", TYPE=ELEMENT\n").append(sides);
+    std::vector<std::size_t> facets;
+    for (std::size_t f = 0; f < mesh.facets.size(); ++f)
+      if (std::ranges::binary_search(face.groups, mesh.facets[f].group)) facets.push_back(f);
+    append_facets(out, "face", face.name, facets, mesh, labels);
   }
 }
 
@@ -116,7 +159,9 @@ std::string to_inp(const Mesh& mesh) {
   append(out, mesh.nodes.size() + mesh.mid_nodes.size());
   out += ", ";
   append(out, mesh.tets.size());
-  out += "\n*NODE\n";
+  out += '\n';
+  for (const std::string& line : provenance(mesh)) out.append("** ").append(line).append("\n");
+  out += "*NODE\n";
   std::size_t number = 0;
   for (const auto* nodes : {&mesh.nodes, &mesh.mid_nodes})
     for (const auto& node : *nodes) {
@@ -136,8 +181,11 @@ std::string to_inp(const Mesh& mesh) {
     }
     out += '\n';
   }
-  append_owners(out, mesh);
-  append_faces(out, mesh);
+  SetLabels labels;
+  append_all(out, mesh, labels);
+  append_groups(out, mesh, labels);
+  append_owners(out, mesh, labels.elements);
+  append_faces(out, mesh, labels.faces);
   return out;
 }
 

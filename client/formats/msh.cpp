@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -18,7 +20,8 @@ void put(std::string& out, T value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// The entities of one dimension: entity k (tag k + 1) is the k-th cell or facet group.
+/// The entities of one dimension, in ascending order of cell or facet group, then of the groups of
+/// the model: entity k has the tag k + 1.
 struct Entities {
   std::int32_t dimension = 0;
   std::vector<std::vector<std::int32_t>> physical;  ///< physical tags of each entity, its own first
@@ -27,14 +30,28 @@ struct Entities {
   std::vector<std::vector<std::size_t>> elements;  ///< indices of tets or facets, ascending
 };
 
-/// Groups without an element get no entity's content but keep their number.
-Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups) {
-  Entities out;
-  out.dimension = dimension;
-  for (const auto& names : groups) {
-    out.names.push_back(joined(names));
-    out.physical.push_back({static_cast<std::int32_t>(out.names.size())});
+/// What an entity is of: a cell or facet group, and groups of the model, ascending.
+struct EntityKey {
+  std::int32_t group = 0;
+  std::vector<std::int32_t> of_model;
+  friend auto operator<=>(const EntityKey&, const EntityKey&) = default;
+};
+
+/// Names of physical groups, and the tags of those that each cell or facet group is in, its own
+/// first.
+struct PhysicalNames {
+  std::vector<std::string> names;  ///< of tag index + 1
+  std::vector<std::vector<std::int32_t>> of_group;
+
+  std::int32_t add(const std::string& name) {
+    names.push_back(name);
+    return static_cast<std::int32_t>(names.size());
   }
+};
+
+PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups) {
+  PhysicalNames out;
+  for (const auto& names : groups) out.of_group.push_back({out.add(joined(names))});
   for (const NamedGroups& single : by_name(groups)) {
     const bool stands_alone =
         single.groups.size() == 1 && groups[static_cast<std::size_t>(single.groups[0])].size() == 1;
@@ -43,33 +60,74 @@ Entities entities(std::int32_t dimension, const std::vector<std::vector<std::str
     std::int32_t tag = 0;
     for (const std::int32_t g : single.groups)
       if (groups[static_cast<std::size_t>(g)].size() == 1) tag = g + 1;
-    if (tag == 0) {
-      out.names.push_back(single.name);
-      tag = static_cast<std::int32_t>(out.names.size());
-    }
+    if (tag == 0) tag = out.add(single.name);
     for (const std::int32_t g : single.groups)
-      if (g + 1 != tag) out.physical[static_cast<std::size_t>(g)].push_back(tag);
+      if (g + 1 != tag) out.of_group[static_cast<std::size_t>(g)].push_back(tag);
   }
-  out.boxes.assign(groups.size(), {0, 0, 0, 0, 0, 0});
-  out.elements.resize(groups.size());
   return out;
 }
 
-template <class Corners>
-void add_element(Entities& list, std::int32_t entity, std::size_t element, const Corners& corners,
-                 const Mesh& mesh) {
-  const auto e = static_cast<std::size_t>(entity);
-  auto& box = list.boxes[e];
-  const bool first = list.elements[e].empty();
-  list.elements[e].push_back(element);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto& node = mesh.nodes[static_cast<std::size_t>(corners[k])];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool start = first && k == 0;
-      box[axis] = start ? node[axis] : std::fmin(box[axis], node[axis]);
-      box[3 + axis] = start ? node[axis] : std::fmax(box[3 + axis], node[axis]);
-    }
+/// Sorts elements, each with its key, into entities. A cell or facet group without an element has
+/// one without any, so that it keeps its physical group. `all`: a name that every entity has too.
+Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups,
+                  const std::vector<std::string>& of_model, const std::vector<EntityKey>& keys,
+                  const char* all) {
+  Entities out;
+  out.dimension = dimension;
+  PhysicalNames physical = physical_names(groups);
+  std::vector<std::int32_t> model_tags;
+  std::vector<bool> used(of_model.size(), false);
+  for (const EntityKey& key : keys)
+    for (const std::int32_t g : key.of_model) used[static_cast<std::size_t>(g)] = true;
+  for (std::size_t g = 0; g < of_model.size(); ++g)
+    model_tags.push_back(used[g] ? physical.add(of_model[g]) : 0);
+  const std::int32_t tag_of_all = all != nullptr ? physical.add(all) : 0;
+  std::map<EntityKey, std::vector<std::size_t>> by_key;
+  for (std::size_t k = 0; k < keys.size(); ++k) by_key[keys[k]].push_back(k);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto first = by_key.lower_bound({static_cast<std::int32_t>(g), {}});
+    if (first == by_key.end() || first->first.group != static_cast<std::int32_t>(g))
+      by_key[{static_cast<std::int32_t>(g), {}}];
   }
+  for (auto& [key, elements] : by_key) {
+    std::vector<std::int32_t> tags = physical.of_group[static_cast<std::size_t>(key.group)];
+    for (const std::int32_t g : key.of_model)
+      tags.push_back(model_tags[static_cast<std::size_t>(g)]);
+    if (tag_of_all > 0) tags.push_back(tag_of_all);
+    out.physical.push_back(std::move(tags));
+    out.elements.push_back(std::move(elements));
+  }
+  out.names = std::move(physical.names);
+  return out;
+}
+
+/// Boxes of the entities. `corners_of` an element.
+template <class CornersOf>
+void find_boxes(Entities& list, const Mesh& mesh, const CornersOf& corners_of) {
+  for (const auto& elements : list.elements) {
+    std::array<double, 6>& box = list.boxes.emplace_back();
+    bool first = true;
+    for (const std::size_t element : elements)
+      for (const std::int32_t corner : corners_of(element)) {
+        const auto& node = mesh.nodes[static_cast<std::size_t>(corner)];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          box[axis] = first ? node[axis] : std::fmin(box[axis], node[axis]);
+          box[3 + axis] = first ? node[axis] : std::fmax(box[3 + axis], node[axis]);
+        }
+        first = false;
+      }
+  }
+}
+
+/// The keys of facets or tets: `group_of` each, and the groups of the model that it is in.
+template <class GroupOf>
+std::vector<EntityKey> keys_of(std::size_t count, const GroupOf& group_of,
+                               const std::vector<std::array<std::int32_t, 2>>& members) {
+  std::vector<EntityKey> keys(count);
+  for (std::size_t k = 0; k < count; ++k) keys[k].group = group_of(k);
+  for (const auto& [group, member] : members)
+    keys[static_cast<std::size_t>(member)].of_model.push_back(group);
+  return keys;
 }
 
 void write_names(std::string& out, const Entities& list) {
@@ -141,16 +199,25 @@ void write_sizes(std::string& out, const Mesh& mesh) {
 }  // namespace
 
 std::string to_msh(const Mesh& mesh) {
-  Entities surfaces = entities(2, mesh.facet_groups);
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    add_element(surfaces, mesh.facets[f].group, f, mesh.facets[f].nodes, mesh);
-  Entities volumes = entities(3, mesh.cell_owners);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    add_element(volumes, mesh.tet_cell[t], t, mesh.tets[t], mesh);
+  Entities surfaces =
+      entities(2, mesh.facet_groups, mesh.group_names,
+               keys_of(
+                   mesh.facets.size(), [&](std::size_t f) { return mesh.facets[f].group; },
+                   mesh.group_facets),
+               nullptr);
+  find_boxes(surfaces, mesh, [&](std::size_t f) { return mesh.facets[f].nodes; });
+  Entities volumes = entities(
+      3, mesh.cell_owners, mesh.group_names,
+      keys_of(
+          mesh.tets.size(), [&](std::size_t t) { return mesh.tet_cell[t]; }, mesh.group_tets),
+      kAllName);
+  find_boxes(volumes, mesh, [&](std::size_t t) { return mesh.tets[t]; });
 
   std::string out = "$MeshFormat\n4.1 1 8\n";
   put(out, std::int32_t{1});  // tells the byte order
-  out += "\n$EndMeshFormat\n$PhysicalNames\n";
+  out += "\n$EndMeshFormat\n$Comments\n";
+  for (const std::string& line : provenance(mesh)) out.append(line).append("\n");
+  out += "$EndComments\n$PhysicalNames\n";
   append(out, surfaces.names.size() + volumes.names.size());
   out += '\n';
   write_names(out, surfaces);

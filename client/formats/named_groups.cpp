@@ -20,4 +20,28 @@ std::vector<NamedGroups> by_name(const std::vector<std::vector<std::string>>& gr
   return names;
 }
 
+std::vector<ModelGroup> model_groups(const Mesh& mesh) {
+  std::vector<ModelGroup> groups;
+  for (const std::string& name : mesh.group_names) groups.push_back({name, {}, {}});
+  for (const auto& [group, facet] : mesh.group_facets)
+    groups[static_cast<std::size_t>(group)].facets.push_back(facet);
+  for (const auto& [group, tet] : mesh.group_tets)
+    groups[static_cast<std::size_t>(group)].tets.push_back(tet);
+  return groups;
+}
+
+std::vector<std::string> provenance(const Mesh& mesh) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* what, const std::string& value) {
+    if (!value.empty()) lines.push_back(std::string(what) + " " + value);
+  };
+  add("revision", mesh.revision);
+  add("parent", mesh.parent);
+  add("model", mesh.model_name);
+  add("unit", mesh.unit);
+  add("options", mesh.options);
+  if (mesh.algorithm_version > 0) add("remeshd algorithm", std::to_string(mesh.algorithm_version));
+  return lines;
+}
+
 }  // namespace remeshd::client

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -36,9 +38,31 @@ struct Array {
   std::string_view type;
   int components = 1;
   std::size_t tuples = 0;
-  std::string bytes;
+  std::string bytes;  ///< as they stand in the file, with their header
   std::size_t offset = 0;
 };
+
+/// An array as VTK's zlib compressor writes it: number of blocks, size of one, size of the last if
+/// it is not full, packed sizes; then the blocks.
+std::string compressed(const std::string& bytes) {
+  constexpr std::size_t kBlock = std::size_t{1} << 18;
+  const std::size_t blocks = (bytes.size() + kBlock - 1) / kBlock;
+  std::vector<std::uint64_t> header{blocks, kBlock, bytes.size() % kBlock};
+  std::string packed;
+  std::vector<Bytef> buffer(compressBound(kBlock));
+  for (std::size_t at = 0; at < bytes.size(); at += kBlock) {
+    const std::size_t size = std::min(kBlock, bytes.size() - at);
+    uLongf length = buffer.size();
+    // Fails only where the buffer is too small.
+    compress2(buffer.data(), &length, reinterpret_cast<const Bytef*>(bytes.data() + at), size,
+              Z_BEST_SPEED);
+    packed.append(reinterpret_cast<const char*>(buffer.data()), length);
+    header.push_back(length);
+  }
+  std::string out(header.size() * sizeof header[0], '\0');
+  std::memcpy(out.data(), header.data(), out.size());
+  return out + packed;
+}
 
 class Arrays {
  public:
@@ -48,7 +72,7 @@ class Arrays {
     std::string bytes(values.size() * sizeof(T), '\0');
     if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
     list_.push_back({section, name, kVtkType<T>, components,
-                     values.size() / static_cast<std::size_t>(components), std::move(bytes)});
+                     values.size() / static_cast<std::size_t>(components), compressed(bytes)});
   }
 
   /// The offsets run against the order of the document: meshio, which rewrites offsets one by one
@@ -57,7 +81,7 @@ class Arrays {
     std::size_t at = 0;
     for (Array& array : std::views::reverse(list_)) {
       array.offset = at;
-      at += sizeof(std::uint64_t) + array.bytes.size();
+      at += array.bytes.size();
     }
   }
 
@@ -83,11 +107,7 @@ class Arrays {
   }
 
   void write_data(std::string& out) const {
-    for (const Array& array : std::views::reverse(list_)) {
-      const std::uint64_t size = array.bytes.size();
-      out.append(reinterpret_cast<const char*>(&size), sizeof size);
-      out += array.bytes;
-    }
+    for (const Array& array : std::views::reverse(list_)) out += array.bytes;
   }
 
  private:
@@ -112,34 +132,47 @@ void add_point_data(Arrays& arrays, const Mesh& mesh) {
   if (!mesh.node_sizes.empty()) arrays.add("PointData", "size", 1, sizes_of(mesh));
 }
 
+/// Values of the tets, then of the boundary facets: the same one.
+template <class T>
+std::vector<T> with_facets(std::vector<T> of_tets, const Mesh& mesh, T of_facets,
+                           std::size_t components = 1) {
+  of_tets.resize(of_tets.size() + components * mesh.facets.size(), of_facets);
+  return of_tets;
+}
+
 void add_cell_data(Arrays& arrays, const Mesh& mesh) {
   std::vector<std::uint8_t> kept;
   for (const std::int32_t original : mesh.original_tet) kept.push_back(original >= 0 ? 1 : 0);
-  arrays.add("CellData", "kept", 1, kept);
-  arrays.add("CellData", "original_tet", 1, mesh.original_tet);
-  arrays.add("CellData", "tet_id", 1, mesh.tet_ids);
-  arrays.add("CellData", "cell", 1, mesh.tet_cell);
+  arrays.add("CellData", "kept", 1, with_facets<std::uint8_t>(kept, mesh, 0));
+  arrays.add("CellData", "original_tet", 1, with_facets(mesh.original_tet, mesh, -1));
+  arrays.add("CellData", "tet_id", 1, with_facets<std::uint64_t>(mesh.tet_ids, mesh, 0));
+  arrays.add("CellData", "cell", 1, with_facets(mesh.tet_cell, mesh, -1));
 
   for (const NamedGroups& owner : by_name(mesh.cell_owners)) {
     std::vector<std::uint8_t> owned(mesh.tets.size(), 0);
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
       owned[t] = std::ranges::binary_search(owner.groups, mesh.tet_cell[t]) ? 1 : 0;
-    arrays.add("CellData", "owner:" + owner.name, 1, owned);
+    arrays.add("CellData", "owner:" + owner.name, 1, with_facets<std::uint8_t>(owned, mesh, 0));
   }
 
   std::vector<std::int32_t> sides(4 * mesh.tets.size(), -1);
+  std::vector<std::int32_t> faces(mesh.tets.size(), -1);
   for (const Facet& facet : mesh.facets) {
+    faces.push_back(facet.group);
     const auto& tet = mesh.tets[static_cast<std::size_t>(facet.tet)];
     for (std::size_t corner = 0; corner < 4; ++corner)
       if (std::ranges::find(facet.nodes, tet[corner]) == facet.nodes.end())
         sides[4 * static_cast<std::size_t>(facet.tet) + corner] = facet.group;
   }
-  std::vector<std::int32_t> first(mesh.tets.size(), -1);
-  for (std::size_t t = 0; t < first.size(); ++t)
-    for (std::size_t corner = 4; corner-- > 0;)
-      if (sides[4 * t + corner] >= 0) first[t] = sides[4 * t + corner];
-  arrays.add("CellData", "facet_groups", 4, sides);
-  arrays.add("CellData", "face_group", 1, first);
+  arrays.add("CellData", "facet_groups", 4, with_facets(sides, mesh, -1, 4));
+  arrays.add("CellData", "face", 1, faces);
+  for (const ModelGroup& group : model_groups(mesh)) {
+    std::vector<std::uint8_t> in(mesh.tets.size() + mesh.facets.size(), 0);
+    for (const std::int32_t t : group.tets) in[static_cast<std::size_t>(t)] = 1;
+    for (const std::int32_t f : group.facets)
+      in[mesh.tets.size() + static_cast<std::size_t>(f)] = 1;
+    arrays.add("CellData", "group:" + group.name, 1, in);
+  }
 }
 
 void add_field_data(Arrays& arrays, const Mesh& mesh) {
@@ -161,18 +194,34 @@ void add_geometry(Arrays& arrays, const Mesh& mesh) {
   arrays.add("Points", "Points", 3, points);
 
   const bool second = is_second_order(mesh);
-  const std::int64_t nodes = second ? 10 : 4;
-  std::vector<std::int64_t> connectivity;
-  connectivity.reserve(static_cast<std::size_t>(nodes) * mesh.tets.size());
+  std::vector<std::int32_t> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+  const auto add = [&](const std::vector<std::int32_t>& nodes, std::uint8_t type) {
+    connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
+    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
+    types.push_back(type);
+  };
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    for (const std::int32_t node : nodes_of(mesh, t)) connectivity.push_back(node);
+    add(nodes_of(mesh, t), second ? kVtkQuadraticTetra : kVtkTetra);
+  for (const Facet& facet : mesh.facets)
+    add(nodes_of(mesh, facet), second ? kVtkQuadraticTriangle : kVtkTriangle);
   arrays.add("Cells", "connectivity", 1, connectivity);
-  std::vector<std::int64_t> offsets(mesh.tets.size());
-  for (std::size_t t = 0; t < offsets.size(); ++t)
-    offsets[t] = nodes * (static_cast<std::int64_t>(t) + 1);
   arrays.add("Cells", "offsets", 1, offsets);
-  arrays.add("Cells", "types", 1,
-             std::vector<std::uint8_t>(mesh.tets.size(), second ? kVtkQuadraticTetra : kVtkTetra));
+  arrays.add("Cells", "types", 1, types);
+}
+
+/// As a comment: VTK and meshio pass it over, and have no field data of text that both read.
+void add_provenance(std::string& out, const Mesh& mesh) {
+  const std::vector<std::string> lines = provenance(mesh);
+  if (lines.empty()) return;
+  out += "<!--\n";
+  for (std::string line : lines) {
+    // Two hyphens would end it.
+    for (std::size_t at = line.find("--"); at != std::string::npos; at = line.find("--"))
+      line.replace(at, 2, "- ");
+    out.append(line).append("\n");
+  }
+  out += "-->\n";
 }
 
 }  // namespace
@@ -185,17 +234,18 @@ std::string to_vtu(const Mesh& mesh) {
   add_geometry(arrays, mesh);
   arrays.place();
 
-  std::string out =
-      "<?xml version=\"1.0\"?>\n"
+  std::string out = "<?xml version=\"1.0\"?>\n";
+  add_provenance(out, mesh);
+  out +=
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
       "  <UnstructuredGrid>\n"
       "    <FieldData>\n";
   arrays.write_tags(out, "FieldData");
   out += "    </FieldData>\n    <Piece NumberOfPoints=\"";
   append(out, mesh.nodes.size() + mesh.mid_nodes.size());
   out += "\" NumberOfCells=\"";
-  append(out, mesh.tets.size());
+  append(out, mesh.tets.size() + mesh.facets.size());
   out += "\">\n      <PointData Scalars=\"origin\">\n";
   arrays.write_tags(out, "PointData");
   out += "      </PointData>\n      <CellData Scalars=\"kept\">\n";

@@ -43,6 +43,25 @@ void check_mids(const Mesh& mesh, const std::set<MeshArray>& arrays) {
     check_index(static_cast<std::int64_t>(origin), 0, 3, MESH_ARRAY_MID_NODE_ORIGINS);
 }
 
+void check_members(const std::vector<std::array<std::int32_t, 2>>& members, std::size_t groups,
+                   std::size_t size, MeshArray array) {
+  for (const auto& [group, member] : members) {
+    check_index(group, 0, groups, array);
+    check_index(member, 0, size, array);
+  }
+}
+
+void check_groups(const Mesh& mesh, const std::set<MeshArray>& arrays) {
+  using namespace remesh::v1;  // NOLINT(google-build-using-namespace): names of arrays
+  const auto has = [&](auto... wanted) { return (arrays.contains(wanted) && ...); };
+  if (has(MESH_ARRAY_GROUP_NAMES, MESH_ARRAY_GROUP_FACETS, MESH_ARRAY_FACETS))
+    check_members(mesh.group_facets, mesh.group_names.size(), mesh.facets.size(),
+                  MESH_ARRAY_GROUP_FACETS);
+  if (has(MESH_ARRAY_GROUP_NAMES, MESH_ARRAY_GROUP_TETS, MESH_ARRAY_TETS))
+    check_members(mesh.group_tets, mesh.group_names.size(), mesh.tets.size(),
+                  MESH_ARRAY_GROUP_TETS);
+}
+
 }  // namespace
 
 void check_mesh(const Mesh& mesh, const std::set<MeshArray>& arrays) {
@@ -71,6 +90,7 @@ void check_mesh(const Mesh& mesh, const std::set<MeshArray>& arrays) {
       check_index(transform, -1, mesh.transforms.size(), MESH_ARRAY_NODE_TRANSFORMS);
   for (const NodeOrigin origin : mesh.node_origin)
     check_index(static_cast<std::int64_t>(origin), 0, 3, MESH_ARRAY_NODE_ORIGINS);
+  check_groups(mesh, arrays);
   check_mids(mesh, arrays);
 }
 

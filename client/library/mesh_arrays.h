@@ -27,7 +27,7 @@ struct KnownArray {
 };
 
 /// Every array that a Mesh has a place for; each mesh of the daemon has all of them, but for the
-/// sizes of an even one and the mid-nodes of one of first order.
+/// groups of a model without any, the sizes of an even one and the mid-nodes of one of first order.
 std::span<const KnownArray> known_arrays();
 
 /// The entry of an array, or nullptr for one that a Mesh has no place for.

@@ -10,6 +10,7 @@
 #include "client/library/mesh_arrays.h"
 #include "client/library/mesh_damaged.h"
 #include "proto/checksum.h"
+#include "proto/json_writer.h"
 
 namespace remeshd::client {
 namespace {
@@ -34,13 +35,21 @@ std::optional<std::uint32_t> rows_of(RowOf what, const MeshHeader& header) {
   return {};
 }
 
-/// Whether a mesh cannot be without an array: an even one has no sizes, one of first order no
-/// mid-nodes.
+/// Whether a mesh cannot be without an array: that of a model without groups has none, an even one
+/// no sizes, one of first order no mid-nodes.
 bool has_to_be(MeshArray array, const MeshHeader& header) {
-  if (array == remesh::v1::MESH_ARRAY_NODE_SIZES) return false;
+  if (array >= remesh::v1::MESH_ARRAY_GROUP_NAMES && array <= remesh::v1::MESH_ARRAY_NODE_SIZES)
+    return false;
   const bool of_second_order = array >= remesh::v1::MESH_ARRAY_MID_NODES &&
                                array <= remesh::v1::MESH_ARRAY_MID_NODE_TRANSFORMS;
   return !of_second_order || header.order() == 2;
+}
+
+/// Options that are not their defaults, as JSON without a line's end.
+std::string one_line(const remesh::v1::MeshOptions& options) {
+  std::string text = write_json(options, {.write_zeros = false, .width = 1 << 20});
+  text.pop_back();
+  return text;
 }
 
 ArrayShape shape_of(const MeshHeader::Array& entry) { return {entry.type(), entry.components()}; }
@@ -75,6 +84,10 @@ void MeshAssembler::add_header(const MeshHeader& header) {
   header_ = header;
   mesh_.revision = header.revision();
   mesh_.parent = header.parent();
+  mesh_.model_name = header.model_name();
+  mesh_.unit = header.unit();
+  if (header.has_options()) mesh_.options = one_line(header.options());
+  mesh_.algorithm_version = header.algorithm_version();
   for (const MeshHeader::Array& entry : header.arrays()) {
     check_entry(entry);
     expected_ += entry.data_bytes();

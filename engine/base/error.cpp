@@ -99,15 +99,6 @@ Error internal(std::string_view stage, std::string_view what) {
                 .stage = std::string(stage)});
 }
 
-Error unsupported(std::string_view what) {
-  return Error({.kind = ErrorKind::Unimplemented,
-                .reason = "UNSUPPORTED",
-                .message = "this version does not do " + quoted(what),
-                .stage = "request",
-                .parameter = clip(what),
-                .hint = "the capabilities that a daemon tells of itself say what it does"});
-}
-
 Error invalid_name(std::string_view feature, std::string_view parameter, std::string_view name,
                    std::string_view why) {
   return model_error(

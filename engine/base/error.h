@@ -67,8 +67,6 @@ namespace error {
 
 Error cancelled();
 Error internal(std::string_view stage, std::string_view what);
-/// A call, a field or a value of one, `what`, that this build does not do.
-Error unsupported(std::string_view what);
 
 // Stage `model`. `feature` is empty where the model itself is at fault; `parameter` spells the
 // place: `radius`, `profile[3].through`, `placement.zAxis`, or the model parameter's name.

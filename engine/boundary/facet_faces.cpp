@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "engine/base/union_find.h"
 #include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/mesh/grouping.h"
 
@@ -35,6 +36,20 @@ FacesOf::FacesOf(const BoundaryModel& boundary)
       }
     sort_unique(vertex_[v]);
   }
+}
+
+FacesOf FacesOf::across_rims(const BoundaryModel& boundary) {
+  FacesOf out(boundary);
+  UnionFind joined(boundary.faces.size());
+  for (const BoundaryEdge& edge : boundary.edges)
+    if (edge.rim) joined.join(edge.faces.front(), edge.faces.back());
+  for (int& face : out.face_) face = joined.find(face);
+  for (auto* lists : {&out.edge_, &out.vertex_})
+    for (std::vector<int>& faces : *lists) {
+      for (int& face : faces) face = joined.find(face);
+      sort_unique(faces);
+    }
+  return out;
 }
 
 std::span<const int> FacesOf::operator()(const Support& support) const {

@@ -14,6 +14,8 @@ namespace remeshd {
 class FacesOf {
  public:
   explicit FacesOf(const BoundaryModel& boundary);
+  /// The same with faces that rims of groups alone part as one, that of the lowest index.
+  static FacesOf across_rims(const BoundaryModel& boundary);
 
   /// Ascending face indices: the face itself, those of the edge, those round the vertex; none in
   /// the interior.

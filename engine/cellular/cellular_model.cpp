@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/base/union_find.h"
 #include "engine/cellular/boundary_model/build_boundary.h"
+#include "engine/cellular/boundary_model/group_rims.h"
 #include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/cellular/features_at.h"
 #include "engine/cellular/fuse_features.h"
@@ -71,12 +72,14 @@ void require_one_piece(const CellComplex& model, const FeatureModel& features) {
                                   ids_of(features, smallest.features));
 }
 
-/// Of the boundary's faces, or of all.
+/// Of the boundary's faces, rims of groups included; where `all`, of every face.
 UnifiedEdges unified_edges_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
-                              bool boundary) {
+                              const FeatureModel& model, bool all = false) {
+  const bool boundary = !all;
   std::vector<SelectedFace> faces;
+  const std::vector<int> groups = groups_of_pieces(boundary ? model : FeatureModel{}, pieces);
   for (std::size_t f = 0; f < pieces.size(); ++f) {
-    SelectedFace face{!boundary || pieces[f].boundary, pieces[f].surface, 1};
+    SelectedFace face{all || pieces[f].boundary, pieces[f].surface, 1, groups[f]};
     if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
       const bool along = looks_along(brep, brep.faces[f], face.surface);
       face.side = along == pieces[f].outward ? 1 : -1;
@@ -104,10 +107,11 @@ void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const UnifiedEd
 /// Joins the boundary of a model from its parts.
 ///
 /// Throws Error(NON_MANIFOLD_MODEL).
-CellularModel join_boundary(BoundaryParts parts, const Membership& membership) {
+CellularModel join_boundary(BoundaryParts parts, const FeatureModel& model,
+                            const Membership& membership) {
   CellularModel out;
   const Brep& brep = parts.brep;
-  const UnifiedEdges unified = unified_edges_of(brep, parts.pieces, true);
+  const UnifiedEdges unified = unified_edges_of(brep, parts.pieces, model);
   require_manifold(brep, unified);
   if (const auto contact = find_point_contact(membership, 0.1 * kernel_tolerance(brep)))
     throw error::non_manifold_model("at a point", *contact, {});
@@ -134,9 +138,9 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
     require_one_piece(fused.cells, model);
     BoundaryParts parts = boundary_parts(brep, fused.pieces);
     parts.geometry = "fused";
-    out = join_boundary(std::move(parts), membership);
-    fill_edges_and_vertices(fused.cells, brep, unified_edges_of(brep, fused.pieces, false),
-                            unified_edges_of(brep, fused.pieces, true));
+    out = join_boundary(std::move(parts), model, membership);
+    fill_edges_and_vertices(fused.cells, brep, unified_edges_of(brep, fused.pieces, model, true),
+                            unified_edges_of(brep, fused.pieces, model));
     out.on_demand = std::make_shared<const ComplexOnDemand>(std::move(fused.cells));
   });
   return out;
@@ -144,7 +148,7 @@ CellularModel build_cells(const FeatureModel& model, const Run& run) {
 
 CellularModel restore_cells(const FeatureModel& model, const Membership& membership,
                             BoundaryParts parts) {
-  CellularModel out = join_boundary(std::move(parts), membership);
+  CellularModel out = join_boundary(std::move(parts), model, membership);
   out.on_demand = std::make_shared<const ComplexOnDemand>(model);
   return out;
 }

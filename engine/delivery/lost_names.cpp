@@ -4,11 +4,13 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "engine/delivery/group_areas.h"
+#include "engine/delivery/group_outcomes.h"
 #include "engine/model/solid.h"
 #include "engine/sizing/size_controls.h"
 
@@ -204,6 +206,17 @@ void add_emptied_sizes(const Revision& original, const FeatureModel& model,
                           .groups = {size}});
 }
 
+/// Appends the groups of the model that select nothing, but for those that did so in the original.
+void add_emptied_groups(const Revision& original, std::span<const std::string> empty,
+                        std::vector<Warning>& warnings) {
+  const std::vector<std::string> before = empty_groups(original.output);
+  for (const std::string& group : empty)
+    if (std::ranges::find(before, group) == before.end())
+      warnings.push_back({.code = WarningCode::GroupEmptied,
+                          .message = "the group " + group + " selects nothing",
+                          .groups = {group}});
+}
+
 }  // namespace
 
 std::vector<Warning> lost_names(const Revision& original, const Revision& made, const Run& run) {
@@ -211,6 +224,7 @@ std::vector<Warning> lost_names(const Revision& original, const Revision& made, 
   if (!same_names(original, made))
     warnings = losses(original, made.model, Names(made.output.groups));
   add_emptied_sizes(original, made.model, made.cells.boundary, run, warnings);
+  add_emptied_groups(original, empty_groups(made.output), warnings);
   return warnings;
 }
 
@@ -218,6 +232,7 @@ std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureMod
                                       const BoundaryModel& boundary, const Run& run) {
   std::vector<Warning> warnings = losses(original, model, NamesToCome(model, boundary));
   add_emptied_sizes(original, model, boundary, run, warnings);
+  add_emptied_groups(original, groups_of_nothing(model, boundary, run), warnings);
   return warnings;
 }
 

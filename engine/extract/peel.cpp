@@ -35,10 +35,50 @@ bool reaches_out(const NodeSet& nodes, const FacesOf& faces, const InsideTest& i
   return false;
 }
 
-bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const FacesOf& faces,
+// Cosine of 60 degrees, to which the normals at the corners of a shallow tet differ at most.
+constexpr double kShallow = 0.5;
+
+/// Tets that lie on one round surface, across a rim of a group, without reaching deep below it.
+/// They fill what the surface bulges out over the facets below them, and those have the rim.
+class TetsAcrossRims {
+ public:
+  TetsAcrossRims(const NodeSet& nodes, const BoundaryModel& boundary)
+      : nodes_(nodes),
+        boundary_(boundary),
+        faces_(boundary),
+        across_rims_(FacesOf::across_rims(boundary)),
+        any_(std::ranges::any_of(boundary.edges, &BoundaryEdge::rim)) {}
+
+  [[nodiscard]] bool has(const Tet& t) const {
+    if (!any_) return false;
+    const int sheet = face_of(nodes_, across_rims_, t);
+    if (sheet < 0 || boundary_.faces[sheet].surface.kind == Surface::Kind::Plane ||
+        face_of(nodes_, faces_, t) >= 0)
+      return false;
+    std::array<Vec3, 4> normals;
+    std::ranges::transform(t, normals.begin(), [&](std::int32_t n) {
+      return outward_normal(boundary_.faces[sheet], nodes_.positions[n]);
+    });
+    return std::ranges::all_of(kTetEdges, [&](const auto& edge) {
+      return dot(normals[edge[0]], normals[edge[1]]) > kShallow;
+    });
+  }
+  /// Of what lies on one surface, rims or not.
+  [[nodiscard]] const FacesOf& sheets() const { return across_rims_; }
+
+ private:
+  const NodeSet& nodes_;
+  const BoundaryModel& boundary_;
+  const FacesOf faces_, across_rims_;
+  const bool any_;
+};
+
+bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const TetsAcrossRims& rims,
                  const InsideTest& inside, const Tet& t, bool edges_too) {
   for (const std::int32_t n : t)
     if (nodes.supports[n].kind == Support::Kind::Interior) return true;
+  if (rims.has(t)) return false;
+  const FacesOf& faces = rims.sheets();
   const int face = face_of(nodes, faces, t);
   if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
   return inside(centroid(nodes.positions, t)) &&
@@ -158,6 +198,7 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
                 const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run) {
   const FacesOf faces(boundary);
+  const TetsAcrossRims rims(nodes, boundary);
   Peeling peeling(nodes, delaunay, faces, known, options);
   std::vector<std::uint8_t> in_model(delaunay.slots(), 0);
   in_blocks(delaunay.slots(), kFairBlock, run, [&](std::size_t begin, std::size_t end) {
@@ -167,7 +208,7 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
       const Tet t = delaunay.corners(slot);
       if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
       in_model[slot] = peeling.known_of(slot) == KnownClassification::Known::Inside ||
-                               contributes(nodes, boundary, faces, inside, t, options.edges_too)
+                               contributes(nodes, boundary, rims, inside, t, options.edges_too)
                            ? 1
                            : 0;
     }

@@ -4,7 +4,7 @@
 #include "engine/model/expression.h"
 #include "engine/model/feature_model.h"
 #include "engine/model/feature_types.h"
-#include "engine/model/selection/size_error.h"
+#include "engine/model/selection/selection_error.h"
 
 namespace remeshd {
 namespace {
@@ -85,6 +85,23 @@ struct Editor {
     const auto found = std::ranges::find(model.sizes, edit.id, &SizeControlSource::id);
     if (found == model.sizes.end()) throw error::unknown_size(edit.id);
     model.sizes.erase(found);
+  }
+
+  void operator()(const SetGroup& edit) const {
+    const auto found = std::ranges::find(model.groups, edit.name, &GroupSource::name);
+    if (found != model.groups.end()) {
+      if (edit.on) found->on = *edit.on;
+      if (edit.policy) found->policy = *edit.policy;
+      return;
+    }
+    if (!edit.on) throw error::incomplete_group(edit.name);
+    model.groups.push_back({edit.name, *edit.on, edit.policy.value_or(GroupPolicy{})});
+  }
+
+  void operator()(const RemoveGroup& edit) const {
+    const auto found = std::ranges::find(model.groups, edit.name, &GroupSource::name);
+    if (found == model.groups.end()) throw error::unknown_group(edit.name);
+    model.groups.erase(found);
   }
 };
 

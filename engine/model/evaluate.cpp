@@ -5,7 +5,9 @@
 #include "engine/model/feature_model.h"
 #include "engine/model/limits.h"
 #include "engine/model/placement.h"
+#include "engine/model/selection/evaluate_groups.h"
 #include "engine/model/selection/evaluate_sizes.h"
+#include "engine/model/selection/select_faces.h"
 #include "engine/model/shape.h"
 #include "engine/model/solid.h"
 
@@ -63,7 +65,9 @@ FeatureModel evaluate(const ModelSource& source) {
   model.features.reserve(source.features.size());
   for (const FeatureSource& feature : source.features)
     model.features.push_back(evaluate_feature(feature, scope));
-  model.sizes = evaluate_sizes(source, model.features, scope);
+  SelectorCost cost;
+  model.sizes = evaluate_sizes(source, model.features, scope, cost);
+  model.groups = evaluate_groups(source, model.features, scope, cost);
   return model;
 }
 

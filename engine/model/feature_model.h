@@ -98,11 +98,21 @@ struct SizeControl {
   friend bool operator==(const SizeControl&, const SizeControl&) = default;
 };
 
+/// An evaluated group: a set of facets and tets that keeps its name through edits.
+struct FaceGroup {
+  std::string name;
+  /// What its selector names, feature by feature in the order of history; maybe nothing.
+  std::vector<SelectedFaces> on;
+  GroupPolicy policy;
+  friend bool operator==(const FaceGroup&, const FaceGroup&) = default;
+};
+
 /// An evaluated, validated model; features in history order.
 struct FeatureModel {
   std::string name;
   std::vector<Feature> features;
   std::vector<SizeControl> sizes;  ///< in the order of the document
+  std::vector<FaceGroup> groups;   ///< likewise
 
   [[nodiscard]] int index_of(const std::string& id) const;  ///< -1 if absent
 };
@@ -112,13 +122,15 @@ struct FeatureModel {
 /// Throws Error(InvalidArgument) with feature and parameter set: unknown or duplicate or malformed
 /// names, missing or extra parameters, non-finite or non-positive sizes, degenerate frames,
 /// self-intersecting profiles, cycles and unknown names in expressions, comma lists, assignments.
-/// What is wrong with a size control has its id and field in the parameter: `sizes.holes.size`.
+/// What is wrong with a size control has its id and field in the parameter: `sizes.holes.size`;
+/// with a group likewise its name: `groups.load.on`.
 FeatureModel evaluate(const ModelSource& source);
 
 /// Applies the edits in order and returns the edited document; the argument is left as it was.
 ///
-/// Throws Error with `edit_index` set for an unknown feature, parameter, size or anchor, a
-/// duplicate id, or a new size that lacks a part. The result is not validated: call `evaluate`.
+/// Throws Error with `edit_index` set for an unknown feature, parameter, size, group or anchor, a
+/// duplicate id, or a new size or group that lacks a part. The result is not validated: call
+/// `evaluate`.
 ModelSource apply(const ModelSource& source, const ModelEdit& edit);
 
 /// Bound of the distance by which any surface of any feature moves between two models of the same

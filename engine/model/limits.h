@@ -6,8 +6,8 @@ namespace remeshd {
 
 /// Most features of one model.
 inline constexpr std::size_t kMaxFeatures = 10000;
-/// Most size controls of one model.
-inline constexpr std::size_t kMaxSizes = 1000;
+/// Most size controls of one model, and most groups.
+inline constexpr std::size_t kMaxSelections = 1000;
 /// Sizes and coordinates are at most this, in the model's unit.
 inline constexpr double kMaxLength = 1e9;
 /// Sizes are at least this, in the model's unit.

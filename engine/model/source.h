@@ -70,6 +70,22 @@ struct SizeControlSource {
   friend bool operator==(const SizeControlSource&, const SizeControlSource&) = default;
 };
 
+/// What may become of a group in an edit.
+struct GroupPolicy {
+  /// Most by which its exact area may differ from the parent's, as a share of that.
+  std::optional<double> max_area_change{};
+  bool fail_emptied = false;  ///< a group that selects nothing any more fails the edit
+  friend bool operator==(const GroupPolicy&, const GroupPolicy&) = default;
+};
+
+/// Faces or material under one name.
+struct GroupSource {
+  std::string name;
+  std::string on;  ///< selector
+  GroupPolicy policy{};
+  friend bool operator==(const GroupSource&, const GroupSource&) = default;
+};
+
 /// A model document: what users write, edit and get back. Nothing is evaluated yet.
 struct ModelSource {
   std::string name;
@@ -77,6 +93,7 @@ struct ModelSource {
   std::vector<ParameterSource> parameters;  ///< in the order written, which is kept
   std::vector<FeatureSource> features;      ///< in history order
   std::vector<SizeControlSource> sizes{};   ///< in the order written
+  std::vector<GroupSource> groups{};        ///< in the order written
   friend bool operator==(const ModelSource&, const ModelSource&) = default;
 };
 
@@ -110,8 +127,18 @@ struct SetSize {
 struct RemoveSize {
   std::string id;
 };
+/// Adds a group, which needs a selector, or changes the one of that name: what is left out stays; a
+/// policy replaces the whole policy.
+struct SetGroup {
+  std::string name;
+  std::optional<std::string> on{};
+  std::optional<GroupPolicy> policy{};
+};
+struct RemoveGroup {
+  std::string name;
+};
 using Edit = std::variant<SetParameter, SetFeatureParameter, SetPlacement, AddFeature,
-                          RemoveFeature, SetSize, RemoveSize>;
+                          RemoveFeature, SetSize, RemoveSize, SetGroup, RemoveGroup>;
 
 /// Edits of one request: run in order, all or none.
 struct ModelEdit {

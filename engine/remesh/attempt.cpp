@@ -3,15 +3,32 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/region.h"
 #include "engine/base/tolerance.h"
+#include "engine/cellular/boundary_model/group_rims.h"
 #include "engine/delivery/failure_place.h"
+#include "engine/nodes/nearest.h"
 #include "engine/remesh/node_sizes.h"
 
 namespace remeshd {
 
 namespace {
-constexpr double kMargin = 2.5;  // x edge length: what is made anew round what was wrong
-constexpr int kSteps = 2;        // cubes to that
+struct AnewLimits {
+  double margin = 2.5;       ///< x edge length: what is made anew round what was wrong
+  int steps = 2;             ///< cubes to that
+  double rim_spacing = 0.5;  ///< x edge length: points on rims that have come or gone
+};
+constexpr AnewLimits kAnewLimits;
+
+/// The plan with what would stay in place new within an edge length of some points, which are near
+/// each other.
+CopyPlan with_new_at(const CopyPlan& plan, std::span<const Vec3> places, const SizeField& sizes) {
+  double longest = 0;
+  for (const Vec3& p : places) longest = std::fmax(longest, sizes(p));
+  const auto near = std::make_shared<const NearestNode>(places, kGridCell * longest);
+  return plan.with_new_in([near, sizes](const Vec3& p) { return near->any_within(p, sizes(p)); },
+                          Region(places, longest, 1).boxes(), CopyPlan::Anew::InPlace);
+}
 }  // namespace
 
 const CopyPlan& Problem::plan() const {
@@ -20,9 +37,23 @@ const CopyPlan& Problem::plan() const {
                   copy_lengths(density.sizes.base(), density.sizes.even()), run);
     std::optional<CopyPlan> anew = resized(plan, parent, modified, density.sizes, run);
     is_resized_ = anew.has_value();
-    plan_ = std::make_unique<const CopyPlan>(anew ? *std::move(anew) : std::move(plan));
+    if (anew) plan = *std::move(anew);
+    if (!changed_rims().empty() && plan.copies())
+      plan = with_new_at(plan, changed_rims(), density.sizes);
+    plan_ = std::make_unique<const CopyPlan>(std::move(plan));
   }
   return *plan_;
+}
+
+const std::vector<Vec3>& Problem::changed_rims() const {
+  if (!changed_rims_) {
+    const bool none = parent.model.groups == modified.model.groups && parent.model.groups.empty();
+    const auto apart = [&](const Vec3& p) { return kAnewLimits.rim_spacing * density.sizes(p); };
+    changed_rims_ =
+        none ? std::vector<Vec3>{}
+             : remeshd::changed_rims(parent.cells.boundary, modified.cells.boundary, apart);
+  }
+  return *changed_rims_;
 }
 
 bool Problem::is_resized() const {
@@ -59,7 +90,7 @@ std::vector<Vec3> faulty_places(const Verification& verification) {
 Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes) {
   double longest = 0;
   for (const Vec3& p : faulty_places) longest = std::fmax(longest, sizes(p));
-  return {faulty_places, kMargin * longest, kSteps};
+  return {faulty_places, kAnewLimits.margin * longest, kAnewLimits.steps};
 }
 
 double share_in(const Region& region, const Attempt& attempt) {

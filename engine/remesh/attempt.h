@@ -35,6 +35,8 @@ class Problem {
   /// in that were made for other edge lengths (`resized`).
   [[nodiscard]] const CopyPlan& plan() const;
   [[nodiscard]] bool is_resized() const;  ///< whether there are such nodes
+  /// Where rims of groups have come or gone, new too: points on them, near each other.
+  [[nodiscard]] const std::vector<Vec3>& changed_rims() const;
   /// Where the entities of the parent's boundary are in the modified one.
   [[nodiscard]] const EntityMap& entities() const;
   /// Whether there are features that nodes may be copied of.
@@ -43,6 +45,7 @@ class Problem {
  private:
   mutable std::unique_ptr<const CopyPlan> plan_;
   mutable bool is_resized_ = false;
+  mutable std::optional<std::vector<Vec3>> changed_rims_;
   mutable std::unique_ptr<const EntityMap> entities_;
 };
 

@@ -5,11 +5,14 @@
 #include <utility>
 
 #include "engine/delivery/deliver.h"
+#include "engine/delivery/group_outcomes.h"
 #include "engine/delivery/lost_names.h"
 #include "engine/delivery/quality_drift.h"
 #include "engine/delivery/shortfalls.h"
+#include "engine/model/selection/selection_error.h"
 #include "engine/remesh/node_sizes.h"
 #include "engine/remesh/strategies.h"
+#include "engine/revision/group_members.h"
 #include "engine/second_order/mid_nodes.h"
 
 namespace remeshd {
@@ -97,6 +100,17 @@ double last_resort_share(const Revision& parent, const Report& report, double ma
   return made + parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
 }
 
+/// Sets of the model's groups, what became of them, and whether their policies let that be.
+void complete_groups(const Revision& parent, Revision& revision) {
+  OutputMesh& output = revision.output;
+  output.groups.of_model = group_members(output, revision.model);
+  const std::vector<std::string> empty = empty_groups(output);
+  if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
+  check_emptied(revision.model, empty);
+  const std::vector<GroupOutcome> before_meshing = std::exchange(revision.report.outcomes, {});
+  revision.report.outcomes = group_outcomes(parent, revision, before_meshing);
+}
+
 }  // namespace
 
 void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwatch& watch) {
@@ -117,6 +131,7 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   revision.output.node_sizes = made_for(parent, revision, problem.run);
   revision.output.mids = {.next_id = parent.output.mids.next_id};
   if (revision.options.order == 2) add_mid_nodes(parent, revision, problem.run);
+  complete_groups(parent, revision);
   report.last_resort_share = last_resort_share(parent, report, made_anew);
   for (auto& found : {lost_names(parent, revision, problem.run), shortfalls(revision)})
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());

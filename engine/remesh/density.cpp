@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/base/error.h"
-#include "engine/model/selection/size_error.h"
+#include "engine/model/selection/selection_error.h"
 #include "engine/nodes/density.h"
 #include "engine/nodes/fill/fill.h"
 #include "engine/remesh/node_budget.h"

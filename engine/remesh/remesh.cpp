@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/delivery/group_outcomes.h"
 #include "engine/local_fuse/local_fuse.h"
+#include "engine/model/selection/selection_error.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/complete.h"
 #include "engine/remesh/steps.h"
@@ -29,6 +31,13 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
     report.geometry_attempts.push_back({attempt.route, attempt.reason, attempt.seconds});
     report.geometry_seconds -= attempt.seconds;
   }
+  // Groups and their policies, which no mesh is needed for.
+  report.outcomes = groups_before_meshing(revision.model, revision.cells.boundary, run);
+  check_areas(parent, revision.model, report.outcomes);
+  const std::vector<std::string> empty =
+      groups_of_nothing(revision.model, revision.cells.boundary, run);
+  if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
+  check_emptied(revision.model, empty);
   // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
   const Density density = resolve_density(parent, options, revision.model, revision.cells, run);
   revision.edge_length = report.edge_length = density.sizes.base();

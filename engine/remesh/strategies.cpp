@@ -30,7 +30,8 @@ bool may_keep_tets(const Problem& problem, const Attempt*) {
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {
   return may_keep_tets(problem, failed) &&
-         same_geometry(problem.parent.meshed_model, problem.modified.model);
+         same_geometry(problem.parent.meshed_model, problem.modified.model) &&
+         problem.changed_rims().empty();
 }
 
 bool is_first_mesh(const Problem& problem, const Attempt*) {

@@ -32,6 +32,13 @@ struct MeshFacet {
   std::int32_t group;  ///< index into `MeshGroups::facet_groups`
 };
 
+/// A group of the model as sets of what the mesh has.
+struct GroupMembers {
+  std::string name;
+  std::vector<std::int32_t> facets;  ///< indices into `MeshGroups::facets`, ascending
+  std::vector<std::int32_t> tets;    ///< of the features that it names as a whole, ascending
+};
+
 /// Names on a mesh: what its facets lie on and who owns its tets.
 struct MeshGroups {
   std::vector<MeshFacet> facets;
@@ -39,6 +46,7 @@ struct MeshGroups {
       facet_groups;                  ///< `hole1.wall`, latest owner on the material side first
   CowVector<std::int32_t> tet_cell;  ///< for each tet: index into `cell_owners`
   std::vector<std::vector<std::string>> cell_owners;  ///< feature ids in history order
+  std::vector<GroupMembers> of_model;                 ///< in the order of the model's groups
 };
 
 /// Mid-nodes of a mesh of second order, one to each edge; none in a mesh of first order.

@@ -59,6 +59,26 @@ struct GroupArea {
   double mesh_area = 0;
 };
 
+/// What became of a group since the parent. In the protocol GroupAudit.State.
+enum class GroupState : std::uint8_t {
+  Unspecified,  ///< of a first mesh
+  Same,
+  Resized,  ///< of another exact area
+  Split,    ///< into more parts that do not touch
+  Merged,   ///< parts of it touch now, or it shares facets with a group that it shared none with
+  Emptied,  ///< it selects nothing any more
+  New,
+};
+
+/// A group of the model, or of facets, beside the parent's of that name.
+struct GroupOutcome {
+  std::string group;
+  bool of_model = false;
+  GroupState state = GroupState::Unspecified;
+  /// Of a group of the model: area of what it selects of the boundary, conditions by quadrature.
+  double exact_area = 0;
+};
+
 /// What verification measured of a mesh that it found valid.
 struct VerificationFigures {
   std::uint32_t tets_proved = 0;     ///< by themselves: new ones and those with a node that moved
@@ -88,6 +108,7 @@ struct Report {
   std::uint32_t sharp_tets = 0;  ///< the others
   VerificationFigures verification;
   std::vector<GroupArea> groups;
+  std::vector<GroupOutcome> outcomes;  ///< of all groups: those of facets, then those of the model
   /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
   /// share of those that it keeps.
   double last_resort_share = 0;

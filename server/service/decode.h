@@ -13,8 +13,7 @@ namespace remeshd {
 /// Requests as the session understands them. A model or an edit may come as a message or as the
 /// text of a document, which is read here; `limits` say how long it may be.
 ///
-/// All throw Error: InvalidArgument for what cannot be right, UNSUPPORTED naming the field for what
-/// this daemon does not do.
+/// All throw Error(InvalidArgument) for what cannot be right.
 OptionsPatch decode(const remesh::v1::MeshOptions& message);
 std::vector<WarningCode> fail_on_of(const remesh::v1::MeshOptions& message);
 HeadRule decode(const remesh::v1::HeadUpdate& message);

@@ -109,10 +109,28 @@ SetSize set_size(const v1::SizeControl& message, const DocumentPlace& place) {
   return out;
 }
 
-Error unsupported_edit(const char* kind, int index) {
-  Error failure = error::unsupported(kind);
-  failure.info().edit_index = index;
-  return failure;
+GroupPolicy policy(const v1::GroupPolicy& message, const DocumentPlace& place) {
+  GroupPolicy out;
+  if (message.has_max_area_change()) out.max_area_change = message.max_area_change();
+  const std::string& on_emptied = message.on_emptied();
+  if (!on_emptied.empty() && on_emptied != "warn" && on_emptied != "fail")
+    throw error::wrong_kind(below(place, "onEmptied"), "\"warn\" or \"fail\"", "another string");
+  out.fail_emptied = on_emptied == "fail";
+  return out;
+}
+
+GroupSource group(const v1::Group& message, const DocumentPlace& place) {
+  if (message.on().empty()) throw error::missing_field(place, "on");
+  return {.name = text_of(message.name(), place),
+          .on = text_of(message.on(), below(place, "on")),
+          .policy = policy(message.policy(), below(place, "policy"))};
+}
+
+SetGroup set_group(const v1::Group& message, const DocumentPlace& place) {
+  SetGroup out{.name = text_of(message.name(), below(place, "name"))};
+  if (!message.on().empty()) out.on = text_of(message.on(), below(place, "on"));
+  if (message.has_policy()) out.policy = policy(message.policy(), below(place, "policy"));
+  return out;
 }
 
 Edit edit(const v1::Edit& message, DocumentPlace place) {
@@ -152,9 +170,9 @@ Edit edit(const v1::Edit& message, DocumentPlace place) {
     case v1::Edit::kRemoveSize:
       return RemoveSize{text_of(message.remove_size().id(), place)};
     case v1::Edit::kSetGroup:
-      throw unsupported_edit("set_group", *place.edit_index);
+      return set_group(message.set_group(), place);
     case v1::Edit::kRemoveGroup:
-      throw unsupported_edit("remove_group", *place.edit_index);
+      return RemoveGroup{text_of(message.remove_group().name(), place)};
     default:
       throw error::wrong_kind(place, "a kind of edit", "none");
   }
@@ -175,7 +193,6 @@ ParameterSource parameter(const v1::Parameter& message) {
 }
 
 ModelSource model(const v1::FeatureModel& message) {
-  if (!message.groups().empty()) throw error::unsupported("groups");
   ModelSource out;
   out.name = text_of(message.name(), {.feature = "", .path = "name"});
   out.unit = text_of(message.unit(), {.feature = "", .path = "unit"});
@@ -185,6 +202,8 @@ ModelSource model(const v1::FeatureModel& message) {
   for (int i = 0; i < message.sizes_size(); ++i)
     out.sizes.push_back(
         size(message.sizes(i), {.feature = "", .path = "sizes[" + std::to_string(i) + "]"}));
+  for (const v1::Group& each : message.groups())
+    out.groups.push_back(group(each, {.feature = "", .path = "groups." + each.name()}));
   return out;
 }
 

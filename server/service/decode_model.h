@@ -24,8 +24,7 @@ auto checked(Read&& read) {
 /// the wire need not come from a document: known enumerators, no parameter twice, and what
 /// decode_value.h says of values.
 ///
-/// Both throw Error(InvalidArgument), stage `document`, with feature, parameter and edit index set;
-/// Error(UNSUPPORTED) for groups.
+/// Both throw Error(InvalidArgument), stage `document`, with feature, parameter and edit index set.
 ModelSource decode(const remesh::v1::FeatureModel& message);
 ModelEdit decode(const remesh::v1::ModelEdit& message);
 

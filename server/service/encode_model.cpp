@@ -111,6 +111,15 @@ void put_size(const SizeControlSource& source, v1::SizeControl& out) {
   put(source.size, *out.mutable_size());
 }
 
+void put_group(const GroupSource& source, v1::Group& out) {
+  out.set_name(source.name);
+  out.set_on(source.on);
+  if (source.policy == GroupPolicy{}) return;
+  v1::GroupPolicy& policy = *out.mutable_policy();
+  if (source.policy.max_area_change) policy.set_max_area_change(*source.policy.max_area_change);
+  policy.set_on_emptied(source.policy.fail_emptied ? "fail" : "warn");
+}
+
 }  // namespace
 
 v1::FeatureModel encode(const ModelSource& source) {
@@ -121,6 +130,7 @@ v1::FeatureModel encode(const ModelSource& source) {
     put_parameter(parameter, *out.add_parameters());
   for (const FeatureSource& feature : source.features) put_feature(feature, *out.add_features());
   for (const SizeControlSource& size : source.sizes) put_size(size, *out.add_sizes());
+  for (const GroupSource& group : source.groups) put_group(group, *out.add_groups());
   return out;
 }
 

@@ -82,6 +82,8 @@ void put_group(const GroupFigures& figures, v1::GroupAudit& out) {
   out.set_mesh_area(figures.mesh_area);
   out.set_nodes(figures.nodes);
   out.set_facets(figures.facets);
+  out.set_tets(figures.tets);
+  out.set_state(static_cast<v1::GroupAudit::State>(figures.state));
   if (figures.facets == 0) return;
   put_point(figures.centroid, *out.mutable_centroid());
   put_point(figures.normal, *out.mutable_normal());

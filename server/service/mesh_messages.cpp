@@ -7,6 +7,7 @@
 #include "proto/checksum.h"
 #include "server/limits.h"
 #include "server/service/array_delta.h"
+#include "server/service/encode.h"
 #include "server/session/session_error.h"
 
 namespace remeshd {
@@ -28,11 +29,6 @@ v1::MeshArray name_of(const MeshArray& array) {
   return static_cast<v1::MeshArray>(static_cast<int>(array.name));
 }
 
-bool is_supported(int array) {
-  return (array >= v1::MESH_ARRAY_NODES && array <= v1::MESH_ARRAY_ORIGINAL_TETS) ||
-         (array >= v1::MESH_ARRAY_NODE_SIZES && array <= v1::MESH_ARRAY_MID_NODE_TRANSFORMS);
-}
-
 std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
 std::string all_of(const MeshArray& array) {
@@ -45,18 +41,15 @@ std::string all_of(const MeshArray& array) {
 }  // namespace
 
 void check_selection(const v1::MeshSelection& selection) {
-  for (const int array : selection.arrays()) {
+  for (const int array : selection.arrays())
     if (!v1::MeshArray_IsValid(array) || array == v1::MESH_ARRAY_UNSPECIFIED)
       throw error::option_invalid("arrays", "names an unknown array");
-    if (!is_supported(array))
-      throw error::unsupported(v1::MeshArray_Name(static_cast<v1::MeshArray>(array)));
-  }
 }
 
 std::vector<v1::MeshArray> supported_arrays() {
   std::vector<v1::MeshArray> out;
   for (int array = 1; v1::MeshArray_IsValid(array); ++array)
-    if (is_supported(array)) out.push_back(static_cast<v1::MeshArray>(array));
+    out.push_back(static_cast<v1::MeshArray>(array));
   return out;
 }
 
@@ -129,6 +122,8 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
   header.set_model_name(revision.source.name);
   header.set_unit(revision.source.unit);
   header.set_order(revision.options.order);
+  *header.mutable_options() = encode(revision.options);
+  header.set_algorithm_version(held.record.algorithm_version);
   header.set_nodes(size_of(delivery.mesh.nodes.size()));
   header.set_mid_nodes(size_of(delivery.mids.positions.size()));
   header.set_tets(size_of(delivery.mesh.tets.size()));

@@ -66,7 +66,7 @@ class MeshMessages {
   std::uint32_t parts_ = 0;
 };
 
-/// Throws Error: OPTIONS_INVALID for an unknown array, UNSUPPORTED for one that no mesh has.
+/// Throws Error: OPTIONS_INVALID for an unknown array.
 void check_selection(const remesh::v1::MeshSelection& selection);
 
 /// Arrays that a mesh of this daemon may have.

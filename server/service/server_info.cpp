@@ -59,6 +59,7 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   out.set_ready(out.not_ready().empty());
   for (const auto capability :
        {v1::ServerCapabilities::CAPABILITY_SIZING, v1::ServerCapabilities::CAPABILITY_SIZES,
+        v1::ServerCapabilities::CAPABILITY_GROUPS, v1::ServerCapabilities::CAPABILITY_AUDIT,
         v1::ServerCapabilities::CAPABILITY_FORECAST, v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
         v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE})
     out.mutable_capabilities()->add_capabilities(capability);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/delivery/group_figures.h"
 #include "engine/remesh/remesh.h"
-#include "server/session/group_figures.h"
 #include "server/session/lazy.h"
 #include "server/session/mesh_arrays.h"
 #include "server/store/records.h"

@@ -95,7 +95,35 @@ std::string lines(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Mid-nodes of a facet, of its edges 01, 12 and 20.
+//// An array of pairs of a group of the model and a member of it.
+MeshArray members_of(ArrayName name, const std::vector<GroupMembers>& groups,
+                     std::vector<std::int32_t> GroupMembers::*which) {
+  using Row = std::array<std::int32_t, 2>;
+  std::size_t count = 0;
+  for (const GroupMembers& group : groups) count += (group.*which).size();
+  MeshArray array = empty_array<Row>(name, NumberType::I32, count);
+  const auto together = [&groups, which] {
+    std::vector<Row> rows;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (const std::int32_t member : groups[g].*which)
+        rows.push_back({static_cast<std::int32_t>(g), member});
+    return rows;
+  };
+  array.from = [rows = std::make_shared<Lazy<std::vector<Row>>>(), together](std::uint64_t offset) {
+    return bytes_of(std::span<const Row>(rows->get(together))).substr(offset);
+  };
+  return array;
+}
+
+void add_groups(const std::vector<GroupMembers>& groups, std::vector<MeshArray>& arrays) {
+  std::string names;
+  for (const GroupMembers& group : groups) names += group.name + "\n";
+  arrays.push_back(text_array(ArrayName::GroupNames, groups.size(), std::move(names)));
+  arrays.push_back(members_of(ArrayName::GroupFacets, groups, &GroupMembers::facets));
+  arrays.push_back(members_of(ArrayName::GroupTets, groups, &GroupMembers::tets));
+}
+
+// Mid-nodes of a facet, of its edges 01, 12 and 20.
 std::array<std::int32_t, 3> mids_of(const MeshFacet& facet, const OutputMesh& d) {
   const Tet& tet = d.mesh.tets[facet.tet];
   const auto& mids = d.mids.of_tets[facet.tet];
@@ -146,6 +174,7 @@ std::vector<MeshArray> mesh_arrays(const OutputMesh& d) {
       array_of(Transforms, m.transforms),
       text_array(TransformFeatures, m.transform_features.size(), lines(m.transform_features)),
       array_of(OriginalTets, I32, m.original_tet)};
+  if (!g.of_model.empty()) add_groups(g.of_model, arrays);
   if (!d.node_sizes.empty()) arrays.push_back(array_of(NodeSizes, F64, d.node_sizes));
   if (!d.mids.positions.empty()) add_mids(d, arrays);
   return arrays;

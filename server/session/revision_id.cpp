@@ -91,6 +91,7 @@ class Canonical {
     number(source.features.size());
     for (const FeatureSource& each : source.features) feature(each);
     if (!source.sizes.empty()) sizes(source.sizes);
+    if (!source.groups.empty()) groups(source.groups);
   }
   /// Ids are older than sizes, so of a model without them nothing is said. They begin like a text
   /// of five bytes; what else may follow a model are options, whose first byte is 0 or 1.
@@ -108,6 +109,17 @@ class Canonical {
         for (const Scalar& value : std::get<BoxSource>(size.place)) scalar(value);
       }
       scalar(size.size);
+    }
+  }
+  /// Likewise of a model without groups.
+  void groups(const std::vector<GroupSource>& groups) {
+    text("groups");
+    number(groups.size());
+    for (const GroupSource& group : groups) {
+      text(group.name);
+      text(group.on);
+      bound(group.policy.max_area_change);
+      byte(group.policy.fail_emptied ? 1 : 0);
     }
   }
   void options(const MeshOptions& options) {

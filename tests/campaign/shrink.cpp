@@ -144,6 +144,8 @@ class Shrinker {
       std::string operator()(const RemoveFeature& e) const { return e.feature; }
       std::string operator()(const SetSize&) const { return {}; }
       std::string operator()(const RemoveSize&) const { return {}; }
+      std::string operator()(const SetGroup&) const { return {}; }
+      std::string operator()(const RemoveGroup&) const { return {}; }
     };
     return std::visit(Feature{}, edit) == id;
   }

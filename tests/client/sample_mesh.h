@@ -96,6 +96,26 @@ inline Mesh sample_mesh(int n) {
   return mesh;
 }
 
+/// The same mesh with groups of the model: a part of a face, material with a face, and nothing; and
+/// with what files tell of where it comes from.
+inline Mesh with_groups(Mesh mesh) {
+  mesh.group_names = {"load", "part", "nothing"};
+  const auto size = [](const auto& list) { return static_cast<std::int32_t>(list.size()); };
+  for (std::int32_t f = 0; f < size(mesh.facets); ++f)
+    if (mesh.facets[static_cast<std::size_t>(f)].group >= 4 && f % 3 == 0)
+      mesh.group_facets.push_back({0, f});
+  for (std::int32_t f = 0; f < size(mesh.facets); ++f)
+    if (mesh.facets[static_cast<std::size_t>(f)].group == 0) mesh.group_facets.push_back({1, f});
+  for (std::int32_t t = 0; t < size(mesh.tets); t += 5) mesh.group_tets.push_back({1, t});
+  mesh.revision = "0123abcd";
+  mesh.parent = "4567ef";
+  mesh.model_name = "brick -- of cubes";
+  mesh.unit = "mm";
+  mesh.options = "{\"nodes\": 27}";
+  mesh.algorithm_version = 20;
+  return mesh;
+}
+
 /// The same mesh with a node on each edge, beside its middle, and a valid value in every field.
 inline Mesh with_mid_nodes(Mesh mesh) {
   std::map<std::array<std::int32_t, 2>, std::int32_t> known;

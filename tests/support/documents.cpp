@@ -100,6 +100,26 @@ SetSize set_size(const json& j) {
   return edit;
 }
 
+GroupPolicy policy_of(const json& j) {
+  GroupPolicy policy;
+  if (j.contains("maxAreaChange")) policy.max_area_change = j.at("maxAreaChange").get<double>();
+  policy.fail_emptied = j.value("onEmptied", "warn") == "fail";
+  return policy;
+}
+
+GroupSource group_of(const std::string& name, const json& j) {
+  if (j.is_string()) return {name, j.get<std::string>(), {}};
+  return {name, j.at("on").get<std::string>(),
+          j.contains("policy") ? policy_of(j.at("policy")) : GroupPolicy{}};
+}
+
+SetGroup set_group(const json& j) {
+  SetGroup edit{.name = j.at("name").get<std::string>()};
+  if (j.contains("on")) edit.on = j.at("on").get<std::string>();
+  if (j.contains("policy")) edit.policy = policy_of(j.at("policy"));
+  return edit;
+}
+
 Edit edit_of(const json& j) {
   const json& body = j.begin().value();
   const std::string& kind = j.begin().key();
@@ -121,6 +141,8 @@ Edit edit_of(const json& j) {
   if (kind == "removeFeature") return RemoveFeature{body.at("feature").get<std::string>()};
   if (kind == "setSize") return set_size(body);
   if (kind == "removeSize") return RemoveSize{body.at("id").get<std::string>()};
+  if (kind == "setGroup") return set_group(body);
+  if (kind == "removeGroup") return RemoveGroup{body.at("name").get<std::string>()};
   throw std::runtime_error("unknown edit " + kind);
 }
 
@@ -200,6 +222,17 @@ json to_json(const SizeControlSource& s) {
   return result;
 }
 
+json to_json(const GroupPolicy& policy) {
+  json result{{"onEmptied", policy.fail_emptied ? "fail" : "warn"}};
+  if (policy.max_area_change) result["maxAreaChange"] = *policy.max_area_change;
+  return result;
+}
+
+json to_json(const GroupSource& group) {
+  if (group.policy == GroupPolicy{}) return group.on;
+  return {{"on", group.on}, {"policy", to_json(group.policy)}};
+}
+
 /// One overload per edit.
 struct EditWriter {
   json operator()(const SetParameter& edit) const {
@@ -228,6 +261,15 @@ struct EditWriter {
     return {{"setSize", body}};
   }
   json operator()(const RemoveSize& edit) const { return {{"removeSize", {{"id", edit.id}}}}; }
+  json operator()(const SetGroup& edit) const {
+    json body{{"name", edit.name}};
+    if (edit.on) body["on"] = *edit.on;
+    if (edit.policy) body["policy"] = to_json(*edit.policy);
+    return {{"setGroup", body}};
+  }
+  json operator()(const RemoveGroup& edit) const {
+    return {{"removeGroup", {{"name", edit.name}}}};
+  }
 };
 
 }  // namespace
@@ -242,6 +284,9 @@ ModelSource read_model(const json& j) {
   for (const json& f : j.at("features")) model.features.push_back(feature_of(f));
   if (j.contains("sizes"))
     for (const json& s : j.at("sizes")) model.sizes.push_back(size_of(s));
+  if (j.contains("groups"))
+    for (const auto& [name, group] : j.at("groups").items())
+      model.groups.push_back(group_of(name, group));
   return model;
 }
 
@@ -259,6 +304,7 @@ json write_model(const ModelSource& model) {
   json result{{"name", model.name}, {"parameters", parameters}, {"features", features}};
   if (!model.unit.empty()) result["unit"] = model.unit;
   for (const SizeControlSource& s : model.sizes) result["sizes"].push_back(to_json(s));
+  for (const GroupSource& g : model.groups) result["groups"][g.name] = to_json(g);
   return result;
 }
 

@@ -30,6 +30,10 @@ struct Facet {
 struct Mesh {
   std::string revision;  ///< id
   std::string parent;    ///< id of the original mesh's revision; empty for a first mesh
+  std::string model_name;
+  std::string unit;     ///< of lengths, as the model labels it
+  std::string options;  ///< that the mesh was made with, as JSON on one line
+  std::uint32_t algorithm_version = 0;
 
   std::vector<std::array<double, 3>> nodes;  ///< x, y, z in the model's unit
   std::vector<std::array<std::int32_t, 4>> tets;
@@ -40,6 +44,11 @@ struct Mesh {
   std::vector<std::vector<std::string>> facet_groups;  ///< `hole1.wall`, latest owner first
   std::vector<std::int32_t> tet_cell;                  ///< index into `cell_owners` for each tet
   std::vector<std::vector<std::string>> cell_owners;   ///< feature ids in history order
+
+  // Groups of the model; empty where it has none.
+  std::vector<std::string> group_names;
+  std::vector<std::array<std::int32_t, 2>> group_facets;  ///< group and facet, ascending
+  std::vector<std::array<std::int32_t, 2>> group_tets;    ///< group and tet, ascending
 
   std::vector<NodeOrigin> node_origin;
   std::vector<std::int32_t> original_node;   ///< in the original mesh; -1 where New

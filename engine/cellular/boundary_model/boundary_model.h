@@ -38,6 +38,7 @@ struct BoundaryEdge {
   int start = -1, end = -1;  ///< vertices; -1 both for a closed edge without a vertex
   std::vector<int> faces;    ///< the one or two faces it bounds, ascending
   double length = 0;         ///< exact
+  bool rim = false;          ///< its faces are one surface: it is there for a group's sake
 
   [[nodiscard]] bool closed() const { return start == end; }
   /// Unit direction in which it leaves one of its ends. Pre: two points at least.
@@ -65,7 +66,8 @@ inline Vec3 outward_normal(const BoundaryFace& face, const Vec3& p) {
 }
 
 /// The merged boundary of a model: faces, edges and vertices that a mesh must represent. Coplanar
-/// splits and seams are unified, so that they are no edges (Sect. 4.1, DESIGN).
+/// splits and seams are unified, so that they are no edges (Sect. 4.1, DESIGN), but for the rims of
+/// faces that a group names.
 ///
 /// Inv: every order is by geometry, never by the CAD kernel's: the same model gives the same value.
 struct BoundaryModel {

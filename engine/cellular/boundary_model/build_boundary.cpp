@@ -101,6 +101,7 @@ void add_edges(BoundaryModel& model, const Brep& brep, const UnifiedEdges& unifi
     edge.end = end(chain.back(), true);
     if (edge.start >= 0) edge.points.front() = model.vertices[edge.start].position;
     if (edge.end >= 0) edge.points.back() = model.vertices[edge.end].position;
+    edge.rim = unified.rim[chain.front().edge] != 0;
     make_canonical(edge);
     const auto& at = unified.faces_at_edge[chain.front().edge];
     groups_of_edge.push_back({unified.face_group[at.front()], unified.face_group[at.back()]});

@@ -10,8 +10,45 @@ namespace {
 struct PartLimits {
   double first = 1.0 / 16;       ///< of the face's box: no triangle is longer where it is asked
   double shortest = 1.0 / 1000;  ///< of it: no triangle is divided further
+  double of_area = 1.0 / 256;    ///< the same where areas are measured
 };
 constexpr PartLimits kPartLimits;
+
+/// Where a condition is asked on a triangle: its centre, corners and middles of sides.
+constexpr int kPlaces = 7;
+
+/// At how many of them `at` holds.
+template <class At>
+int places_held(const std::array<Vec3, 3>& t, const At& at) {
+  int held = at((t[0] + t[1] + t[2]) / 3) ? 1 : 0;
+  for (int k = 0; k < 3; ++k) {
+    held += at(t[k]) ? 1 : 0;
+    held += at(0.5 * (t[k] + t[(k + 1) % 3])) ? 1 : 0;
+  }
+  return held;
+}
+
+/// The side of a triangle that is longest: from this corner to the next.
+int longest_side(const std::array<Vec3, 3>& t) {
+  int longest = 0;
+  std::array<double, 3> side{};
+  for (int k = 0; k < 3; ++k) {
+    side[k] = distance(t[k], t[(k + 1) % 3]);
+    if (side[k] > side[longest]) longest = k;
+  }
+  return longest;
+}
+double length_of_side(const std::array<Vec3, 3>& t, int k) {
+  return distance(t[k], t[(k + 1) % 3]);
+}
+
+/// Both halves of a triangle on a face, from the middle of a side.
+std::array<std::array<Vec3, 3>, 2> halved(const std::array<Vec3, 3>& t, int side,
+                                          const Surface& surface) {
+  const Vec3 &a = t[side], &b = t[(side + 1) % 3], &c = t[(side + 2) % 3];
+  const Vec3 middle = project(surface, 0.5 * (a + b));
+  return {{{a, middle, c}, {middle, b, c}}};
+}
 
 /// Divides the triangles of a face where a condition changes.
 class FaceDivider {
@@ -35,21 +72,15 @@ class FaceDivider {
   /// holds on of others is appended.
   bool divide(const std::array<Vec3, 3>& t) {
     poll_();
-    int longest = 0;
-    std::array<double, 3> side{};
-    for (int k = 0; k < 3; ++k) {
-      side[k] = distance(t[k], t[(k + 1) % 3]);
-      if (side[k] > side[longest]) longest = k;
-    }
-    if (side[longest] <= first_) {
-      const int held = places_held(t);
+    const int longest = longest_side(t);
+    const double length = length_of_side(t, longest);
+    if (length <= first_) {
+      const int held = places_held(t, [&](const Vec3& p) { return at(p); });
       if (held == 0) return false;
       if (held == kPlaces) return true;
-      if (side[longest] <= shortest_) return at((t[0] + t[1] + t[2]) / 3);
+      if (length <= shortest_) return at((t[0] + t[1] + t[2]) / 3);
     }
-    const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-    const Vec3 middle = project(face_.surface, 0.5 * (a + b));
-    const std::array<std::array<Vec3, 3>, 2> halves{{{a, middle, c}, {middle, b, c}}};
+    const auto halves = halved(t, longest, face_.surface);
     const std::array<bool, 2> whole{divide(halves[0]), divide(halves[1])};
     // Halves of a plane make the whole again; those of a curved face lie nearer to it.
     if (whole[0] && whole[1] && face_.surface.kind == Surface::Kind::Plane) return true;
@@ -58,15 +89,6 @@ class FaceDivider {
     return false;
   }
 
-  static constexpr int kPlaces = 7;
-  [[nodiscard]] int places_held(const std::array<Vec3, 3>& t) {
-    int held = at((t[0] + t[1] + t[2]) / 3) ? 1 : 0;
-    for (int k = 0; k < 3; ++k) {
-      held += at(t[k]) ? 1 : 0;
-      held += at(0.5 * (t[k] + t[(k + 1) % 3])) ? 1 : 0;
-    }
-    return held;
-  }
   [[nodiscard]] bool at(const Vec3& p) { return holds_(p, outward_normal(face_, p)); }
 
   const BoundaryFace& face_;
@@ -76,7 +98,77 @@ class FaceDivider {
   std::vector<std::array<Vec3, 3>> part_;
 };
 
+/// Measures the part of a face where a condition holds.
+class PartMeasure {
+ public:
+  PartMeasure(const BoundaryFace& face, const PlaceTest& holds, const Run& run)
+      : face_(face), holds_(holds), poll_(run) {
+    const double diagonal = box_of(face.points).diagonal();
+    first_ = kPartLimits.first * diagonal;
+    shortest_ = kPartLimits.of_area * diagonal;
+  }
+
+  void add(const std::array<Vec3, 3>& t) {
+    poll_();
+    const int longest = longest_side(t);
+    const double length = length_of_side(t, longest);
+    if (length <= first_) {
+      const int held = places_held(t, [&](const Vec3& p) { return at(p); });
+      const double area = triangle_area(t[0], t[1], t[2]);
+      const bool even = held == 0 || held == kPlaces;
+      if (even || length <= shortest_) {
+        all_ += area;
+        held_ += even ? (held == 0 ? 0 : area) : cut(t, area);
+        return;
+      }
+    }
+    for (const auto& half : halved(t, longest, face_.surface)) add(half);
+  }
+  [[nodiscard]] double share() const { return all_ > 0 ? held_ / all_ : 0; }
+
+ private:
+  [[nodiscard]] bool at(const Vec3& p) const { return holds_(p, outward_normal(face_, p)); }
+
+  /// How far from `in`, where the condition holds, to `out`, where it does not, it changes.
+  [[nodiscard]] double crossing(const Vec3& in, const Vec3& out) const {
+    double lo = 0, hi = 1;
+    for (int k = 0; k < 20; ++k) {
+      const double middle = 0.5 * (lo + hi);
+      (at(in + middle * (out - in)) ? lo : hi) = middle;
+    }
+    return 0.5 * (lo + hi);
+  }
+
+  /// Area of what a straight cut leaves of a small triangle.
+  [[nodiscard]] double cut(const std::array<Vec3, 3>& t, double area) const {
+    std::array<bool, 3> in{};
+    for (int k = 0; k < 3; ++k) in[k] = at(t[k]);
+    const auto count = std::ranges::count(in, true);
+    if (count == 0 || count == 3) return at((t[0] + t[1] + t[2]) / 3) ? area : 0;
+    // One corner is alone on its side of the cut.
+    const bool alone = count == 1;
+    const auto k = std::ranges::find(in, alone) - in.begin();
+    double corner = area;
+    for (const auto other : {(k + 1) % 3, (k + 2) % 3})
+      corner *= alone ? crossing(t[k], t[other]) : 1 - crossing(t[other], t[k]);
+    return alone ? corner : area - corner;
+  }
+
+  const BoundaryFace& face_;
+  const PlaceTest& holds_;
+  Polling poll_;
+  double first_ = 0, shortest_ = 0;
+  double all_ = 0, held_ = 0;
+};
+
 }  // namespace
+
+double area_where(const BoundaryFace& face, const PlaceTest& holds, const Run& run) {
+  PartMeasure measure(face, holds, run);
+  for (const auto& t : face.triangles)
+    measure.add({face.points[t[0]], face.points[t[1]], face.points[t[2]]});
+  return measure.share() * face.area;
+}
 
 std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
                                             const OpenExpression& condition, double length,

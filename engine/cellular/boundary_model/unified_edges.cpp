@@ -37,11 +37,14 @@ void unify_faces(const Brep& brep, const std::vector<SelectedFace>& faces, doubl
     if (f == g) continue;
     Box where = boxes[f];
     where.add(boxes[g]);
-    if (faces[f].side == faces[g].side &&
-        same_surface(faces[f].surface, faces[g].surface, where, tolerance))
+    const bool same = faces[f].side == faces[g].side &&
+                      same_surface(faces[f].surface, faces[g].surface, where, tolerance);
+    if (same && faces[f].group == faces[g].group) {
       groups.join(f, g);
-    else
+    } else {
       out.edge[e] = 1;
+      out.rim[e] = same ? 1 : 0;
+    }
   }
   out.face_group.assign(brep.faces.size(), -1);
   for (int f = 0; f < count; ++f)
@@ -63,7 +66,10 @@ void find_vertices(const Brep& brep, const std::vector<SelectedFace>& faces, dou
     if (ends[v].size() == 2) {
       const auto [a, b] = std::pair(ends[v][0], ends[v][1]);
       out.vertex[v] =
-          continues(brep.edges[a.edge], a.end, brep.edges[b.edge], b.end, tolerance) ? 0 : 1;
+          out.rim[a.edge] == out.rim[b.edge] &&
+                  continues(brep.edges[a.edge], a.end, brep.edges[b.edge], b.end, tolerance)
+              ? 0
+              : 1;
     } else {
       out.vertex[v] = ends[v].empty() ? 0 : 1;
     }
@@ -97,6 +103,7 @@ UnifiedEdges find_unified_edges(const Brep& brep, const std::vector<SelectedFace
   const double tolerance = kernel_tolerance(brep);
   out.faces_at_edge.resize(brep.edges.size());
   out.edge.assign(brep.edges.size(), 0);
+  out.rim.assign(brep.edges.size(), 0);
   out.vertex.assign(brep.vertices.size(), 0);
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
     if (faces[f].selected)

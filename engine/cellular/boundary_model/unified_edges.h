@@ -13,7 +13,8 @@ namespace remeshd {
 struct UnifiedEdges {
   std::vector<std::vector<int>> faces_at_edge;  ///< selected faces, ascending; a seam's face twice
   std::vector<char> edge;                       ///< by B-rep edge: bounds a change of surface
-  std::vector<char> vertex;                     ///< by B-rep vertex: end or corner of such edges
+  std::vector<char> rim;        ///< by B-rep edge: of those, where only the group changes
+  std::vector<char> vertex;     ///< by B-rep vertex: end or corner of such edges
   std::vector<int> face_group;  ///< by B-rep face: one number per unified face, -1 if not selected
   int groups = 0;
 };
@@ -22,12 +23,13 @@ struct UnifiedEdges {
 struct SelectedFace {
   bool selected = false;
   Surface surface;
-  int side = 1;  ///< faces of different side are never unified
+  int side = 1;   ///< faces of different side are never unified
+  int group = 0;  ///< nor are those of different group
 };
 
 /// Finds them among the selected faces; the other faces are as if not there. An edge between two
 /// faces of one surface is none; where three and more faces meet there always is one. A vertex
-/// without edges is one only at the apex of a cone.
+/// without edges is one only at the apex of a cone. An edge where the group changes is one too.
 ///
 /// Pre: one SelectedFace for each face of `brep`.
 UnifiedEdges find_unified_edges(const kernel::Brep& brep, const std::vector<SelectedFace>& faces);

@@ -7,7 +7,7 @@
 #include "engine/model/expression.h"
 #include "engine/model/limits.h"
 #include "engine/model/selection/select_faces.h"
-#include "engine/model/selection/size_error.h"
+#include "engine/model/selection/selection_error.h"
 
 namespace remeshd {
 namespace {
@@ -21,12 +21,13 @@ double checked_length(double value, const std::string& parameter) {
 /// What evaluates the sizes of one model.
 class Sizes {
  public:
-  Sizes(const ModelSource& source, const std::vector<Feature>& features, const Scope& scope)
-      : source_(source), features_(features), scope_(scope) {}
+  Sizes(const ModelSource& source, const std::vector<Feature>& features, const Scope& scope,
+        SelectorCost& cost)
+      : source_(source), features_(features), scope_(scope), cost_(cost) {}
 
   std::vector<SizeControl> operator()() {
-    if (source_.sizes.size() > kMaxSizes)
-      throw error::limit_exceeded("", "sizes", "sizes", source_.sizes.size(), kMaxSizes);
+    if (source_.sizes.size() > kMaxSelections)
+      throw error::limit_exceeded("", "sizes", "sizes", source_.sizes.size(), kMaxSelections);
     std::set<std::string_view> ids;
     std::vector<SizeControl> sizes;
     for (std::size_t k = 0; k < source_.sizes.size(); ++k) {
@@ -74,19 +75,12 @@ class Sizes {
   }
 
   [[nodiscard]] std::vector<SizedFaces> evaluate(const std::string& on, const Scalar& size) {
-    const std::vector<SelectorTerm> terms = read_selector(on, where_ + ".on");
-    questions_ += terms.size() * features_.size();
-    if (questions_ > kSelectorLimits.questions)
-      throw error::limit_exceeded("", where_ + ".on", "terms of selectors, times features,",
-                                  questions_, kSelectorLimits.questions);
     // A number is wrong whether it is selected for anything or not.
     const bool is_number = std::holds_alternative<double>(size);
     const double everywhere = is_number ? length(size, ".size") : 0;
     std::vector<SizedFaces> sized;
-    for (SelectedFaces& faces : select_faces(terms, source_, features_, scope_, where_ + ".on")) {
-      if (!faces.condition.text.empty() && ++conditions_ > kSelectorLimits.conditions)
-        throw error::limit_exceeded("", where_ + ".on", "conditions of selectors, times features,",
-                                    conditions_, kSelectorLimits.conditions);
+    for (SelectedFaces& faces :
+         select_faces(on, source_, features_, scope_, where_ + ".on", cost_)) {
       const double here = is_number ? everywhere : length_on(source_.features[faces.feature], size);
       sized.push_back({std::move(faces), here});
     }
@@ -102,16 +96,16 @@ class Sizes {
   const ModelSource& source_;
   const std::vector<Feature>& features_;
   const Scope& scope_;
-  std::string where_;          ///< the size being evaluated
-  std::size_t questions_ = 0;  ///< of selectors so far
-  std::size_t conditions_ = 0;
+  SelectorCost& cost_;
+  std::string where_;  ///< the size being evaluated
 };
 
 }  // namespace
 
 std::vector<SizeControl> evaluate_sizes(const ModelSource& source,
-                                        const std::vector<Feature>& features, const Scope& scope) {
-  return Sizes(source, features, scope)();
+                                        const std::vector<Feature>& features, const Scope& scope,
+                                        SelectorCost& cost) {
+  return Sizes(source, features, scope, cost)();
 }
 
 }  // namespace remeshd

@@ -7,6 +7,7 @@
 namespace remeshd {
 
 class Scope;
+struct SelectorCost;
 
 /// The size controls of a document, with their numbers. `features`: its features, evaluated;
 /// `scope`: its parameters.
@@ -15,6 +16,7 @@ class Scope;
 /// selectors that cannot be read, lengths that are not positive, boxes without a volume, and
 /// whatever evaluating the numbers finds. A selector may name nothing.
 std::vector<SizeControl> evaluate_sizes(const ModelSource& source,
-                                        const std::vector<Feature>& features, const Scope& scope);
+                                        const std::vector<Feature>& features, const Scope& scope,
+                                        SelectorCost& cost);
 
 }  // namespace remeshd

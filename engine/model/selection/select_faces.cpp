@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/error.h"
 #include "engine/model/expression.h"
 #include "engine/model/feature_types.h"
 #include "engine/model/solid.h"
@@ -31,10 +32,14 @@ std::map<std::string, double> numbers_of(const FeatureSource& feature, const Sco
   return numbers;
 }
 
-std::vector<SelectedFaces> select_faces(std::span<const SelectorTerm> terms,
-                                        const ModelSource& source,
+std::vector<SelectedFaces> select_faces(std::string_view selector, const ModelSource& source,
                                         const std::vector<Feature>& features, const Scope& scope,
-                                        const std::string& parameter) {
+                                        const std::string& parameter, SelectorCost& cost) {
+  const std::vector<SelectorTerm> terms = read_selector(selector, parameter);
+  cost.questions += terms.size() * features.size();
+  if (cost.questions > kSelectorLimits.questions)
+    throw error::limit_exceeded("", parameter, "terms of selectors, times features,",
+                                cost.questions, kSelectorLimits.questions);
   std::vector<SelectedFaces> selected;
   for (std::size_t k = 0; k < features.size(); ++k) {
     SelectedFaces everywhere{
@@ -51,6 +56,9 @@ std::vector<SelectedFaces> select_faces(std::span<const SelectorTerm> terms,
             everywhere.faces.push_back(std::move(name));
         continue;
       }
+      if (++cost.conditions > kSelectorLimits.conditions)
+        throw error::limit_exceeded("", parameter, "conditions of selectors, times features,",
+                                    cost.conditions, kSelectorLimits.conditions);
       const FeatureSource& feature = source.features[k];
       conditional.push_back(
           {.feature = static_cast<int>(k),

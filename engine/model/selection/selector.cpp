@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/model/selection/size_error.h"
+#include "engine/model/selection/selection_error.h"
 
 namespace remeshd {
 namespace {

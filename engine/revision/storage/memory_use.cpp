@@ -61,6 +61,7 @@ std::vector<MemoryBlock> memory_blocks(const Revision& revision) {
   const MidNodes& mids = d.mids;
   blocks.add_all(mids.positions, mids.edges, mids.of_tets, mids.ids, mids.origin, mids.original,
                  mids.transform, mids.straightened);
+  for (const GroupMembers& group : d.groups.of_model) blocks.add_all(group.facets, group.tets);
   if (const DelaunayState* m = revision.delaunay_state.get()) {
     m->mesh.visit_arrays([&](const auto&... arrays) { blocks.add_all(arrays...); });
     blocks.add_all(m->supports, m->tet_of_slot, m->cavities);

@@ -12,11 +12,11 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 16;
+constexpr std::uint32_t kFormat = 17;
 // With less of the report, whose latest parts come last, and without the options' sizing, the
-// models' sizes and dense places, and the second order after it.
+// models' sizes and dense places, the second order, and the models' groups after it.
 constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
-                        kNoSizes = 14, kNoOrder = 15;
+                        kNoSizes = 14, kNoOrder = 15, kNoGroups = 16;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -33,7 +33,7 @@ struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> 
 
 namespace remeshd {
 
-/// But for the sizes, which came later.
+/// But for sizes and groups, which came later.
 void serialize(auto& a, ModelSource& m) { a(m.name, m.unit, m.parameters, m.features); }
 /// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry's.
 void serialize(auto& a, Report& r) {
@@ -44,6 +44,9 @@ void serialize(auto& a, Report& r) {
 void serialize(auto& a, TriedStrategy& t) { a(t.strategy, t.reason); }
 void serialize(auto& a, SizedBall& b) { a(b.centre, b.radius, b.size); }
 void serialize(auto& a, SizeControlSource& s) { a(s.id, s.place, s.size); }
+void serialize(auto& a, GroupPolicy& p) { a(p.max_area_change, p.fail_emptied); }
+void serialize(auto& a, GroupSource& g) { a(g.name, g.on, g.policy); }
+void serialize(auto& a, GroupOutcome& o) { a(o.group, o.of_model, o.state, o.exact_area); }
 void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
 }
@@ -78,6 +81,8 @@ std::string write_documents(const Revision& revision) {
     if (revision.anchor) archive(revision.anchor->source.sizes);
     archive(revision.options.order, revision.output.mids.next_id, report.counts.mid_nodes,
             report.counts.straight_edges);
+    archive(revision.source.groups, revision.meshed_source.groups, report.outcomes);
+    if (revision.anchor) archive(revision.anchor->source.groups);
   }
   return std::move(out).str();
 }
@@ -115,6 +120,10 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (format > kNoOrder)
       archive(revision.options.order, revision.output.mids.next_id, counts.mid_nodes,
               counts.straight_edges);
+    if (format > kNoGroups) {
+      archive(revision.source.groups, revision.meshed_source.groups, revision.report.outcomes);
+      if (documents.anchored) archive(documents.anchor_source.groups);
+    }
 #endif
   } catch (const Error&) {
     throw;

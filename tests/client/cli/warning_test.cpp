@@ -76,5 +76,17 @@ TEST_F(Cli, SendsTheWarningsThatAreToBeErrors) {
   EXPECT_EQ(run({"mesh", model, "-o", file("m.vtu"), "--fail-on", "CODE_UNSPECIFIED"}), kUsage);
 }
 
+TEST_F(Cli, TakesEveryLossForAnErrorWhereItIsStrict) {
+  const std::string model = kCases + "/simple-a.json";
+  ASSERT_EQ(run({"mesh", "--strict", "--fail-on", "RENEWED,FACE_LOST", model, "-o", file("m.vtu")}),
+            kFine);
+  EXPECT_THAT(service_.requests[0].create().options().fail_on(),
+              ElementsAre(Warning::RENEWED, Warning::FACE_LOST, Warning::GROUP_EMPTIED,
+                          Warning::FEATURE_WITHOUT_EFFECT, Warning::CHORDS_COARSE,
+                          Warning::DETAIL_NOT_RESOLVED, Warning::EDGES_STRAIGHT));
+  ASSERT_EQ(run({"mesh", "--strict", model, "-o", file("m.vtu")}), kFine);
+  EXPECT_EQ(service_.requests[1].create().options().fail_on_size(), 6);
+}
+
 }  // namespace
 }  // namespace remeshd::cli

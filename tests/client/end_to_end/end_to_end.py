@@ -294,6 +294,39 @@ def check_second_order(folder, address):
     print(f"second order: {stayed} of {nodes} points are where they were")
 
 
+def check_losses(folder, address):
+    """What a model asks for and its mesh has not is told by a typed warning, and an error with --strict."""
+    part = {
+        "name": "losses", "parameters": {"pin_radius": 3, "hole_x": 0},
+        "features": [
+            {"id": "plate", "nature": "ADDITIVE", "type": "block",
+             "parameters": {"dx": 60, "dy": 40, "dz": 8}},
+            {"id": "pin", "nature": "ADDITIVE", "type": "cylinder",
+             "parameters": {"radius": "pin_radius", "height": 12},
+             "placement": {"origin": [20, 0, 2]}},
+            {"id": "hole", "nature": "SUBTRACTIVE", "type": "cylinder",
+             "parameters": {"radius": 5, "height": 12},
+             "placement": {"origin": ["hole_x", 0, -2]}}],
+        "groups": {"bore": "hole.wall"}}
+    model, out = folder / "losses.json", folder / "losses.vtu"
+    model.write_text(json.dumps(part))
+    remesh("mesh", model, "--nodes", 800, "-o", out, address=address)
+    tries = {
+        "a pin as thin as nothing": (["--set", "pin_radius=1e-9"], "DETAIL_NOT_RESOLVED"),
+        "a hole moved off the part": (["--set", "hole_x=100"], "FEATURE_WITHOUT_EFFECT"),
+        "a group emptied": (["--remove", "hole"], "GROUP_EMPTIED"),
+        "chords too coarse": (["--set", "hole.radius=6", "--edges-per-circle", 0, "--layers", 0,
+                               "--size", 12], "CHORDS_COARSE"),
+    }
+    for what, (arguments, code) in tries.items():
+        edit = ["edit", "losses@1", *arguments, "-o", out, "--keep-head"]
+        report = json.loads(remesh(*edit, "--json", "-", address=address).stdout)
+        codes = {warning["code"] for warning in report["warnings"]}
+        assert code in codes, f"{what}: {codes}"
+        refused = remesh(*edit, "--strict", code=4, address=address)
+        assert any(code in refused.stderr for code in codes), refused.stderr
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -308,6 +341,7 @@ def main():
             check_order(folder, daemon.address)
             check_second_order(folder, daemon.address)
             check_heads(folder, daemon.address)
+            check_losses(folder, daemon.address)
             check_cache(folder, daemon.address)
             check_revisions(folder, daemon.address)
             daemon.end()

@@ -72,6 +72,24 @@ TEST_P(MeshFile, OfSecondOrderIsReadBackToTheBitByIndependentLibraries) {
   EXPECT_TRUE(run_script("read_back.py", {file_, folder_.path()}));
 }
 
+TEST_P(MeshFile, WithGroupsIsReadBackToTheBitByIndependentLibraries) {
+  for (const Mesh& mesh :
+       {with_groups(sample_mesh(2)), with_mid_nodes(with_groups(sample_mesh(1)))}) {
+    write_mesh(file_, mesh);
+    write_raw_arrays(folder_.path(), mesh);
+    EXPECT_TRUE(run_script("read_back.py", {file_, folder_.path()}));
+  }
+}
+
+TEST_P(MeshFile, TellsWhereItComesFrom) {
+  write_mesh(file_, with_groups(sample_mesh(1)));
+  const std::string text = slurp(file_);
+  for (const char* line : {"revision 0123abcd\n", "parent 4567ef\n", "unit mm\n",
+                           "options {\"nodes\": 27}\n", "remeshd algorithm 20\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  EXPECT_NE(text.find("model brick "), std::string::npos);
+}
+
 TEST_P(MeshFile, OfSecondOrderIsReadBackByOurOwnReader) {
   const Mesh mesh = with_mid_nodes(sample_mesh(2));
   write_mesh(file_, mesh);
@@ -168,7 +186,8 @@ TEST(Msh, GivesAnEntityEachPhysicalGroupOnce) {
     }
   // Each its own first; Slot1.x_max is 7, base.x_max 8, Slot1.top 9, and of the cells Slot1 is 3.
   EXPECT_EQ(tags[0], (Tags{{1}, {2, 7, 8}, {3}, {4}, {5}, {6, 5, 9}}));
-  EXPECT_EQ(tags[1], (Tags{{1}, {2, 1, 3}}));
+  // All tets are 4.
+  EXPECT_EQ(tags[1], (Tags{{1, 4}, {2, 1, 3, 4}}));
 }
 
 TEST(Msh, BoxesOfEntitiesHoldAllTheirNodes) {

@@ -48,7 +48,10 @@ inline void write_raw_arrays(const std::filesystem::path& folder, const Mesh& me
   write_raw(folder / "mid_node_id", mesh.mid_node_ids);
   write_raw(folder / "edge_mids", mesh.edge_mids);
   std::ofstream(folder / "names.json") << "{\"facet_groups\": " << json(mesh.facet_groups)
-                                       << ", \"cell_owners\": " << json(mesh.cell_owners) << "}";
+                                       << ", \"cell_owners\": " << json(mesh.cell_owners)
+                                       << ", \"groups\": " << json({mesh.group_names}) << "}";
+  write_raw(folder / "group_facets", mesh.group_facets);
+  write_raw(folder / "group_tets", mesh.group_tets);
 }
 
 /// A file of this folder of the sources.

@@ -36,10 +36,26 @@ def check_sizes(mesh, want):
         assert "size" not in mesh.point_data
 
 
+def check_vtu_groups(mesh, want):
+    """Of tets and facets, 1 where they are in the group; none of a group that has nothing."""
+    for name in want["groups"]:
+        for k, block in enumerate(("tets", "facets")):
+            members = want["members"](name)[block]
+            got = np.flatnonzero(mesh.cell_data["group:" + name][k])
+            same(name, got, np.array(members, got.dtype))
+
+
 def check_vtu(file, mesh, want):
+    assert [c.type for c in mesh.cells] == [want["tet_type"], want["facet_type"]]
     data = {name: arrays[0] for name, arrays in mesh.cell_data.items()}
-    assert len(mesh.cells) == 1 and mesh.cells[0].type == want["tet_type"]
     same("tets", mesh.cells[0].data, want["tets"])
+    facets = mesh.cells[1].data
+    same("facets", facets[:, :3], want["facets"][:, :3])
+    if facets.shape[1] == 6:
+        check_facet_mids(facets, want)
+    same("face", mesh.cell_data["face"][1], want["facets"][:, 4])
+    assert (mesh.cell_data["face"][0] == -1).all()
+    check_vtu_groups(mesh, want)
     same("origin", mesh.point_data["origin"], want["origin"])
     same("original_node", mesh.point_data["original_node"], want["original_node"])
     same("node_id", mesh.point_data["node_id"], want["node_id"])
@@ -62,13 +78,16 @@ def check_vtu(file, mesh, want):
     reader.SetFileName(str(file))
     reader.Update()
     grid = reader.GetOutput()
-    assert grid.GetNumberOfCells() == len(want["tets"])
+    tets = len(want["tets"])
+    assert grid.GetNumberOfCells() == tets + len(facets)
     same("VTK points", vtk_to_numpy(grid.GetPoints().GetData()), want["points"])
-    same("VTK tets", vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-         .reshape(want["tets"].shape), want["tets"])
+    connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    same("VTK tets", connectivity[:want["tets"].size].reshape(want["tets"].shape), want["tets"])
+    same("VTK facets", connectivity[want["tets"].size:].reshape(facets.shape), facets)
+    types = {"tetra": 10, "tetra10": 24, "triangle": 5, "triangle6": 22}
     assert vtk_to_numpy(grid.GetCellTypesArray()).tolist() == \
-        [{"tetra": 10, "tetra10": 24}[want["tet_type"]]] * len(want["tets"])
-    same("VTK tet_id", vtk_to_numpy(grid.GetCellData().GetArray("tet_id")), want["tet_id"])
+        [types[want["tet_type"]]] * tets + [types[want["facet_type"]]] * len(facets)
+    same("VTK tet_id", vtk_to_numpy(grid.GetCellData().GetArray("tet_id"))[:tets], want["tet_id"])
 
 
 def check_facet_mids(facets, want):
@@ -79,12 +98,29 @@ def check_facet_mids(facets, want):
             assert list(want["edge_mids"][facet[3 + k] - want["corners"]]) == edge
 
 
+def check_msh_groups(mesh, want):
+    """By their nodes, for entities that groups have cut in parts come one after the other."""
+    groups = {name: want["members"](name) for name in want["groups"]}
+    groups["remesh_all"] = {"tets": range(len(want["tets"])), "facets": []}
+    for name, members in groups.items():
+        for block, type_, width in (("facets", want["facet_type"], 3), ("tets", want["tet_type"], 4)):
+            wanted = facets_of(want[block][k][:width] for k in members[block])
+            sets = mesh.cell_sets.get(name, [[]] * len(mesh.cells))
+            got = facets_of(row[:width] for cells, chosen in zip(mesh.cells, sets)
+                            if cells.type == type_ for row in cells.data[chosen])
+            # Of a name that facets and tets have, meshio knows one.
+            if not wanted or mesh.field_data[name][1] == width - 1:
+                assert got == wanted, name
+
+
 def check_msh(file, mesh, want):
     check_sizes(mesh, want)
-    tets = [c for c in mesh.cells if c.type == want["tet_type"]]
-    assert len(tets) == len(want["cell_owners"])
-    for cell, block in enumerate(tets):
-        same("tets of a cell", block.data, want["tets"][want["cell"] == cell])
+    if not want["groups"]:
+        tets = [c for c in mesh.cells if c.type == want["tet_type"]]
+        assert len(tets) == len(want["cell_owners"])
+        for cell, block in enumerate(tets):
+            same("tets of a cell", block.data, want["tets"][want["cell"] == cell])
+    check_msh_groups(mesh, want)
     for dimension, type_, groups in ((2, want["facet_type"], want["facet_groups"]),
                                      (3, want["tet_type"], want["cell_owners"])):
         for name in {n for group in groups for n in group} | {"+".join(g) for g in groups}:
@@ -131,9 +167,18 @@ def check_inp(file, mesh, want):
             element, side = (f.strip() for f in line.split(","))
             nodes = abaqus_sides(want["tets"][int(element) - 1, :4])[side]
             surfaces.setdefault(name, []).append(nodes)
-    for face in {n for group in want["facet_groups"] for n in group}:
+    same("remesh_all", mesh.cell_sets["remesh_all"][0], np.arange(len(want["tets"]), dtype=np.int32))
+    same("remesh_all", mesh.point_sets["remesh_all"], np.arange(len(p), dtype=np.int32))
+    for group in want["groups"]:
+        members = want["members"](group)
+        if members["tets"]:
+            same(group, mesh.cell_sets[group][0], np.array(members["tets"], np.int32))
+        assert (group in surfaces) == bool(members["facets"])
+    wanted_on = {n: want["facets_on"](n) for group in want["facet_groups"] for n in group}
+    wanted_on |= {n: facets_of(want["facets"][f][:3] for f in want["members"](n)["facets"])
+                  for n in want["groups"] if want["members"](n)["facets"]}
+    for face, wanted in wanted_on.items():
         label = face.replace(".", "_")
-        wanted = want["facets_on"](face)
         assert facets_of(surfaces[label]) == wanted, face
         nodes = np.unique(np.array(wanted)).astype(np.int32)
         assert set(nodes) <= set(mesh.point_sets[label])
@@ -179,7 +224,16 @@ def main():
     }
     add_mids(folder, want)
     want.update(json.loads((folder / "names.json").read_text()))
-    facets = raw(folder, "facets", "<i4", 8)
+    facets = want["facets"] = raw(folder, "facets", "<i4", 8)
+    want["groups"] = want["groups"][0]
+    in_group = {block: raw(folder, "group_" + block, "<i4", 2) for block in ("facets", "tets")}
+
+    def members(name):
+        """Facets and tets of a group of the model."""
+        index = want["groups"].index(name)
+        return {block: [int(k) for g, k in pairs if g == index] for block, pairs in in_group.items()}
+
+    want["members"] = members
 
     def facets_on(name):
         """The facets that lie on all the faces that are joined in `name`."""

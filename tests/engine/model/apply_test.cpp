@@ -173,6 +173,27 @@ TEST(Apply, RemoveSizeTakesOneOut) {
             (std::vector<SizeControlSource>{{"b", "rib", 3.0}}));
 }
 
+TEST(Apply, SetGroupAddsAGroupOrChangesTheOneOfThatName) {
+  const SetGroup a{"a", "base.top", {}}, b{"b", "rib", GroupPolicy{.fail_emptied = true}};
+  EXPECT_EQ(edited({a, b}).groups,
+            (std::vector<GroupSource>{{"a", "base.top", {}}, {"b", "rib", {{}, true}}}));
+  EXPECT_EQ(edited({a, b, SetGroup{"b", "rib.top", {}}}).groups[1],
+            (GroupSource{"b", "rib.top", {{}, true}}));
+  EXPECT_EQ(edited({a, b, SetGroup{"b", {}, GroupPolicy{.max_area_change = 0.5}}}).groups[1],
+            (GroupSource{"b", "rib", {0.5, false}}))
+      << "a policy replaces the whole policy";
+}
+
+TEST(Apply, RemoveGroupTakesOneOut) {
+  EXPECT_EQ(edited({SetGroup{"a", "base", {}}, SetGroup{"b", "rib", {}}, RemoveGroup{"a"}}).groups,
+            (std::vector<GroupSource>{{"b", "rib", {}}}));
+}
+
+TEST(Apply, TellsWhatIsWrongWithAnEditOfAGroup) {
+  EXPECT_EQ(edit_failure(SetGroup{"a", {}, GroupPolicy{}}), "1 MISSING_FIELD - groups.a.on");
+  EXPECT_EQ(edit_failure(RemoveGroup{"a"}), "1 UNKNOWN_GROUP - groups.a");
+}
+
 TEST(Apply, TellsWhatIsWrongWithAnEditOfASize) {
   EXPECT_EQ(edit_failure(SetSize{"a", "base", {}}), "1 MISSING_FIELD - sizes.a.size");
   EXPECT_EQ(edit_failure(SetSize{"a", {}, 1.0}), "1 MISSING_FIELD - sizes.a.on");

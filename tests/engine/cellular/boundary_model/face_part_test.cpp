@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
@@ -19,9 +20,9 @@ const BoundaryFace& face_named(const CellularModel& cells, const std::string& na
   throw std::out_of_range(name);
 }
 
-/// Area of the part of a face where a condition holds.
-double area_where(const FeatureModel& model, const std::string& face, const std::string& condition,
-                  double length) {
+/// Area of the triangles of the part of a face where a condition holds.
+double area_of_part(const FeatureModel& model, const std::string& face,
+                    const std::string& condition, double length) {
   const CellularModel cells = build_cells(model, kRun);
   double area = 0;
   for (const auto& t : part_where(face_named(cells, face), {condition, {}}, length, kRun))
@@ -33,15 +34,15 @@ FeatureModel plate() { return evaluate(test::model_of({test::block("plate", 60, 
 FeatureModel pin() { return evaluate(test::model_of({test::cylinder("pin", 5, 20)})); }
 
 TEST(FacePart, OfAPlaneIsAsLargeAsWhatTheConditionCutsOff) {
-  EXPECT_NEAR(area_where(plate(), "top", "x > 7.3", 0.2), 22.7 * 40, 0.2 * 40);
-  EXPECT_NEAR(area_where(plate(), "top", "x*x + y*y < 100", 0.2), 100 * M_PI, 0.2 * 20 * M_PI);
-  EXPECT_NEAR(area_where(plate(), "top", "nz > 0.5", 1), 2400, 1e-9);
-  EXPECT_EQ(area_where(plate(), "top", "nz < 0.5", 1), 0);
-  EXPECT_EQ(area_where(plate(), "top", "z > 50", 1), 0);
+  EXPECT_NEAR(area_of_part(plate(), "top", "x > 7.3", 0.2), 22.7 * 40, 0.2 * 40);
+  EXPECT_NEAR(area_of_part(plate(), "top", "x*x + y*y < 100", 0.2), 100 * M_PI, 0.2 * 20 * M_PI);
+  EXPECT_NEAR(area_of_part(plate(), "top", "nz > 0.5", 1), 2400, 1e-9);
+  EXPECT_EQ(area_of_part(plate(), "top", "nz < 0.5", 1), 0);
+  EXPECT_EQ(area_of_part(plate(), "top", "z > 50", 1), 0);
 }
 
 TEST(FacePart, OfACurvedFaceLiesOnIt) {
-  EXPECT_NEAR(area_where(pin(), "wall", "nx > 0.5", 0.1), 5 * 20 * 2 * M_PI / 3, 6);
+  EXPECT_NEAR(area_of_part(pin(), "wall", "nx > 0.5", 0.1), 5 * 20 * 2 * M_PI / 3, 6);
   const CellularModel cells = build_cells(pin(), kRun);
   for (const auto& t : part_where(face_named(cells, "wall"), {"z > 12", {}}, 0.1, kRun))
     for (const Vec3& p : t) {
@@ -51,8 +52,33 @@ TEST(FacePart, OfACurvedFaceLiesOnIt) {
 }
 
 TEST(FacePart, IsNothingWhereTheConditionHasNoValue) {
-  EXPECT_EQ(area_where(plate(), "top", "sqrt(-1 - x*x) < 5", 1), 0);
-  EXPECT_NEAR(area_where(plate(), "top", "sqrt(x) >= 0", 0.2), 1200, 10);
+  EXPECT_EQ(area_of_part(plate(), "top", "sqrt(-1 - x*x) < 5", 1), 0);
+  EXPECT_NEAR(area_of_part(plate(), "top", "sqrt(x) >= 0", 0.2), 1200, 10);
+}
+
+/// By quadrature.
+double measured(const FeatureModel& model, const std::string& face,
+                const std::function<bool(const Vec3&, const Vec3&)>& holds) {
+  const CellularModel cells = build_cells(model, kRun);
+  return area_where(face_named(cells, face), holds, kRun);
+}
+
+TEST(AreaWhere, OfAPlaneIsExactForStraightBorders) {
+  EXPECT_NEAR(measured(plate(), "top", [](auto& p, auto&) { return p.x > 7.3; }), 22.7 * 40, 1e-3);
+  EXPECT_NEAR(measured(plate(), "top", [](auto& p, auto&) { return p.x + p.y > 10; }), 800, 1e-3);
+  EXPECT_NEAR(measured(plate(), "top", [](auto&, auto& n) { return n.z > 0.5; }), 2400, 1e-9);
+  EXPECT_EQ(measured(plate(), "top", [](auto& p, auto&) { return p.z > 50; }), 0);
+}
+
+TEST(AreaWhere, IsNearlyExactForRoundOnes) {
+  EXPECT_NEAR(measured(plate(), "top", [](auto& p, auto&) { return p.x * p.x + p.y * p.y < 100; }),
+              100 * M_PI, 1e-4 * 100 * M_PI);
+}
+
+TEST(AreaWhere, OfACurvedFaceIsItsOwnNotThatOfChords) {
+  EXPECT_NEAR(measured(pin(), "wall", [](auto& p, auto&) { return p.z > 12; }), 80 * M_PI, 1e-2);
+  EXPECT_NEAR(measured(pin(), "wall", [](auto&, auto& n) { return n.x > 0.5; }),
+              5 * 20 * 2 * M_PI / 3, 2e-2);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(Sizes, HaveNamesOfTheirOwn) {
 }
 
 TEST(Sizes, AreNotTooMany) {
-  std::vector<SizeControlSource> many(kMaxSizes + 1, {"a", "plate", 1.0});
+  std::vector<SizeControlSource> many(kMaxSelections + 1, {"a", "plate", 1.0});
   EXPECT_EQ(test::error_of([&] { evaluate(model(many)); }).reason, "LIMIT_EXCEEDED");
 }
 

@@ -79,9 +79,34 @@ TEST(StoredDocuments, KeepTheSizesOfEachModel) {
   EXPECT_EQ(read_documents(bytes, with_anchor).anchor_source, anchor.source);
 }
 
+TEST(StoredDocuments, KeepTheGroupsOfEachModelAndWhatBecameOfThem) {
+  Revision r = revision();
+  r.source.groups = {{"load", "plate.top & z > 1", {.max_area_change = 0.2, .fail_emptied = true}},
+                     {"rim", "plate.x_*", {}}};
+  r.meshed_source.groups = {{"load", "plate.top", {}}};
+  r.report.outcomes = {{"plate.top", false, GroupState::Resized, 0},
+                       {"load", true, GroupState::Split, 12.5}};
+  Anchor anchor;
+  anchor.source.groups = {{"other", "plate", {}}};
+  r.anchor = std::make_shared<const Anchor>(anchor);
+  Revision back;
+  EXPECT_EQ(read_documents(write_documents(r), back).anchor_source, anchor.source);
+  EXPECT_EQ(back.source, r.source);
+  EXPECT_EQ(back.meshed_source, r.meshed_source);
+  ASSERT_EQ(back.report.outcomes.size(), 2U);
+  EXPECT_EQ(back.report.outcomes[1].group, "load");
+  EXPECT_TRUE(back.report.outcomes[1].of_model);
+  EXPECT_EQ(back.report.outcomes[1].state, GroupState::Split);
+  EXPECT_EQ(back.report.outcomes[1].exact_area, 12.5);
+}
+
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
   std::string bytes = write_documents(revision());
-  ASSERT_EQ(bytes[1], 16);
+  ASSERT_EQ(bytes[1], 17);
+  // Format 16 had no groups of the two models after it, and nothing of what became of them.
+  bytes[1] = 16;
+  bytes.resize(bytes.size() - 3 * sizeof(std::uint64_t));
+  EXPECT_EQ(read(bytes).source, revision().source);
   // Format 15 had no order after it, and nothing of mid-nodes: an id and two counts.
   bytes[1] = 15;
   bytes.resize(bytes.size() - 3 * sizeof(std::uint32_t) - sizeof(std::uint64_t));

@@ -1,4 +1,4 @@
-#include "server/session/group_figures.h"
+#include "engine/delivery/group_figures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,103 @@
+#include "engine/cellular/boundary_model/group_rims.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/base/tolerance.h"
+#include "engine/cellular/boundary_model/support.h"
+
+namespace remeshd {
+namespace {
+
+/// Faces that groups name, each with the groups that do, ascending.
+using GroupsOfFaces = std::map<FaceName, std::vector<int>>;
+
+GroupsOfFaces groups_of_faces(const FeatureModel& model) {
+  GroupsOfFaces found;
+  for (std::size_t g = 0; g < model.groups.size(); ++g)
+    for (const SelectedFaces& on : model.groups[g].on)
+      for (const std::string& face : on.faces) {
+        std::vector<int>& of_face = found[{on.feature, face}];
+        if (of_face.empty() || of_face.back() != static_cast<int>(g))
+          of_face.push_back(static_cast<int>(g));
+      }
+  return found;
+}
+
+/// Whether an edge of the boundary passes through a point.
+class OnEdges {
+ public:
+  OnEdges(const BoundaryModel& boundary, double tolerance)
+      : boundary_(boundary), tolerance_(tolerance) {
+    for (const BoundaryEdge& edge : boundary.edges) {
+      // An arc may stand off its chords.
+      double chord = 0;
+      for (std::size_t k = 1; k < edge.points.size(); ++k)
+        chord = std::fmax(chord, distance(edge.points[k - 1], edge.points[k]));
+      boxes_.push_back(grown(box_of(edge.points), tolerance + 0.1 * chord));
+    }
+  }
+  [[nodiscard]] bool operator()(const Vec3& p) const {
+    for (std::size_t e = 0; e < boxes_.size(); ++e)
+      if (boxes_[e].contains(p) &&
+          distance(p, project(boundary_, boundary_.edges[e], p)) <= tolerance_)
+        return true;
+    return false;
+  }
+
+ private:
+  const BoundaryModel& boundary_;
+  double tolerance_;
+  std::vector<Box> boxes_;
+};
+
+/// Appends the points of the rims of one boundary that no edge of the other passes through.
+void add_rims(const BoundaryModel& of, const BoundaryModel& other,
+              const std::function<double(const Vec3&)>& apart, std::vector<Vec3>& places) {
+  const double tolerance = 10 * tolerance::kOnSurface * of.bounds.diagonal();
+  const OnEdges on_other(other, tolerance);
+  for (const BoundaryEdge& edge : of.edges) {
+    if (!edge.rim) continue;
+    for (std::size_t k = 1; k < edge.points.size(); ++k) {
+      const Vec3 &a = edge.points[k - 1], &b = edge.points[k];
+      const int steps = std::max(1, static_cast<int>(std::ceil(distance(a, b) / apart(a))));
+      // Both ends may lie on edges that meet it.
+      for (int s = 0; s < steps; ++s) {
+        const Vec3 p = project(of, edge, a + (s + 0.5) / steps * (b - a));
+        if (!on_other(p)) places.push_back(p);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<int> groups_of_pieces(const FeatureModel& model,
+                                  const std::vector<BoundaryPiece>& pieces) {
+  std::vector<int> numbers(pieces.size(), 0);
+  if (model.groups.empty()) return numbers;
+  const GroupsOfFaces of_faces = groups_of_faces(model);
+  std::map<std::vector<int>, int> sets{{{}, 0}};
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    std::vector<int> groups;
+    for (const auto* names : {&pieces[k].material_names, &pieces[k].other_names})
+      for (const FaceName& name : *names)
+        if (const auto found = of_faces.find(name); found != of_faces.end())
+          groups.insert(groups.end(), found->second.begin(), found->second.end());
+    std::ranges::sort(groups);
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    numbers[k] = sets.try_emplace(groups, static_cast<int>(sets.size())).first->second;
+  }
+  return numbers;
+}
+
+std::vector<Vec3> changed_rims(const BoundaryModel& a, const BoundaryModel& b,
+                               const std::function<double(const Vec3&)>& apart) {
+  std::vector<Vec3> places;
+  add_rims(a, b, apart, places);
+  add_rims(b, a, apart, places);
+  return places;
+}
+
+}  // namespace remeshd

@@ -1,0 +1,207 @@
+#include "engine/delivery/group_outcomes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "engine/cellular/boundary_model/face_part.h"
+#include "engine/delivery/group_figures.h"
+#include "engine/model/selection/selection_error.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+namespace {
+
+struct GroupLimits {
+  /// Relative: what rounding, and the quadrature of conditions, leave of one area.
+  double same_area = 1e-6;
+  /// Of a feature's box: how finely material under a condition is looked for.
+  int material_steps = 24;
+};
+constexpr GroupLimits kGroupLimits;
+
+/// Of what a group names those that lie on a face of the boundary.
+std::vector<const SelectedFaces*> selected_on(const BoundaryFace& face, const FaceGroup& group) {
+  std::vector<const SelectedFaces*> found;
+  for (const SelectedFaces& on : group.on)
+    if (std::ranges::any_of(face.names, [&](const FaceName& name) {
+          return name.feature == on.feature &&
+                 std::ranges::find(on.faces, name.face) != on.faces.end();
+        }))
+      found.push_back(&on);
+  return found;
+}
+
+/// Area that a group selects of a face.
+double area_on(const BoundaryFace& face, const FaceGroup& group, const Run& run) {
+  const std::vector<const SelectedFaces*> selected = selected_on(face, group);
+  if (selected.empty()) return 0;
+  std::vector<ConditionTest> conditions;
+  for (const SelectedFaces* on : selected) {
+    if (on->condition.text.empty()) return face.area;
+    conditions.emplace_back(on->condition);
+  }
+  const PlaceTest holds = [&](const Vec3& p, const Vec3& normal) {
+    return std::ranges::any_of(conditions, [&](ConditionTest& test) { return test(p, normal); });
+  };
+  return area_where(face, holds, run);
+}
+
+bool has_material(const SelectedFaces& on, const FeatureModel& model, const Membership& membership,
+                  const Run& run) {
+  if (!on.whole || model.features[on.feature].nature != Nature::Additive) return false;
+  std::optional<ConditionTest> holds;
+  if (!on.condition.text.empty()) holds.emplace(on.condition);
+  const Box& box = membership.solids()[on.feature].bounds();
+  const int steps = kGroupLimits.material_steps;
+  const Vec3 step = (box.hi - box.lo) / steps;
+  for (int k = 0; k < steps; ++k) {
+    run.poll();
+    for (int j = 0; j < steps; ++j)
+      for (int i = 0; i < steps; ++i) {
+        const Vec3 p = box.lo + Vec3{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
+        if (membership.contains(on.feature, p) && membership.inside(p) &&
+            (!holds || (*holds)(p, {})))
+          return true;
+      }
+  }
+  return false;
+}
+
+const GroupOutcome* find_outcome(std::span<const GroupOutcome> outcomes, const std::string& group) {
+  const auto found = std::ranges::find_if(
+      outcomes, [&](const GroupOutcome& o) { return o.of_model && o.group == group; });
+  return found == outcomes.end() ? nullptr : &*found;
+}
+
+/// By group of the model the others that it has facets in common with.
+std::map<std::string_view, std::set<std::string_view>> shared_facets(const MeshGroups& groups) {
+  std::map<std::string_view, std::set<std::string_view>> shared;
+  std::vector<std::vector<const GroupMembers*>> of_facet(
+      groups.of_model.empty() ? 0 : groups.facets.size());
+  for (const GroupMembers& group : groups.of_model)
+    for (const std::int32_t f : group.facets) {
+      for (const GroupMembers* other : of_facet[f]) {
+        shared[group.name].insert(other->name);
+        shared[other->name].insert(group.name);
+      }
+      of_facet[f].push_back(&group);
+    }
+  return shared;
+}
+
+bool same_area(const GroupFigures& a, const GroupFigures& b) {
+  const bool exact = a.exact_area && b.exact_area;
+  const double of_a = exact ? *a.exact_area : a.mesh_area;
+  const double of_b = exact ? *b.exact_area : b.mesh_area;
+  return std::fabs(of_a - of_b) <= kGroupLimits.same_area * std::fmax(of_a, of_b);
+}
+
+GroupState state_of(const GroupFigures& now, const GroupFigures& before, bool shares_anew) {
+  const bool empty = now.facets == 0 && now.tets == 0;
+  const bool was_empty = before.facets == 0 && before.tets == 0;
+  if (empty) return was_empty ? GroupState::Same : GroupState::Emptied;
+  if (was_empty) return GroupState::New;
+  if (now.parts > before.parts) return GroupState::Split;
+  if (now.parts < before.parts || shares_anew) return GroupState::Merged;
+  return same_area(now, before) ? GroupState::Same : GroupState::Resized;
+}
+
+}  // namespace
+
+std::vector<GroupOutcome> groups_before_meshing(const FeatureModel& model,
+                                                const BoundaryModel& boundary, const Run& run) {
+  std::vector<GroupOutcome> outcomes;
+  for (const FaceGroup& group : model.groups) {
+    GroupOutcome& outcome = outcomes.emplace_back();
+    outcome.group = group.name;
+    outcome.of_model = true;
+    for (const BoundaryFace& face : boundary.faces) outcome.exact_area += area_on(face, group, run);
+  }
+  return outcomes;
+}
+
+std::vector<std::string> groups_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
+                                           const Run& run) {
+  std::vector<std::string> names;
+  if (model.groups.empty()) return names;
+  const Membership membership(model);
+  for (const FaceGroup& group : model.groups)
+    if (std::ranges::none_of(boundary.faces,
+                             [&](const auto& face) { return area_on(face, group, run) > 0; }) &&
+        std::ranges::none_of(
+            group.on, [&](const auto& on) { return has_material(on, model, membership, run); }))
+      names.push_back(group.name);
+  return names;
+}
+
+std::vector<GroupOutcome> group_outcomes(const Revision& parent, const Revision& revision,
+                                         std::span<const GroupOutcome> before_meshing) {
+  const bool first = parent.output.mesh.tets.empty();
+  std::map<std::string, GroupFigures> before;
+  if (!first)
+    for (GroupFigures& figures : group_figures(parent)) {
+      std::string name = figures.group;
+      before.emplace(std::move(name), std::move(figures));
+    }
+  const auto shared = shared_facets(revision.output.groups);
+  const auto shared_before = shared_facets(parent.output.groups);
+  const auto shares_anew = [&](const std::string& group) {
+    const auto now = shared.find(group), then = shared_before.find(group);
+    if (now == shared.end()) return false;
+    return std::ranges::any_of(now->second, [&](std::string_view other) {
+      return before.contains(std::string(other)) &&
+             (then == shared_before.end() || !then->second.contains(other));
+    });
+  };
+  std::vector<GroupOutcome> of_facets, of_model;
+  for (GroupFigures& now : group_figures(revision)) {
+    const GroupOutcome* known = find_outcome(before_meshing, now.group);
+    GroupOutcome outcome{.group = now.group, .of_model = known != nullptr};
+    if (known != nullptr) now.exact_area = outcome.exact_area = known->exact_area;
+    if (const auto then = before.find(now.group); then != before.end()) {
+      outcome.state = state_of(now, then->second, shares_anew(now.group));
+      before.erase(then);
+    } else if (!first) {
+      outcome.state = GroupState::New;
+    }
+    (outcome.of_model ? of_model : of_facets).push_back(std::move(outcome));
+  }
+  for (const auto& [name, figures] : before)
+    if (!figures.of_model && figures.facets > 0)
+      of_facets.push_back({.group = name, .state = GroupState::Emptied});
+  of_facets.insert(of_facets.end(), of_model.begin(), of_model.end());
+  return of_facets;
+}
+
+void check_areas(const Revision& parent, const FeatureModel& model,
+                 std::span<const GroupOutcome> outcomes) {
+  for (const FaceGroup& group : model.groups) {
+    const GroupOutcome* then = find_outcome(parent.report.outcomes, group.name);
+    const GroupOutcome* now = find_outcome(outcomes, group.name);
+    if (!group.policy.max_area_change || then == nullptr || now == nullptr) continue;
+    if (std::fabs(now->exact_area - then->exact_area) >
+        (*group.policy.max_area_change + kGroupLimits.same_area) * then->exact_area)
+      throw error::area_changed(group.name, then->exact_area, now->exact_area,
+                                *group.policy.max_area_change);
+  }
+}
+
+void check_emptied(const FeatureModel& model, std::span<const std::string> empty) {
+  for (const FaceGroup& group : model.groups)
+    if (group.policy.fail_emptied && std::ranges::find(empty, group.name) != empty.end())
+      throw error::group_emptied(group.name);
+}
+
+std::vector<std::string> empty_groups(const OutputMesh& output) {
+  std::vector<std::string> names;
+  for (const GroupMembers& group : output.groups.of_model)
+    if (group.facets.empty() && group.tets.empty()) names.push_back(group.name);
+  return names;
+}
+
+}  // namespace remeshd
