@@ -30,6 +30,13 @@ void Console::note(const std::string& text) {
   if (verbosity_ != Verbosity::Quiet) write(text);
 }
 
+void Console::text(const std::string& lines) {
+  const std::lock_guard lock(mutex_);
+  if (verbosity_ == Verbosity::Quiet) return;
+  clear_bar();
+  err_ << lines << std::flush;
+}
+
 void Console::detail(const std::string& text) {
   const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::Verbose) write(text);

@@ -23,6 +23,8 @@ class Console {
   void error(const std::string& text);
   /// Unless quiet.
   void note(const std::string& text);
+  /// Lines with their ends, likewise.
+  void text(const std::string& lines);
   /// With -v only.
   void detail(const std::string& text);
   void progress(const remesh::v1::Progress& progress);

@@ -139,8 +139,9 @@ std::string file_name(int step, int steps, const std::string& ending) {
 void write_files(Session& session, const SweepArguments& arguments, int step,
                  const remesh::v1::RevisionResult& reply) {
   const std::filesystem::path folder = arguments.folder;
-  session.write_mesh_of(reply.revision().id(),
-                        {folder / file_name(step, arguments.steps, "." + arguments.format)});
+  session.write_mesh_of(
+      reply.revision().id(),
+      {.files = {folder / file_name(step, arguments.steps, "." + arguments.format)}, .format = {}});
   session.write_text(folder / file_name(step, arguments.steps, ".json"),
                      write_json(reply.report()));
 }
@@ -166,7 +167,7 @@ int sweep(Session& session, const SweepArguments& arguments) {
     std::filesystem::create_directories(arguments.folder, problem);
     if (problem) throw UsageError(arguments.folder + ": " + problem.message());
   }
-  const Base base = resolve_base(arguments.base);
+  const Base base = resolve_base(session.documents(), arguments.base);
   client::EditStream stream = session.stream();
   const std::string first = start(session, stream, base, arguments);
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);

@@ -22,6 +22,9 @@ class FormatError : public FileError {
 /// Whether `write_mesh` knows the ending: `.vtu`, `.msh` or `.inp`.
 bool is_mesh_file_name(const std::filesystem::path& path);
 
+/// The bytes of a mesh file in a format, `vtu`, `msh` or `inp`. Throws FileError for another.
+std::string mesh_in_format(const std::string& format, const Mesh& mesh);
+
 /// Writes a mesh in the format of the path's ending; coordinates read back to the same bits. The
 /// file appears whole or not at all.
 ///
