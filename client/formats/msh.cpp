@@ -22,18 +22,22 @@ void put(std::string& out, T value) {
 struct Entities {
   std::int32_t dimension = 0;
   std::vector<std::vector<std::int32_t>> physical;  ///< physical tags of each entity, its own first
-  std::vector<std::string> names;                   ///< of physical tag index + 1
+  std::vector<std::string> names;                   ///< of physical tag offset + index + 1
+  std::int32_t offset = 0;
   std::vector<std::array<double, 6>> boxes;
   std::vector<std::vector<std::size_t>> elements;  ///< indices of tets or facets, ascending
 };
 
-/// Groups without an element get no entity's content but keep their number.
-Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups) {
+/// Groups without an element get no entity's content but keep their number. Physical tags count on
+/// from `offset`: formats that have one kind of groups, as UNV, would merge those of one number.
+Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups,
+                  std::size_t offset) {
   Entities out;
   out.dimension = dimension;
+  out.offset = static_cast<std::int32_t>(offset);
   for (const auto& names : groups) {
     out.names.push_back(joined(names));
-    out.physical.push_back({static_cast<std::int32_t>(out.names.size())});
+    out.physical.push_back({out.offset + static_cast<std::int32_t>(out.names.size())});
   }
   for (const NamedGroups& single : by_name(groups)) {
     const bool stands_alone =
@@ -42,13 +46,13 @@ Entities entities(std::int32_t dimension, const std::vector<std::vector<std::str
     // The group that carries this name alone lends its physical group to all that share the name.
     std::int32_t tag = 0;
     for (const std::int32_t g : single.groups)
-      if (groups[static_cast<std::size_t>(g)].size() == 1) tag = g + 1;
+      if (groups[static_cast<std::size_t>(g)].size() == 1) tag = out.offset + g + 1;
     if (tag == 0) {
       out.names.push_back(single.name);
-      tag = static_cast<std::int32_t>(out.names.size());
+      tag = out.offset + static_cast<std::int32_t>(out.names.size());
     }
     for (const std::int32_t g : single.groups)
-      if (g + 1 != tag) out.physical[static_cast<std::size_t>(g)].push_back(tag);
+      if (out.offset + g + 1 != tag) out.physical[static_cast<std::size_t>(g)].push_back(tag);
   }
   out.boxes.assign(groups.size(), {0, 0, 0, 0, 0, 0});
   out.elements.resize(groups.size());
@@ -76,7 +80,7 @@ void write_names(std::string& out, const Entities& list) {
   for (std::size_t k = 0; k < list.names.size(); ++k) {
     append(out, list.dimension);
     out += ' ';
-    append(out, k + 1);
+    append(out, static_cast<std::size_t>(list.offset) + k + 1);
     out.append(" \"").append(list.names[k]).append("\"\n");
   }
 }
@@ -141,10 +145,10 @@ void write_sizes(std::string& out, const Mesh& mesh) {
 }  // namespace
 
 std::string to_msh(const Mesh& mesh) {
-  Entities surfaces = entities(2, mesh.facet_groups);
+  Entities surfaces = entities(2, mesh.facet_groups, 0);
   for (std::size_t f = 0; f < mesh.facets.size(); ++f)
     add_element(surfaces, mesh.facets[f].group, f, mesh.facets[f].nodes, mesh);
-  Entities volumes = entities(3, mesh.cell_owners);
+  Entities volumes = entities(3, mesh.cell_owners, surfaces.names.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
     add_element(volumes, mesh.tet_cell[t], t, mesh.tets[t], mesh);
 

@@ -52,9 +52,10 @@ std::string to_vtu(const Mesh& mesh);
 /// Gmsh 4.1, binary, triangles and tets of types 2 and 4, or 9 and 11. Node tags are 1 + index, tet
 /// tags 1 + index, facet tags follow the tets'.
 ///
-/// One volume entity for each cell and one surface entity for each facet group; physical groups of
-/// the same numbers, named by all their owners or faces (`base+slot1`). Where such a name joins
-/// several, each single feature and face has a physical group too, over all its entities.
+/// One volume entity for each cell and one surface entity for each facet group, each with a
+/// physical group; those of volumes are numbered after those of surfaces. They are named by all
+/// their owners or faces (`base+slot1`). Where such a name joins several, each single feature and
+/// face has a physical group too, over all its entities.
 std::string to_msh(const Mesh& mesh);
 
 /// Abaqus and CalculiX input: `*NODE`, `*ELEMENT` of C3D4 or C3D10, an element set for each owner,
