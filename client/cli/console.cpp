@@ -54,6 +54,7 @@ void Console::progress(const remesh::v1::Progress& progress) {
     bar_shown_ = true;
     return;
   }
+  if (verbosity_ != Verbosity::Verbose) return;
   if (progress.stage() == last_stage_ && done / 10 == last_tenth_) return;
   last_stage_ = progress.stage();
   last_tenth_ = done / 10;
