@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "client/cli/choice.h"
 #include "client/cli/documents.h"
 #include "client/cli/exit_code.h"
 #include "client/cli/session.h"
@@ -18,11 +19,8 @@ void MeshOutputs::add_to(CLI::App& command) {
       ->type_name("OUT")
       ->expected(1)
       ->take_all();
-  command
-      .add_option("--format", format,
-                  "Format of the mesh: vtu, msh or inp, whatever the files are called")
-      ->check(CLI::IsMember({"vtu", "msh", "inp"}))
-      ->type_name("FORMAT");
+  only(*command.add_option("--format", format, "Format of the mesh, whatever the files are called"),
+       {"vtu", "msh", "inp"});
 }
 
 void MeshOutputs::check(const std::string& text_file) const {

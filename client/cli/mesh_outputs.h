@@ -13,7 +13,7 @@ namespace remeshd::cli {
 /// Where a mesh goes, and in which formats.
 struct MeshOutputs {
   std::vector<std::filesystem::path> files;  ///< the same mesh in each; `-`: to stdout
-  std::string format;  ///< of all of them, `vtu`, `msh` or `inp`; empty: by the names' endings
+  std::string format{};  ///< of all of them, `vtu`, `msh` or `inp`; empty: by the names' endings
 
   /// The options -o and --format.
   void add_to(CLI::App& command);
