@@ -32,10 +32,14 @@ std::string read_document(const std::filesystem::path& file, const DocumentLimit
   if (!in) throw error::document_unreadable(file.string(), std::strerror(errno));
   const auto size = std::filesystem::file_size(file, failure);
   if (!failure && size > limits.bytes) throw error::document_too_large(size, limits.bytes);
+  return read_document(in, file.string(), limits);
+}
+
+std::string read_document(std::istream& in, const std::string& name, const DocumentLimits& limits) {
   // A pipe tells no size: never take more than one byte over the limit.
   std::string text(limits.bytes + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw error::document_unreadable(file.string(), std::strerror(errno));
+  if (in.bad()) throw error::document_unreadable(name, std::strerror(errno));
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > limits.bytes) throw error::document_too_large(text.size(), limits.bytes);
   return text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +16,9 @@ namespace remeshd {
 ///
 /// Throws DocumentError: `DOCUMENT_TOO_LARGE`, `DOCUMENT_UNREADABLE`.
 std::string read_document(const std::filesystem::path& file, const DocumentLimits& limits = {});
+/// The same of a stream, to its end; `name` stands for it in errors.
+std::string read_document(std::istream& in, const std::string& name,
+                          const DocumentLimits& limits = {});
 
 /// A model document, `{"name": ..., "features": [...]}`, as its message. Fields, their kinds and
 /// the names of enumerators are checked here; values are looked at by the server, which checks them

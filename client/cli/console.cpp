@@ -30,6 +30,13 @@ void Console::note(const std::string& text) {
   if (verbosity_ != Verbosity::Quiet) write(text);
 }
 
+void Console::text(const std::string& lines) {
+  const std::lock_guard lock(mutex_);
+  if (verbosity_ == Verbosity::Quiet) return;
+  clear_bar();
+  err_ << lines << std::flush;
+}
+
 void Console::detail(const std::string& text) {
   const std::lock_guard lock(mutex_);
   if (verbosity_ == Verbosity::Verbose) write(text);
@@ -47,6 +54,7 @@ void Console::progress(const remesh::v1::Progress& progress) {
     bar_shown_ = true;
     return;
   }
+  if (verbosity_ != Verbosity::Verbose) return;
   if (progress.stage() == last_stage_ && done / 10 == last_tenth_) return;
   last_stage_ = progress.stage();
   last_tenth_ = done / 10;

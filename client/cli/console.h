@@ -11,8 +11,8 @@ namespace remeshd::cli {
 enum class Verbosity { Quiet, Normal, Verbose };
 
 /// The stream of messages: notes, warnings, errors and progress. On a terminal progress is a bar in
-/// one line that goes on in place; elsewhere it is a plain line for each stage and tenth of the
-/// way. May be used from several threads.
+/// one line that goes on in place; elsewhere, and only with -v, it is a plain line for each stage
+/// and tenth of the way. May be used from several threads.
 class Console {
  public:
   Console(std::ostream& err, bool terminal) : err_(err), terminal_(terminal) {}
@@ -23,6 +23,8 @@ class Console {
   void error(const std::string& text);
   /// Unless quiet.
   void note(const std::string& text);
+  /// Lines with their ends, likewise.
+  void text(const std::string& lines);
   /// With -v only.
   void detail(const std::string& text);
   void progress(const remesh::v1::Progress& progress);

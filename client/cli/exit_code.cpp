@@ -22,7 +22,13 @@ constexpr std::array kByReason{
     ReasonExit{Error::NON_MANIFOLD_MODEL, kInvalid},
     // The request names what it may not.
     ReasonExit{Error::HEAD_PROTECTED, kInvalid},
+    ReasonExit{Error::REVISION_OUTDATED, kInvalid},
     ReasonExit{Error::DOCUMENT_UNREADABLE, kFileFailed},
+    // The store of `--local`, or of the daemon.
+    ReasonExit{Error::STORE_LOCKED, kBusy},
+    ReasonExit{Error::STORE_FOREIGN, kFileFailed},
+    ReasonExit{Error::STORE_NEWER, kFileFailed},
+    ReasonExit{Error::STORE_FAILED, kFileFailed},
 };
 
 /// What gRPC itself says of a message over the daemon's limit, which a document in it caused.
@@ -81,7 +87,10 @@ ExitCode exit_code(const Error& error) {
     case Error::CODE_NOT_FOUND:
     case Error::CODE_ALREADY_EXISTS:
     case Error::CODE_OUT_OF_RANGE:
+    case Error::CODE_UNIMPLEMENTED:  // asks for what the daemon does not do
       return kInvalid;
+    case Error::CODE_DATA_LOSS:
+      return kFileFailed;
     case Error::CODE_UNAVAILABLE:
       return kUnreachable;
     case Error::CODE_RESOURCE_EXHAUSTED:

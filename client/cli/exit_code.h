@@ -12,9 +12,10 @@ namespace remeshd::cli {
 /// What the shell gets to know. Part of the contract.
 enum ExitCode : int {
   kFine = 0,
+  kFault = 1,  ///< what nobody expected: a fault of `remesh` itself
   kUsage = 2,
   kInvalid = 3,  ///< model, edit or name: wrong, empty, disconnected, over-sized, unknown
-  kFailed = 4,   ///< meshing failed
+  kFailed = 4,   ///< meshing failed, or a deadline passed
   kUnreachable = 5,
   kBusy = 6,
   kDenied = 7,

@@ -3,23 +3,22 @@
 #include <utility>
 
 #include "client/cli/exit_code.h"
-#include "proto/document.h"
 #include "proto/place_in_document.h"
 
 namespace remeshd::cli {
 namespace {
 
-TextPosition look_up(const std::string& file, const remesh::v1::Error& error) {
+/// Whether it is about what the document says, not about what was made of it.
+bool is_of_document(const remesh::v1::Error& error) {
+  return error.has_line() || error.stage() == "model" || error.stage() == "document";
+}
+
+TextPosition look_up(const std::string& text, const remesh::v1::Error& error) {
   if (error.has_line()) return {error.line(), error.column()};
-  if (error.stage() != "model" && error.stage() != "document") return {};
   ValueAtFault what{.feature = {}, .parameter = error.parameter()};
   if (error.features_size() > 0) what.feature = error.features(0);
   if (error.has_edit_index()) what.edit_index = error.edit_index();
-  try {
-    return place_in_document(read_document(file), what);
-  } catch (const DocumentError&) {  // no file, or not any more
-    return {};
-  }
+  return place_in_document(text, what);
 }
 
 }  // namespace
@@ -28,22 +27,30 @@ InDocument::InDocument(const std::string& file, remesh::v1::Error detail)
     : std::runtime_error(detail.message()), file_(file), detail_(std::move(detail)) {}
 
 std::string InDocument::place() const {
-  std::string text = file_ + ":" + std::to_string(detail_.line());
+  std::string text = Documents::shown(file_);
+  if (!detail_.has_line()) return text;
+  text += ":" + std::to_string(detail_.line());
   if (detail_.has_column()) text += ":" + std::to_string(detail_.column());
   return text;
 }
 
 void throw_in_document(const std::string& file, const DocumentError& error) {
-  if (error.info().at.line == 0) throw DocumentError(error);
-  throw InDocument(file, to_detail(error.info()));
+  remesh::v1::Error detail = to_detail(error.info());
+  if (detail.reason() == remesh::v1::Error::DOCUMENT_UNREADABLE) throw DocumentError(error);
+  throw InDocument(file, std::move(detail));
 }
 
-void throw_in_document(const std::string& file, const client::CallError& error) {
-  const TextPosition at = look_up(file, error.detail());
-  if (at.line == 0) throw client::CallError(error);
+void throw_in_document(const Documents& documents, const std::string& file,
+                       const client::CallError& error) {
+  // What was not read here is the name of a revision.
+  const std::string* text = documents.find(file);
+  if (text == nullptr || !is_of_document(error.detail())) throw client::CallError(error);
   remesh::v1::Error detail = error.detail();
-  detail.set_line(at.line);
-  detail.set_column(at.column);
+  const TextPosition at = look_up(*text, detail);
+  if (at.line > 0) {
+    detail.set_line(at.line);
+    detail.set_column(at.column);
+  }
   throw InDocument(file, std::move(detail));
 }
 

@@ -3,18 +3,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "client/cli/documents.h"
 #include "proto/document_error.h"
 #include "remeshd/error.h"
 
 namespace remeshd::cli {
 
-/// An error with its place in a document that was read from a file.
+/// An error in a document, with the file and, where it is known, its place there.
 class InDocument : public std::runtime_error {
  public:
-  /// `detail` has a line.
   InDocument(const std::string& file, remesh::v1::Error detail);
   [[nodiscard]] const remesh::v1::Error& detail() const { return detail_; }
-  /// `hub.json:12:5`.
+  /// `hub.json:12:5`, or `hub.json` where no line is known.
   [[nodiscard]] std::string place() const;
 
  private:
@@ -22,20 +22,23 @@ class InDocument : public std::runtime_error {
   remesh::v1::Error detail_;
 };
 
-/// Throws the error of reading a file as InDocument where it has a line there, else as it is.
+/// Throws the error of reading a document as InDocument, unless it could not be read at all: then
+/// its message names the file.
 [[noreturn]] void throw_in_document(const std::string& file, const DocumentError& error);
-/// Likewise an error of the daemon, which knows no file: its place is looked for there.
-[[noreturn]] void throw_in_document(const std::string& file, const client::CallError& error);
+/// Likewise an error of the daemon about the model or the edit. The daemon knows no file: the place
+/// is looked for there. Other errors are thrown as they are.
+[[noreturn]] void throw_in_document(const Documents& documents, const std::string& file,
+                                    const client::CallError& error);
 
 /// What `work` returns, which reads or sends the document of a file.
 template <typename Work>
-auto in_document(const std::string& file, Work&& work) {
+auto in_document(Documents& documents, const std::string& file, Work&& work) {
   try {
     return work();
   } catch (const DocumentError& error) {
     throw_in_document(file, error);
   } catch (const client::CallError& error) {
-    throw_in_document(file, error);
+    throw_in_document(documents, file, error);
   }
 }
 

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   // Before any other thread starts, so that all of them leave the signals to this one.
   cli::Interrupt interrupt;
   return cli::run({argv + 1, argv + argc},
-                  {.out = std::cout,
+                  {.in = std::cin,
+                   .out = std::cout,
                    .err = std::cerr,
                    .terminal = cli::can_draw(STDERR_FILENO, std::getenv("TERM")),
                    .stop = interrupt.token(),

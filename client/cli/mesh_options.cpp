@@ -6,6 +6,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "client/cli/choice.h"
+#include "engine/base/text/nearest_name.h"
+
 namespace remeshd::cli {
 namespace {
 
@@ -80,12 +83,14 @@ Warning::Code warning_of(const std::string& name) {
 
 std::string check_warning(const std::string& name) {
   if (warning_of(name) != Warning::CODE_UNSPECIFIED) return {};
-  std::string known;
+  std::vector<std::string> known;
   const auto* names = Warning::Code_descriptor();
   for (int k = 0; k < names->value_count(); ++k)
     if (names->value(k)->number() != Warning::CODE_UNSPECIFIED)
-      known += (known.empty() ? "" : ", ") + names->value(k)->name();
-  return name + " is no warning; there are " + known;
+      known.push_back(names->value(k)->name());
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "" : ", ") + each;
+  return name + " is no warning" + suggestion(name, known) + "; there are " + list;
 }
 
 }  // namespace
@@ -116,17 +121,14 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
   command.add_option("--seed", seed, "Seed of all random choices [1]")
       ->check(CLI::Validator(check_digits, "", ""))
       ->type_name("S");
-  command
-      .add_option(
-          "--inside", inside,
-          "What tells inside from outside: the features' formulas, or a control mesh on the "
-          "tessellated boundary [membership]")
-      ->check(CLI::IsMember({kMembership, kControlMesh}))
-      ->type_name("TEST");
-  command
-      .add_option("--start", start, "Where new nodes start: on a lattice, or at random [lattice]")
-      ->check(CLI::IsMember({kLattice, kRandom}))
-      ->type_name("START");
+  only(*command.add_option(
+           "--inside", inside,
+           "What tells inside from outside: the features' formulas, or a control mesh on the "
+           "tessellated boundary [membership]"),
+       {kMembership, kControlMesh});
+  only(*command.add_option("--start", start,
+                           "Where new nodes start: on a lattice, or at random [lattice]"),
+       {kLattice, kRandom});
   command
       .add_option("--threshold", threshold,
                   "Clean up tets of a volume-length measure below this [0.52]")

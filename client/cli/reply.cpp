@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "client/cli/table.h"
 #include "client/cli/warnings.h"
@@ -66,22 +67,13 @@ std::string short_name(const remesh::v1::RevisionInfo& revision) {
   return revision.design() + "@" + std::to_string(revision.number());
 }
 
-void add_mesh_files(CLI::App& command, std::vector<std::filesystem::path>& files) {
-  command
-      .add_option("-o,--output", files, "Mesh file: .vtu, .msh or .inp; may be given several times")
-      ->required()
-      ->type_name("OUT")
-      ->expected(1)
-      ->take_all();
-}
-
 void ReplyFiles::add_to(CLI::App& command) {
-  add_mesh_files(command, meshes);
+  meshes.add_to(command);
   command.add_option("--json", report, "Write the Report here; `-`: to stdout")->type_name("FILE");
 }
 
 void ReplyFiles::check() const {
-  for (const std::filesystem::path& mesh : meshes) check_mesh_file(mesh);
+  meshes.check(report);
   check_text_file(report);
 }
 
@@ -93,7 +85,13 @@ void deliver(Session& session, const remesh::v1::RevisionResult& reply, const Re
                            ": it is not the base of this edit any more");
   session.write_mesh_of(reply.revision().id(), files.meshes);
   if (!files.report.empty()) session.write_text(files.report, write_json(reply.report()));
-  if (files.report != "-") write_summary(session.out(), reply);
+  if (files.report == kStandardStream) return;
+  std::ostringstream summary;
+  write_summary(summary, reply);
+  if (!files.meshes.take_stdout())
+    session.out() << summary.str();
+  else
+    session.console().text(summary.str());
 }
 
 }  // namespace remeshd::cli

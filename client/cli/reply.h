@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "client/cli/session.h"
 #include "remesh/v1/remesh.pb.h"
@@ -16,19 +14,16 @@ namespace remeshd::cli {
 
 /// Where the mesh and the Report of a mesh or an edit go.
 struct ReplyFiles {
-  std::vector<std::filesystem::path> meshes;  ///< the same mesh in each
-  std::string report;                         ///< `-`: the data stream; empty: nowhere
+  MeshOutputs meshes;
+  std::string report;  ///< `-`: the data stream; empty: nowhere
 
   void add_to(CLI::App& command);
-  void check() const;  ///< throws what check_mesh_file and check_text_file throw
+  void check() const;  ///< throws UsageError
 };
 
-/// The option `-o` of commands that write a mesh.
-void add_mesh_files(CLI::App& command, std::vector<std::filesystem::path>& files);
-
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the
-/// messages, mesh and Report to their files, and, unless the Report went there, a short table to
-/// the data stream.
+/// messages, mesh and Report to their files, and a short table to the data stream or, where a
+/// mesh went there, to the messages; none where the Report went there.
 void deliver(Session& session, const remesh::v1::RevisionResult& reply, const ReplyFiles& files);
 
 /// A way as strategies are called: `local`, `TetGen`.

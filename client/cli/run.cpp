@@ -3,74 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "client/cli/commands/command.h"
+#include "client/cli/command_line.h"
 #include "client/cli/console.h"
 #include "client/cli/exit_code.h"
 #include "client/cli/in_document.h"
 #include "remeshd/mesh_file.h"
 
-#ifndef REMESHD_VERSION
-#error "REMESHD_VERSION is the version of the project"
-#endif
-
 namespace remeshd::cli {
 namespace {
-
-constexpr const char* kFooter =
-    "Data go to stdout, messages and progress to stderr.\n"
-    "Exit codes: 0 fine, 2 usage, 3 invalid model, edit or name, 4 meshing failed,\n"
-    "5 daemon not reachable, 6 busy or a head that moved, 7 denied, 8 file not readable or\n"
-    "writable, 130 interrupted.";
-
-struct Line {
-  GlobalOptions options;
-  bool verbose = false, quiet = false;
-  Action action;
-};
-
-void build(CLI::App& app, Line& line) {
-  app.fallthrough();  // commands hand global options up: they may stand behind the command
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "remesh " REMESHD_VERSION);
-  app.footer(kFooter);
-  app.add_option("--address", line.options.address,
-                 "Where the daemon listens [127.0.0.1:50051]; `local`: as --local")
-      ->envname("REMESH_ADDRESS")
-      ->type_name("HOST:PORT");
-  const auto file = [&app](const char* flag, const char* variable, std::filesystem::path& path,
-                           const char* help) {
-    app.add_option(flag, path, help)->envname(variable)->type_name("FILE");
-  };
-  file("--tls-ca", "REMESH_TLS_CA", line.options.tls_ca,
-       "Use TLS: certificates (PEM) of who signs the daemon's");
-  file("--tls-cert", "REMESH_TLS_CERT", line.options.tls_cert, "Own certificate (PEM) to show");
-  file("--tls-key", "REMESH_TLS_KEY", line.options.tls_key, "Its key (PEM)");
-  file("--token-file", "REMESH_TOKEN_FILE", line.options.token_file,
-       "File with the token that the daemon knows its user by");
-  app.add_flag("--local", line.options.local, "Work without a daemon, in this process");
-  app.add_option("--store", line.options.store,
-                 "Where --local keeps its revisions [$XDG_CACHE_HOME/remeshd, ~/.cache/remeshd]")
-      ->type_name("DIR");
-  app.add_option("--timeout", line.options.timeout, "Give a call up after so many seconds")
-      ->check(CLI::Range(0.001, 1e6))
-      ->type_name("S");
-  auto* verbose = app.add_flag("-v,--verbose", line.verbose, "Say more");
-  app.add_flag("-q,--quiet", line.quiet, "Say nothing but errors")->excludes(verbose);
-
-  add_mesh_command(app, line.action);
-  add_edit_command(app, line.action);
-  add_sweep_command(app, line.action);
-  add_diff_command(app, line.action);
-  add_validate_command(app, line.action);
-  add_revision_commands(app, line.action);
-  add_explain_command(app, line.action);
-  add_head_command(app, line.action);
-  add_recipe_commands(app, line.action);
-  add_cache_command(app, line.action);
-  add_quality_command(app, line.action);
-  add_types_command(app, line.action);
-  add_info_command(app, line.action);
-}
 
 /// What options mean together.
 void settle(GlobalOptions& options) {
@@ -130,6 +70,12 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     settle(line.options);
     return act(line, surroundings, console);
   } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0) {
+      if (const std::string unknown = unknown_word(app); !unknown.empty()) {
+        console.error(unknown);
+        return kUsage;
+      }
+    }
     const int code = app.exit(e, surroundings.out, surroundings.err);
     if (code != 0) return kUsage;
     return surroundings.out.flush() ? kFine : kFileFailed;
@@ -152,7 +98,7 @@ int run(const std::vector<std::string>& arguments, const Surroundings& surroundi
     return kFileFailed;
   } catch (const std::exception& e) {
     console.error(e.what());
-    return kFailed;
+    return kFault;
   }
 }
 

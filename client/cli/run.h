@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <optional>
 #include <ostream>
 #include <stop_token>
@@ -25,6 +26,7 @@ struct GlobalOptions {
 
 /// What surrounds a command.
 struct Surroundings {
+  std::istream& in;       ///< documents whose name is `-`
   std::ostream& out;      ///< data
   std::ostream& err;      ///< messages
   bool terminal = false;  ///< whether `err` is a terminal that shows progress bars

@@ -31,7 +31,7 @@ void Session::check_output() const {
 }
 
 void Session::write_text(const std::filesystem::path& file, const std::string& text) const {
-  if (file == "-") {
+  if (file == kStandardStream) {
     out() << text;
     check_output();
   } else {
@@ -39,8 +39,7 @@ void Session::write_text(const std::filesystem::path& file, const std::string& t
   }
 }
 
-void Session::write_mesh_of(const std::string& revision,
-                            const std::vector<std::filesystem::path>& files) {
+void Session::write_mesh_of(const std::string& revision, const MeshOutputs& outputs) {
   const client::Mesh mesh =
       client().get_mesh(revision, call(), [this](std::uint64_t done, std::uint64_t total) {
         remesh::v1::Progress progress;
@@ -51,20 +50,14 @@ void Session::write_mesh_of(const std::string& revision,
       });
   console_.end_progress();
   poll();
-  for (const std::filesystem::path& file : files) {
-    client::write_mesh(file, mesh);
-    console_.detail("wrote " + file.string());
+  for (const std::filesystem::path& file : outputs.files) {
+    write_text(file, client::mesh_in_format(outputs.format_of(file), mesh));
+    if (file != kStandardStream) console_.detail("wrote " + file.string());
   }
 }
 
-void check_mesh_file(const std::filesystem::path& file) {
-  if (!client::is_mesh_file_name(file))
-    throw UsageError(file.string() + ": the ending must be .vtu, .msh or .inp");
-  check_text_file(file);
-}
-
 void check_text_file(const std::filesystem::path& file) {
-  if (file.empty() || file == "-") return;
+  if (file.empty() || file == kStandardStream) return;
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "client/cli/console.h"
+#include "client/cli/documents.h"
+#include "client/cli/mesh_outputs.h"
 #include "client/cli/run.h"
 #include "remeshd/client.h"
 
@@ -17,10 +19,14 @@ namespace remeshd::cli {
 class Session {
  public:
   Session(const Surroundings& surroundings, const GlobalOptions& options, Console& console)
-      : surroundings_(surroundings), options_(options), console_(console) {}
+      : surroundings_(surroundings),
+        options_(options),
+        console_(console),
+        documents_(surroundings.in) {}
 
   [[nodiscard]] std::ostream& out() const { return surroundings_.out; }
   [[nodiscard]] Console& console() const { return console_; }
+  [[nodiscard]] Documents& documents() { return documents_; }
   /// Connects on first use.
   [[nodiscard]] const client::Client& client();
   /// How calls are made here: they end with an interrupt or after --timeout.
@@ -34,20 +40,19 @@ class Session {
 
   /// Writes text to a file, or to the data stream where the name is `-`.
   void write_text(const std::filesystem::path& file, const std::string& text) const;
-  /// Fetches the mesh of a revision and writes it in the format of the name's ending.
-  void write_mesh_of(const std::string& revision, const std::vector<std::filesystem::path>& files);
+  /// Fetches the mesh of a revision and writes it. Throws CallError, FileError.
+  void write_mesh_of(const std::string& revision, const MeshOutputs& outputs);
 
  private:
   const Surroundings& surroundings_;
   const GlobalOptions& options_;
   Console& console_;
+  Documents documents_;
   std::optional<client::Client> client_;
 };
 
-/// Throws UsageError unless a mesh can be written to a file of this name: its ending is known and
-/// its folder is there. Asked before a mesh is made.
-void check_mesh_file(const std::filesystem::path& file);
-/// The same for a text file; an empty name and `-` are fine.
+/// Throws UsageError unless the folder of the file is there; an empty name and `-` are fine. Asked
+/// before something is made to be written there.
 void check_text_file(const std::filesystem::path& file);
 
 }  // namespace remeshd::cli

@@ -6,6 +6,14 @@ if(TARGET remesh)
   install(TARGETS remesh RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 
+# Documents to begin with, and what editors check them by; the image does without.
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/examples/models/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/remeshd/examples COMPONENT documentation
+  FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/schema/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/remeshd/schema COMPONENT documentation
+  FILES_MATCHING PATTERN "*.json")
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/remeshd)
 target_include_directories(remeshd_client
   INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

@@ -4,32 +4,49 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 #include <system_error>
 
 namespace remeshd::client {
 namespace {
 
-std::string encode(const std::filesystem::path& path, const Mesh& mesh) {
-  const std::string ending = path.extension().string();
-  if (ending == ".vtu") return to_vtu(mesh);
-  if (ending == ".msh") return to_msh(mesh);
-  if (ending == ".inp") return to_inp(mesh);
-  throw FileError(path.string() + ": unknown mesh format '" + ending +
-                  "'; the endings known are .vtu, .msh and .inp");
+struct MeshFormat {
+  std::string_view name;
+  std::string (*encode)(const Mesh&);
+};
+
+constexpr std::array kFormats{MeshFormat{"vtu", to_vtu}, MeshFormat{"msh", to_msh},
+                              MeshFormat{"inp", to_inp}};
+
+/// The format of an ending with its dot, or null.
+const MeshFormat* format_of_ending(const std::string& ending) {
+  for (const MeshFormat& format : kFormats)
+    if (ending == "." + std::string(format.name)) return &format;
+  return nullptr;
 }
 
 }  // namespace
 
 bool is_mesh_file_name(const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  return ending == ".vtu" || ending == ".msh" || ending == ".inp";
+  return format_of_ending(path.extension().string()) != nullptr;
+}
+
+std::string mesh_in_format(const std::string& name, const Mesh& mesh) {
+  if (const MeshFormat* format = format_of_ending("." + name)) return format->encode(mesh);
+  throw FileError("unknown mesh format '" + name + "'; those known are vtu, msh and inp");
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
-  write_file(path, encode(path, mesh));
+  const std::string ending = path.extension().string();
+  const MeshFormat* format = format_of_ending(ending);
+  if (format == nullptr)
+    throw FileError(path.string() + ": unknown mesh format '" + ending +
+                    "'; the endings known are .vtu, .msh and .inp");
+  write_file(path, format->encode(mesh));
 }
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {

@@ -25,7 +25,8 @@ void put(std::string& out, T value) {
 struct Entities {
   std::int32_t dimension = 0;
   std::vector<std::vector<std::int32_t>> physical;  ///< physical tags of each entity, its own first
-  std::vector<std::string> names;                   ///< of physical tag index + 1
+  std::vector<std::string> names;                   ///< of physical tag offset + index + 1
+  std::int32_t offset = 0;
   std::vector<std::array<double, 6>> boxes;
   std::vector<std::vector<std::size_t>> elements;  ///< indices of tets or facets, ascending
 };
@@ -38,19 +39,23 @@ struct EntityKey {
 };
 
 /// Names of physical groups, and the tags of those that each cell or facet group is in, its own
-/// first.
+/// first. Tags count on from `offset`: formats that have one kind of groups, as UNV, would merge
+/// those of one number.
 struct PhysicalNames {
-  std::vector<std::string> names;  ///< of tag index + 1
+  std::int32_t offset = 0;
+  std::vector<std::string> names;  ///< of tag offset + index + 1
   std::vector<std::vector<std::int32_t>> of_group;
 
   std::int32_t add(const std::string& name) {
     names.push_back(name);
-    return static_cast<std::int32_t>(names.size());
+    return offset + static_cast<std::int32_t>(names.size());
   }
 };
 
-PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups) {
+PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups,
+                             std::size_t offset) {
   PhysicalNames out;
+  out.offset = static_cast<std::int32_t>(offset);
   for (const auto& names : groups) out.of_group.push_back({out.add(joined(names))});
   for (const NamedGroups& single : by_name(groups)) {
     const bool stands_alone =
@@ -59,22 +64,24 @@ PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups
     // The group that carries this name alone lends its physical group to all that share the name.
     std::int32_t tag = 0;
     for (const std::int32_t g : single.groups)
-      if (groups[static_cast<std::size_t>(g)].size() == 1) tag = g + 1;
+      if (groups[static_cast<std::size_t>(g)].size() == 1) tag = out.offset + g + 1;
     if (tag == 0) tag = out.add(single.name);
     for (const std::int32_t g : single.groups)
-      if (g + 1 != tag) out.of_group[static_cast<std::size_t>(g)].push_back(tag);
+      if (out.offset + g + 1 != tag) out.of_group[static_cast<std::size_t>(g)].push_back(tag);
   }
   return out;
 }
 
 /// Sorts elements, each with its key, into entities. A cell or facet group without an element has
 /// one without any, so that it keeps its physical group. `all`: a name that every entity has too.
-Entities entities(std::int32_t dimension, const std::vector<std::vector<std::string>>& groups,
+Entities entities(std::int32_t dimension, std::size_t offset,
+                  const std::vector<std::vector<std::string>>& groups,
                   const std::vector<std::string>& of_model, const std::vector<EntityKey>& keys,
                   const char* all) {
   Entities out;
   out.dimension = dimension;
-  PhysicalNames physical = physical_names(groups);
+  PhysicalNames physical = physical_names(groups, offset);
+  out.offset = physical.offset;
   std::vector<std::int32_t> model_tags;
   std::vector<bool> used(of_model.size(), false);
   for (const EntityKey& key : keys)
@@ -134,7 +141,7 @@ void write_names(std::string& out, const Entities& list) {
   for (std::size_t k = 0; k < list.names.size(); ++k) {
     append(out, list.dimension);
     out += ' ';
-    append(out, k + 1);
+    append(out, static_cast<std::size_t>(list.offset) + k + 1);
     out.append(" \"").append(list.names[k]).append("\"\n");
   }
 }
@@ -200,14 +207,14 @@ void write_sizes(std::string& out, const Mesh& mesh) {
 
 std::string to_msh(const Mesh& mesh) {
   Entities surfaces =
-      entities(2, mesh.facet_groups, mesh.group_names,
+      entities(2, 0, mesh.facet_groups, mesh.group_names,
                keys_of(
                    mesh.facets.size(), [&](std::size_t f) { return mesh.facets[f].group; },
                    mesh.group_facets),
                nullptr);
   find_boxes(surfaces, mesh, [&](std::size_t f) { return mesh.facets[f].nodes; });
   Entities volumes = entities(
-      3, mesh.cell_owners, mesh.group_names,
+      3, surfaces.names.size(), mesh.cell_owners, mesh.group_names,
       keys_of(
           mesh.tets.size(), [&](std::size_t t) { return mesh.tet_cell[t]; }, mesh.group_tets),
       kAllName);

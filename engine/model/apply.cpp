@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/base/error.h"
+#include "engine/base/text/nearest_name.h"
 #include "engine/model/expression.h"
 #include "engine/model/feature_model.h"
 #include "engine/model/feature_types.h"
@@ -16,9 +17,21 @@ Position find_feature(ModelSource& model, const std::string& id) {
                       [&](const FeatureSource& f) { return f.id == id; });
 }
 
+/// The error with the name that may have been meant in its hint.
+template <class Named, class Name>
+Error with_suggestion(Error unknown, const std::string& name, const std::vector<Named>& known,
+                      Name Named::*name_of) {
+  std::vector<std::string> names;
+  for (const Named& one : known) names.push_back(one.*name_of);
+  const std::string nearest = nearest_name(name, names);
+  if (!nearest.empty()) unknown.info().hint = "did you mean `" + nearest + "`?";
+  return unknown;
+}
+
 Position feature_named(ModelSource& model, const std::string& id) {
   const Position found = find_feature(model, id);
-  if (found == model.features.end()) throw error::unknown_feature(id);
+  if (found == model.features.end())
+    throw with_suggestion(error::unknown_feature(id), id, model.features, &FeatureSource::id);
   return found;
 }
 
@@ -28,7 +41,9 @@ struct Editor {
 
   void operator()(const SetParameter& edit) const {
     const auto found = std::ranges::find(model.parameters, edit.name, &ParameterSource::name);
-    if (found == model.parameters.end()) throw error::unknown_model_parameter(edit.name);
+    if (found == model.parameters.end())
+      throw with_suggestion(error::unknown_model_parameter(edit.name), edit.name, model.parameters,
+                            &ParameterSource::name);
     found->value = edit.value;
   }
 
@@ -39,7 +54,8 @@ struct Editor {
       throw error::unknown_feature_type(feature.id, feature.type, list_feature_types());
     const ParameterInfo* parameter = find_parameter(*type, edit.name);
     if (parameter == nullptr)
-      throw error::unknown_parameter(feature.id, edit.name, list_parameters(*type));
+      throw with_suggestion(error::unknown_parameter(feature.id, edit.name, list_parameters(*type)),
+                            edit.name, type->parameters, &ParameterInfo::name);
     const auto* scalar = std::get_if<Scalar>(&edit.value);
     if (parameter->unit == "profile") {
       if (scalar != nullptr)
@@ -83,7 +99,9 @@ struct Editor {
 
   void operator()(const RemoveSize& edit) const {
     const auto found = std::ranges::find(model.sizes, edit.id, &SizeControlSource::id);
-    if (found == model.sizes.end()) throw error::unknown_size(edit.id);
+    if (found == model.sizes.end())
+      throw with_suggestion(error::unknown_size(edit.id), edit.id, model.sizes,
+                            &SizeControlSource::id);
     model.sizes.erase(found);
   }
 

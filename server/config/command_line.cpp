@@ -6,8 +6,8 @@
 #include <deque>
 #include <utility>
 
+#include "engine/base/text/nearest_name.h"
 #include "server/config/config_error.h"
-#include "server/config/nearest_name.h"
 
 #ifndef REMESHD_VERSION
 #error "the build gives the version"

@@ -13,10 +13,10 @@
 #include <fstream>
 #include <optional>
 
+#include "engine/base/text/nearest_name.h"
 #include "engine/base/utf8.h"
 #include "server/config/ascii_form.h"
 #include "server/config/config_error.h"
-#include "server/config/nearest_name.h"
 #include "server/limits.h"
 
 namespace remeshd {

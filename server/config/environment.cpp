@@ -6,8 +6,8 @@
 #include <regex>
 #include <string_view>
 
+#include "engine/base/text/nearest_name.h"
 #include "server/config/config_error.h"
-#include "server/config/nearest_name.h"
 
 namespace remeshd {
 namespace {

@@ -56,6 +56,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::vector<remesh::v1::Report::Attempt> attempts;
   remesh::v1::Report stored_report;  ///< of every GetRevision
   std::string stored_parent;
+  std::map<std::string, std::string> parents;  ///< by name of a revision; else: `stored_parent`
+  std::map<std::string, Mesh> meshes_by_name;  ///< else: `mesh`
 
   // What came.
   std::vector<remesh::v1::EditStreamRequest> requests;
@@ -126,7 +128,9 @@ class FakeService final : public remesh::v1::RemeshService::Service {
                        grpc::ServerWriter<remesh::v1::GetMeshResponse>* writer) override {
     mesh_requests.push_back(*request);
     if (failure) return status_of(*failure);
-    auto messages = messages_of(mesh, request->selection(), nullptr);
+    const auto named = meshes_by_name.find(request->revision());
+    auto messages = messages_of(named == meshes_by_name.end() ? mesh : named->second,
+                                request->selection(), nullptr);
     if (request->has_resume_from()) drop_before(request->resume_from(), messages);
     int written = 0;
     for (const auto& message : messages) {
@@ -166,7 +170,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     info->set_id("id-of-" + request->revision());
     info->set_design(request->revision());
     info->set_number(7);
-    info->set_parent(stored_parent);
+    const auto parent = parents.find(request->revision());
+    info->set_parent(parent == parents.end() ? stored_parent : parent->second);
     *response->mutable_report() = stored_report;
     auto* model = response->mutable_model();
     model->set_name("described");

@@ -45,9 +45,11 @@ class SecureConnection : public testing::Test {
   int info(std::vector<std::string> options) {
     options.insert(options.begin(), {"--timeout", "20", "--address", daemon_->address()});
     options.emplace_back("info");
+    std::istringstream in;
     std::ostringstream out;
     err_.str("");
-    return run(options, {.out = out,
+    return run(options, {.in = in,
+                         .out = out,
                          .err = err_,
                          .terminal = false,
                          .stop = {},

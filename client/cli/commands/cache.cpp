@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "client/cli/choice.h"
 #include "client/cli/commands/command.h"
 #include "client/cli/exit_code.h"
 #include "client/cli/reply.h"
@@ -52,8 +53,8 @@ void add_ls(CLI::App& cache, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("--design", arguments->design, "Those of this design only");
   command->add_flag("--pinned", arguments->pinned, "Pinned ones only");
-  command->add_option("--by", arguments->order, "Order: used, bytes or created [used]")
-      ->check(CLI::IsMember({"used", "bytes", "created"}));
+  only(*command->add_option("--by", arguments->order, "Order [used]"),
+       {"used", "bytes", "created"});
   command->add_flag("-r,--reverse", arguments->reverse, "The other way round");
   command->add_option("--json", arguments->json, "Write the list here; `-`: to stdout")
       ->type_name("FILE");
@@ -134,7 +135,7 @@ void add_gc(CLI::App& cache, Action& action) {
 void add_verify(CLI::App& cache, Action& action) {
   auto* command = cache.add_subcommand(
       "verify",
-      "Compare all that is stored with its checksums; exit code 4 where something is "
+      "Compare all that is stored with its checksums; exit code 8 where something is "
       "wrong and was not repaired");
   const auto repair = std::make_shared<bool>(false);
   command->add_flag("--repair", *repair, "Make damaged meshes again of their recipes");
@@ -151,7 +152,7 @@ void add_verify(CLI::App& cache, Action& action) {
       const auto last = session.client().verify_cache(*repair, show, session.call());
       session.console().note(std::to_string(last.findings()) + " findings in " +
                              megabytes(last.bytes_read()) + " MB");
-      return wrong ? kFailed : kFine;
+      return wrong ? kFileFailed : kFine;
     };
   });
 }

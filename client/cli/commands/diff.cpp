@@ -66,11 +66,13 @@ void write_changes(Session& session, const remesh::v1::CompareRequest& request) 
 }
 
 int diff(Session& session, const DiffArguments& arguments) {
+  check_one_stdin(arguments.original, arguments.modified);
   remesh::v1::CompareRequest request;
-  *request.mutable_original() = choice_of(resolve(arguments.original));
+  *request.mutable_original() = choice_of(resolve(session.documents(), arguments.original));
   if (request.original().has_edit())
-    throw UsageError(arguments.original + " is an edit; only the second side may be one");
-  *request.mutable_modified() = choice_of(resolve(arguments.modified));
+    throw UsageError(Documents::shown(arguments.original) +
+                     " is an edit; only the second side may be one");
+  *request.mutable_modified() = choice_of(resolve(session.documents(), arguments.modified));
   const auto comparison = session.client().compare(request, session.call());
   if (!arguments.file.empty()) session.write_text(arguments.file, write_json(comparison));
   if (arguments.file != "-") {

@@ -24,9 +24,9 @@ struct EditArguments {
   bool require_head = false;
 };
 
-remesh::v1::ModelEdit edit_of(const EditArguments& arguments) {
+remesh::v1::ModelEdit edit_of(Documents& documents, const EditArguments& arguments) {
   remesh::v1::ModelEdit edit;
-  if (!arguments.document.empty()) edit = read_edit(arguments.document);
+  if (!arguments.document.empty()) edit = read_edit(documents, arguments.document);
   for (const std::string& assignment : arguments.assignments) add_assignment(edit, assignment);
   for (const std::string& feature : arguments.removed)
     edit.add_edits()->mutable_remove_feature()->set_feature(feature);
@@ -36,26 +36,28 @@ remesh::v1::ModelEdit edit_of(const EditArguments& arguments) {
 }
 
 /// The reply to a request, with the place of an error in the edit's document.
-remesh::v1::RevisionResult reply_to(client::EditStream& stream,
+remesh::v1::RevisionResult reply_to(Documents& documents, client::EditStream& stream,
                                     remesh::v1::EditRevisionRequest request,
                                     const EditArguments& arguments) {
   const auto send = [&] { return stream.edit(std::move(request)).get(); };
-  return arguments.document.empty() ? send() : in_document(arguments.document, send);
+  return arguments.document.empty() ? send() : in_document(documents, arguments.document, send);
 }
 
 int edit(Session& session, const EditArguments& arguments) {
   arguments.files.check();
-  const Base base = resolve_base(arguments.base);
+  check_one_stdin(arguments.base, arguments.document);
+  const Base base = resolve_base(session.documents(), arguments.base);
   remesh::v1::EditRevisionRequest request;
-  *request.mutable_edit() = edit_of(arguments);
+  *request.mutable_edit() = edit_of(session.documents(), arguments);
   client::EditStream stream = session.stream();
   // A base that is meshed here takes the options, and the edit inherits them.
   const bool base_is_model = std::holds_alternative<remesh::v1::FeatureModel>(base);
-  request.set_base(in_document(
-      arguments.base, [&] { return mesh_base(session, stream, base, arguments.meshing); }));
+  request.set_base(in_document(session.documents(), arguments.base, [&] {
+    return mesh_base(session, stream, base, arguments.meshing);
+  }));
   arguments.meshing.fill(request, !base_is_model);
   if (arguments.require_head) request.mutable_head()->set_require(true);
-  const auto reply = reply_to(stream, std::move(request), arguments);
+  const auto reply = reply_to(session.documents(), stream, std::move(request), arguments);
   stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.files);
@@ -71,10 +73,11 @@ void add_edit_command(CLI::App& app, Action& action) {
       ->add_option(
           "BASE", arguments->base,
           "Revision (design, design@N, id or 8 digits of it) or model file, whose name has "
-          "a `/` or ends in .json; a model file is meshed first, with the options given, "
+          "a `/` or ends in .json (`-`: stdin); a model file is meshed first, with the options "
+          "given, "
           "if the daemon lacks it")
       ->required();
-  command->add_option("EDIT.json", arguments->document, "Edit document");
+  command->add_option("EDIT.json", arguments->document, "Edit document; `-`: stdin");
   command
       ->add_option("--set", arguments->assignments,
                    "Set a parameter of the model, or one of a feature (hole.radius=9), to a number "

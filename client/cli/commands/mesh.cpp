@@ -21,12 +21,12 @@ struct MeshArguments {
 int mesh(Session& session, const MeshArguments& arguments) {
   arguments.files.check();
   remesh::v1::CreateRevisionRequest request;
-  *request.mutable_model() = read_model(arguments.model);
+  *request.mutable_model() = read_model(session.documents(), arguments.model);
   arguments.meshing.fill(request, true);
   if (arguments.head) request.mutable_head()->set_advance(true);
   client::EditStream stream = session.stream();
-  const auto reply =
-      in_document(arguments.model, [&] { return stream.create(std::move(request)).get(); });
+  const auto reply = in_document(session.documents(), arguments.model,
+                                 [&] { return stream.create(std::move(request)).get(); });
   stream.finish();
   session.console().end_progress();
   deliver(session, reply, arguments.files);
@@ -38,7 +38,7 @@ int mesh(Session& session, const MeshArguments& arguments) {
 void add_mesh_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mesh", "Mesh a model");
   const auto arguments = std::make_shared<MeshArguments>();
-  command->add_option("MODEL.json", arguments->model, "Model document")->required();
+  command->add_option("MODEL.json", arguments->model, "Model document; `-`: stdin")->required();
   arguments->files.add_to(*command);
   arguments->meshing.add_to(*command);
   command

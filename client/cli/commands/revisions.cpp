@@ -1,7 +1,6 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -129,18 +128,19 @@ void add_model(CLI::App& app, Action& action) {
 void add_get(CLI::App& app, Action& action) {
   struct Arguments {
     std::string revision, report_file;
-    std::vector<std::filesystem::path> mesh_files;
+    MeshOutputs meshes;
   };
   auto* command = app.add_subcommand("get", "Write the mesh of a revision");
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("REV", arguments->revision, "Revision")->required();
-  add_mesh_files(*command, arguments->mesh_files);
+  arguments->meshes.add_to(*command);
   command->add_option("--json", arguments->report_file, "Write its Report here; `-`: to stdout")
       ->type_name("FILE");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
-      for (const auto& file : arguments->mesh_files) check_mesh_file(file);
-      session.write_mesh_of(arguments->revision, arguments->mesh_files);
+      arguments->meshes.check(arguments->report_file);
+      check_text_file(arguments->report_file);
+      session.write_mesh_of(arguments->revision, arguments->meshes);
       if (arguments->report_file.empty()) return kFine;
       const auto description = session.client().get_revision(arguments->revision, session.call());
       session.write_text(arguments->report_file, write_json(description.report()));

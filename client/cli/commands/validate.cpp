@@ -39,7 +39,7 @@ remesh::v1::ModelCheck ask(Session& session, const ValidateArguments& arguments,
   remesh::v1::ValidateEditRequest request;
   *request.mutable_edit() = std::move(std::get<remesh::v1::ModelEdit>(document));
   fill(*request.mutable_options());
-  Base base = resolve_base(arguments.base);
+  Base base = resolve_base(session.documents(), arguments.base);
   if (auto* revision = std::get_if<std::string>(&base))
     request.set_base(*revision);
   else
@@ -64,14 +64,15 @@ void add_forecast(const remesh::v1::MeshForecast& forecast,
 }
 
 int validate(Session& session, const ValidateArguments& arguments) {
-  Document document = read_either(arguments.file);
+  check_one_stdin(arguments.file, arguments.base);
+  Document document = read_either(session.documents(), arguments.file);
   if (std::holds_alternative<remesh::v1::ModelEdit>(document) && arguments.base.empty()) {
-    session.console().note(arguments.file +
+    session.console().note(Documents::shown(arguments.file) +
                            " is a well-formed edit; --base BASE checks it with its model");
     return kFine;
   }
-  const auto check =
-      in_document(arguments.file, [&] { return ask(session, arguments, std::move(document)); });
+  const auto check = in_document(session.documents(), arguments.file,
+                                 [&] { return ask(session, arguments, std::move(document)); });
   show_warnings(session, check.warnings());
   if (!arguments.json.empty()) session.write_text(arguments.json, write_json(check));
   if (arguments.json == "-") return kFine;
@@ -94,7 +95,7 @@ int validate(Session& session, const ValidateArguments& arguments) {
 void add_validate_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("validate", "Check a model or an edit without meshing");
   const auto arguments = std::make_shared<ValidateArguments>();
-  command->add_option("FILE", arguments->file, "Model or edit document")->required();
+  command->add_option("FILE", arguments->file, "Model or edit document; `-`: stdin")->required();
   command
       ->add_option(
           "--base", arguments->base,

@@ -22,6 +22,9 @@ class FormatError : public FileError {
 /// Whether `write_mesh` knows the ending: `.vtu`, `.msh` or `.inp`.
 bool is_mesh_file_name(const std::filesystem::path& path);
 
+/// The bytes of a mesh file in a format, `vtu`, `msh` or `inp`. Throws FileError for another.
+std::string mesh_in_format(const std::string& format, const Mesh& mesh);
+
 /// Writes a mesh in the format of the path's ending; coordinates read back to the same bits. The
 /// file appears whole or not at all.
 ///
@@ -55,7 +58,8 @@ std::string to_vtu(const Mesh& mesh);
 /// One volume entity for each cell and one surface entity for each facet group, or several where
 /// groups of the model take parts of it. Physical groups: one for each cell and facet group, named
 /// by all its owners or faces (`base+slot1`); where such a name joins several, one for each single
-/// feature and face; one for each group of the model; and `remesh_all`, all tets.
+/// feature and face; one for each group of the model; and `remesh_all`, all tets. Those of volumes
+/// are numbered after those of surfaces.
 std::string to_msh(const Mesh& mesh);
 
 /// Abaqus and CalculiX input: `*NODE`, `*ELEMENT` of C3D4 or C3D10; a node set and an element

@@ -26,7 +26,8 @@ class Cli : public testing::Test {
   }
   int run(const std::vector<std::string>& arguments, std::ostream& out) {
     err_.str("");
-    return cli::run(arguments, {.out = out,
+    return cli::run(arguments, {.in = in_,
+                                .out = out,
                                 .err = err_,
                                 .terminal = false,
                                 .stop = stop_.get_token(),
@@ -58,6 +59,7 @@ class Cli : public testing::Test {
   client::FakeService& service_ = daemon_.service;
   GlobalOptions seen_;
   std::stop_source stop_;
+  std::istringstream in_;
   std::ostringstream out_, err_;
 };
 

@@ -175,7 +175,7 @@ def check_interrupt(folder, address):
     """An interrupt ends the command at once, with the daemon and without."""
     for way in ([], ["--local", "--store", folder / "interrupted"]):
         process = subprocess.Popen(
-            [CLI, "mesh", CASES / "tool1-a.json", "--nodes", "400000", "-o", folder / "big.vtu", *way],
+            [CLI, "mesh", CASES / "tool1-a.json", "--nodes", "400000", "-v", "-o", folder / "big.vtu", *way],
             env=dict(os.environ, REMESH_ADDRESS=address), stderr=subprocess.PIPE, text=True)
         for line in process.stderr:
             if "optimise" in line:
@@ -327,6 +327,39 @@ def check_losses(folder, address):
         assert any(code in refused.stderr for code in codes), refused.stderr
 
 
+def check_pipes(folder, address):
+    """A model comes through a pipe and its mesh goes out through one, in the same bytes as by files."""
+    model = CASES / "simple-a.json"
+    remesh("mesh", model, "--nodes", NODES, "-o", folder / "p.msh", address=address)
+    with open(model, "rb") as source:
+        done = subprocess.run([CLI, "mesh", "-", "--nodes", NODES, "-o", "-", "--format", "msh"], stdin=source,
+                              env=dict(os.environ, REMESH_ADDRESS=address), capture_output=True, check=True)
+    assert done.stdout == (folder / "p.msh").read_bytes()
+    assert b"simple-a@" in done.stderr, done.stderr
+
+
+def check_blame(folder, address):
+    """Faces and nodes are traced to the edit that made them."""
+    remesh("example", "bracket", "-o", folder / "bracket.json")
+    meshes = [folder / f"{k}.vtu" for k in range(3)]
+    remesh("mesh", folder / "bracket.json", "--nodes", NODES, "-o", meshes[0], address=address)
+    (folder / "pin.edit.json").write_text(
+        '{"edits": [{"addFeature": {"feature": {"id": "pin", "nature": "ADDITIVE", "type": "cylinder", '
+        '"parameters": {"radius": 4, "height": 20}, "placement": {"origin": [-25, -20, 12]}}}}]}')
+    remesh("edit", "bracket", folder / "pin.edit.json", "-o", meshes[1], address=address)
+    remesh("edit", "bracket", "--set", "hole_radius=9", "-o", meshes[2], address=address)
+    first, second, third = (set(meshio.read(mesh).point_data["node_id"].ravel()) for mesh in meshes)
+    for what, revision, change in (("pin.top", "bracket@2", "+ pin"),
+                                   ("rib.top", "bracket@1", "first mesh"),
+                                   (max(third & second - first), "bracket@2", "+ pin"),
+                                   (min(third & second & first), "bracket@1", "first mesh"),
+                                   (max(third - second - first), "bracket@3", "hole_radius 10 -> 9")):
+        told = remesh("blame", "bracket", what, address=address).stdout
+        assert revision in told and change in told, f"{what}: {told}"
+    done = remesh("blame", "bracket", "pin.topp", code=3, address=address)
+    assert "did you mean `pin.top`?" in done.stderr, done.stderr
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -343,6 +376,8 @@ def main():
             check_heads(folder, daemon.address)
             check_losses(folder, daemon.address)
             check_cache(folder, daemon.address)
+            check_pipes(folder, daemon.address)
+            check_blame(folder, daemon.address)
             check_revisions(folder, daemon.address)
             daemon.end()
         finally:  # left alone it would keep ctest waiting for its output

@@ -168,6 +168,22 @@ TEST(MeshFileName, DecidesTheFormatAndAnUnknownOneIsRefused) {
   EXPECT_THROW(write_mesh("/nowhere/at/all.vtu", sample_mesh(1)), FileError);
 }
 
+TEST(Msh, NoTwoPhysicalGroupsHaveOneNumber) {
+  const std::string text = to_msh(sample_mesh(1));
+  std::istringstream in(text.substr(text.find("$PhysicalNames") + 15));
+  std::size_t count = 0;
+  in >> count;
+  std::vector<int> dimensions, tags;
+  std::string name;
+  for (int dimension = 0, tag = 0; tags.size() < count && in >> dimension >> tag >> name;) {
+    dimensions.push_back(dimension);
+    tags.push_back(tag);
+  }
+  ASSERT_EQ(tags.size(), count);
+  EXPECT_THAT(dimensions, testing::Contains(3));
+  for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(tags[k], static_cast<int>(k) + 1);
+}
+
 TEST(Msh, GivesAnEntityEachPhysicalGroupOnce) {
   // `base` is alone on a cell and shares the other with `Slot1`; `base.top` likewise.
   using Tags = std::vector<std::vector<std::int32_t>>;
@@ -184,10 +200,11 @@ TEST(Msh, GivesAnEntityEachPhysicalGroupOnce) {
       for (std::int32_t& tag : entity) tag = scanner.raw<std::int32_t>();
       scanner.skip(sizeof(std::uint64_t));  // bounded by none
     }
-  // Each its own first; Slot1.x_max is 7, base.x_max 8, Slot1.top 9, and of the cells Slot1 is 3.
+  // Each its own first; Slot1.x_max is 7, base.x_max 8, Slot1.top 9, and of the cells, which
+  // count on, base 10, both 11 and Slot1 12.
   EXPECT_EQ(tags[0], (Tags{{1}, {2, 7, 8}, {3}, {4}, {5}, {6, 5, 9}}));
-  // All tets are 4.
-  EXPECT_EQ(tags[1], (Tags{{1, 4}, {2, 1, 3, 4}}));
+  // All tets are 13.
+  EXPECT_EQ(tags[1], (Tags{{10, 13}, {11, 10, 12, 13}}));
 }
 
 TEST(Msh, BoxesOfEntitiesHoldAllTheirNodes) {

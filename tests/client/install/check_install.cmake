@@ -12,6 +12,12 @@ run(${CMAKE_COMMAND} --install ${BUILD} --component client_development --prefix 
 if(NOT EXISTS ${WORK}/tree/share/remeshd/Apache-2.0.txt)
   message(FATAL_ERROR "the library is installed without its licence")
 endif()
+run(${CMAKE_COMMAND} --install ${BUILD} --component documentation --prefix ${WORK}/tree)
+foreach(file examples/bracket.json schema/model.schema.json)
+  if(NOT EXISTS ${WORK}/tree/share/remeshd/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR}
     -DCMAKE_PREFIX_PATH=${WORK}/tree -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/build)

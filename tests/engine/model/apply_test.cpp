@@ -122,6 +122,14 @@ TEST(Apply, UnknownNamesAreErrorsWithTheIndexOfTheEdit) {
   EXPECT_EQ(edit_failure(RemoveFeature{""}), "1 UNKNOWN_FEATURE - -");
 }
 
+TEST(Apply, ANameThatIsNearlyRightIsAnsweredWithTheOneThatMayBeMeant) {
+  const auto hint = [](const Edit& edit) { return test::error_of([&] { edited({edit}); }).hint; };
+  EXPECT_EQ(hint(RemoveFeature{"rip"}), "did you mean `rib`?");
+  EXPECT_EQ(hint(SetParameter{"W", 1.0}), "did you mean `w`?");
+  EXPECT_EQ(hint(SetFeatureParameter{"rib", "hight", Scalar(1.0)}), "did you mean `height`?");
+  EXPECT_EQ(hint(RemoveFeature{"flange"}), "ids are case-sensitive");
+}
+
 TEST(Apply, UnknownFeaturesAreNotFound) {
   const ErrorInfo info = test::error_of([] { edited({RemoveFeature{"nut"}}); });
   EXPECT_EQ(info.kind, ErrorKind::NotFound);

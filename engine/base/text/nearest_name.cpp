@@ -1,4 +1,4 @@
-#include "server/config/nearest_name.h"
+#include "engine/base/text/nearest_name.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace remeshd::cli {
+
+/// Where a mesh goes, and in which formats.
+struct MeshOutputs {
+  std::vector<std::filesystem::path> files;  ///< the same mesh in each; `-`: to stdout
+  std::string format{};  ///< of all of them, `vtu`, `msh` or `inp`; empty: by the names' endings
+
+  /// The options -o and --format.
+  void add_to(CLI::App& command);
+  /// Throws UsageError unless each file has a format, the folder of each is there, and at most one
+  /// thing goes to stdout. `text_file`: what is written there beside the meshes; may be empty.
+  /// Asked before a mesh is made.
+  void check(const std::string& text_file) const;
+  /// Pre: `check` found nothing.
+  [[nodiscard]] std::string format_of(const std::filesystem::path& file) const;
+  /// Whether stdout is taken, so that what people read goes to the messages.
+  [[nodiscard]] bool take_stdout() const;
+};
+
+}  // namespace remeshd::cli
