@@ -97,7 +97,7 @@ TEST_F(Unsupported, AndNotAmongTheCapabilities) {
                                    v1::ServerCapabilities::CAPABILITY_CACHE));
   EXPECT_THAT(can.orders(), testing::ElementsAre(1, 2));
   EXPECT_EQ(can.arrays_size(), 25);
-  EXPECT_EQ(can.formats_size(), 0);
+  EXPECT_THAT(can.formats(), testing::ElementsAre("vtu", "msh", "inp"));
 }
 
 }  // namespace
