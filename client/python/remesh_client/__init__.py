@@ -18,10 +18,11 @@ from remesh_client.errors import (Busy, Cancelled, Conflict, DeadlineExceeded, D
 from remesh_client.mesh import Mesh, NodeSet
 from remesh_client.options import Options
 from remesh_client.part import Part, Warning
+from remesh_client.transfer import transfer
 
 __version__ = "0.1.0"
 __all__ = ["Busy", "Cancelled", "Conflict", "Daemon", "DeadlineExceeded", "Denied", "Edit",
            "InvalidRequest", "Mesh", "MeshDamaged", "MeshingFailed", "NodeSet", "NotFound",
            "Options", "Part", "RemeshError", "Unavailable", "Unsupported", "Warning", "add",
            "connect", "local", "place", "remove", "remove_group", "remove_size", "set_group",
-           "set_parameter", "set_size"]
+           "set_parameter", "set_size", "transfer"]
