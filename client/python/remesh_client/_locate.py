@@ -77,7 +77,8 @@ class TetLocator:
             left.append(going[following < 0])
             going, following = going[following >= 0], following[following >= 0]
             tets[going] = following
-        return np.concatenate([*left, going]).astype(np.int64)
+        missed: Ints = np.concatenate([*left, going]).astype(np.int64)
+        return missed
 
     def _search(self, points: Floats, tets: Ints, left: Ints) -> None:
         """Among the tets whose centres are near: a walk cannot pass a hole."""
@@ -131,7 +132,7 @@ def closest_of_triangle(points: Floats, triangles: Floats) -> Floats:
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     normal = np.cross(b - a, c - a)
     square = np.maximum((normal * normal).sum(axis=1), np.finfo(float).tiny)
-    best = points - (((points - a) * normal).sum(axis=1) / square)[:, None] * normal
+    best: Floats = points - (((points - a) * normal).sum(axis=1) / square)[:, None] * normal
     inside = np.ones(len(points), np.bool_)
     for p, q in ((a, b), (b, c), (c, a)):
         inside &= (np.cross(q - p, best - p) * normal).sum(axis=1) >= 0

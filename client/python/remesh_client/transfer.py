@@ -47,7 +47,7 @@ def transfer(old: Mesh, new: Mesh, *, follow_features: bool = False) -> csr_matr
     if len(others):
         nodes, weights = _interpolation(old, points[others])
         rows.append(np.repeat(others, nodes.shape[1]))
-        columns.append(nodes.ravel())
+        columns.append(nodes.ravel().astype(np.int64))
         values.append(weights.ravel())
     return csr_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
                       shape=(len(points), len(old.all_points)))
