@@ -1,4 +1,7 @@
 """Meshes as other programs have them."""
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -45,9 +48,8 @@ def test_vtk_has_what_the_daemons_file_has(mesh, tmp_path):
             assert np.array_equal(np.sort(a) if data == "GetFieldData" else a, b), name
 
 
-def test_vtk_is_imported_only_there():
-    import subprocess
-    import sys
-    program = "import sys, remesh_client; print([m for m in ('vtkmodules', 'meshio') if m in sys.modules])"
+def test_vtk_meshio_and_scipy_are_imported_only_where_they_are_needed():
+    program = ("import sys, remesh_client as rc; rc.aio, rc.calculix.solve; "
+               "print([m for m in ('vtkmodules', 'meshio', 'scipy') if m in sys.modules])")
     out = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, check=True)
     assert out.stdout.strip() == "[]"

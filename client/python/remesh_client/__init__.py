@@ -9,6 +9,10 @@
             mesh = part.mesh()          # .points .tets .faces["hole.wall"].nodes .parent_nodes
             print(part.report.nodes_kept, part.warnings, mesh.write("b.inp"))
 """
+import importlib
+from types import ModuleType
+
+from remesh_client import calculix
 from remesh_client.daemon import Daemon, connect, local
 from remesh_client.edits import (Edit, add, place, remove, remove_group, remove_size, set_group,
                                  set_parameter, set_size)
@@ -23,6 +27,13 @@ from remesh_client.transfer import transfer
 __version__ = "0.1.0"
 __all__ = ["Busy", "Cancelled", "Conflict", "Daemon", "DeadlineExceeded", "Denied", "Edit",
            "InvalidRequest", "Mesh", "MeshDamaged", "MeshingFailed", "NodeSet", "NotFound",
-           "Options", "Part", "RemeshError", "Unavailable", "Unsupported", "Warning", "add",
+           "Options", "Part", "RemeshError", "Unavailable", "Unsupported", "Warning", "add", "calculix",
            "connect", "local", "place", "remove", "remove_group", "remove_size", "set_group",
            "set_parameter", "set_size", "transfer"]
+
+
+def __getattr__(name: str) -> ModuleType:
+    """`rc.aio` and `rc.openmdao`, imported when they are first asked for."""
+    if name in ("aio", "openmdao"):
+        return importlib.import_module(f"remesh_client.{name}")
+    raise AttributeError(f"module 'remesh_client' has no attribute {name!r}")

@@ -6,9 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import cKDTree
 
-from remesh_client._locate import TetLocator, to_simplex
 from remesh_client._shapes import curved_weights, tet10_values
 
 if TYPE_CHECKING:
@@ -55,6 +53,7 @@ def transfer(old: Mesh, new: Mesh, *, follow_features: bool = False) -> csr_matr
 
 def _in_place(old: Mesh, points: npt.NDArray[np.float64]) -> npt.NDArray[np.int64]:
     """The node of `old` that stands at each point, to the bit; -1 for none."""
+    from scipy.spatial import cKDTree
     _, nearest = cKDTree(old.all_points).query(points)
     there = (old.all_points[nearest] == points).all(axis=1)
     return np.where(there, nearest, -1)
@@ -77,6 +76,7 @@ def _copied(old: Mesh, new: Mesh) -> npt.NDArray[np.int64]:
 def _interpolation(old: Mesh, points: npt.NDArray[np.float64]
                    ) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.float64]]:
     """Nodes of `old` and their weights for each point: (k, 4), or (k, 10) of second order."""
+    from remesh_client._locate import TetLocator, to_simplex
     places = TetLocator(old.points, old.tets).locate(points)
     if old.order == 1:
         return old.tets[places.tets], places.weights
