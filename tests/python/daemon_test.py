@@ -60,6 +60,24 @@ def test_edits_are_given_in_every_form(daemon, tool, tmp_path):
     assert parameters["pin1"]["radius"] == 5 and parameters["pin2"]["radius"] == "pin_radius + 1"
 
 
+def test_messages_of_the_protocol_are_taken_too(daemon, tool):
+    from remesh_client.v1 import document_pb2, revision_pb2
+    reply = daemon._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=tool.revision))
+    assert daemon.mesh(reply.model, nodes=1000).revision == tool.revision
+    assert daemon.validate(reply.model, nodes=1000).volume > 0
+    edit = document_pb2.ModelEdit()
+    edit.edits.add().set_parameter.name = "pin_radius"
+    edit.edits[0].set_parameter.value.number_value = 5
+    assert tool.edit(edit).revision == tool.edit(pin_radius=5).revision
+
+
+def test_a_mesh_goes_to_another_process(tool):
+    copy = pickle.loads(pickle.dumps(tool.mesh()))
+    assert same(copy, tool.mesh()) and copy.faces["pin1.wall"].nodes.size
+    with pytest.raises(RuntimeError, match="no daemon at hand"):
+        copy.write("a.inp")
+
+
 def test_two_edits_of_one_part_and_a_mesh_that_nobody_read(daemon, tool):
     first, second = tool.edit(pin_radius=4.75), tool.edit(pin_radius=5.5)
     child = first.edit(pin_radius=5)  # against a mesh that is still on its way

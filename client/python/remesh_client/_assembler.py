@@ -4,7 +4,7 @@ digest of each array, counts, and all indices."""
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Iterable
+from typing import Any, Iterable
 
 import numpy as np
 from google.protobuf.message import DecodeError
@@ -33,6 +33,15 @@ class Content:
     @property
     def revision(self) -> str:
         return self.header.revision
+
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickling, which knows no messages."""
+        return {**self.__dict__, "header": self.header.SerializeToString()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, header=_Header.FromString(state["header"]))
+        for numbers in self.numbers.values():
+            numbers.flags.writeable = False
 
 
 class MeshAssembler:

@@ -9,7 +9,7 @@ from remesh_client._assembler import Content
 from remesh_client._exchange import Exchange, OnProgress
 from remesh_client.edits import EditLike, Model, edit_document, model_document
 from remesh_client.options import mesh_options
-from remesh_client.v1 import mesh_pb2, revision_pb2, stream_pb2
+from remesh_client.v1 import (document_pb2, mesh_pb2, model_pb2, revision_pb2, stream_pb2)
 
 FORMATS = ("vtu", "msh", "inp")
 
@@ -18,15 +18,25 @@ def head_update(file: bool | None) -> revision_pb2.HeadUpdate | None:
     return None if file is None else revision_pb2.HeadUpdate(file=file)
 
 
+def put_model(request: revision_pb2.CreateRevisionRequest | model_pb2.ValidateModelRequest,
+              model: Model) -> str:
+    """Puts a model into a request; returns the file that it was read from, if it was."""
+    if isinstance(model, document_pb2.FeatureModel):
+        request.model.CopyFrom(model)
+        return ""
+    request.document, source = model_document(model)
+    return source
+
+
 def first_mesh(model: Model, options: Mapping[str, Any], design: str, file: bool | None,
                with_mesh: bool, on_progress: OnProgress | None) -> Exchange:
     """Meshes a model. Raises what `model_document` and `mesh_options` raise."""
-    document = model_document(model)
     create = revision_pb2.CreateRevisionRequest(
-        document=document.text, options=mesh_options(options), design=design,
-        head=head_update(file), threads=options.get("threads", 0))
+        options=mesh_options(options), design=design, head=head_update(file),
+        threads=options.get("threads", 0))
+    source = put_model(create, model)
     mesh = mesh_pb2.MeshSelection() if with_mesh else None
-    return Exchange(stream_pb2.EditStreamRequest(create=create, mesh=mesh), document.file,
+    return Exchange(stream_pb2.EditStreamRequest(create=create, mesh=mesh), source,
                     on_progress=on_progress)
 
 
@@ -35,12 +45,16 @@ def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],
             content: Callable[[], Content | None] | None,
             on_progress: OnProgress | None) -> Exchange:
     """Edits a revision. content: gives the base's mesh once that has come; None: there is none."""
-    document = edit_document(edits, parameters)
-    edit = revision_pb2.EditRevisionRequest(
-        base=base, document=document.text, options=mesh_options(options), head=head_update(file),
-        threads=options.get("threads", 0))
+    edit = revision_pb2.EditRevisionRequest(base=base, options=mesh_options(options),
+                                            head=head_update(file),
+                                            threads=options.get("threads", 0))
+    source = ""
+    if len(edits) == 1 and isinstance(edits[0], document_pb2.ModelEdit) and not parameters:
+        edit.edit.CopyFrom(edits[0])
+    else:
+        edit.document, source = edit_document(edits, parameters)
     mesh = mesh_pb2.MeshSelection(delta=content is not None) if with_mesh else None
-    return Exchange(stream_pb2.EditStreamRequest(edit=edit, mesh=mesh), document.file,
+    return Exchange(stream_pb2.EditStreamRequest(edit=edit, mesh=mesh), source,
                     content or (lambda: None), on_progress)
 
 

@@ -44,19 +44,15 @@ class Part(Revision):
     def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
                  exchange: Exchange | None = None, durable: bool = False,
                  head_conflict: bool = False) -> None:
-        super().__init__(info, report, durable, head_conflict)
+        super().__init__(info, report, exchange, durable, head_conflict)
         self._daemon = daemon
-        self._exchange = exchange
-        self._mesh: Mesh | None = None
 
     async def edit(self, *edits: EditLike, options: Mapping[str, Any] | None = None,
                    mesh: bool = True, file: bool | None = None, progress: OnProgress | None = None,
                    timeout: float | None = None, **parameters: Any) -> Part:
         """The model after edits, remeshed, as Part.edit of the synchronous client."""
-        coming = self._exchange is not None and self._exchange.request.HasField("mesh")
-        content = self._content if self._mesh is not None or coming else None
         return await self._daemon._make(_requests.edit_of(
-            self.revision, edits, parameters, options or {}, file, mesh, content, progress),
+            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress),
             timeout)
 
     async def mesh(self) -> Mesh:
@@ -72,11 +68,6 @@ class Part(Revision):
     async def write(self, path: os.PathLike[str] | str) -> Path:
         """Writes the mesh by the daemon's own writers, as Mesh.write."""
         return await self._daemon._write_file(self.revision, path)
-
-    def _content(self) -> Content | None:
-        if self._mesh is not None:
-            return self._mesh.content
-        return self._exchange.mesh if self._exchange is not None else None
 
 
 class Daemon:

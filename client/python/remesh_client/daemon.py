@@ -17,7 +17,7 @@ from remesh_client._connection import Access, address_or_default, channel_option
 from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
 from remesh_client._files import FileAssembler, write_whole
 from remesh_client._stream import EditStream
-from remesh_client.edits import Model, model_document
+from remesh_client.edits import Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.options import mesh_options
@@ -70,9 +70,8 @@ class Daemon:
 
     def validate(self, model: Model, **options: Any) -> model_pb2.ModelCheck:
         """Checks a model without meshing it: a ModelCheck with what its mesh would come to."""
-        document = model_document(model)
-        request = model_pb2.ValidateModelRequest(document=document.text,
-                                                 options=mesh_options(options))
+        request = model_pb2.ValidateModelRequest(options=mesh_options(options))
+        _requests.put_model(request, model)
         check: model_pb2.ModelCheck = self._ask("ValidateModel", request).check
         return check
 

@@ -7,8 +7,6 @@ import os
 from pathlib import Path
 from typing import Any, Iterable, Mapping, NamedTuple, Sequence, Union
 
-from google.protobuf import json_format
-
 from remesh_client.errors import Error, made_here
 from remesh_client.v1 import document_pb2
 
@@ -100,12 +98,10 @@ class Document(NamedTuple):
 
 
 def model_document(model: Model) -> Document:
-    """The document of a model: a path, a mapping as in a document, or a FeatureModel.
+    """The document of a model: a path, or a mapping as in a document.
 
     Raises InvalidRequest, OSError, TypeError, ValueError for NaN and infinities.
     """
-    if isinstance(model, document_pb2.FeatureModel):
-        return _checked(_document_of(model))
     if isinstance(model, Mapping):
         return _checked(Document(_json(model)))
     if isinstance(model, (str, os.PathLike)):
@@ -130,8 +126,6 @@ def edit_document(edits: Sequence[EditLike], parameters: Mapping[str, Any]) -> D
 def _edits_of(edit: EditLike) -> list[Mapping[str, Any]]:
     if isinstance(edit, Edit):
         return [edit.document]
-    if isinstance(edit, document_pb2.ModelEdit):
-        return list(json_format.MessageToDict(edit)["edits"])
     if isinstance(edit, (str, os.PathLike)):
         return list(json.loads(_read(edit).text)["edits"])
     if isinstance(edit, Mapping):
@@ -139,7 +133,7 @@ def _edits_of(edit: EditLike) -> list[Mapping[str, Any]]:
     if isinstance(edit, Iterable):
         return [one for part in edit for one in _edits_of(part)]
     raise TypeError(f"an edit cannot be a {type(edit).__name__}: give parameters by name, a "
-                    "mapping, rc.remove(...) and the like, or a path")
+                    "mapping, rc.remove(...) and the like, or a path; a ModelEdit stands alone")
 
 
 def _edits_of_mapping(edit: Mapping[str, Any]) -> list[Mapping[str, Any]]:
@@ -179,15 +173,3 @@ def _plain(value: Any) -> Any:
 
 def _json(document: Mapping[str, Any]) -> str:
     return json.dumps(document, allow_nan=False, default=_plain)
-
-
-def _document_of(model: document_pb2.FeatureModel) -> Document:
-    """proto3 JSON has lists where a document has objects by name."""
-    plain = json_format.MessageToDict(model)
-    for owner in [plain, *plain.get("features", [])]:
-        if "parameters" in owner:
-            owner["parameters"] = {entry.pop("name"): entry.get("value") if set(entry) <= {"value"}
-                                   else entry for entry in owner["parameters"]}
-    if "groups" in plain:
-        plain["groups"] = {entry.pop("name"): entry for entry in plain["groups"]}
-    return Document(_json(plain))

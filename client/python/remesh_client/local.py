@@ -30,8 +30,8 @@ def find_program(program: os.PathLike[str] | str | None = None) -> str:
             raise _not_started(f"{os.fspath(program)} is no program that can be started")
         return os.path.abspath(found)
     # PREFIX/lib/python3/dist-packages/remesh_client, PREFIX/bin/remeshd.
-    beside = Path(__file__).resolve().parents[4] / "bin" / "remeshd"
-    found = str(beside) if os.access(beside, os.X_OK) else shutil.which("remeshd")
+    beside = Path(__file__).resolve().parent / "../../../../bin/remeshd"
+    found = os.path.normpath(beside) if os.access(beside, os.X_OK) else shutil.which("remeshd")
     if found is None:
         raise _not_started("there is no remeshd beside this package nor on PATH",
                            "install it, or name it: rc.local('/path/to/remeshd')")

@@ -293,6 +293,11 @@ class Mesh:
         from remesh_client._vtk import to_vtk
         return to_vtk(self)
 
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickling: what it was read of, without the daemon."""
+        state = ("content", "revision", "parent", "order", "unit", "model_name")
+        return {"_write_file": None, **{name: self.__dict__[name] for name in state}}
+
     def __repr__(self) -> str:
         mids = f", {len(self.mids)} mid-nodes" if self.order == 2 else ""
         return f"<Mesh {self.revision[:12]}: {len(self.points)} nodes{mids}, {len(self.tets)} tets>"

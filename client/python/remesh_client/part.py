@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping
+from typing import TYPE_CHECKING, Any, Callable, Mapping
 
 from remesh_client._assembler import Content
 from remesh_client._exchange import Exchange, OnProgress
@@ -62,7 +62,9 @@ class Revision:
     """
 
     def __init__(self, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
-                 durable: bool = False, head_conflict: bool = False) -> None:
+                 exchange: Exchange | None, durable: bool, head_conflict: bool) -> None:
+        self._exchange = exchange  # that brings the mesh, until it has
+        self._mesh: Mesh | None = None
         self.revision: str = info.id
         self.parent: str = info.parent
         self.design: str = info.design
@@ -71,6 +73,18 @@ class Revision:
         self.durable = durable
         self.head_conflict = head_conflict
         self.warnings: list[Warning] = [warning_of(warning) for warning in report.warnings]
+
+    def _content(self) -> Content | None:
+        """The arrays of its mesh, once they have come."""
+        if self._mesh is not None:
+            return self._mesh.content
+        return self._exchange.mesh if self._exchange is not None else None
+
+    def _base(self) -> Callable[[], Content | None] | None:
+        """What a delta may be against; None where its mesh neither is here nor comes."""
+        comes = (self._exchange is not None and self._exchange.mesh_error is None
+                 and self._exchange.request.HasField("mesh"))
+        return self._content if self._mesh is not None or comes else None
 
     def __repr__(self) -> str:
         name = f"{self.design}@{self.number} " if self.design else ""
@@ -84,10 +98,8 @@ class Part(Revision):
     def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
                  exchange: Exchange | None = None, durable: bool = False,
                  head_conflict: bool = False) -> None:
-        super().__init__(info, report, durable, head_conflict)
+        super().__init__(info, report, exchange, durable, head_conflict)
         self._daemon = daemon
-        self._exchange = exchange  # that brings the mesh, until it has
-        self._mesh: Mesh | None = None
 
     def edit(self, *edits: EditLike, options: Mapping[str, Any] | None = None, mesh: bool = True,
              file: bool | None = None, progress: OnProgress | None = None,
@@ -104,9 +116,8 @@ class Part(Revision):
         Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
         KeyboardInterrupt cancels the computation.
         """
-        content = self._content if self._has_mesh else None
         return self._daemon._make(edit_of(
-            self.revision, edits, parameters, options or {}, file, mesh, content, progress),
+            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress),
             timeout)
 
     def mesh(self) -> Mesh:
@@ -128,14 +139,3 @@ class Part(Revision):
     def document(self) -> dict[str, Any]:
         """The model, as a document; expressions as written."""
         return self._daemon._document(self.revision)
-
-    @property
-    def _has_mesh(self) -> bool:
-        coming = self._exchange is not None and self._exchange.mesh_error is None
-        asked = coming and self._exchange is not None and self._exchange.request.HasField("mesh")
-        return self._mesh is not None or asked
-
-    def _content(self) -> Content | None:
-        if self._mesh is not None:
-            return self._mesh.content
-        return self._exchange.mesh if self._exchange is not None else None
