@@ -21,9 +21,9 @@ struct Format {
 constexpr Format kFormats[] = {
     {"vtu", client::to_vtu}, {"msh", client::to_msh}, {"inp", client::to_inp}};
 
-/// Peak of a writer by the bytes of the arrays: the copy of the mesh, the file, and the room that
-/// the file's text had before it grew last.
-constexpr std::uint64_t kPeakShare = 5;
+/// Peak of a writer by the bytes of the arrays: the copy of the mesh, and the file, which has up to
+/// 2.2 times as many, with the room that its text had before it grew last and what is copied of it.
+constexpr std::uint64_t kPeakShare = 6;
 
 /// The mesh as a client has it that received all its arrays.
 client::Mesh mesh_of(const HeldRevision& revision) {

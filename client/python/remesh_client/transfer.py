@@ -83,7 +83,8 @@ def _interpolation(old: Mesh, points: npt.NDArray[np.float64]
     nodes = old.tets10[places.tets]
     curved = curved_weights(points, old.all_points[nodes], places.weights)
     lost = ~np.isfinite(curved).all(axis=1) | (curved.min(axis=1) < -_FAR)
-    # Beyond the straight tets, and not in what a curved edge adds to them either.
-    lost |= places.outside & (curved.min(axis=1) < _BULGE)
     curved[lost] = places.weights[lost]
-    return nodes, tet10_values(np.where(lost[:, None], to_simplex(curved), curved))
+    # Beyond the straight tets, and not in what a curved edge adds to them either.
+    beyond = lost | (places.outside & (curved.min(axis=1) < _BULGE))
+    curved[beyond] = to_simplex(curved[beyond])
+    return nodes, tet10_values(curved)
