@@ -70,11 +70,17 @@ def test_quadratic_fields_come_over_by_second_order(daemon, cases):
     assert rc.transfer(coarse, new).shape == (len(new.all_points), len(coarse.points))
 
 
-def test_values_follow_features_that_move(daemon, cases):
-    first = daemon.mesh(cases / "simple-a.json", nodes=1500)
+@pytest.mark.parametrize("order", [1, 2])
+def test_values_follow_features_that_move(daemon, cases, order):
+    first = daemon.mesh(cases / "simple-a.json", nodes=1500, order=order)
     new, old = first.edit(top_x=20).mesh(), first.mesh()
-    values = np.random.default_rng(2).random(len(old.points))
+    values = np.random.default_rng(2).random(len(old.all_points))
     followed = rc.transfer(old, new, follow_features=True) @ values
+    if order == 2:
+        mids = new.parent_mids >= 0
+        assert mids.any() and np.array_equal(followed[len(new.points):][mids],
+                                             values[len(old.points) + new.parent_mids[mids]])
+    followed = followed[:len(new.points)]
     copied = new.origins > 0
     assert np.array_equal(followed[copied], values[new.parent_nodes[copied]])
     went = (new.points[copied] != old.points[new.parent_nodes[copied]]).any(axis=1)

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 def to_meshio(mesh: Mesh) -> meshio.Mesh:
     """Two blocks of cells, tets and boundary facets, and sets of each by name.
 
-    `point_data` has `origin`, `parent_node` and `id` of corner nodes (mid-nodes: their own ids and
-    the parent's mid-nodes after its corner nodes are not told: -1). `cell_sets` has the faces and
-    groups in the block of facets, features and groups in that of tets.
+    `point_data` has `origin`, `parent_node` (-1 of mid-nodes) and `id`; `cell_data` the `cell` of
+    tets and the `facet_group` of facets. `cell_sets` has the faces and groups in the block of
+    facets, features and groups in that of tets.
     """
     import meshio
     second = mesh.order == 2
