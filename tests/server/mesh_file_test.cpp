@@ -119,23 +119,24 @@ TEST_F(MeshFile, TakesMemoryUntilItsClientHasIt) {
   EXPECT_EQ(memory_at_rest(), before);
 }
 
-TEST_F(MeshFile, WaitsForAWorkerAsComputationsDo) {
+TEST_F(MeshFile, IsRefusedWhereWorkersAndQueueAreFull) {
   options_.workers = 1;
-  options_.queue = 0;
+  options_.queue = 1;
   create(plate());
   engine_.close_gate();
-  std::thread busy([this] {
+  const auto make = [this](double radius) {
     v1::RevisionResult reply;
-    EXPECT_TRUE(try_create(create_request(plate(6)), &reply).ok());
-  });
-  ASSERT_TRUE(engine_.wait_at_gate(1));
+    EXPECT_TRUE(try_create(create_request(plate(radius)), &reply).ok());
+  };
+  std::thread at_work(make, 6);
+  EXPECT_TRUE(engine_.wait_at_gate(1));
+  std::thread waiting(make, 7);
+  while (info().load().queued() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_EQ(detail(receive("plate", "inp").status).reason(), v1::Error::BUSY);
   engine_.open_gate();
-  busy.join();
-  grpc::Status status;  // the worker is free a moment after its reply
-  do status = receive("plate", "inp").status;
-  while (status.error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_TRUE(status.ok());
+  at_work.join();
+  waiting.join();
+  EXPECT_TRUE(receive("plate", "inp").status.ok());
 }
 
 }  // namespace
