@@ -118,7 +118,8 @@ class EditStream:
         now = time.monotonic()
         self._broken_since = self._broken_since or now
         again = (failure is not None and is_broken(failure) and self._answered
-                 and now - self._broken_since <= RECONNECT)
+                 and now - self._broken_since <= RECONNECT
+                 and not all(exchange.overdue for exchange in self._unanswered.values()))
         if not again:
             self._call = None
             self._broken_since = None

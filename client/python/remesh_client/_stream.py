@@ -134,6 +134,8 @@ class EditStream:
         self._broken_since = self._broken_since or now
         if not is_broken(failure) or not self._answered or now - self._broken_since > RECONNECT:
             return False
+        if all(exchange.overdue for exchange in self._unanswered.values()):
+            return False
         time.sleep(BETWEEN_TRIES)
         with self._state:
             if self._call is None:
