@@ -13,6 +13,7 @@
 #include "client/library/document_limit.h"
 #include "client/library/edit_stream_impl.h"
 #include "client/library/mesh_assembler.h"
+#include "client/library/mesh_file_assembler.h"
 #include "client/library/mesh_selection.h"
 #include "client/library/reconnecting.h"
 #include "client/library/status.h"
@@ -63,6 +64,21 @@ Reply read(const auto& impl, Method<Service, Request, Reply> method, const Reque
     patience.heard();
     return reply;
   }
+}
+
+/// Hands all messages of a transfer to `take`; cancels the call where that throws.
+template <class Response>
+grpc::Status read_all(grpc::ClientReader<Response>& reader, CallContext& context,
+                      const auto& take) {
+  Response response;
+  try {
+    while (reader.Read(&response)) take(response);
+  } catch (...) {
+    context.cancel();
+    reader.Finish();
+    throw;
+  }
+  return reader.Finish();
 }
 
 bool encrypts(const ConnectOptions& options) {
@@ -157,22 +173,37 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
   while (true) {
     CallContext context(patience.rest(), impl_->token);
     const auto reader = impl_->stub->GetMesh(context.get(), request);
-    remesh::v1::GetMeshResponse response;
-    try {
-      while (reader->Read(&response)) {
-        patience.heard();
-        assembler.add(response.mesh());
-        if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
-      }
-    } catch (...) {
-      context.cancel();
-      reader->Finish();
-      throw;
-    }
-    const grpc::Status status = reader->Finish();
+    const auto take = [&](const remesh::v1::GetMeshResponse& response) {
+      patience.heard();
+      assembler.add(response.mesh());
+      if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
+    };
+    const grpc::Status status = read_all(*reader, context, take);
     if (status.ok()) return assembler.finish();
     if (!patience.tries_again(status)) check(status);
     if (const auto position = assembler.resume()) *request.mutable_resume_from() = *position;
+  }
+}
+
+std::string Client::get_mesh_file(const std::string& revision, const std::string& format,
+                                  const CallOptions& call, const OnTransfer& on_transfer) const {
+  remesh::v1::GetMeshFileRequest request;
+  request.set_revision(revision);
+  request.set_format(format);
+  MeshFileAssembler assembler;
+  Reconnecting patience(call, impl_->answered);
+  while (true) {
+    CallContext context(patience.rest(), impl_->token);
+    const auto reader = impl_->stub->GetMeshFile(context.get(), request);
+    const auto take = [&](const remesh::v1::GetMeshFileResponse& response) {
+      patience.heard();
+      assembler.add(response);
+      if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
+    };
+    const grpc::Status status = read_all(*reader, context, take);
+    if (status.ok()) return assembler.finish();
+    if (!patience.tries_again(status)) check(status);
+    assembler.restart();
   }
 }
 

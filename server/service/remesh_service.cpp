@@ -12,6 +12,7 @@
 #include "server/service/lists.h"
 #include "server/service/located.h"
 #include "server/service/mesh_call.h"
+#include "server/service/mesh_file_call.h"
 #include "server/service/query.h"
 #include "server/service/raw_service.h"
 #include "server/service/remake.h"
@@ -31,13 +32,13 @@ using Reply = grpc::ServerUnaryReactor;
 using RawService = RawMethods<
     Remesh::Service, Remesh::WithRawCallbackMethod_CreateRevision,
     Remesh::WithRawCallbackMethod_EditRevision, Remesh::WithRawCallbackMethod_EditStream,
-    Remesh::WithRawCallbackMethod_GetMesh, Remesh::WithRawCallbackMethod_GetRevision,
-    Remesh::WithRawCallbackMethod_GetRecipe, Remesh::WithRawCallbackMethod_RemakeRevision,
-    Remesh::WithRawCallbackMethod_ListRevisions, Remesh::WithRawCallbackMethod_ListDesigns,
-    Remesh::WithRawCallbackMethod_SetHead, Remesh::WithRawCallbackMethod_DeleteRevision,
-    Remesh::WithRawCallbackMethod_DeleteDesign, Remesh::WithRawCallbackMethod_Compare,
-    Remesh::WithRawCallbackMethod_ValidateModel, Remesh::WithRawCallbackMethod_ValidateEdit,
-    Remesh::WithRawCallbackMethod_ListFeatureTypes,
+    Remesh::WithRawCallbackMethod_GetMesh, Remesh::WithRawCallbackMethod_GetMeshFile,
+    Remesh::WithRawCallbackMethod_GetRevision, Remesh::WithRawCallbackMethod_GetRecipe,
+    Remesh::WithRawCallbackMethod_RemakeRevision, Remesh::WithRawCallbackMethod_ListRevisions,
+    Remesh::WithRawCallbackMethod_ListDesigns, Remesh::WithRawCallbackMethod_SetHead,
+    Remesh::WithRawCallbackMethod_DeleteRevision, Remesh::WithRawCallbackMethod_DeleteDesign,
+    Remesh::WithRawCallbackMethod_Compare, Remesh::WithRawCallbackMethod_ValidateModel,
+    Remesh::WithRawCallbackMethod_ValidateEdit, Remesh::WithRawCallbackMethod_ListFeatureTypes,
     Remesh::WithRawCallbackMethod_GetServerInfo>::Type;
 
 class RawRemeshService final : public RawService {
@@ -64,6 +65,10 @@ class RawRemeshService final : public RawService {
   grpc::ServerWriteReactor<Bytes>* GetMesh(Context* context, const Bytes* in) override {
     return work_on_stream<v1::GetMeshRequest>(tenants_, options_, "GetMesh", context, *in,
                                               send_mesh);
+  }
+  grpc::ServerWriteReactor<Bytes>* GetMeshFile(Context* context, const Bytes* in) override {
+    return work_on_stream<v1::GetMeshFileRequest>(tenants_, options_, "GetMeshFile", context, *in,
+                                                  send_mesh_file);
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {

@@ -1,5 +1,6 @@
 #include "server/service/server_info.h"
 
+#include "server/service/mesh_file.h"
 #include "server/service/mesh_messages.h"
 #include "server/service/stream_queue.h"
 
@@ -66,6 +67,8 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
   for (const std::uint32_t order : {1U, 2U}) out.mutable_capabilities()->add_orders(order);
   for (const v1::MeshArray array : supported_arrays())
     out.mutable_capabilities()->add_arrays(array);
+  for (const std::string& format : mesh_file_formats())
+    out.mutable_capabilities()->add_formats(format);
   put_limits(session, facts, limits, *out.mutable_limits());
   put_load(session, facts, *out.mutable_load());
   return out;

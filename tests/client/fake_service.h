@@ -42,8 +42,9 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   /// Breaks a stream off at the request after so many answers; the next ones stay.
   std::optional<int> stream_break;
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
-  /// Breaks every GetMesh off after so many messages.
+  /// Breaks every GetMesh off after so many messages, and the next GetMeshFile.
   std::optional<int> mesh_break;
+  std::vector<remesh::v1::GetMeshFileResponse> file_messages;  ///< of every GetMeshFile
   Mesh mesh = sample_mesh(1);
   /// The meshes of `rev-1`, `rev-2`, ... of the stream; beyond the last: `mesh`.
   std::vector<Mesh> stream_meshes;
@@ -69,6 +70,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::vector<remesh::v1::SetHeadRequest> heads;
   std::vector<remesh::v1::RemakeRevisionRequest> remakes;
   std::vector<remesh::v1::GetMeshRequest> mesh_requests;
+  std::vector<remesh::v1::GetMeshFileRequest> file_requests;
 
   grpc::Status EditStream(
       grpc::ServerContext* context,
@@ -139,6 +141,19 @@ class FakeService final : public remesh::v1::RemeshService::Service {
       remesh::v1::GetMeshResponse response;
       *response.mutable_mesh() = message;
       writer->Write(response);
+    }
+    return grpc::Status::OK;
+  }
+
+  grpc::Status GetMeshFile(grpc::ServerContext*, const remesh::v1::GetMeshFileRequest* request,
+                           grpc::ServerWriter<remesh::v1::GetMeshFileResponse>* writer) override {
+    file_requests.push_back(*request);
+    if (failure) return status_of(*failure);
+    const auto stop = std::exchange(mesh_break, std::nullopt);
+    int written = 0;
+    for (const auto& message : file_messages) {
+      if (stop && written++ == *stop) return {grpc::StatusCode::UNAVAILABLE, "told by the test"};
+      writer->Write(message);
     }
     return grpc::Status::OK;
   }
@@ -258,24 +273,6 @@ class FakeService final : public remesh::v1::RemeshService::Service {
  private:
   using Stream =
       grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>;
-
-  /// Leaves out the parts before a position, as the daemon does.
-  static void drop_before(const remesh::v1::MeshPosition& position,
-                          std::vector<remesh::v1::MeshMessage>& messages) {
-    bool met = false, behind = false;
-    std::erase_if(messages, [&](const remesh::v1::MeshMessage& message) {
-      if (!message.has_part()) return false;
-      const bool in_array = message.part().array() == position.array();
-      behind = behind || (met && !in_array) ||
-               (in_array && message.part().offset() >= position.offset());
-      met = met || in_array;
-      return !behind;
-    });
-    auto& end = *messages.back().mutable_end();
-    end.set_parts(static_cast<std::uint32_t>(messages.size() - 2));
-    end.set_bytes(0);
-    for (const auto& message : messages) end.set_bytes(end.bytes() + message.part().data().size());
-  }
 
   void fill(remesh::v1::ModelCheck& check) const {
     check.set_volume(258000);

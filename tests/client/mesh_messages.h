@@ -168,4 +168,22 @@ inline std::vector<remesh::v1::MeshMessage> mesh_messages(const Mesh& mesh,
   return messages;
 }
 
+/// Leaves out the parts before a position, as the daemon does.
+inline void drop_before(const remesh::v1::MeshPosition& position,
+                        std::vector<remesh::v1::MeshMessage>& messages) {
+  bool met = false, behind = false;
+  std::erase_if(messages, [&](const remesh::v1::MeshMessage& message) {
+    if (!message.has_part()) return false;
+    const bool in_array = message.part().array() == position.array();
+    behind =
+        behind || (met && !in_array) || (in_array && message.part().offset() >= position.offset());
+    met = met || in_array;
+    return !behind;
+  });
+  auto& end = *messages.back().mutable_end();
+  end.set_parts(static_cast<std::uint32_t>(messages.size() - 2));
+  end.set_bytes(0);
+  for (const auto& message : messages) end.set_bytes(end.bytes() + message.part().data().size());
+}
+
 }  // namespace remeshd::client

@@ -79,6 +79,13 @@ class Rule(unittest.TestCase):
         self.forbids(rule, "server/store/a.cpp", '#include "server/session/b.h"')
         self.forbids(rule, "server/store/a.cpp", '#include "client/library/b.h"')
 
+    def test_of_the_client_the_service_sees_the_writers_of_mesh_files_alone(self):
+        rule = structure.server_layers_look_inwards
+        self.allows(rule, "server/service/a.cpp", '#include "remeshd/mesh_file.h"')
+        self.allows(rule, "server/service/a.cpp", '#include "client/library/mesh_arrays.h"')
+        self.forbids(rule, "server/service/a.cpp", '#include "remeshd/client.h"')
+        self.forbids(rule, "server/session/a.cpp", '#include "remeshd/mesh_file.h"')
+
     def test_sources_that_any_program_may_use_name_their_licence_first(self):
         rule = structure.apache_folders_say_so
         self.allows(rule, "proto/a.h", "// SPDX-License-Identifier: Apache-2.0")

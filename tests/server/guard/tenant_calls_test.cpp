@@ -132,6 +132,13 @@ class NamesOfAnother : public TenantCalls {
     for (v1::GetMeshResponse part; reader->Read(&part);) ADD_FAILURE() << "a mesh is sent";
     return told(reader->Finish());
   }
+  Told ask_mesh_file(const v1::GetMeshFileRequest& request) {
+    grpc::ClientContext context;
+    context.AddMetadata("authorization", "Bearer " + token_of("ben"));
+    const auto reader = stub().GetMeshFile(&context, request);
+    for (v1::GetMeshFileResponse part; reader->Read(&part);) ADD_FAILURE() << "a file is sent";
+    return told(reader->Finish());
+  }
   Told ask_stream(const v1::EditStreamRequest& request) {
     grpc::ClientContext context;
     context.AddMetadata("authorization", "Bearer " + token_of("ben"));
@@ -184,6 +191,9 @@ class NamesOfAnother : public TenantCalls {
     mesh = revision(v1::GetMeshRequest());
     mesh.mutable_resume_from()->set_array(v1::MESH_ARRAY_TETS);
     heard["GetMesh, resumed"] = ask_mesh(mesh);
+    v1::GetMeshFileRequest file = revision(v1::GetMeshFileRequest());
+    file.set_format("inp");
+    heard["GetMeshFile"] = ask_mesh_file(file);
     v1::EditStreamRequest request;
     *request.mutable_edit() = base(v1::EditRevisionRequest());
     heard["EditStream"] = ask_stream(request);

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The EditStream beneath an asynchronous Daemon: one task reads the answers for all."""
+from __future__ import annotations
+
+import asyncio
+import time
+from typing import Any, Callable
+
+import grpc
+import grpc.aio
+
+from remesh_client._exchange import (BETWEEN_TRIES, RECONNECT, Exchange, cancel_request,
+                                     is_broken, stream_ended)
+from remesh_client.errors import Error, made_here
+
+
+class EditStream:
+    """For one event loop."""
+
+    def __init__(self, open_call: Callable[[], Any]) -> None:
+        """open_call: begins a call of EditStream."""
+        self._open_call = open_call
+        self._call: Any = None
+        self._reader: asyncio.Task[None] | None = None
+        self._unanswered: dict[str, Exchange] = {}  # in the order sent
+        self._changed = asyncio.Condition()  # an answer has come
+        self._writing = asyncio.Lock()
+        self._answered = False
+        self._broken_since: float | None = None
+        self._raised: dict[str, BaseException] = {}  # by progress callbacks
+
+    async def send(self, exchange: Exchange) -> None:
+        async with self._writing:
+            if self._call is None:
+                self._call = self._open_call()
+            self._unanswered[exchange.id] = exchange
+            if self._reader is None or self._reader.done():
+                self._reader = asyncio.create_task(self._read())
+            await self._write(exchange.request)
+
+    async def wait(self, exchange: Exchange, done: Callable[[Exchange], bool],
+                   timeout: float | None = None) -> None:
+        """Until it is so, or all is answered. Where the waiting task is cancelled, so is the
+        request, at the daemon too."""
+        def ready() -> bool:
+            return exchange.done or done(exchange) or exchange.id in self._raised
+        try:
+            async with self._changed:
+                try:
+                    await asyncio.wait_for(self._changed.wait_for(ready), timeout)
+                except asyncio.TimeoutError:
+                    exchange.overdue = True
+                    await self._cancel(exchange)
+                    await self._changed.wait_for(ready)
+        except asyncio.CancelledError:
+            await self._cancel(exchange)
+            raise
+        if exchange.id in self._raised:
+            await self._cancel(exchange)
+            raise self._raised.pop(exchange.id)
+
+    async def cancel_all(self) -> None:
+        call, self._call = self._call, None
+        reader, self._reader = self._reader, None
+        if reader is not None:
+            reader.cancel()
+            await asyncio.gather(reader, return_exceptions=True)
+        if call is not None:
+            call.cancel()
+        await self._fail_all(lambda: made_here(Error.CODE_CANCELLED, "the request was cancelled",
+                                               Error.CANCELLED))
+
+    async def _cancel(self, exchange: Exchange) -> None:
+        if exchange.id in self._unanswered and self._call is not None:
+            await self._write(cancel_request(exchange))
+
+    async def _write(self, request: Any) -> None:
+        try:
+            await self._call.write(request)
+        except (grpc.RpcError, asyncio.InvalidStateError):
+            pass  # the call is at its end: the reader sees to it
+
+    async def _read(self) -> None:
+        """While something is unanswered. Ends of streams and faults go to the requests."""
+        while self._unanswered:
+            try:
+                answer = await self._call.read()
+                if answer is grpc.aio.EOF:
+                    await self._ended(None if await self._call.code() is grpc.StatusCode.OK
+                                      else await self._failure())
+                    continue
+            except grpc.RpcError as failure:
+                await self._ended(failure)
+                continue
+            self._answered, self._broken_since = True, None
+            await self._take(answer)
+
+    async def _failure(self) -> grpc.aio.AioRpcError:
+        call = self._call
+        return grpc.aio.AioRpcError(await call.code(), await call.initial_metadata(),
+                                    await call.trailing_metadata(), await call.details())
+
+    async def _take(self, answer: Any) -> None:
+        exchange = self._unanswered.get(answer.request_id)
+        if exchange is None:
+            return
+        try:
+            exchange.take(answer)
+        except Exception as raised:  # by the progress callback: whoever waits hears of it
+            self._raised[exchange.id] = raised
+        if exchange.done:
+            self._unanswered.pop(exchange.id, None)
+        async with self._changed:
+            self._changed.notify_all()
+
+    async def _ended(self, failure: grpc.RpcError | None) -> None:
+        """Sends all that is unanswered again in a new call, or tells why not."""
+        now = time.monotonic()
+        self._broken_since = self._broken_since or now
+        again = (failure is not None and is_broken(failure) and self._answered
+                 and now - self._broken_since <= RECONNECT
+                 and not all(exchange.overdue for exchange in self._unanswered.values()))
+        if not again:
+            self._call = None
+            self._broken_since = None
+            await self._fail_all(lambda: stream_ended(failure))
+            return
+        await asyncio.sleep(BETWEEN_TRIES)
+        async with self._writing:
+            self._call = self._open_call()
+            for exchange in list(self._unanswered.values()):
+                exchange.restart()
+                await self._write(exchange.request)
+
+    async def _fail_all(self, why: Callable[[], Any]) -> None:
+        unanswered = list(self._unanswered.values())
+        self._unanswered.clear()
+        for exchange in unanswered:
+            exchange.fail(why())
+        async with self._changed:
+            self._changed.notify_all()

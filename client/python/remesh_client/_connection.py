@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Channels to a daemon, for the synchronous client and the asynchronous one."""
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import grpc
+
+from remesh_client.errors import Error, made_here
+
+DEFAULT_ADDRESS = "127.0.0.1:50051"
+_MAX_MESSAGE = 256 << 20  # bytes: models are the largest single messages
+_KEEPALIVE_MS, _KEEPALIVE_TIMEOUT_MS = 30_000, 20_000
+
+
+@dataclass(frozen=True)
+class Access:
+    """How to reach a daemon: PEM files, and a token that speaks for a tenant.
+
+    tls_ca: who signed the daemon's certificate. tls_cert, tls_key: the client's own. token_file:
+    a file with the token in its first line.
+    """
+
+    tls_ca: os.PathLike[str] | str | None = None
+    tls_cert: os.PathLike[str] | str | None = None
+    tls_key: os.PathLike[str] | str | None = None
+    token_file: os.PathLike[str] | str | None = None
+
+    @property
+    def encrypts(self) -> bool:
+        return self.tls_ca is not None or self.tls_cert is not None
+
+    def credentials(self) -> grpc.ChannelCredentials:
+        """Raises OSError where a file cannot be read."""
+        ca, key, cert = (None if path is None else Path(path).read_bytes()
+                         for path in (self.tls_ca, self.tls_key, self.tls_cert))
+        return grpc.ssl_channel_credentials(ca, key, cert)
+
+    def metadata(self, address: str) -> list[tuple[str, str]]:
+        """What every call sends. A token is as good as a password: it never goes in the clear to
+        another machine; raises InvalidRequest instead."""
+        if self.token_file is None:
+            return []
+        if not self.encrypts and not is_here(address):
+            raise made_here(Error.CODE_INVALID_ARGUMENT,
+                            f"a token would be sent to {address} for anyone to read",
+                            hint="use TLS: tls_ca=FILE")
+        token = Path(self.token_file).read_text(encoding="utf-8").split("\n", 1)[0].strip()
+        return [("authorization", f"Bearer {token}")]
+
+
+def is_loopback(address: str) -> bool:
+    return address.startswith(("127.", "localhost:", "[::1]:"))
+
+
+def is_here(address: str) -> bool:
+    """Whether it is on this machine."""
+    return is_loopback(address) or address.startswith("unix:")
+
+
+def channel_options(address: str) -> list[tuple[str, Any]]:
+    """Of a channel, as the C++ client has them."""
+    options: list[tuple[str, Any]] = [
+        ("grpc.keepalive_time_ms", _KEEPALIVE_MS),
+        ("grpc.keepalive_timeout_ms", _KEEPALIVE_TIMEOUT_MS),
+        ("grpc.max_receive_message_length", _MAX_MESSAGE)]
+    if is_loopback(address):  # a proxy of the environment would be asked even for the way here
+        options.append(("grpc.enable_http_proxy", 0))
+    return options
+
+
+def address_or_default(address: str | None) -> str:
+    """REMESH_ADDRESS where none is given, else the address that a daemon has by default."""
+    return address or os.environ.get("REMESH_ADDRESS") or DEFAULT_ADDRESS

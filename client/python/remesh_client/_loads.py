@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Nodal forces that do the work of a load on facets: consistent loads of T3 and T6."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from remesh_client.mesh import Mesh, NodeSet
+
+Floats = npt.NDArray[np.float64]
+
+# Quadrature of a triangle, exact to degree 5 (Dunavant 1985): barycentric coordinates, weights.
+_A, _B = 0.059715871789770, 0.470142064105115
+_C, _D = 0.797426985353087, 0.101286507323456
+_POINTS = np.array([[1 / 3, 1 / 3, 1 / 3], [_A, _B, _B], [_B, _A, _B], [_B, _B, _A],
+                    [_C, _D, _D], [_D, _C, _D], [_D, _D, _C]])
+_WEIGHTS = np.array([0.225] + 3 * [0.132394152788506] + 3 * [0.125939180544827])
+
+
+def force(mesh: Mesh, facets: NodeSet, total: Floats) -> Floats:
+    """(len(mesh.all_points), 3) nodal forces of a total force (3,), spread evenly by area.
+
+    Raises ValueError where there are no facets.
+    """
+    nodes, values, area_vectors = _surface(mesh, facets)
+    shares = np.einsum("q,qi,kq->ki", _WEIGHTS, values, np.linalg.norm(area_vectors, axis=2))
+    shares /= shares.sum()
+    return _sum(mesh, nodes, shares[:, :, None] * np.asarray(total, float))
+
+
+def pressure(mesh: Mesh, facets: NodeSet, value: float) -> Floats:
+    """Likewise of a pressure, force by area, that acts against the outward normal."""
+    nodes, values, area_vectors = _surface(mesh, facets)
+    return _sum(mesh, nodes, -value * np.einsum("q,qi,kqc->kic", _WEIGHTS, values, area_vectors))
+
+
+def _surface(mesh: Mesh, facets: NodeSet) -> tuple[npt.NDArray[np.int32], Floats, Floats]:
+    """Nodes of each facet (k, i), shape functions (q, i) and, at each point of the quadrature,
+    the outward normal times the area (k, q, 3)."""
+    if not len(facets.facet_indices):
+        raise ValueError(f"{facets.name} has no facets for a load to act on")
+    second = mesh.order == 2
+    nodes = facets.facets6 if second else facets.facets
+    values, derivatives = _shapes6() if second else _shapes3()
+    places = mesh.all_points[nodes]
+    along = np.einsum("qiw,kic->kqwc", derivatives, places)
+    return nodes, values, 0.5 * np.cross(along[:, :, 0], along[:, :, 1])
+
+
+def _shapes3() -> tuple[Floats, Floats]:
+    """Values (q, 3) and derivatives (q, 3, 2) by the second and third coordinate."""
+    slopes = np.array([[-1.0, -1], [1, 0], [0, 1]])
+    return _POINTS, np.broadcast_to(slopes, (len(_POINTS), 3, 2))
+
+
+def _shapes6() -> tuple[Floats, Floats]:
+    """The same of a triangle with mid-nodes of the edges 01 12 20."""
+    a, b, c = _POINTS.T
+    values = np.column_stack([a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1), 4 * a * b,
+                              4 * b * c, 4 * c * a])
+    zero = np.zeros_like(a)
+    by_b = np.column_stack([1 - 4 * a, 4 * b - 1, zero, 4 * (a - b), 4 * c, -4 * c])
+    by_c = np.column_stack([1 - 4 * a, zero, 4 * c - 1, -4 * b, 4 * b, 4 * (a - c)])
+    return values, np.stack([by_b, by_c], axis=2)
+
+
+def _sum(mesh: Mesh, nodes: npt.NDArray[np.int32], forces: Floats) -> Floats:
+    out = np.zeros((len(mesh.all_points), 3))
+    np.add.at(out, nodes, forces)
+    return out

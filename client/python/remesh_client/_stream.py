@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The EditStream beneath a Daemon: requests sent, answers read by whoever waits for one."""
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from typing import Any, Callable, Iterator
+
+import grpc
+
+from remesh_client._exchange import (BETWEEN_TRIES, RECONNECT, Exchange, cancel_request,
+                                     is_broken, stream_ended)
+from remesh_client.errors import Error, made_here
+from remesh_client.v1 import stream_pb2
+
+Request = stream_pb2.EditStreamRequest
+
+
+class _Call:
+    """One call of EditStream; a stream that broke goes on in another one."""
+
+    def __init__(self, open_call: Callable[[Iterator[Request]], Any]) -> None:
+        self._requests: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
+        self.answers = open_call(iter(self._requests.get, None))
+
+    def send(self, request: Request) -> None:
+        self._requests.put(request)
+
+    def end(self) -> None:
+        self._requests.put(None)
+
+    def cancel(self) -> None:
+        self.answers.cancel()
+        self.end()
+
+    def is_active(self) -> bool:
+        return bool(self.answers.is_active())
+
+
+class EditStream:
+    """May be used by several threads. One of those that wait reads for all."""
+
+    def __init__(self, open_call: Callable[[Iterator[Request]], Any]) -> None:
+        """open_call: begins a call of EditStream with the requests that it is given."""
+        self._open_call = open_call
+        self._call: _Call | None = None
+        self._unanswered: dict[str, Exchange] = {}  # in the order sent
+        self._state = threading.Lock()  # guards these
+        self._reading = threading.RLock()  # one reads
+        self._answered = False  # this daemon has answered before
+        self._broken_since: float | None = None
+
+    def send(self, exchange: Exchange) -> None:
+        with self._state:
+            if self._call is None or not (self._unanswered or self._call.is_active()):
+                self._call = _Call(self._open_call)
+            self._unanswered[exchange.id] = exchange
+            self._call.send(exchange.request)
+
+    def wait(self, exchange: Exchange, done: Callable[[Exchange], bool],
+             timeout: float | None = None) -> None:
+        """Reads answers until it is so, or all is answered. Where that is left by an exception,
+        KeyboardInterrupt for one, whatever is under way is cancelled, at the daemon too."""
+        timer = None
+        if timeout is not None and not done(exchange):
+            timer = threading.Timer(timeout, self._give_up, [exchange])
+            timer.daemon = True
+            timer.start()
+        try:
+            with self._reading:
+                while not (exchange.done or done(exchange)):
+                    self._read()
+        except BaseException:
+            self.cancel_all()
+            raise
+        finally:
+            if timer is not None:
+                timer.cancel()
+
+    def cancel_all(self) -> None:
+        """Cancels all requests; the next one begins another call."""
+        with self._state:
+            call, self._call = self._call, None
+            unanswered = list(self._unanswered.values())
+            self._unanswered.clear()
+        if call is not None:
+            call.cancel()
+        for exchange in unanswered:
+            exchange.fail(made_here(Error.CODE_CANCELLED, "the request was cancelled",
+                                    Error.CANCELLED))
+
+    def _give_up(self, exchange: Exchange) -> None:
+        exchange.overdue = True
+        with self._state:
+            if self._call is not None and exchange.id in self._unanswered:
+                self._call.send(cancel_request(exchange))
+
+    def _read(self) -> None:
+        """Takes one answer. Pre: something is unanswered, and nobody else reads."""
+        with self._state:
+            call = self._call
+        if call is None:  # cancelled by another thread, which tells whom it concerns
+            time.sleep(0.001)
+            return
+        try:
+            answer = next(call.answers)
+        except grpc.RpcError as failure:
+            if call is self._call and not self._reopen(failure):
+                self._end(failure)
+        except StopIteration:
+            if call is self._call:
+                self._end(None)
+        else:
+            self._take(answer)
+
+    def _take(self, answer: stream_pb2.EditStreamResponse) -> None:
+        self._answered = True
+        self._broken_since = None
+        exchange = self._unanswered.get(answer.request_id)
+        if exchange is None:
+            return
+        exchange.take(answer)
+        if exchange.done:
+            with self._state:
+                self._unanswered.pop(exchange.id, None)
+
+    def _reopen(self, failure: grpc.RpcError) -> bool:
+        """Sends all that is unanswered again, in a new call; False where that is of no use.
+
+        Each request names its base by id, so nothing can be done twice.
+        """
+        now = time.monotonic()
+        self._broken_since = self._broken_since or now
+        if not is_broken(failure) or not self._answered or now - self._broken_since > RECONNECT:
+            return False
+        if all(exchange.overdue for exchange in self._unanswered.values()):
+            return False
+        time.sleep(BETWEEN_TRIES)
+        with self._state:
+            if self._call is None:
+                return True
+            self._call.end()
+            self._call = _Call(self._open_call)
+            for exchange in self._unanswered.values():
+                exchange.restart()
+                self._call.send(exchange.request)
+        return True
+
+    def _end(self, failure: grpc.RpcError | None) -> None:
+        with self._state:
+            self._call = None
+            unanswered = list(self._unanswered.values())
+            self._unanswered.clear()
+        self._broken_since = None
+        for exchange in unanswered:
+            exchange.fail(stream_ended(failure))

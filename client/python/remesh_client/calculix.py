@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Linear elasticity by CalculiX (`ccx`, Debian: calculix-ccx).
+
+    from remesh_client import calculix
+    solution = calculix.solve(mesh, calculix.Elastic(210000, 0.3), supports={"plate.bottom": "xyz"},
+                              loads={"pin1.top": (1000, 0, 0), "hole.wall": calculix.Pressure(5)})
+    solution.displacements, solution.von_mises
+
+Names are those of groups of the model, or of its faces. Units are those of the mesh: with mm and N,
+moduli, pressures and stresses are in MPa.
+"""
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Mapping, Sequence, Union
+
+import numpy as np
+
+from remesh_client import _loads
+from remesh_client._frd import read_frd
+from remesh_client._loads import Floats
+from remesh_client.mesh import Mesh, NodeSet
+
+_AXES = {"x": 1, "y": 2, "z": 3}
+_JOB = "job"
+
+
+@dataclass(frozen=True)
+class Elastic:
+    """An isotropic material: Young's modulus, force by area, and Poisson's ratio."""
+
+    young: float
+    poisson: float
+
+
+@dataclass(frozen=True)
+class Pressure:
+    """Force by area against the outward normal."""
+
+    value: float
+
+
+Support = Union[str, Mapping[str, float]]  # "xyz": held; {"x": 0.1}: moved by so much
+Load = Union[Sequence[float], Pressure]  # a total force x y z, or a pressure
+
+
+class CalculixError(RuntimeError):
+    """`ccx` failed; the message is what it said, `output` all of it."""
+
+    def __init__(self, message: str, output: str = "") -> None:
+        super().__init__(message)
+        self.output = output
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Of one load case; N is len(mesh.all_points).
+
+    displacements: (N, 3). stresses: (N, 6) xx yy zz xy yz zx, averaged at nodes by ccx, tension
+    positive. forces: (N, 3) the nodal forces applied. Numbers have the six digits of ccx's file.
+    """
+
+    displacements: Floats
+    stresses: Floats
+    forces: Floats
+
+    @cached_property
+    def von_mises(self) -> Floats:
+        """(N,) von Mises stress."""
+        xx, yy, zz, xy, yz, zx = self.stresses.T
+        shear = xy**2 + yz**2 + zx**2
+        squares = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+        stress: Floats = np.sqrt(0.5 * squares + 3 * shear)
+        return stress
+
+    @property
+    def work(self) -> float:
+        """Twice the strain energy where supports do not move: forces times displacements."""
+        return float((self.forces * self.displacements).sum())
+
+
+def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
+          loads: Mapping[str, Load], *, limit: float = 600, threads: int = 1,
+          program: os.PathLike[str] | str = "ccx",
+          folder: os.PathLike[str] | str | None = None) -> Solution:
+    """Displacements and stresses of a mesh of either order, C3D4 or C3D10.
+
+    supports: by name the directions in which the nodes are held. loads: by name a total force,
+    spread evenly over the facets, or a Pressure; as the nodal forces that are consistent with the
+    elements. limit: s that ccx may take. folder: where its files are to stay; default: a temporary
+    one. Raises CalculixError, with ccx's message, where it is missing, fails or takes too long;
+    KeyError for a name that is not on the mesh; ValueError for an empty set and bad values.
+    """
+    forces = np.zeros((len(mesh.all_points), 3))
+    for name, load in loads.items():
+        forces += _nodal_forces(mesh, _named(mesh, name), load)
+    deck = _deck(mesh, material, supports, forces)
+    if folder is not None:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        return _run(mesh, deck, forces, Path(folder), limit, threads, program)
+    with tempfile.TemporaryDirectory(prefix="remesh-ccx-") as temporary:
+        return _run(mesh, deck, forces, Path(temporary), limit, threads, program)
+
+
+def write_deck(path: os.PathLike[str] | str, mesh: Mesh, material: Elastic,
+               supports: Mapping[str, Support], loads: Mapping[str, Load]) -> Path:
+    """Writes the input file of `solve`; returns its path. Raises as `solve` does."""
+    forces = np.zeros((len(mesh.all_points), 3))
+    for name, load in loads.items():
+        forces += _nodal_forces(mesh, _named(mesh, name), load)
+    target = Path(path)
+    target.write_text(_deck(mesh, material, supports, forces), encoding="ascii")
+    return target
+
+
+def _named(mesh: Mesh, name: str) -> NodeSet:
+    if name in mesh.groups:
+        return mesh.groups[name]
+    if name in mesh.faces:
+        return mesh.faces[name]
+    known = ", ".join([*mesh.groups, *mesh.faces])
+    raise KeyError(f"no group or face {name!r} on this mesh; there are: {known}")
+
+
+def _nodal_forces(mesh: Mesh, facets: NodeSet, load: Load) -> Floats:
+    if isinstance(load, Pressure):
+        return _loads.pressure(mesh, facets, load.value)
+    total = np.asarray(load, float)
+    if total.shape != (3,) or not np.isfinite(total).all():
+        raise ValueError(f"the load on {facets.name} is three finite numbers or a Pressure, "
+                         f"not {load!r}")
+    return _loads.force(mesh, facets, total)
+
+
+def _deck(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
+          forces: Floats) -> str:
+    if not (material.young > 0 and -1 < material.poisson < 0.5):
+        raise ValueError(f"{material}: young must be positive, poisson between -1 and 0.5")
+    elements, kind = (mesh.tets, "C3D4") if mesh.order == 1 else (mesh.tets10, "C3D10")
+    # ccx reads 20 characters of a number.
+    lines = ["*NODE, NSET=all"]
+    lines += [f"{k},{x:.13e},{y:.13e},{z:.13e}"
+              for k, (x, y, z) in enumerate(mesh.all_points.tolist(), 1)]
+    lines += [f"*ELEMENT, TYPE={kind}, ELSET=solid"]
+    lines += [f"{k},{','.join(map(str, nodes))}"
+              for k, nodes in enumerate((elements + 1).tolist(), 1)]
+    lines += ["*MATERIAL, NAME=material", "*ELASTIC", f"{material.young:.12g},"
+              f"{material.poisson:.12g}", "*SOLID SECTION, ELSET=solid, MATERIAL=material",
+              "*STEP", "*STATIC", "*BOUNDARY", *_held(mesh, supports), "*CLOAD"]
+    for node in np.flatnonzero(forces.any(axis=1)).tolist():
+        lines += [f"{node + 1},{axis + 1},{value:.13e}"
+                  for axis, value in enumerate(forces[node].tolist()) if value]
+    return "\n".join([*lines, "*NODE FILE", "U", "*EL FILE", "S", "*END STEP", ""])
+
+
+def _held(mesh: Mesh, supports: Mapping[str, Support]) -> list[str]:
+    lines = []
+    for name, support in supports.items():
+        nodes = _named(mesh, name).all_nodes
+        moves = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
+        if not len(nodes) or not moves or not set(moves) <= set(_AXES):
+            raise ValueError(f"the support {name!r}: {support!r} on {len(nodes)} nodes; give "
+                             "directions out of 'xyz' and a face or group with nodes")
+        lines += [f"{node},{_AXES[axis]},{_AXES[axis]},{value:.13e}"
+                  for node in (nodes + 1).tolist() for axis, value in moves.items()]
+    if not lines:
+        raise ValueError("without a support nothing keeps the part where it is")
+    return lines
+
+
+def _run(mesh: Mesh, deck: str, forces: Floats, folder: Path, limit: float, threads: int,
+         program: os.PathLike[str] | str) -> Solution:
+    (folder / f"{_JOB}.inp").write_text(deck, encoding="ascii")
+    environment = {**os.environ, "OMP_NUM_THREADS": str(threads)}
+    try:
+        run = subprocess.run([program, _JOB], cwd=folder, env=environment, timeout=limit,
+                             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, encoding="utf-8", errors="replace")
+    except FileNotFoundError:
+        raise CalculixError(f"there is no {os.fspath(program)}; Debian has it as calculix-ccx"
+                            ) from None
+    except subprocess.TimeoutExpired:
+        raise CalculixError(f"ccx took longer than {limit:g} s") from None
+    results = folder / f"{_JOB}.frd"
+    if run.returncode != 0 or "*ERROR" in run.stdout or not results.exists():
+        raise CalculixError(_said(run.stdout, run.returncode), run.stdout)
+    fields = read_frd(results, len(mesh.all_points))
+    if not {"DISP", "STRESS"} <= fields.keys():
+        raise CalculixError(_said(run.stdout, run.returncode), run.stdout)
+    if not all(np.isfinite(values).all() for values in fields.values()):
+        raise CalculixError("ccx's result has numbers that are not finite: do the supports keep "
+                            "the part where it is?", run.stdout)
+    return Solution(fields["DISP"][:, :3], fields["STRESS"], forces)
+
+
+def _said(output: str, returncode: int) -> str:
+    """Its errors, each with the line after it."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    found = [" ".join(lines[k:k + 2]) for k, line in enumerate(lines) if "*ERROR" in line]
+    return "ccx: " + ("; ".join(found[:3]) or (lines[-1] if lines else "no output")
+                      ) + f" (exit code {returncode})"

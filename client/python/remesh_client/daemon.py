@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A connection to a daemon."""
+from __future__ import annotations
+
+import json
+import os
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Callable, TypeVar
+
+import grpc
+
+from remesh_client import _requests
+from remesh_client._assembler import Content, MeshAssembler
+from remesh_client._connection import Access, address_or_default, channel_options
+from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
+from remesh_client._files import FileAssembler, write_whole
+from remesh_client._stream import EditStream
+from remesh_client.edits import Model
+from remesh_client.errors import Error, from_rpc, made_here
+from remesh_client.local import LocalDaemon
+from remesh_client.options import mesh_options
+from remesh_client.part import Part
+from remesh_client.v1 import (mesh_pb2, model_pb2, remesh_pb2_grpc, revision_pb2, server_pb2)
+
+T = TypeVar("T")
+
+
+class Daemon:
+    """Made by `connect` or `local`; a context manager. May be used by several threads.
+
+    Requests of one Daemon go through one EditStream and are answered in their order.
+    """
+
+    def __init__(self, address: str, access: Access = Access(),
+                 local: LocalDaemon | None = None) -> None:
+        self.address = address
+        self._local = local
+        self._metadata = access.metadata(address)
+        options = channel_options(address)
+        self._channel = (grpc.secure_channel(address, access.credentials(), options)
+                         if access.encrypts else grpc.insecure_channel(address, options))
+        self._stub: Any = remesh_pb2_grpc.RemeshServiceStub(self._channel)  # type: ignore
+        self._reached = False  # it has answered a call
+        self._stream = EditStream(
+            lambda requests: self._stub.EditStream(requests, metadata=self._metadata))
+
+    def mesh(self, model: Model, *, design: str = "", file: bool | None = None,
+             with_mesh: bool = True, progress: OnProgress | None = None,
+             timeout: float | None = None, **options: Any) -> Part:
+        """Meshes a model; the same request again is answered from the daemon's cache.
+
+        model: a path to a JSON document, a mapping as in one, or a FeatureModel. design: the name
+        of the list of revisions that it joins; default: the model's. file: False: in none.
+        with_mesh: has the mesh come along. progress: called with each Progress (stage, iteration,
+        fraction) while this waits. timeout: s. options: as rc.Options, `nodes=8000, order=2`.
+
+        Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
+        KeyboardInterrupt cancels the computation.
+        """
+        return self._make(_requests.first_mesh(model, options, design, file, with_mesh, progress),
+                          timeout)
+
+    def open(self, revision: str) -> Part:
+        """A revision that is there: a design (its head), `design@number`, an id or 8 digits of
+        it. Raises NotFound."""
+        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision))
+        return Part(self, reply.revision, reply.report, durable=reply.durable)
+
+    def validate(self, model: Model, **options: Any) -> model_pb2.ModelCheck:
+        """Checks a model without meshing it: a ModelCheck with what its mesh would come to."""
+        request = model_pb2.ValidateModelRequest(options=mesh_options(options))
+        _requests.put_model(request, model)
+        check: model_pb2.ModelCheck = self._ask("ValidateModel", request).check
+        return check
+
+    def log(self, design: str) -> list[revision_pb2.RevisionInfo]:
+        """The revisions of a design by number. Raises NotFound."""
+        request = revision_pb2.ListRevisionsRequest(
+            filter=revision_pb2.RevisionFilter(design=design))
+        found: list[revision_pb2.RevisionInfo] = []
+        while True:
+            page = self._ask("ListRevisions", request)
+            found += page.revisions
+            if not page.next_page_token:
+                return found
+            request.page_token = page.next_page_token
+
+    def info(self) -> server_pb2.ServerInfo:
+        """Version, capabilities, limits and load of the daemon."""
+        reply: server_pb2.GetServerInfoResponse = self._ask(
+            "GetServerInfo", server_pb2.GetServerInfoRequest())
+        return reply.server
+
+    def close(self) -> None:
+        """Cancels what is under way; ends the daemon too where `local` started it."""
+        self._stream.cancel_all()
+        self._channel.close()
+        if self._local is not None:
+            self._local.stop()
+
+    def __enter__(self) -> Daemon:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Daemon {self.address}>"
+
+    def _make(self, exchange: Exchange, timeout: float | None) -> Part:
+        self._stream.send(exchange)
+        self._stream.wait(exchange, lambda sent: sent.has_result, timeout)
+        if exchange.error is not None:
+            raise exchange.error
+        result = exchange.result
+        if result is None:
+            raise made_here(Error.CODE_CANCELLED, "the request was cancelled", Error.CANCELLED)
+        return Part(self, result.revision, result.report, exchange, result.durable,
+                    result.head_conflict)
+
+    def _ask(self, method: str, request: Any) -> Any:
+        """A call that changes nothing."""
+        def call() -> Any:
+            return getattr(self._stub, method)(request, metadata=self._metadata)
+        return self._again(call)
+
+    def _fetch(self, revision: str) -> Content:
+        """A whole mesh by GetMesh."""
+        def transfer() -> Content:
+            assembler = MeshAssembler()
+            for message in self._stub.GetMesh(mesh_pb2.GetMeshRequest(revision=revision),
+                                              metadata=self._metadata):
+                assembler.add(message.mesh)
+            return assembler.content
+        return self._again(transfer)
+
+    def _write_file(self, revision: str, path: os.PathLike[str] | str) -> Path:
+        request = mesh_pb2.GetMeshFileRequest(revision=revision,
+                                              format=_requests.format_of(path))
+
+        def transfer() -> bytes:
+            assembler = FileAssembler()
+            for message in self._stub.GetMeshFile(request, metadata=self._metadata):
+                assembler.add(message)
+            return assembler.finish()
+        return write_whole(path, self._again(transfer))
+
+    def _document(self, revision: str) -> dict[str, Any]:
+        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision,
+                                                                         documents=True))
+        document: dict[str, Any] = json.loads(reply.model_document)
+        return document
+
+    def _again(self, call: Callable[[], T]) -> T:
+        """Makes a call that changes nothing again where the connection breaks."""
+        begun = time.monotonic()
+        while True:
+            try:
+                answer = call()
+            except grpc.RpcError as failure:
+                late = time.monotonic() - begun > RECONNECT
+                if late or not self._reached or not is_broken(failure):
+                    raise from_rpc(failure) from None
+                time.sleep(BETWEEN_TRIES)
+            else:
+                self._reached = True
+                return answer
+
+
+def connect(address: str | None = None, *, tls_ca: os.PathLike[str] | str | None = None,
+            tls_cert: os.PathLike[str] | str | None = None,
+            tls_key: os.PathLike[str] | str | None = None,
+            token_file: os.PathLike[str] | str | None = None) -> Daemon:
+    """A connection to a daemon; nothing is sent before the first request.
+
+    address: `HOST:PORT`, `unix:/PATH`, or `local` for a daemon that is started for it, as by
+    `local()`. Default: REMESH_ADDRESS, else 127.0.0.1:50051. The others are PEM files of TLS, and
+    a file with a token. Raises OSError where a file cannot be read, InvalidRequest for a token
+    that would go in the clear to another machine.
+    """
+    address = address_or_default(address)
+    if address == "local":
+        return local()
+    return Daemon(address, Access(tls_ca, tls_cert, tls_key, token_file))
+
+
+def local(program: os.PathLike[str] | str | None = None, *options: str) -> Daemon:
+    """Starts a daemon of its own, on a Unix socket in a temporary folder that has its store too.
+
+    It ends, and the folder goes, with `close()` or the `with` statement, and when this process
+    ends, however that comes about. program: `remeshd`; default: the one that was installed with
+    this package, else the one on PATH. options: further ones of its command line, `--workers`,
+    `4`. Raises Unavailable where there is none or it does not start, with what it said.
+    """
+    started = LocalDaemon(program, options)
+    try:
+        return Daemon(started.address, local=started)
+    except BaseException:
+        started.stop()
+        raise

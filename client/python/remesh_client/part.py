@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A revision of a model, and the next ones made of it."""
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Mapping
+
+from remesh_client._assembler import Content
+from remesh_client._exchange import Exchange, OnProgress
+from remesh_client._requests import edit_of
+from remesh_client.edits import EditLike
+from remesh_client.errors import Point
+from remesh_client.mesh import Mesh
+from remesh_client.v1 import error_pb2, report_pb2, revision_pb2
+
+if TYPE_CHECKING:
+    from remesh_client.daemon import Daemon
+
+
+@dataclass(frozen=True)
+class Warning:
+    """A result that is valid, yet not what its reader may think.
+
+    code: `GROUP_EMPTIED`, `CHORDS_COARSE`, ... (error.proto). features, groups: names. point: x y
+    z in the model's unit. nodes_needed: corner nodes that resolve all details, else 0.
+    """
+
+    code: str
+    message: str
+    features: tuple[str, ...] = ()
+    groups: tuple[str, ...] = ()
+    point: Point | None = None
+    nodes_needed: int = 0
+
+    def __str__(self) -> str:
+        return f"{self.code}: {self.message}"
+
+    __repr__ = __str__
+
+
+def warning_of(message: error_pb2.Warning) -> Warning:
+    """The warning of a message; a code that is not known yet keeps its number."""
+    try:
+        code = error_pb2.Warning.Code.Name(message.code).removeprefix("CODE_")
+    except ValueError:
+        code = str(message.code)
+    point = tuple(message.point)
+    return Warning(code, message.message, tuple(message.features), tuple(message.groups),
+                   (point[0], point[1], point[2]) if len(point) == 3 else None,
+                   message.nodes_needed)
+
+
+class Revision:
+    """What a Part tells of its revision.
+
+    revision: id. design, number: its place in a design; empty and 0 in none. report: a Report
+    (report.proto), `report.nodes_kept`, `report.seconds.total`. durable: it survives the daemon.
+    head_conflict: the design's head was another one by then and stayed. warnings: what the report
+    warns of.
+    """
+
+    def __init__(self, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
+                 exchange: Exchange | None, durable: bool, head_conflict: bool) -> None:
+        self._exchange = exchange  # that brings the mesh, until it has
+        self._mesh: Mesh | None = None
+        self.revision: str = info.id
+        self.parent: str = info.parent
+        self.design: str = info.design
+        self.number: int = info.number
+        self.report = report
+        self.durable = durable
+        self.head_conflict = head_conflict
+        self.warnings: list[Warning] = [warning_of(warning) for warning in report.warnings]
+
+    def _content(self) -> Content | None:
+        """The arrays of its mesh, once they have come."""
+        if self._mesh is not None:
+            return self._mesh.content
+        return self._exchange.mesh if self._exchange is not None else None
+
+    def _base(self) -> Callable[[], Content | None] | None:
+        """What a delta may be against; None where its mesh neither is here nor comes."""
+        comes = (self._exchange is not None and self._exchange.mesh_error is None
+                 and self._exchange.request.HasField("mesh"))
+        return self._content if self._mesh is not None or comes else None
+
+    def __repr__(self) -> str:
+        name = f"{self.design}@{self.number} " if self.design else ""
+        return (f"<{type(self).__name__} {name}{self.revision[:12]}: {self.report.nodes} nodes, "
+                f"{self.report.nodes_kept} kept>")
+
+
+class Part(Revision):
+    """A meshed model. It never changes: an edit gives another one."""
+
+    def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
+                 exchange: Exchange | None = None, durable: bool = False,
+                 head_conflict: bool = False) -> None:
+        super().__init__(info, report, exchange, durable, head_conflict)
+        self._daemon = daemon
+
+    def edit(self, *edits: EditLike, options: Mapping[str, Any] | None = None, mesh: bool = True,
+             file: bool | None = None, progress: OnProgress | None = None,
+             timeout: float | None = None, **parameters: Any) -> Part:
+        """The model after edits, remeshed; most of its mesh is this one's, bit for bit.
+
+        edits: `{"hole.radius": 8}`, `rc.remove("rib")`, a document (a mapping or a path to a
+        file), or a list of such. parameters: of the model, by name; one with the name of an
+        argument, or with a dot, stands in a mapping. options: as rc.Options; left out, those of
+        this part hold. mesh: has the mesh come along, as a difference to this one's. file: False:
+        in no design; the design's head stays. progress: called with each Progress (stage,
+        iteration, fraction) while this waits. timeout: s.
+
+        Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
+        KeyboardInterrupt cancels the computation.
+        """
+        return self._daemon._make(edit_of(
+            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress),
+            timeout)
+
+    def mesh(self) -> Mesh:
+        """Its mesh; the same object each time. Raises RemeshError."""
+        if self._mesh is None:
+            if self._exchange is not None:
+                self._daemon._stream.wait(self._exchange, lambda exchange: exchange.done)
+            content = self._content()
+            if content is None:  # not asked for, or damaged on its way
+                content = self._daemon._fetch(self.revision)
+            self._mesh = Mesh(content, self._daemon._write_file)
+            self._exchange = None
+        return self._mesh
+
+    def write(self, path: os.PathLike[str] | str) -> Path:
+        """As Mesh.write, without the mesh coming here."""
+        return self._daemon._write_file(self.revision, path)
+
+    def document(self) -> dict[str, Any]:
+        """The model, as a document; expressions as written."""
+        return self._daemon._document(self.revision)

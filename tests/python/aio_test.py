@@ -1,0 +1,86 @@
+"""The client for asyncio."""
+import asyncio
+import time
+
+import pytest
+
+import remesh_client as rc
+from remesh_client import aio
+
+
+def run(remeshd, scenario):
+    async def main():
+        async with aio.local(remeshd) as daemon:
+            await scenario(daemon)
+    asyncio.run(main())
+
+
+def test_edits_meshes_and_files(remeshd, cases, tmp_path):
+    async def scenario(daemon):
+        part = await daemon.mesh(cases / "tool1-a.json", nodes=1000)
+        await part.mesh()
+        edits = await asyncio.gather(*(part.edit(pin_radius=r) for r in (4.5, 5, 5.5)))
+        for edited, mesh in zip(edits, await asyncio.gather(*(e.mesh() for e in edits))):
+            assert len(mesh.points) == edited.report.nodes and edited.report.nodes_kept > 0
+            whole = await daemon._fetch(edited.revision)
+            for array, values in whole.numbers.items():
+                assert values.tobytes() == mesh.content.numbers[array].tobytes()
+        path = await edits[0].write(tmp_path / "a.inp")
+        assert path.stat().st_size > 10000
+        with pytest.raises(RuntimeError, match="await part.write"):
+            mesh.write(tmp_path / "b.inp")
+        again = await daemon.open(edits[0].revision)
+        assert len((await again.mesh()).points) == edits[0].report.nodes
+    run(remeshd, scenario)
+
+
+def test_errors_and_progress(remeshd, cases):
+    async def scenario(daemon):
+        told = []
+        part = await daemon.mesh(cases / "tool1-a.json", nodes=1000, progress=told.append)
+        assert told
+        with pytest.raises(rc.InvalidRequest) as error:
+            await part.edit(pin_radus=5)
+        assert error.value.reason == "UNKNOWN_PARAMETER"
+
+        def enough(progress):
+            raise LookupError("enough")
+        with pytest.raises(LookupError, match="enough"):
+            await daemon.mesh(cases / "tool1-a.json", nodes=60000, progress=enough)
+        assert (await part.edit(pin_radius=5)).report.nodes > 0
+    run(remeshd, scenario)
+
+
+async def idle(daemon):
+    for _ in range(600):
+        if (await daemon.info()).load.running == 0:
+            return
+        await asyncio.sleep(.05)
+    raise AssertionError("the daemon goes on computing")
+
+
+def test_cancelling_a_task_cancels_its_computation_alone(remeshd, cases):
+    async def scenario(daemon):
+        part = await daemon.mesh(cases / "tool1-a.json", nodes=1000)
+        long = asyncio.create_task(daemon.mesh(cases / "tool1-a.json", nodes=300000))
+        waiting = asyncio.create_task(part.edit(pin_radius=5))
+        await asyncio.sleep(.3)
+        long.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await long
+        assert len((await (await waiting).mesh()).points) > 0
+        await idle(daemon)
+        with pytest.raises(rc.DeadlineExceeded):
+            await daemon.mesh(cases / "tool1-a.json", nodes=300000, timeout=.3)
+        await idle(daemon)
+    run(remeshd, scenario)
+
+
+def test_a_daemon_that_is_not_there(cases):
+    async def main():
+        async with aio.connect("127.0.0.1:1") as daemon:
+            with pytest.raises(rc.Unavailable):
+                await daemon.mesh(cases / "tool1-a.json")
+            with pytest.raises(rc.Unavailable):
+                await daemon.info()
+    asyncio.run(main())
