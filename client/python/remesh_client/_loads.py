@@ -31,9 +31,15 @@ def force(mesh: Mesh, facets: NodeSet, total: Floats) -> Floats:
     return _sum(mesh, nodes, shares[:, :, None] * np.asarray(total, float))
 
 
-def pressure(mesh: Mesh, facets: NodeSet, value: float) -> Floats:
-    """Likewise of a pressure, force by area, that acts against the outward normal."""
+def pressure(mesh: Mesh, facets: NodeSet, value: float, area: float | None = None) -> Floats:
+    """Likewise of a pressure, force by area, that acts against the outward normal.
+
+    area: exact area of what the facets stand for; the forces are scaled by it beside the facets'
+    own, so that the load does not jump with the mesh.
+    """
     nodes, values, area_vectors = _surface(mesh, facets)
+    if area is not None:
+        value *= area / float((_WEIGHTS * np.linalg.norm(area_vectors, axis=2)).sum())
     return _sum(mesh, nodes, -value * np.einsum("q,qi,kqc->kic", _WEIGHTS, values, area_vectors))
 
 

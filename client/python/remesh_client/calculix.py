@@ -63,11 +63,13 @@ class Solution:
 
     displacements: (N, 3). stresses: (N, 6) xx yy zz xy yz zx, averaged at nodes by ccx, tension
     positive. forces: (N, 3) the nodal forces applied. Numbers have the six digits of ccx's file.
+    warnings: what ccx warned of.
     """
 
     displacements: Floats
     stresses: Floats
     forces: Floats
+    warnings: tuple[str, ...] = ()
 
     @cached_property
     def von_mises(self) -> Floats:
@@ -91,8 +93,8 @@ def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
     """Displacements and stresses of a mesh of either order, C3D4 or C3D10.
 
     supports: by name the directions in which the nodes are held. loads: by name a total force,
-    spread evenly over the facets, or a Pressure; as the nodal forces that are consistent with the
-    elements. limit: s that ccx may take. folder: where its files are to stay; default: a temporary
+    spread evenly over the facets, or a Pressure, on a group of the model scaled by its exact area
+    beside the facets'; as the nodal forces that are consistent with the elements. limit: s that ccx may take. folder: where its files are to stay; default: a temporary
     one. Raises CalculixError, with ccx's message, where it is missing, fails or takes too long;
     KeyError for a name that is not on the mesh; ValueError for an empty set and bad values.
     """
@@ -129,7 +131,8 @@ def _named(mesh: Mesh, name: str) -> NodeSet:
 
 def _nodal_forces(mesh: Mesh, facets: NodeSet, load: Load) -> Floats:
     if isinstance(load, Pressure):
-        return _loads.pressure(mesh, facets, load.value)
+        area = mesh.exact_areas.get(facets.name) if facets.name in mesh.groups else None
+        return _loads.pressure(mesh, facets, load.value, area)
     total = np.asarray(load, float)
     if total.shape != (3,) or not np.isfinite(total).all():
         raise ValueError(f"the load on {facets.name} is three finite numbers or a Pressure, "
@@ -195,12 +198,18 @@ def _run(mesh: Mesh, deck: str, forces: Floats, folder: Path, limit: float, thre
     if not all(np.isfinite(values).all() for values in fields.values()):
         raise CalculixError("ccx's result has numbers that are not finite: do the supports keep "
                             "the part where it is?", run.stdout)
-    return Solution(fields["DISP"][:, :3], fields["STRESS"], forces)
+    return Solution(fields["DISP"][:, :3], fields["STRESS"], forces,
+                    tuple(_lines_with(run.stdout, "*WARNING")))
 
 
 def _said(output: str, returncode: int) -> str:
-    """Its errors, each with the line after it."""
+    """Its errors, else its last line."""
+    found = _lines_with(output, "*ERROR")
+    last = output.strip().splitlines()[-1:] or ["no output"]
+    return "ccx: " + ("; ".join(found[:3]) or last[0].strip()) + f" (exit code {returncode})"
+
+
+def _lines_with(output: str, mark: str) -> list[str]:
+    """The lines that have the mark, each with the one after it."""
     lines = [line.strip() for line in output.splitlines() if line.strip()]
-    found = [" ".join(lines[k:k + 2]) for k, line in enumerate(lines) if "*ERROR" in line]
-    return "ccx: " + ("; ".join(found[:3]) or (lines[-1] if lines else "no output")
-                      ) + f" (exit code {returncode})"
+    return [" ".join(lines[k:k + 2]) for k, line in enumerate(lines) if mark in line]

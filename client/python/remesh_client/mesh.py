@@ -104,9 +104,12 @@ class Mesh:
     dot(cross(b - a, c - a), d - a) > 0. n nodes, m tets, k facets, p mid-nodes.
     """
 
-    def __init__(self, content: Content, write_file: WriteFile | None = None) -> None:
+    def __init__(self, content: Content, write_file: WriteFile | None = None,
+                 exact_areas: Mapping[str, float] | None = None) -> None:
         self.content = content
         self._write_file = write_file
+        # Of what the groups of the model select, and of faces, by name, where they are known.
+        self.exact_areas: Mapping[str, float] = exact_areas or {}
         header = content.header
         self.revision: str = header.revision  # id
         self.parent: str = header.parent  # id of the parent's revision; empty for a first mesh

@@ -80,6 +80,11 @@ class Revision:
             return self._mesh.content
         return self._exchange.mesh if self._exchange is not None else None
 
+    def _areas(self) -> dict[str, float]:
+        """Exact areas of groups, where the daemon knows them."""
+        return {audit.group: audit.exact_area for audit in self.report.groups
+                if audit.exact_area > 0}
+
     def _base(self) -> Callable[[], Content | None] | None:
         """What a delta may be against; None where its mesh neither is here nor comes."""
         comes = (self._exchange is not None and self._exchange.mesh_error is None
@@ -128,7 +133,7 @@ class Part(Revision):
             content = self._content()
             if content is None:  # not asked for, or damaged on its way
                 content = self._daemon._fetch(self.revision)
-            self._mesh = Mesh(content, self._daemon._write_file)
+            self._mesh = Mesh(content, self._daemon._write_file, self._areas())
             self._exchange = None
         return self._mesh
 
