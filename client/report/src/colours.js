@@ -112,7 +112,7 @@ function bySize(sides) {
   const span = Math.log(high / low) || 1;
   return {
     title: "Size asked for", more: "logarithmic",
-    range: [short(low, 3), short(high, 3)],
+    range: [short(low, 3), `${short(high, 3)} ${sides[0].unit}`],
     nodeShare: (side, node) =>
       (side.arrays.sizes ? Math.log(side.arrays.sizes[node] / low) / span : 0),
   };

@@ -11,7 +11,9 @@ const AXES = ["x", "y", "z"];
 function range(viewer, centre, axis) {
   const low = viewer.box.min.getComponent(axis) + centre[axis];
   const high = viewer.box.max.getComponent(axis) + centre[axis];
-  return { low, high, middle: (low + high) / 2, step: (high - low) / 200 };
+  const step = (high - low) / 200;
+  const middle = (low + high) / 2;
+  return { low, high, middle: Math.abs(middle) < step / 1000 ? 0 : middle, step };
 }
 
 /** Which half stays where nothing else is asked for: the one behind the plane, seen from the camera. */
@@ -99,5 +101,5 @@ export function controls(viewer, report) {
   };
   viewer.updateLegend = () => key.replaceChildren(...legend(viewer));
   viewer.updateLegend();
-  return { element: el("div", { class: "controls" }, place, key), plane, gui };
+  return { panel: place, legend: key, plane };
 }

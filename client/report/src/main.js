@@ -37,10 +37,10 @@ function meshesSection(report, sides) {
     ? el("p", { class: "note" }, "Tets of second order are drawn with straight edges.") : null;
   try {
     const viewer = new Viewer(sides, colourModes(sides));
-    const { element, plane } = controls(viewer, report);
+    const { panel, legend, plane } = controls(viewer, report);
     viewer.plane = plane;
     return { viewer, element: section("meshes", sides.length > 1 ? "Meshes" : "Mesh", surfaces, curved,
-      el("div", { class: "viewer" }, viewer.frame, element), el("p", { class: "note keys", id: "viewer-keys" }, KEYS)) };
+      el("div", { class: "viewer" }, viewer.frame, panel, legend), el("p", { class: "note keys", id: "viewer-keys" }, KEYS)) };
   } catch (error) {
     console.warn(error);
     return { viewer: null, element: section("meshes", "Meshes",

@@ -22,11 +22,15 @@ function list(side, title, show) {
     { title: "Largest angle", number: true }, { title: "State" }, { title: "Feature" }, { title: "Centroid", number: true }], rows);
 }
 
+const unmark = () =>
+  document.querySelectorAll(".fly[aria-current]").forEach((button) => button.removeAttribute("aria-current"));
+
 export function worstSection(report, sides, viewer) {
+  if (viewer) viewer.onFocus = (isOn) => isOn || unmark();
   const lists = sides.map((side, number) => {
     const title = sides.length === 1 ? "The worst ten" : `The worst ten of ${number === 0 ? "BASE" : "NEW"} ${side.name}`;
     const show = viewer && ((worst, button) => {
-      document.querySelectorAll(".fly[aria-current]").forEach((other) => other.removeAttribute("aria-current"));
+      unmark();
       button.setAttribute("aria-current", "true");
       viewer.setFocus(worst, number, report.centre);
       document.getElementById("meshes").scrollIntoView({ block: "start",
