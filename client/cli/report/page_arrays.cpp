@@ -106,7 +106,7 @@ std::string packed(const std::string& bytes) {
   uLongf length = compressBound(bytes.size());
   std::vector<Bytef> compressed(length);
   if (compress2(compressed.data(), &length, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
+                bytes.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
     throw std::runtime_error("zlib could not compress an array of the report");
   std::string text(4 * ((length + 2) / 3) + 1, '\0');  // with the NUL that OpenSSL ends it by
   const int written = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),

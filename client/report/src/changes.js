@@ -20,7 +20,7 @@ function wayOf(side) {
 
 /** A change in words; what a value was and is stands apart from its name. */
 function change(words) {
-  const assigned = words.match(/^(\S+|size \S+) (.+) -> (.+)$/);
+  const assigned = words.match(/^(size \S+|\S+) (.+) -> (.+)$/);
   if (!assigned) return el("li", {}, words);
   const [, name, was, is] = assigned;
   return el("li", {}, el("code", {}, name), " ", el("s", { "aria-label": `was ${was}` }, was),
@@ -51,23 +51,24 @@ function share(title, counts, baseCount) {
     el("p", { class: "note" }, `${integer(counts.gone)} of BASE’s ${integer(baseCount)} are gone.`));
 }
 
+/** Cells of nodes and of tets, or a sentence where they cannot be compared. */
 function shares(report) {
-  if (!report.base) return null;
+  if (!report.base) return [];
   if (report.descent === "none")
-    return el("p", { class: "problem" }, "NEW does not come from BASE by edits, so that no node or tet of one is one of the other’s.");
+    return [el("p", { class: "problem" }, "NEW does not come from BASE by edits, so that no node or tet of one is one of the other’s.")];
   const { nodes, tets } = report.counts;
-  const by = report.descent === "ancestor"
-    ? el("p", { class: "note" }, "Several edits lie between BASE and NEW: nodes and tets with the same permanent id count as kept.") : null;
-  return el("div", {}, el("div", { class: "shares" },
-    share("Nodes", nodes, report.base.mesh.nodes), share("Tets", tets, report.base.mesh.tets)), by);
+  return [share("Nodes", nodes, report.base.mesh.nodes), share("Tets", tets, report.base.mesh.tets)];
 }
 
+const SEVERAL = "Several edits lie between BASE and NEW: nodes and tets with the same permanent id count as kept.";
+
+/** What was tried before the mesh that was taken; null where nothing was. */
 function attempts({ report }) {
+  if (!report || report.attempts.length === 0) return null;
   const taken = report.diagnostics?.taken;
   const seconds = (value) => (value > 0 ? short(value, 3) : "–");
-  const rows = (report.attempts ?? []).map((attempt) =>
+  const rows = report.attempts.map((attempt) =>
     [attempt.strategy, "given up", seconds(attempt.seconds), attempt.reason]);
-  if (rows.length === 0) return el("p", { class: "note" }, "No other strategy was tried.");
   rows.push([taken?.strategy || "this mesh", "taken", seconds(taken?.seconds ?? 0), "–"]);
   return table("Strategies in the order tried", [{ title: "Strategy" }, { title: "Outcome" },
     { title: "Seconds", number: true }, { title: "Reason" }], rows);
@@ -77,7 +78,8 @@ function way(side) {
   if (!side.report) return el("p", {}, "The Report of this revision is not kept any more.");
   const repaired = side.report.last_resort_share > 0
     ? el("p", { class: "note" }, `${percent(side.report.last_resort_share, 1)} of the tets were made anew where the mesh was wrong.`) : null;
-  return [el("p", {}, el("strong", { class: "way" }, side.way), " ", wayOf(side)), repaired, attempts(side)];
+  return [el("p", {}, el("strong", { class: "way" }, side.way), " ", wayOf(side)), repaired,
+    side.report.attempts.length === 0 ? el("p", { class: "note" }, "No other strategy was tried.") : null];
 }
 
 function warnings(side) {
@@ -115,9 +117,10 @@ function comparison(sides) {
 export function changesSection(report, sides) {
   const side = report.modified;
   return section("changes", report.base ? "What changed" : "What it is",
+    el("div", { class: "columns" }, el("div", {}, el("h3", {}, "Model"), modelChanges(report)), shares(report)),
+    report.descent === "ancestor" ? el("p", { class: "note" }, SEVERAL) : null,
     el("div", { class: "columns" },
-      el("div", {}, el("h3", {}, "Model"), modelChanges(report)),
       el("div", {}, el("h3", {}, "How the mesh was made"), way(side)),
       el("div", {}, el("h3", {}, "Warnings"), warnings(side))),
-    shares(report), comparison(sides), groupsTable(report));
+    attempts(side), comparison(sides), groupsTable(report));
 }

@@ -35,12 +35,13 @@ function addPlane(gui, viewer, centre, unit) {
   };
   const folder = gui.addFolder("Cutting plane");
   const on = folder.add(state, "on").name("Cut").onChange(choose);
-  folder.add(state, "axis", AXES).name("Across").onChange((name) => {
-    const { low, high, middle, step } = range(viewer, centre, AXES.indexOf(name));
+  const toMiddle = () => {
+    const { low, high, middle, step } = range(viewer, centre, AXES.indexOf(state.axis));
     state.position = middle;
     position.min(low).max(high).step(step).updateDisplay();
     choose();
-  });
+  };
+  const across = folder.add(state, "axis", AXES).name("Across").onChange(toMiddle);
   const { low, high, step } = range(viewer, centre, 1);
   const position = folder.add(state, "position", low, high, step).decimals(2)
     .name(unit ? `At (${unit})` : "At").onChange(() => {
@@ -52,8 +53,8 @@ function addPlane(gui, viewer, centre, unit) {
   folder.add(state, "flip").name("Other half").onChange(apply);
   return { cut: (axis) => {
     Object.assign(state, { on: true, axis });
-    folder.controllersRecursive().forEach((controller) => controller.updateDisplay());
-    choose();
+    for (const controller of [on, across]) controller.updateDisplay();
+    toMiddle();
   } };
 }
 

@@ -16,7 +16,7 @@ import { worstSection } from "./worst.js";
 
 function header({ base, modified, counts, descent }) {
   const kept = base && descent !== "none" && counts.tets.kept + counts.tets.moved + counts.tets.new > 0
-    ? ` ${((100 * counts.tets.kept) / modified.mesh.tets).toFixed(0)} % of its tets are those of ${base.name}, bit for bit.` : "";
+    ? ` ${((100 * counts.tets.kept) / modified.mesh.tets).toFixed(0)} % of its tets were kept from ${base.name}.` : "";
   const made = modified.created.startsWith("1970") ? "" : `, ${modified.created.replace("T", " ").replace(/\.\d+/, "").replace("Z", " UTC")}`;
   const names = base ? [el("span", {}, base.name), el("span", { class: "arrow", "aria-label": "to" }, "→"), el("span", {}, modified.name)] : [modified.name];
   return el("header", {},

@@ -51,8 +51,8 @@ export class MeshView {
 
   /** Light from the camera, which both scenes share: see Viewer. */
   static lights() {
-    const ambient = new AmbientLight(0xffffff, 1.5);
-    const head = new DirectionalLight(0xffffff, 2.1);
+    const ambient = new AmbientLight(0xffffff, 1.25);
+    const head = new DirectionalLight(0xffffff, 2.35);
     head.position.set(0.35, 0.5, 1);
     return [ambient, head];
   }

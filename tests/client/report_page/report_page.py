@@ -94,12 +94,15 @@ def check_texts(browser, report):
 
 def check_cut(browser, folder, report):
     assert read_faces(browser)[1] == report["boundary_facets"]
-    browser.open(folder / "edit.html", "#cut=y")
-    middle = np.mean([f(meshio.read(folder / "base.vtu").points[:, 1]) for f in (np.min, np.max)])
-    for file, shown in zip(("base.vtu", "new.vtu"), read_faces(browser)):
-        expected = faces_behind(folder / file, 1, -1, middle)
-        # Single floats may put a centroid to the other side of the plane.
-        assert abs(shown - expected) <= 8, f"{file}: {shown} faces for {expected}"
+    sides = {"y": -1, "z": 1}  # away from the camera, so that the cut is seen
+    for axis, side in sides.items():
+        browser.open(folder / "edit.html", f"#cut={axis}")
+        k = "xyz".index(axis)
+        middle = np.mean([f(meshio.read(folder / "base.vtu").points[:, k]) for f in (np.min, np.max)])
+        for file, shown in zip(("base.vtu", "new.vtu"), read_faces(browser)):
+            expected = faces_behind(folder / file, k, side, middle)
+            # Single floats may put a centroid to the other side of the plane.
+            assert abs(shown - expected) <= 8, f"{axis}, {file}: {shown} faces for {expected}"
 
 
 def check_colours(browser):
