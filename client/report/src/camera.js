@@ -10,7 +10,9 @@ const STEP = Math.PI / 24; // of a key
 export function boxRound(sides) {
   const box = new Box3();
   const point = new Vector3();
-  for (const { arrays: { nodes } } of sides)
+  for (const {
+    arrays: { nodes },
+  } of sides)
     for (let k = 0; k < nodes.length; k += 3) box.expandByPoint(point.fromArray(nodes, k));
   return box;
 }
@@ -55,9 +57,15 @@ export class SharedCamera {
     let distance = 0;
     for (let k = 0; k < 8; ++k) {
       const { min, max } = this.box;
-      const corner = new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z)
-        .sub(this.sphere.center);
-      const needed = Math.max(Math.abs(corner.dot(across)) / wide, Math.abs(corner.dot(above)) / high);
+      const corner = new Vector3(
+        k & 1 ? max.x : min.x,
+        k & 2 ? max.y : min.y,
+        k & 4 ? max.z : min.z,
+      ).sub(this.sphere.center);
+      const needed = Math.max(
+        Math.abs(corner.dot(across)) / wide,
+        Math.abs(corner.dot(above)) / high,
+      );
       distance = Math.max(distance, needed + corner.dot(direction));
     }
     return 1.04 * distance || 1;
@@ -79,8 +87,10 @@ export class SharedCamera {
   fly(target, offset, animated) {
     cancelAnimationFrame(this.flight);
     const still = !animated || matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const from = { target: this.controls.target.clone(),
-      offset: this.camera.position.clone().sub(this.controls.target) };
+    const from = {
+      target: this.controls.target.clone(),
+      offset: this.camera.position.clone().sub(this.controls.target),
+    };
     const begin = performance.now();
     const step = () => {
       const time = still ? 1 : Math.min(1, (performance.now() - begin) / FLIGHT);
@@ -111,10 +121,15 @@ export class SharedCamera {
   /** Whether the key was one of the camera's. */
   key(name) {
     const keys = {
-      ArrowLeft: () => this.turn(-1, 0), ArrowRight: () => this.turn(1, 0),
-      ArrowUp: () => this.turn(0, 1), ArrowDown: () => this.turn(0, -1),
-      "+": () => this.zoom(0.85), "=": () => this.zoom(0.85), "-": () => this.zoom(1 / 0.85),
-      Home: () => this.reset(), 0: () => this.reset(),
+      ArrowLeft: () => this.turn(-1, 0),
+      ArrowRight: () => this.turn(1, 0),
+      ArrowUp: () => this.turn(0, 1),
+      ArrowDown: () => this.turn(0, -1),
+      "+": () => this.zoom(0.85),
+      "=": () => this.zoom(0.85),
+      "-": () => this.zoom(1 / 0.85),
+      Home: () => this.reset(),
+      0: () => this.reset(),
     };
     if (!keys[name]) return false;
     keys[name]();

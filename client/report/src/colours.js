@@ -4,10 +4,29 @@ import { STATES } from "./data.js";
 import { short } from "./dom.js";
 
 // Okabe and Ito, "Color universal design" (2008).
-const CATEGORIES = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442", "#8c8c8c"];
+const CATEGORIES = [
+  "#0072b2",
+  "#e69f00",
+  "#009e73",
+  "#cc79a7",
+  "#56b4e9",
+  "#d55e00",
+  "#f0e442",
+  "#8c8c8c",
+];
 // Viridis, of matplotlib: lightness rises all along.
-const RAMP = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58",
-  "#b5de2b", "#fde725"].map(parse);
+const RAMP = [
+  "#440154",
+  "#482878",
+  "#3e4989",
+  "#31688e",
+  "#26828e",
+  "#1f9e89",
+  "#35b779",
+  "#6ece58",
+  "#b5de2b",
+  "#fde725",
+].map(parse);
 
 export function parse(colour) {
   const number = parseInt(colour.slice(1), 16);
@@ -51,7 +70,10 @@ function byState(sides) {
   const keys = ["kept", "moved", "new", "gone"].filter((key) => hasBase || key === "new");
   return {
     title: "Kept, moved, new",
-    keys: keys.map((key) => ({ key, text: hasBase ? STATE_TEXTS[key] : "New: all of a first mesh" })),
+    keys: keys.map((key) => ({
+      key,
+      text: hasBase ? STATE_TEXTS[key] : "New: all of a first mesh",
+    })),
     colour: (key, theme) => parse(theme[key]),
     facet: (side, facet) => STATES[side.arrays.facet_state[facet]],
     tet: (side, tet) => STATES[side.arrays.tet_state[tet]],
@@ -73,27 +95,36 @@ function categories(title, sides, labelsOf, facet, tet) {
   };
 }
 
-const byFeature = (sides) => categories("Feature", sides,
-  (side) => {
-    const found = new Set(side.mesh.cell_owners.map((_, cell) => ownerOf(side, cell)));
-    return side.features.filter((feature) => found.has(feature));
-  },
-  (side, facet) => ownerOf(side, side.arrays.facet_cell[facet]),
-  (side, tet) => ownerOf(side, side.arrays.tet_cell[tet]));
+const byFeature = (sides) =>
+  categories(
+    "Feature",
+    sides,
+    (side) => {
+      const found = new Set(side.mesh.cell_owners.map((_, cell) => ownerOf(side, cell)));
+      return side.features.filter((feature) => found.has(feature));
+    },
+    (side, facet) => ownerOf(side, side.arrays.facet_cell[facet]),
+    (side, tet) => ownerOf(side, side.arrays.tet_cell[tet]),
+  );
 
 export const faceName = (side, group) => side.mesh.face_groups[group]?.join(" + ") ?? "(no face)";
 
-const byFace = (sides) => categories("Face group", sides,
-  (side) => side.mesh.face_groups.map((_, group) => faceName(side, group)),
-  (side, facet) => faceName(side, side.arrays.facet_group[facet]),
-  () => "(inside)");
+const byFace = (sides) =>
+  categories(
+    "Face group",
+    sides,
+    (side) => side.mesh.face_groups.map((_, group) => faceName(side, group)),
+    (side, facet) => faceName(side, side.arrays.facet_group[facet]),
+    () => "(inside)",
+  );
 
 function byQuality(sides) {
   const least = Math.min(...sides.map((side) => side.mesh.worst[0]?.quality ?? 1));
   const low = Math.max(0, Math.floor(10 * least) / 10);
   const share = (quality) => (quality / 255 - low) / (1 - low);
   return {
-    title: "Quality", more: "volume-length",
+    title: "Quality",
+    more: "volume-length",
     range: [short(low, 2), "1 (regular tet)"],
     facetShare: (side, facet) => share(side.arrays.facet_quality[facet]),
     tetShare: (side, tet) => share(side.arrays.tet_quality[tet]),
@@ -103,7 +134,8 @@ function byQuality(sides) {
 function bySize(sides) {
   const sized = sides.filter((side) => side.arrays.sizes);
   if (sized.length === 0) return null;
-  let low = Infinity, high = -Infinity;
+  let low = Infinity,
+    high = -Infinity;
   for (const side of sized)
     for (const size of side.arrays.sizes) {
       low = Math.min(low, size);
@@ -111,17 +143,23 @@ function bySize(sides) {
     }
   const span = Math.log(high / low) || 1;
   return {
-    title: "Size asked for", more: "logarithmic",
+    title: "Size asked for",
+    more: "logarithmic",
     range: [short(low, 3), `${short(high, 3)} ${sides[0].unit}`],
     nodeShare: (side, node) =>
-      (side.arrays.sizes ? Math.log(side.arrays.sizes[node] / low) / span : 0),
+      side.arrays.sizes ? Math.log(side.arrays.sizes[node] / low) / span : 0,
   };
 }
 
 /** The modes that there are data for, by name, in the order of the menu. */
 export function colourModes(sides) {
-  const modes = { state: byState(sides), quality: byQuality(sides), feature: byFeature(sides),
-    face: byFace(sides), size: bySize(sides) };
+  const modes = {
+    state: byState(sides),
+    quality: byQuality(sides),
+    feature: byFeature(sides),
+    face: byFace(sides),
+    size: bySize(sides),
+  };
   return Object.fromEntries(Object.entries(modes).filter(([, mode]) => mode));
 }
 

@@ -9,7 +9,9 @@ export function el(tag, attributes = {}, ...children) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else element.setAttribute(name, value === true ? "" : value);
   }
-  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
+  element.append(
+    ...children.flat(Infinity).filter((child) => child !== null && child !== undefined),
+  );
   return element;
 }
 
@@ -29,21 +31,45 @@ export const percent = (part, all) => (all === 0 ? "–" : `${((100 * part) / al
 
 /** A section of the page with its heading. */
 export function section(id, title, ...children) {
-  return el("section", { id, "aria-labelledby": `${id}-title` },
-    el("h2", { id: `${id}-title` }, title), ...children);
+  return el(
+    "section",
+    { id, "aria-labelledby": `${id}-title` },
+    el("h2", { id: `${id}-title` }, title),
+    ...children,
+  );
 }
 
 /** A table with a caption; cells that are numbers stand to the right. */
 export function table(caption, heads, rows, attributes = {}) {
   const cell = (content, k) => {
     const isNumber = heads[k].number;
-    return k === 0 ? el("th", { scope: "row" }, content)
+    return k === 0
+      ? el("th", { scope: "row" }, content)
       : el("td", { class: isNumber ? "number" : null }, content);
   };
-  return el("div", { class: "table-frame", tabindex: "0", role: "region", "aria-label": caption },
-    el("table", attributes,
+  return el(
+    "div",
+    { class: "table-frame", tabindex: "0", role: "region", "aria-label": caption },
+    el(
+      "table",
+      attributes,
       el("caption", {}, caption),
-      el("thead", {}, el("tr", {}, heads.map((head) =>
-        el("th", { scope: "col", class: head.number ? "number" : null }, head.title)))),
-      el("tbody", {}, rows.map((row) => el("tr", {}, row.map(cell))))));
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          heads.map((head) =>
+            el("th", { scope: "col", class: head.number ? "number" : null }, head.title),
+          ),
+        ),
+      ),
+      el(
+        "tbody",
+        {},
+        rows.map((row) => el("tr", {}, row.map(cell))),
+      ),
+    ),
+  );
 }

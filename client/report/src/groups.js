@@ -3,8 +3,12 @@
 import { el, integer, short, table } from "./dom.js";
 
 const STATES = {
-  STATE_SAME: "same", STATE_RESIZED: "resized", STATE_SPLIT: "split", STATE_MERGED: "merged",
-  STATE_EMPTIED: "emptied", STATE_NEW: "new",
+  STATE_SAME: "same",
+  STATE_RESIZED: "resized",
+  STATE_SPLIT: "split",
+  STATE_MERGED: "merged",
+  STATE_EMPTIED: "emptied",
+  STATE_NEW: "new",
 };
 
 const area = (value) => (value > 0 ? short(value, 5) : "–");
@@ -37,9 +41,21 @@ export function groupsTable(report) {
   ]);
   const changed = groups.filter(({ state }) => STATES[state] && state !== "STATE_SAME").length;
   const isCompared = groups.some(({ state }) => STATES[state]);
-  const caption = `Groups: ${integer(groups.length)}` +
+  const caption =
+    `Groups: ${integer(groups.length)}` +
     (isCompared ? `, ${integer(changed)} of them not as they were in the parent` : "");
-  return table(caption, [{ title: "Group" }, { title: "State" }, { title: "Exact area", number: true },
-    { title: "Area of the mesh", number: true }, { title: "Facets", number: true },
-    { title: "Nodes", number: true }, { title: "Tets", number: true }], rows, { class: "long" });
+  return table(
+    caption,
+    [
+      { title: "Group" },
+      { title: "State" },
+      { title: "Exact area", number: true },
+      { title: "Area of the mesh", number: true },
+      { title: "Facets", number: true },
+      { title: "Nodes", number: true },
+      { title: "Tets", number: true },
+    ],
+    rows,
+    { class: "long" },
+  );
 }

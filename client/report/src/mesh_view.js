@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // One mesh as a scene: its surface, or what a plane leaves of it, in the colours of a mode.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, LineBasicMaterial,
-  LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Scene,
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Scene,
 } from "three";
 import { acceleratedRaycast, MeshBVH } from "three-mesh-bvh";
 import { mix, paintFace, parse } from "./colours.js";
@@ -17,21 +27,30 @@ function addEdges(material) {
     shader.uniforms.edgeColour = material.userData.edgeColour;
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec3 vCorner;")
-      .replace("#include <begin_vertex>", `#include <begin_vertex>
+      .replace(
+        "#include <begin_vertex>",
+        `#include <begin_vertex>
         int corner = gl_VertexID % 3;
-        vCorner = vec3(corner == 0, corner == 1, corner == 2);`);
+        vCorner = vec3(corner == 0, corner == 1, corner == 2);`,
+      );
     shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>
+      .replace(
+        "#include <common>",
+        `#include <common>
         varying vec3 vCorner;
         uniform float edges;
-        uniform vec3 edgeColour;`)
-      .replace("#include <color_fragment>", `#include <color_fragment>
+        uniform vec3 edgeColour;`,
+      )
+      .replace(
+        "#include <color_fragment>",
+        `#include <color_fragment>
         vec3 step3 = fwidth(vCorner);
         vec3 inside = smoothstep(vec3(0.0), 1.2 * step3, vCorner);
         float edge = 1.0 - min(min(inside.x, inside.y), inside.z);
         // Where triangles are a few pixels wide, edges would be all that is seen.
         edge *= 1.0 - smoothstep(0.12, 0.45, max(step3.x, max(step3.y, step3.z)));
-        diffuseColor.rgb = mix(diffuseColor.rgb, edgeColour, edges * edge);`);
+        diffuseColor.rgb = mix(diffuseColor.rgb, edgeColour, edges * edge);`,
+      );
   };
 }
 
@@ -39,7 +58,11 @@ export class MeshView {
   constructor(side) {
     this.side = side;
     this.scene = new Scene();
-    this.material = new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide });
+    this.material = new MeshLambertMaterial({
+      vertexColors: true,
+      flatShading: true,
+      side: DoubleSide,
+    });
     addEdges(this.material);
     this.mesh = new Mesh(new BufferGeometry(), this.material);
     this.mesh.raycast = acceleratedRaycast;
@@ -58,9 +81,19 @@ export class MeshView {
   }
 
   makeFocus() {
-    const faces = new Mesh(new BufferGeometry(), new MeshBasicMaterial({
-      side: DoubleSide, depthTest: false, transparent: true, opacity: 0.55 }));
-    const edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false, transparent: true }));
+    const faces = new Mesh(
+      new BufferGeometry(),
+      new MeshBasicMaterial({
+        side: DoubleSide,
+        depthTest: false,
+        transparent: true,
+        opacity: 0.55,
+      }),
+    );
+    const edges = new LineSegments(
+      new BufferGeometry(),
+      new LineBasicMaterial({ depthTest: false, transparent: true }),
+    );
     faces.renderOrder = 1;
     edges.renderOrder = 2;
     faces.visible = edges.visible = false;
@@ -82,7 +115,8 @@ export class MeshView {
   /** `plane`: null, or axis (0 to 2), position and side (1 or -1: which half stays). */
   cut(plane) {
     const { tets } = this.side.arrays;
-    this.shown = plane && tets ? cutSurface(tets, this.topology, plane) : wholeSurface(this.side.arrays);
+    this.shown =
+      plane && tets ? cutSurface(tets, this.topology, plane) : wholeSurface(this.side.arrays);
     this.fillPositions();
   }
 
@@ -115,7 +149,17 @@ export class MeshView {
     const corners = [0, 0, 0];
     for (let face = 0; face < shown.count; ++face) {
       for (let k = 0; k < 3; ++k) corners[k] = shown.nodes[3 * face + k];
-      paintFace(mode, this.side, shown.facets[face], shown.tets[face], corners, palette, lit, colour, 9 * face);
+      paintFace(
+        mode,
+        this.side,
+        shown.facets[face],
+        shown.tets[face],
+        corners,
+        palette,
+        lit,
+        colour,
+        9 * face,
+      );
     }
     this.mesh.geometry.setAttribute("color", new BufferAttribute(colour, 3));
     this.material.userData.edgeColour.value.set(theme.edge);
@@ -135,7 +179,8 @@ export class MeshView {
     this.material.needsUpdate = true;
     this.focus.faces.visible = this.focus.edges.visible = corners !== null;
     if (corners === null) return;
-    const pick = (order) => new BufferAttribute(new Float32Array(order.flatMap((k) => corners[k])), 3);
+    const pick = (order) =>
+      new BufferAttribute(new Float32Array(order.flatMap((k) => corners[k])), 3);
     this.focus.faces.geometry.setAttribute("position", pick([1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1]));
     this.focus.edges.geometry.setAttribute("position", pick([0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3]));
     for (const shape of [this.focus.faces, this.focus.edges]) {

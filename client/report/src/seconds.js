@@ -25,19 +25,53 @@ export function secondsSection(sides) {
   if (timed.length === 0) return null;
   const names = [...PHASES.map(([name]) => name), "Other"];
   const most = Math.max(...timed.map((side) => side.report.seconds.total)) || 1;
-  const label = (side) => (sides.length === 1 ? side.name : side === sides[0] ? `BASE ${side.name}` : `NEW ${side.name}`);
-  const bars = timed.map((side) => el("div", { class: "time" },
-    el("span", { class: "time-name" }, label(side)),
-    el("div", { class: "time-bar" }, el("div", { class: "bar", "aria-hidden": "true",
-      style: `width: ${(100 * side.report.seconds.total) / most}%` }, phasesOf(side.report).map((value, k) =>
-      el("i", { style: `flex-grow: ${value}; background: ${css(category(k))}`, title: `${names[k]} ${short(value, 3)} s` })))),
-    el("b", {}, `${short(side.report.seconds.total, 3)} s`)));
-  const rows = names.map((name, k) => [
-    [el("i", { class: "key", style: `background: ${css(category(k))}` }), name, " ",
-      el("small", {}, PHASES[k]?.[1] ?? "what lies between the phases")],
-    ...timed.map((side) => inSeconds(phasesOf(side.report)[k]))])
+  const label = (side) =>
+    sides.length === 1 ? side.name : side === sides[0] ? `BASE ${side.name}` : `NEW ${side.name}`;
+  const bars = timed.map((side) =>
+    el(
+      "div",
+      { class: "time" },
+      el("span", { class: "time-name" }, label(side)),
+      el(
+        "div",
+        { class: "time-bar" },
+        el(
+          "div",
+          {
+            class: "bar",
+            "aria-hidden": "true",
+            style: `width: ${(100 * side.report.seconds.total) / most}%`,
+          },
+          phasesOf(side.report).map((value, k) =>
+            el("i", {
+              style: `flex-grow: ${value}; background: ${css(category(k))}`,
+              title: `${names[k]} ${short(value, 3)} s`,
+            }),
+          ),
+        ),
+      ),
+      el("b", {}, `${short(side.report.seconds.total, 3)} s`),
+    ),
+  );
+  const rows = names
+    .map((name, k) => [
+      [
+        el("i", { class: "key", style: `background: ${css(category(k))}` }),
+        name,
+        " ",
+        el("small", {}, PHASES[k]?.[1] ?? "what lies between the phases"),
+      ],
+      ...timed.map((side) => inSeconds(phasesOf(side.report)[k])),
+    ])
     .filter((_, k) => k < PHASES.length || timed.some((side) => phasesOf(side.report)[k] >= 0.001));
-  return section("seconds", "Time",
-    ...bars, table("Seconds by phase", [{ title: "Phase" }, ...timed.map((side) =>
-      ({ title: label(side), number: true }))], rows));
+  return section(
+    "seconds",
+    "Time",
+    ...bars,
+    table(
+      "Seconds by phase",
+      [{ title: "Phase" }, ...timed.map((side) => ({ title: label(side), number: true }))],
+      rows,
+    ),
+  );
 }

@@ -7,12 +7,13 @@ const FACES = [1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1];
 /** Node `k` of a face, given as 4 * tet + corner opposite. */
 const nodeOf = (tets, face, k) => tets[(face & ~3) + FACES[3 * (face & 3) + k]];
 
-const hash = (a, b, c) =>
-  Math.imul(a, 73856093) ^ Math.imul(b, 19349663) ^ Math.imul(c, 83492791);
+const hash = (a, b, c) => Math.imul(a, 73856093) ^ Math.imul(b, 19349663) ^ Math.imul(c, 83492791);
 
 /** Sorts the three nodes of a face into `out`. */
 function sorted(tets, face, out) {
-  const a = nodeOf(tets, face, 0), b = nodeOf(tets, face, 1), c = nodeOf(tets, face, 2);
+  const a = nodeOf(tets, face, 0),
+    b = nodeOf(tets, face, 1),
+    c = nodeOf(tets, face, 2);
   out[0] = Math.min(a, b, c);
   out[2] = Math.max(a, b, c);
   out[1] = a + b + c - out[0] - out[2];
@@ -24,7 +25,8 @@ export function findNeighbours(tets) {
   let size = 1024;
   while (size < 2 * tets.length) size *= 2;
   const slots = new Int32Array(size).fill(-1);
-  const key = [0, 0, 0], other = [0, 0, 0];
+  const key = [0, 0, 0],
+    other = [0, 0, 0];
   for (let face = 0; face < tets.length; ++face) {
     sorted(tets, face, key);
     let slot = hash(...key) & (size - 1);
@@ -48,7 +50,9 @@ export function findFacets(tets, facets, facetTets) {
     const tet = facetTets[facet];
     for (let k = 0; k < 4; ++k) {
       const node = tets[4 * tet + k];
-      const isCorner = node === facets[3 * facet] || node === facets[3 * facet + 1] ||
+      const isCorner =
+        node === facets[3 * facet] ||
+        node === facets[3 * facet + 1] ||
         node === facets[3 * facet + 2];
       if (!isCorner) found[4 * tet + k] = facet;
     }
@@ -104,8 +108,13 @@ export function cutSurface(tets, topology, plane) {
     if (!behind[face >> 2]) continue;
     const across = neighbours[face];
     if (across >= 0 && behind[across >> 2]) continue;
-    shown.add(nodeOf(tets, face, 0), nodeOf(tets, face, 1), nodeOf(tets, face, 2),
-      facetOf[face], face >> 2);
+    shown.add(
+      nodeOf(tets, face, 0),
+      nodeOf(tets, face, 1),
+      nodeOf(tets, face, 2),
+      facetOf[face],
+      face >> 2,
+    );
   }
   return shown;
 }

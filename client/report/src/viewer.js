@@ -16,16 +16,30 @@ export class Viewer {
     this.sides = sides;
     this.modes = modes;
     this.settings = { mode: "state", layout: "both", edges: true, lit: null, plane: null };
-    this.canvas = el("canvas", { tabindex: "0", role: "img", "aria-describedby": "viewer-keys",
-      "aria-label": `The ${sides.length > 1 ? "meshes of BASE and NEW" : "mesh"} in 3-D` });
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true,
-      preserveDrawingBuffer: true }); // kept for print
+    this.canvas = el("canvas", {
+      tabindex: "0",
+      role: "img",
+      "aria-describedby": "viewer-keys",
+      "aria-label": `The ${sides.length > 1 ? "meshes of BASE and NEW" : "mesh"} in 3-D`,
+    });
+    this.renderer = new WebGLRenderer({
+      canvas: this.canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    }); // kept for print
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.views = sides.map((side) => new MeshView(side));
     this.box = boxRound(sides);
-    this.labels = sides.map((side) => el("div", { class: "view-label" },
-      el("strong", {}, sides.length === 1 ? "Mesh" : side === sides[0] ? "BASE" : "NEW"), ` ${side.name}`,
-      el("span", {}, `${integer(side.mesh.tets)} tets`)));
+    this.labels = sides.map((side) =>
+      el(
+        "div",
+        { class: "view-label" },
+        el("strong", {}, sides.length === 1 ? "Mesh" : side === sides[0] ? "BASE" : "NEW"),
+        ` ${side.name}`,
+        el("span", {}, `${integer(side.mesh.tets)} tets`),
+      ),
+    );
     this.tip = el("div", { class: "tip", role: "status" });
     this.tip.hidden = true;
     this.frame = el("div", { class: "views" }, this.canvas, this.labels, this.tip);
@@ -45,7 +59,10 @@ export class Viewer {
       else if (!this.shared.key(event.key)) return;
       event.preventDefault();
     });
-    this.canvas.addEventListener("pointermove", (event) => event.buttons === 0 && this.hover(event));
+    this.canvas.addEventListener(
+      "pointermove",
+      (event) => event.buttons === 0 && this.hover(event),
+    );
     this.canvas.addEventListener("pointerdown", () => (this.tip.hidden = true));
     this.canvas.addEventListener("click", (event) => this.hover(event)); // a touch does not hover
     this.canvas.addEventListener("pointerleave", () => (this.tip.hidden = true));
@@ -74,18 +91,25 @@ export class Viewer {
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     const { layout } = this.settings;
-    const chosen = this.views.filter((_, k) => layout === "both" || layout === (k === 0 ? "base" : "modified") ||
-      this.views.length === 1);
+    const chosen = this.views.filter(
+      (_, k) =>
+        layout === "both" || layout === (k === 0 ? "base" : "modified") || this.views.length === 1,
+    );
     const stacked = width < NARROW;
     this.parts = chosen.map((view, k) => {
       const n = chosen.length;
-      const w = stacked ? width : width / n, h = stacked ? height / n : height;
+      const w = stacked ? width : width / n,
+        h = stacked ? height / n : height;
       return { view, x: stacked ? 0 : k * w, y: stacked ? k * h : 0, w, h };
     });
     this.labels.forEach((label, k) => {
       const part = this.parts.find(({ view }) => view === this.views[k]);
       label.hidden = !part;
-      if (part) Object.assign(label.style, { left: `${(100 * part.x) / width}%`, top: `${(100 * part.y) / height}%` });
+      if (part)
+        Object.assign(label.style, {
+          left: `${(100 * part.x) / width}%`,
+          top: `${(100 * part.y) / height}%`,
+        });
     });
     this.frame.classList.toggle("stacked", stacked && chosen.length > 1);
     this.frame.classList.toggle("paired", !stacked && chosen.length > 1);
@@ -121,12 +145,17 @@ export class Viewer {
   hover(event) {
     const { left, top } = this.canvas.getBoundingClientRect();
     const at = { x: event.clientX - left, y: event.clientY - top };
-    const part = this.parts.find(({ x, y, w, h }) => at.x >= x && at.x < x + w && at.y >= y && at.y < y + h);
+    const part = this.parts.find(
+      ({ x, y, w, h }) => at.x >= x && at.x < x + w && at.y >= y && at.y < y + h,
+    );
     if (!part) return;
     const { camera } = this.shared;
     camera.aspect = part.w / part.h;
     camera.updateProjectionMatrix();
-    const place = new Vector2((2 * (at.x - part.x)) / part.w - 1, 1 - (2 * (at.y - part.y)) / part.h);
+    const place = new Vector2(
+      (2 * (at.x - part.x)) / part.w - 1,
+      1 - (2 * (at.y - part.y)) / part.h,
+    );
     this.raycaster.setFromCamera(place, camera);
     const face = part.view.pick(this.raycaster);
     this.tip.hidden = face < 0;
@@ -139,7 +168,8 @@ export class Viewer {
   /** What is told of a face under the pointer. */
   describe({ side, shown }, face) {
     const { arrays, mesh } = side;
-    const facet = shown.facets[face], tet = shown.tets[face];
+    const facet = shown.facets[face],
+      tet = shown.tets[face];
     const of = (name) => (facet >= 0 ? arrays[`facet_${name}`][facet] : arrays[`tet_${name}`][tet]);
     const rows = [
       ["Tet", tet >= 0 ? `${integer(tet)}, ${STATES[of("state")]}` : STATES[of("state")]],
@@ -156,7 +186,8 @@ export class Viewer {
 
   /** Flies to a tet of the report's list and shows it through the others; null: shows all again. */
   setFocus(worst, sideNumber, centre) {
-    const corners = worst?.corners.map((corner) => corner.map((value, k) => value - centre[k])) ?? null;
+    const corners =
+      worst?.corners.map((corner) => corner.map((value, k) => value - centre[k])) ?? null;
     this.views.forEach((view, k) => view.setFocus(k === sideNumber ? corners : null));
     this.onFocus?.(corners !== null);
     if (corners) {
