@@ -12,6 +12,11 @@ using client::NodeOrigin;
 /// For each row of the new mesh that of the base that it is, or -1.
 using Originals = std::vector<std::int32_t>;
 
+struct NodesFound {
+  Originals originals;
+  std::vector<NodeOrigin> origins;
+};
+
 Originals by_ids(const std::vector<std::uint64_t>& base, const std::vector<std::uint64_t>& ids) {
   std::unordered_map<std::uint64_t, std::int32_t> rows;
   rows.reserve(base.size());
@@ -25,11 +30,26 @@ Originals by_ids(const std::vector<std::uint64_t>& base, const std::vector<std::
   return originals;
 }
 
-TetState state_by_nodes(const Mesh& mesh, const std::array<std::int32_t, 4>& tet) {
+/// Nodes keep their ids when they move: those at another place have.
+NodesFound find_nodes(const Mesh& base, const Mesh& mesh) {
+  NodesFound found{.originals = by_ids(base.node_ids, mesh.node_ids), .origins = {}};
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const std::int32_t original = found.originals[n];
+    if (original < 0)
+      found.origins.push_back(NodeOrigin::New);
+    else if (base.nodes[static_cast<std::size_t>(original)] == mesh.nodes[n])
+      found.origins.push_back(NodeOrigin::Kept);
+    else
+      found.origins.push_back(NodeOrigin::Moved);
+  }
+  return found;
+}
+
+TetState state_by_nodes(const std::vector<NodeOrigin>& origins,
+                        const std::array<std::int32_t, 4>& tet) {
   bool has_moved = false;
   for (const std::int32_t node : tet) {
-    const auto at = static_cast<std::size_t>(node);
-    const NodeOrigin origin = at < mesh.node_origin.size() ? mesh.node_origin[at] : NodeOrigin::New;
+    const NodeOrigin origin = origins[static_cast<std::size_t>(node)];
     if (origin == NodeOrigin::New) return TetState::New;
     has_moved = has_moved || origin == NodeOrigin::Moved;
   }
@@ -43,32 +63,27 @@ std::size_t rows_met(const Originals& originals, std::size_t rows) {
   return static_cast<std::size_t>(std::ranges::count(met, 1));
 }
 
-void compare_tets(const ReportContent& content, const Originals& originals, Correspondence& out) {
-  const Mesh& mesh = content.modified.mesh;
+void compare_tets(const Mesh& mesh, const Originals& originals,
+                  const std::vector<NodeOrigin>& origins, Correspondence& out) {
   for (std::size_t t = 0; t < out.modified.size(); ++t) {
-    if (originals[t] >= 0) {
-      out.modified[t] = TetState::Kept;
-      if (static_cast<std::size_t>(originals[t]) < out.base.size())
-        out.base[static_cast<std::size_t>(originals[t])] = TetState::Kept;
-    } else if (content.descent == Descent::Parent) {
-      out.modified[t] = state_by_nodes(mesh, mesh.tets[t]);
+    if (originals[t] < 0) {
+      out.modified[t] = state_by_nodes(origins, mesh.tets[t]);
+      continue;
     }
+    out.modified[t] = TetState::Kept;
+    if (static_cast<std::size_t>(originals[t]) < out.base.size())
+      out.base[static_cast<std::size_t>(originals[t])] = TetState::Kept;
   }
 }
 
-void compare_nodes(const ReportContent& content, const Originals& originals, StateCounts& nodes) {
-  const Mesh& mesh = content.modified.mesh;
-  nodes = {};
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    if (originals[n] < 0)
-      ++nodes.added;
-    else if (content.descent == Descent::Parent && mesh.node_origin[n] == NodeOrigin::Moved)
-      ++nodes.moved;
-    else
-      ++nodes.kept;
-  }
-  const std::size_t before = content.base->mesh.nodes.size();
-  nodes.gone = before - rows_met(originals, before);
+StateCounts count_nodes(const NodesFound& found, std::size_t in_base) {
+  const auto count = [&](NodeOrigin origin) {
+    return static_cast<std::size_t>(std::ranges::count(found.origins, origin));
+  };
+  return {.kept = count(NodeOrigin::Kept),
+          .moved = count(NodeOrigin::Moved),
+          .added = count(NodeOrigin::New),
+          .gone = in_base - rows_met(found.originals, in_base)};
 }
 
 }  // namespace
@@ -82,12 +97,13 @@ Correspondence correspond(const ReportContent& content) {
     const Mesh& base = content.base->mesh;
     out.base.assign(base.tets.size(), TetState::Gone);
     out.nodes.gone = base.nodes.size();
-    if (content.descent == Descent::Parent) {
-      compare_tets(content, mesh.original_tet, out);
-      compare_nodes(content, mesh.original_node, out.nodes);
-    } else if (content.descent == Descent::Ancestor) {
-      compare_tets(content, by_ids(base.tet_ids, mesh.tet_ids), out);
-      compare_nodes(content, by_ids(base.node_ids, mesh.node_ids), out.nodes);
+    if (content.descent != Descent::None) {
+      const bool by_maps = content.descent == Descent::Parent;
+      const NodesFound nodes =
+          by_maps ? NodesFound{mesh.original_node, mesh.node_origin} : find_nodes(base, mesh);
+      compare_tets(mesh, by_maps ? mesh.original_tet : by_ids(base.tet_ids, mesh.tet_ids),
+                   nodes.origins, out);
+      out.nodes = count_nodes(nodes, base.nodes.size());
     }
   }
   const auto count = [](const std::vector<TetState>& states, TetState state) {

@@ -28,8 +28,9 @@ struct Correspondence {
   StateCounts nodes, tets;
 };
 
-/// By the maps of the new mesh where it is an edit of the base, by permanent ids where several
-/// edits lie between (then nothing counts as moved); else all is new, and of the base all is gone.
+/// By the maps of the new mesh where it is an edit of the base. Where several edits lie between, by
+/// permanent ids: a node at another place counts as moved, be it with its feature. Else all is new,
+/// and of the base all is gone.
 Correspondence correspond(const ReportContent& content);
 
 }  // namespace remeshd::cli

@@ -100,7 +100,8 @@ function shares(report) {
 }
 
 const SEVERAL =
-  "Several edits lie between BASE and NEW: nodes and tets with the same permanent id count as kept.";
+  "Several edits lie between BASE and NEW: what has the same permanent id is the same; a node at " +
+  "another place counts as moved, also where it moved with its feature.";
 
 /** What was tried before the mesh that was taken; null where nothing was. */
 function attempts({ report }) {

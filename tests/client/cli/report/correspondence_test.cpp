@@ -45,17 +45,22 @@ TEST(Correspondence, OfAnEditIsReadFromItsMaps) {
   EXPECT_EQ(found.tets.gone, 2U);
 }
 
-TEST(Correspondence, OverSeveralEditsIsToldByPermanentIds) {
+TEST(Correspondence, OverSeveralEditsIsToldByPermanentIdsAndPlaces) {
   ReportContent content = edited();
   content.descent = Descent::Ancestor;
-  content.modified.mesh.original_tet = {2, 2, 2};  // of the parent, which is another mesh
+  client::Mesh& mesh = content.modified.mesh;
+  mesh.original_tet = {2, 2, 2};  // of the parent, which is another mesh
+  mesh.original_node = {5, 5, 5, 5, 5, 5};
+  mesh.node_origin.assign(6, NodeOrigin::Kept);
+  mesh.node_ids = {1, 2, 3, 4, 5, 8};
+  mesh.nodes[4] = {0, 0, 1};
   const Correspondence found = correspond(content);
-  EXPECT_THAT(found.modified, ElementsAre(TetState::Kept, TetState::New, TetState::New));
+  EXPECT_THAT(found.modified, ElementsAre(TetState::Kept, TetState::Moved, TetState::New));
   EXPECT_THAT(found.base, ElementsAre(TetState::Kept, TetState::Gone, TetState::Gone));
   EXPECT_EQ(found.nodes.kept, 4U);
-  EXPECT_EQ(found.nodes.moved, 0U);
-  EXPECT_EQ(found.nodes.added, 2U);
-  EXPECT_EQ(found.nodes.gone, 2U);
+  EXPECT_EQ(found.nodes.moved, 1U);
+  EXPECT_EQ(found.nodes.added, 1U);
+  EXPECT_EQ(found.nodes.gone, 1U);
 }
 
 TEST(Correspondence, OfMeshesOfDifferentChainsIsNone) {
