@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What a developer runs before a commit, some ten minutes on two cores from a warm build:
 #
-#   check.sh          # format, rules of the tree, protocol, lint of what changed, tests with asserts
+#   check.sh          # format, rules of the tree, protocol, the report's page, lint of what changed,
+#                     # tests with asserts
 #   check.sh --all    # lint of everything, all tests, again as released, and under ASan and UBSan
 #
 # What changed is told against the upstream branch, or the last commit where there is none. Stops at
@@ -45,6 +46,9 @@ find engine proto server client tests \( -name '*.cpp' -o -name '*.h' -o -name '
 
 step "protocol"
 "$here/check-protocol.sh"
+
+step "report page"
+"$here/report-page.sh" --check
 
 step "build"
 "$here/build.sh" dev # also generates the sources that lint reads

@@ -75,6 +75,7 @@ void build(CLI::App& app, Line& line) {
   add_revision_commands(app, line.action);
   add_blame_command(app, line.action);
   add_explain_command(app, line.action);
+  add_report_command(app, line.action);
   add_head_command(app, line.action);
   add_recipe_commands(app, line.action);
   add_cache_command(app, line.action);

@@ -39,6 +39,8 @@ const std::vector<HelpExamples> kHelpExamples{
     {{"rm"}, {"remesh rm bracket@2", "remesh rm --design bracket"}},
     {{"blame"}, {"remesh blame bracket rib.top", "remesh blame bracket@3 4711"}},
     {{"explain"}, {"remesh explain bracket"}},
+    {{"report"},
+     {"remesh report bracket@1 bracket -o report.html", "remesh report bracket -o report.html"}},
     {{"head"}, {"remesh head bracket", "remesh head bracket@2"}},
     {{"recipe"}, {"remesh recipe bracket@2 -o recipe.json"}},
     {{"remake"}, {"remesh remake bracket@2 --head"}},

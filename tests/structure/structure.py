@@ -11,9 +11,10 @@ STATIONS = ("base mesh kernel model delaunay cellular local_fuse difference sizi
             "nodes optimise extract improve verify revision patch delivery second_order "
             "remesh").split()
 # What programs under any licence may be built from (deploy/LICENSING.md).
-APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python")
+APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python",
+                  "client/report")
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
-APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt"}
+APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt", ".js", ".css"}
 # Each sees those after it, and engine.
 SERVER_LAYERS = "process config transport service guard session admission store observe".split()
 # Of the client, the layer `service` may have the writers of mesh files and what fills a mesh.

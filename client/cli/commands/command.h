@@ -24,6 +24,7 @@ void add_schema_command(CLI::App& app, Action& action);
 void add_revision_commands(CLI::App& app, Action& action);  ///< model, log, revisions, get, rm
 void add_blame_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
+void add_report_command(CLI::App& app, Action& action);
 void add_head_command(CLI::App& app, Action& action);
 void add_recipe_commands(CLI::App& app, Action& action);  ///< recipe, remake
 void add_cache_command(CLI::App& app, Action& action);
