@@ -10,7 +10,6 @@
 #include "client/library/mesh_arrays.h"
 #include "client/library/mesh_damaged.h"
 #include "proto/checksum.h"
-#include "proto/json_writer.h"
 
 namespace remeshd::client {
 namespace {
@@ -43,13 +42,6 @@ bool has_to_be(MeshArray array, const MeshHeader& header) {
   const bool of_second_order = array >= remesh::v1::MESH_ARRAY_MID_NODES &&
                                array <= remesh::v1::MESH_ARRAY_MID_NODE_TRANSFORMS;
   return !of_second_order || header.order() == 2;
-}
-
-/// Options that are not their defaults, as JSON without a line's end.
-std::string one_line(const remesh::v1::MeshOptions& options) {
-  std::string text = write_json(options, {.write_zeros = false, .width = 1 << 20});
-  text.pop_back();
-  return text;
 }
 
 ArrayShape shape_of(const MeshHeader::Array& entry) { return {entry.type(), entry.components()}; }
@@ -86,7 +78,7 @@ void MeshAssembler::add_header(const MeshHeader& header) {
   mesh_.parent = header.parent();
   mesh_.model_name = header.model_name();
   mesh_.unit = header.unit();
-  if (header.has_options()) mesh_.options = one_line(header.options());
+  mesh_.options = header.options();
   mesh_.algorithm_version = header.algorithm_version();
   for (const MeshHeader::Array& entry : header.arrays()) {
     check_entry(entry);

@@ -6,6 +6,7 @@
 #include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/delivery/facet_names.h"
+#include "engine/revision/group_figures.h"
 
 namespace remeshd {
 

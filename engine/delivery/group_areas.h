@@ -18,11 +18,4 @@ std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& grou
                                    const FeatureModel& model, const Membership& membership,
                                    const CellularModel& cells);
 
-/// A group's name where one word is wanted: its faces joined by `+`.
-inline std::string group_name(const std::vector<std::string>& faces) {
-  std::string name;
-  for (const std::string& face : faces) name += (name.empty() ? "" : "+") + face;
-  return name;
-}
-
 }  // namespace remeshd

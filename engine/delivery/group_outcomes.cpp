@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "engine/cellular/boundary_model/face_part.h"
-#include "engine/delivery/group_figures.h"
 #include "engine/model/selection/selection_error.h"
 #include "engine/model/solid.h"
+#include "engine/revision/group_figures.h"
 
 namespace remeshd {
 namespace {
@@ -72,10 +72,10 @@ bool has_material(const SelectedFaces& on, const FeatureModel& model, const Memb
   return false;
 }
 
-const GroupOutcome* find_outcome(std::span<const GroupOutcome> outcomes, const std::string& group) {
+const GroupFigures* find_group(std::span<const GroupFigures> figures, const std::string& group) {
   const auto found = std::ranges::find_if(
-      outcomes, [&](const GroupOutcome& o) { return o.of_model && o.group == group; });
-  return found == outcomes.end() ? nullptr : &*found;
+      figures, [&](const GroupFigures& f) { return f.of_model && f.group == group; });
+  return found == figures.end() ? nullptr : &*found;
 }
 
 /// By group of the model the others that it has facets in common with.
@@ -113,16 +113,15 @@ GroupState state_of(const GroupFigures& now, const GroupFigures& before, bool sh
 
 }  // namespace
 
-std::vector<GroupOutcome> groups_before_meshing(const FeatureModel& model,
+std::vector<GroupFigures> groups_before_meshing(const FeatureModel& model,
                                                 const BoundaryModel& boundary, const Run& run) {
-  std::vector<GroupOutcome> outcomes;
+  std::vector<GroupFigures> all;
   for (const FaceGroup& group : model.groups) {
-    GroupOutcome& outcome = outcomes.emplace_back();
-    outcome.group = group.name;
-    outcome.of_model = true;
-    for (const BoundaryFace& face : boundary.faces) outcome.exact_area += area_on(face, group, run);
+    double area = 0;
+    for (const BoundaryFace& face : boundary.faces) area += area_on(face, group, run);
+    all.push_back({.group = group.name, .of_model = true, .exact_area = area});
   }
-  return outcomes;
+  return all;
 }
 
 std::vector<std::string> groups_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
@@ -139,55 +138,53 @@ std::vector<std::string> groups_of_nothing(const FeatureModel& model, const Boun
   return names;
 }
 
-std::vector<GroupOutcome> group_outcomes(const Revision& parent, const Revision& revision,
-                                         std::span<const GroupOutcome> before_meshing) {
+std::vector<GroupFigures> group_outcomes(const Revision& parent, const Revision& revision,
+                                         std::span<const GroupFigures> before_meshing) {
   const bool first = parent.output.mesh.tets.empty();
-  std::map<std::string, GroupFigures> before;
-  if (!first)
-    for (GroupFigures& figures : group_figures(parent)) {
-      std::string name = figures.group;
-      before.emplace(std::move(name), std::move(figures));
-    }
+  std::map<std::string_view, const GroupFigures*> before;
+  for (const GroupFigures& figures : parent.report.figures) before.emplace(figures.group, &figures);
   const auto shared = shared_facets(revision.output.groups);
   const auto shared_before = shared_facets(parent.output.groups);
   const auto shares_anew = [&](const std::string& group) {
     const auto now = shared.find(group), then = shared_before.find(group);
     if (now == shared.end()) return false;
     return std::ranges::any_of(now->second, [&](std::string_view other) {
-      return before.contains(std::string(other)) &&
+      return before.contains(other) &&
              (then == shared_before.end() || !then->second.contains(other));
     });
   };
-  std::vector<GroupOutcome> of_facets, of_model;
-  for (GroupFigures& now : group_figures(revision)) {
-    const GroupOutcome* known = find_outcome(before_meshing, now.group);
-    GroupOutcome outcome{.group = now.group, .of_model = known != nullptr};
-    if (known != nullptr) now.exact_area = outcome.exact_area = known->exact_area;
-    if (const auto then = before.find(now.group); then != before.end()) {
-      outcome.state = state_of(now, then->second, shares_anew(now.group));
-      before.erase(then);
-    } else if (!first) {
-      outcome.state = GroupState::New;
-    }
-    (outcome.of_model ? of_model : of_facets).push_back(std::move(outcome));
+  std::vector<GroupFigures> of_facets, of_model;
+  std::set<std::string_view> told;
+  const std::vector<GroupFigures> all = group_figures(revision, before_meshing);
+  for (GroupFigures now : all) {
+    if (const auto then = before.find(now.group); then != before.end())
+      now.state = state_of(now, *then->second, shares_anew(now.group));
+    else if (!first)
+      now.state = GroupState::New;
+    (now.of_model ? of_model : of_facets).push_back(std::move(now));
   }
+  for (const GroupFigures& now : all) told.insert(now.group);
   for (const auto& [name, figures] : before)
-    if (!figures.of_model && figures.facets > 0)
-      of_facets.push_back({.group = name, .state = GroupState::Emptied});
+    if (!figures->of_model && figures->facets > 0 && !told.contains(name)) {
+      GroupFigures& emptied = of_facets.emplace_back();
+      emptied.group = name;
+      emptied.state = GroupState::Emptied;
+      emptied.exact_area = 0;
+    }
   of_facets.insert(of_facets.end(), of_model.begin(), of_model.end());
   return of_facets;
 }
 
 void check_areas(const Revision& parent, const FeatureModel& model,
-                 std::span<const GroupOutcome> outcomes) {
+                 std::span<const GroupFigures> figures) {
   for (const FaceGroup& group : model.groups) {
-    const GroupOutcome* then = find_outcome(parent.report.outcomes, group.name);
-    const GroupOutcome* now = find_outcome(outcomes, group.name);
+    const GroupFigures* then = find_group(parent.report.figures, group.name);
+    const GroupFigures* now = find_group(figures, group.name);
     if (!group.policy.max_area_change || then == nullptr || now == nullptr) continue;
-    if (std::fabs(now->exact_area - then->exact_area) >
-        (*group.policy.max_area_change + kGroupLimits.same_area) * then->exact_area)
-      throw error::area_changed(group.name, then->exact_area, now->exact_area,
-                                *group.policy.max_area_change);
+    const double was = then->exact_area.value_or(0), is = now->exact_area.value_or(0);
+    const double most = *group.policy.max_area_change;
+    if (std::fabs(is - was) > (most + kGroupLimits.same_area) * was)
+      throw error::area_changed(group.name, was, is, most);
   }
 }
 

@@ -10,22 +10,22 @@ namespace remeshd {
 
 /// The groups of a model with the exact areas of what they select of its boundary, in their order,
 /// before there is a mesh; their states are not known yet.
-std::vector<GroupOutcome> groups_before_meshing(const FeatureModel& model,
+std::vector<GroupFigures> groups_before_meshing(const FeatureModel& model,
                                                 const BoundaryModel& boundary, const Run& run);
 
 /// Names of the groups that select nothing of the boundary and no material, in their order.
 std::vector<std::string> groups_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
                                            const Run& run);
 
-/// What became of each group of a finished mesh since the parent: of those of facets, emptied ones
-/// included, then of those of the model. `before_meshing`: as above.
-std::vector<GroupOutcome> group_outcomes(const Revision& parent, const Revision& revision,
-                                         std::span<const GroupOutcome> before_meshing);
+/// Figures of all groups of a finished mesh, with what became of each since the parent: of those of
+/// facets, emptied ones included, then of those of the model. `before_meshing`: as above.
+std::vector<GroupFigures> group_outcomes(const Revision& parent, const Revision& revision,
+                                         std::span<const GroupFigures> before_meshing);
 
 /// Throws Error(POLICY_BROKEN) with the group and its policy for one whose exact area differs from
 /// the parent's by more than it lets it.
 void check_areas(const Revision& parent, const FeatureModel& model,
-                 std::span<const GroupOutcome> outcomes);
+                 std::span<const GroupFigures> figures);
 
 /// Throws Error(POLICY_BROKEN) for a group in `empty` whose policy is to fail then.
 void check_emptied(const FeatureModel& model, std::span<const std::string> empty);

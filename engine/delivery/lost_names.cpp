@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/delivery/group_areas.h"
 #include "engine/delivery/group_outcomes.h"
 #include "engine/model/solid.h"
+#include "engine/revision/group_figures.h"
 #include "engine/sizing/size_controls.h"
 
 namespace remeshd {

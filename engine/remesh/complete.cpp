@@ -107,8 +107,7 @@ void complete_groups(const Revision& parent, Revision& revision) {
   const std::vector<std::string> empty = empty_groups(output);
   if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
   check_emptied(revision.model, empty);
-  const std::vector<GroupOutcome> before_meshing = std::exchange(revision.report.outcomes, {});
-  revision.report.outcomes = group_outcomes(parent, revision, before_meshing);
+  revision.report.figures = group_outcomes(parent, revision, revision.report.figures);
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
     report.geometry_seconds -= attempt.seconds;
   }
   // Groups and their policies, which no mesh is needed for.
-  report.outcomes = groups_before_meshing(revision.model, revision.cells.boundary, run);
-  check_areas(parent, revision.model, report.outcomes);
+  report.figures = groups_before_meshing(revision.model, revision.cells.boundary, run);
+  check_areas(parent, revision.model, report.figures);
   const std::vector<std::string> empty =
       groups_of_nothing(revision.model, revision.cells.boundary, run);
   if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());

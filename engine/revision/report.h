@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/base/vec.h"
 #include "engine/base/warning.h"
 #include "engine/mesh/quality.h"
 
@@ -70,13 +72,20 @@ enum class GroupState : std::uint8_t {
   New,
 };
 
-/// A group of the model, or of facets, beside the parent's of that name.
-struct GroupOutcome {
-  std::string group;
-  bool of_model = false;
+/// A group of the model, or a group of facets, beside what it stands for and the parent's of that
+/// name.
+struct GroupFigures {
+  std::string group;  ///< a name of the model's, or the faces of a group of facets, joined by `+`
+  bool of_model = false;  ///< a group of the model
   GroupState state = GroupState::Unspecified;
-  /// Of a group of the model: area of what it selects of the boundary, conditions by quadrature.
-  double exact_area = 0;
+  /// Of what it selects of the boundary, conditions by quadrature; nothing where the engine does
+  /// not know it.
+  std::optional<double> exact_area;
+  double mesh_area = 0;
+  Vec3 centroid;  ///< of the facets
+  Vec3 normal;    ///< mean of the facets' outward ones, weighted by area; 1 long for a plane
+  std::uint32_t nodes = 0, facets = 0, tets = 0;
+  std::uint32_t parts = 0;  ///< of the facets: those of different parts have no node in common
 };
 
 /// What verification measured of a mesh that it found valid.
@@ -108,7 +117,7 @@ struct Report {
   std::uint32_t sharp_tets = 0;  ///< the others
   VerificationFigures verification;
   std::vector<GroupArea> groups;
-  std::vector<GroupOutcome> outcomes;  ///< of all groups: those of facets, then those of the model
+  std::vector<GroupFigures> figures;  ///< of all groups: those of facets, then those of the model
   /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
   /// share of those that it keeps.
   double last_resort_share = 0;

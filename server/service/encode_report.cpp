@@ -153,7 +153,7 @@ v1::Report encode_report(const HeldRevision& held) {
   out.set_sharp_tets(report.sharp_tets);
   put_verification(report.verification, *out.mutable_verification());
   for (const TriedStrategy& attempt : report.attempts) put_attempt(attempt, *out.add_attempts());
-  for (const GroupFigures& figures : groups_of(held)) put_group(figures, *out.add_groups());
+  for (const GroupFigures& figures : report.figures) put_group(figures, *out.add_groups());
   for (const Warning& warning : report.warnings) *out.add_warnings() = encode(warning);
   put_diagnostics(report, held.record.parent.empty(), *out.mutable_diagnostics());
   return out;

@@ -3,11 +3,8 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "engine/delivery/group_figures.h"
 #include "engine/remesh/remesh.h"
-#include "server/session/lazy.h"
 #include "server/session/mesh_arrays.h"
 #include "server/store/records.h"
 
@@ -24,14 +21,8 @@ struct HeldRevision {
   /// which has the recipe.
   std::optional<MeshOptions> asked;
 
-  // Worked out when first asked for, and kept.
-  MeshDigests digests;
-  Lazy<std::vector<GroupFigures>> groups;
+  MeshDigests digests;  ///< worked out when first asked for, and kept
 };
 using HeldRevisionPtr = std::shared_ptr<const HeldRevision>;
-
-inline const std::vector<GroupFigures>& groups_of(const HeldRevision& held) {
-  return held.groups.get([&] { return group_figures(held.revision); });
-}
 
 }  // namespace remeshd

@@ -46,7 +46,10 @@ void serialize(auto& a, SizedBall& b) { a(b.centre, b.radius, b.size); }
 void serialize(auto& a, SizeControlSource& s) { a(s.id, s.place, s.size); }
 void serialize(auto& a, GroupPolicy& p) { a(p.max_area_change, p.fail_emptied); }
 void serialize(auto& a, GroupSource& g) { a(g.name, g.on, g.policy); }
-void serialize(auto& a, GroupOutcome& o) { a(o.group, o.of_model, o.state, o.exact_area); }
+void serialize(auto& a, GroupFigures& f) {
+  a(f.group, f.of_model, f.state, f.exact_area, f.mesh_area, f.centroid, f.normal, f.nodes,
+    f.facets, f.tets, f.parts);
+}
 void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
 }
@@ -81,7 +84,7 @@ std::string write_documents(const Revision& revision) {
     if (revision.anchor) archive(revision.anchor->source.sizes);
     archive(revision.options.order, revision.output.mids.next_id, report.counts.mid_nodes,
             report.counts.straight_edges);
-    archive(revision.source.groups, revision.meshed_source.groups, report.outcomes);
+    archive(revision.source.groups, revision.meshed_source.groups, report.figures);
     if (revision.anchor) archive(revision.anchor->source.groups);
   }
   return std::move(out).str();
@@ -121,7 +124,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
       archive(revision.options.order, revision.output.mids.next_id, counts.mid_nodes,
               counts.straight_edges);
     if (format > kNoGroups) {
-      archive(revision.source.groups, revision.meshed_source.groups, revision.report.outcomes);
+      archive(revision.source.groups, revision.meshed_source.groups, revision.report.figures);
       if (documents.anchored) archive(documents.anchor_source.groups);
     }
 #endif

@@ -10,6 +10,7 @@
 #include "engine/base/error.h"
 #include "engine/mesh/tet_boxes.h"
 #include "engine/revision/delaunay_state.h"
+#include "engine/revision/group_figures.h"
 #include "engine/revision/group_members.h"
 #include "engine/revision/storage/older_format.h"
 #include "engine/revision/storage/stored_documents.h"
@@ -349,6 +350,8 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   revision.delaunay_state = std::make_shared<const DelaunayState>(std::move(state));
   check_indices(revision);
   revision.output.groups.of_model = group_members(revision.output, revision.model);
+  // Stored before they were kept.
+  if (revision.report.figures.empty()) revision.report.figures = group_figures(revision);
   revision.boxes = boxes_round(revision.output.mesh);
   revision.measures = measure_tets(revision.output.mesh.nodes, revision.output.mesh.tets, run);
   return revision;

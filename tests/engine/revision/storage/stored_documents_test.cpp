@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 
 #include "tests/support/cases.h"
@@ -84,8 +85,18 @@ TEST(StoredDocuments, KeepTheGroupsOfEachModelAndWhatBecameOfThem) {
   r.source.groups = {{"load", "plate.top & z > 1", {.max_area_change = 0.2, .fail_emptied = true}},
                      {"rim", "plate.x_*", {}}};
   r.meshed_source.groups = {{"load", "plate.top", {}}};
-  r.report.outcomes = {{"plate.top", false, GroupState::Resized, 0},
-                       {"load", true, GroupState::Split, 12.5}};
+  r.report.figures = {{.group = "plate.top", .state = GroupState::Resized},
+                      {.group = "load",
+                       .of_model = true,
+                       .state = GroupState::Split,
+                       .exact_area = 12.5,
+                       .mesh_area = 12.25,
+                       .centroid = {1, 2, 3},
+                       .normal = {0, 0, 1},
+                       .nodes = 5,
+                       .facets = 6,
+                       .tets = 7,
+                       .parts = 2}};
   Anchor anchor;
   anchor.source.groups = {{"other", "plate", {}}};
   r.anchor = std::make_shared<const Anchor>(anchor);
@@ -93,11 +104,18 @@ TEST(StoredDocuments, KeepTheGroupsOfEachModelAndWhatBecameOfThem) {
   EXPECT_EQ(read_documents(write_documents(r), back).anchor_source, anchor.source);
   EXPECT_EQ(back.source, r.source);
   EXPECT_EQ(back.meshed_source, r.meshed_source);
-  ASSERT_EQ(back.report.outcomes.size(), 2U);
-  EXPECT_EQ(back.report.outcomes[1].group, "load");
-  EXPECT_TRUE(back.report.outcomes[1].of_model);
-  EXPECT_EQ(back.report.outcomes[1].state, GroupState::Split);
-  EXPECT_EQ(back.report.outcomes[1].exact_area, 12.5);
+  ASSERT_EQ(back.report.figures.size(), 2U);
+  EXPECT_FALSE(back.report.figures[0].exact_area);
+  const GroupFigures& load = back.report.figures[1];
+  EXPECT_EQ(load.group, "load");
+  EXPECT_TRUE(load.of_model);
+  EXPECT_EQ(load.state, GroupState::Split);
+  EXPECT_EQ(load.exact_area, 12.5);
+  EXPECT_EQ(load.mesh_area, 12.25);
+  EXPECT_EQ(load.centroid, (Vec3{1, 2, 3}));
+  EXPECT_EQ(load.normal, (Vec3{0, 0, 1}));
+  EXPECT_EQ((std::array{load.nodes, load.facets, load.tets, load.parts}),
+            (std::array{5U, 6U, 7U, 2U}));
 }
 
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {

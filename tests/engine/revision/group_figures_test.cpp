@@ -1,4 +1,4 @@
-#include "engine/delivery/group_figures.h"
+#include "engine/revision/group_figures.h"
 
 #include <gtest/gtest.h>
 

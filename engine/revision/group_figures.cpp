@@ -1,13 +1,11 @@
-#include "engine/delivery/group_figures.h"
+#include "engine/revision/group_figures.h"
 
 #include <algorithm>
 #include <span>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include "engine/base/union_find.h"
-#include "engine/delivery/group_areas.h"
 #include "engine/mesh/grouping.h"
 
 namespace remeshd {
@@ -108,43 +106,28 @@ class FacetCounter {
 
 }  // namespace
 
-std::vector<GroupFigures> group_figures(const Revision& revision) {
+std::vector<GroupFigures> group_figures(const Revision& revision,
+                                        std::span<const GroupFigures> of_model) {
   const MeshGroups& groups = revision.output.groups;
   const auto by_group = grouped<std::int32_t>(groups.facet_groups.size(), [&](const auto& visit) {
     for (std::size_t f = 0; f < groups.facets.size(); ++f)
       visit(groups.facets[f].group, static_cast<std::int32_t>(f));
   });
   const ExactAreas exact(revision);
-  std::unordered_map<std::string_view, const GroupOutcome*> outcomes;
-  for (const GroupOutcome& outcome : revision.report.outcomes)
-    outcomes.emplace(outcome.group, &outcome);
-  const auto outcome_of = [&](const std::string& group) {
-    const auto found = outcomes.find(group);
-    return found == outcomes.end() ? GroupOutcome{} : *found->second;
-  };
   FacetCounter counter(revision.output);
   std::vector<GroupFigures> all;
   for (std::size_t g = 0; g < groups.facet_groups.size(); ++g) {
     GroupFigures& figures = all.emplace_back();
     figures.group = group_name(groups.facet_groups[g]);
     figures.exact_area = exact.of(groups.facet_groups[g]);
-    figures.state = outcome_of(figures.group).state;
     counter.count(by_group[g], figures);
   }
-  for (const GroupOutcome& outcome : revision.report.outcomes)
-    if (!outcome.of_model && outcome.state == GroupState::Emptied) {
-      GroupFigures& figures = all.emplace_back();
-      figures.group = outcome.group;
-      figures.exact_area = 0;
-      figures.state = outcome.state;
-    }
   for (const GroupMembers& group : groups.of_model) {
     GroupFigures& figures = all.emplace_back();
-    const GroupOutcome outcome = outcome_of(group.name);
     figures.group = group.name;
     figures.of_model = true;
-    figures.exact_area = outcome.exact_area;
-    figures.state = outcome.state;
+    const auto known = std::ranges::find(of_model, group.name, &GroupFigures::group);
+    if (known != of_model.end()) figures.exact_area = known->exact_area;
     figures.tets = static_cast<std::uint32_t>(group.tets.size());
     counter.count(group.facets, figures);
   }
