@@ -49,19 +49,19 @@ def displacement(part, complaints):
     return solution.work / np.linalg.norm(LOAD)
 
 
-def row(daemon, case, order, nodes, seeds, complaints):
+def row(daemon, case, nodes, seeds, complaints, **options):
     """Remeshed and regular displacements of a case."""
     model, edit = documents(case)
     probe = daemon.mesh(model, nodes=400)
     edited = probe.edit(edit)
-    base = daemon.mesh(model, nodes=nodes, order=order)
+    base = daemon.mesh(model, nodes=nodes, **options)
     base = base.edit(*grouped(probe.mesh().points))
     displacement(base, complaints)
     part = base.edit(edit, *grouped(edited.mesh().points))
     remeshed = displacement(part, complaints)
     regular = []
     for seed in range(1, seeds + 1):
-        fresh = daemon.mesh(part.document(), nodes=part.report.nodes, order=order, seed=seed)
+        fresh = daemon.mesh(part.document(), nodes=part.report.nodes, seed=seed, **options)
         regular.append(displacement(fresh, complaints))
     return part, remeshed, np.array(regular)
 
@@ -73,6 +73,7 @@ def main():
     parser.add_argument("--nodes", type=int, default=15000)
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--orders", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--even", action="store_true", help="one edge length everywhere")
     parser.add_argument("--check", action="store_true",
                         help="fail where remeshed is off by more than .5 %% or twice the spread + .1 %%")
     arguments = parser.parse_intermixed_args()
@@ -82,8 +83,9 @@ def main():
     with rc.local(arguments.remeshd) as daemon:
         for case in arguments.cases or PAPER + DETAILED:
             for order in arguments.orders:
-                part, remeshed, regular = row(daemon, case, order, arguments.nodes, arguments.seeds,
-                                              complaints)
+                part, remeshed, regular = row(daemon, case, arguments.nodes, arguments.seeds,
+                                              complaints, order=order,
+                                              **({"even": True} if arguments.even else {}))
                 mean = regular.mean()
                 spread = np.ptp(regular) / mean
                 off = remeshed / mean - 1

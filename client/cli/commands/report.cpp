@@ -21,10 +21,10 @@ bool is_unknown(const client::CallError& error) {
   return error.detail().code() == remesh::v1::Error::CODE_NOT_FOUND;
 }
 
-const std::string& revision_name(const std::string& name) {
-  if (!std::holds_alternative<std::string>(resolve(name)))
-    throw UsageError(name + " is a file; a report is about revisions: mesh it first");
-  return name;
+void check_revision_name(Session& session, const std::string& name) {
+  if (!std::holds_alternative<std::string>(resolve(session.documents(), name)))
+    throw UsageError(Documents::shown(name) +
+                     " is a file; a report is about revisions: mesh it first");
 }
 
 ReportSide read_side(Session& session, const std::string& name) {
@@ -67,7 +67,7 @@ std::optional<ReportSide> read_parent(Session& session, const remesh::v1::Revisi
 
 int report(Session& session, const ReportArguments& arguments) {
   check_text_file(arguments.file);
-  for (const std::string& name : arguments.revisions) revision_name(name);
+  for (const std::string& name : arguments.revisions) check_revision_name(session, name);
   ReportContent content;
   content.surfaces_only = arguments.surfaces_only;
   content.modified = read_side(session, arguments.revisions.back());
