@@ -73,11 +73,10 @@ PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups
 }
 
 /// Sorts elements, each with its key, into entities. A cell or facet group without an element has
-/// one without any, so that it keeps its physical group. `all`: a name that every entity has too.
+/// one without any, so that it keeps its physical group.
 Entities entities(std::int32_t dimension, std::size_t offset,
                   const std::vector<std::vector<std::string>>& groups,
-                  const std::vector<std::string>& of_model, const std::vector<EntityKey>& keys,
-                  const char* all) {
+                  const std::vector<std::string>& of_model, const std::vector<EntityKey>& keys) {
   Entities out;
   out.dimension = dimension;
   PhysicalNames physical = physical_names(groups, offset);
@@ -88,7 +87,6 @@ Entities entities(std::int32_t dimension, std::size_t offset,
     for (const std::int32_t g : key.of_model) used[static_cast<std::size_t>(g)] = true;
   for (std::size_t g = 0; g < of_model.size(); ++g)
     model_tags.push_back(used[g] ? physical.add(of_model[g]) : 0);
-  const std::int32_t tag_of_all = all != nullptr ? physical.add(all) : 0;
   std::map<EntityKey, std::vector<std::size_t>> by_key;
   for (std::size_t k = 0; k < keys.size(); ++k) by_key[keys[k]].push_back(k);
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -100,7 +98,6 @@ Entities entities(std::int32_t dimension, std::size_t offset,
     std::vector<std::int32_t> tags = physical.of_group[static_cast<std::size_t>(key.group)];
     for (const std::int32_t g : key.of_model)
       tags.push_back(model_tags[static_cast<std::size_t>(g)]);
-    if (tag_of_all > 0) tags.push_back(tag_of_all);
     out.physical.push_back(std::move(tags));
     out.elements.push_back(std::move(elements));
   }
@@ -210,14 +207,12 @@ std::string to_msh(const Mesh& mesh) {
       entities(2, 0, mesh.facet_groups, mesh.group_names,
                keys_of(
                    mesh.facets.size(), [&](std::size_t f) { return mesh.facets[f].group; },
-                   mesh.group_facets),
-               nullptr);
+                   mesh.group_facets));
   find_boxes(surfaces, mesh, [&](std::size_t f) { return mesh.facets[f].nodes; });
   Entities volumes = entities(
       3, surfaces.names.size(), mesh.cell_owners, mesh.group_names,
       keys_of(
-          mesh.tets.size(), [&](std::size_t t) { return mesh.tet_cell[t]; }, mesh.group_tets),
-      kAllName);
+          mesh.tets.size(), [&](std::size_t t) { return mesh.tet_cell[t]; }, mesh.group_tets));
   find_boxes(volumes, mesh, [&](std::size_t t) { return mesh.tets[t]; });
 
   std::string out = "$MeshFormat\n4.1 1 8\n";

@@ -48,6 +48,18 @@ v1::MeshOptions encode(const MeshOptions& options) {
   return out;
 }
 
+std::string in_one_line(const MeshOptions& options) {
+  std::string line;
+  // No text of it has a line's end of its own.
+  for (const char c : write_json(encode(options), {.write_zeros = false})) {
+    if (c == '\n') continue;
+    const bool indents = c == ' ' && (line.ends_with(' ') || line.ends_with('{'));
+    if (!indents) line += c;
+    if (c == ',') line += ' ';
+  }
+  return line;
+}
+
 v1::RevisionInfo encode(const RevisionRecord& record, const PlaceRecord& place) {
   v1::RevisionInfo out;
   out.set_id(record.id);

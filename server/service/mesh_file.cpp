@@ -6,6 +6,7 @@
 #include "client/library/mesh_arrays.h"
 #include "remesh/v1/mesh.pb.h"
 #include "remeshd/mesh_file.h"
+#include "server/service/encode.h"
 #include "server/session/mesh_arrays.h"
 #include "server/session/session_error.h"
 
@@ -30,6 +31,10 @@ client::Mesh mesh_of(const HeldRevision& revision) {
   client::Mesh mesh;
   mesh.revision = revision.record.id;
   mesh.parent = revision.record.parent;
+  mesh.model_name = revision.revision.source.name;
+  mesh.unit = revision.revision.source.unit;
+  mesh.options = in_one_line(revision.revision.options);
+  mesh.algorithm_version = revision.record.algorithm_version;
   std::string bytes;
   for (const MeshArray& array : mesh_arrays(revision.revision.output)) {
     const auto name = static_cast<remesh::v1::MeshArray>(static_cast<int>(array.name));

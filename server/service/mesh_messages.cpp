@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "proto/checksum.h"
-#include "proto/json_writer.h"
 #include "server/limits.h"
 #include "server/service/array_delta.h"
 #include "server/service/encode.h"
@@ -28,13 +27,6 @@ static_assert(static_cast<int>(ArrayName::Nodes) == v1::MESH_ARRAY_NODES &&
 
 v1::MeshArray name_of(const MeshArray& array) {
   return static_cast<v1::MeshArray>(static_cast<int>(array.name));
-}
-
-/// As JSON without a line's end.
-std::string one_line(const v1::MeshOptions& options) {
-  std::string text = write_json(options, {.write_zeros = false, .width = 1 << 20});
-  text.pop_back();
-  return text;
 }
 
 std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
@@ -130,7 +122,7 @@ void MeshMessages::put_header(v1::MeshHeader& header) const {
   header.set_model_name(revision.source.name);
   header.set_unit(revision.source.unit);
   header.set_order(revision.options.order);
-  header.set_options(one_line(encode(revision.options)));
+  header.set_options(in_one_line(revision.options));
   header.set_algorithm_version(held.record.algorithm_version);
   header.set_nodes(size_of(delivery.mesh.nodes.size()));
   header.set_mid_nodes(size_of(delivery.mids.positions.size()));

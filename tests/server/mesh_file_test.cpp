@@ -76,7 +76,7 @@ TEST_F(MeshFile, ComesThroughTheClientLibrary) {
 
 TEST_F(MeshFile, LargerThanAMessageComesInSeveralParts) {
   create(create_request(plate(), 50000));
-  const Received received = receive("plate", "vtu");
+  const Received received = receive("plate", "inp");
   EXPECT_GT(received.file.size(), std::size_t{3} << 20U);
   EXPECT_LE(received.largest_message, std::size_t{1} << 20U);
 }

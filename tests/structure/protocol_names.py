@@ -14,7 +14,7 @@ LATER = {
     "REASON_UNSPECIFIED",
     "DEADLINE_PASSED", "COMPUTE_LIMIT_REACHED",       # limits on time
     "REVISION_OUTDATED", "NOT_REPRODUCIBLE", "TIER_UNAVAILABLE",          # recipes, shared tier
-    "UNKNOWN_GROUP", "POLICY_BROKEN",                                     # groups
+    "UNSUPPORTED",                         # a daemon that does not do yet what the protocol has
     "TOO_MANY_STREAMS", "STARTING",                                       # load
     "NOT_ALLOWED",                                                        # access
     "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients

@@ -292,13 +292,13 @@ class Mesh:
         return to_meshio(self)
 
     def to_vtk(self) -> vtkUnstructuredGrid:
-        """A vtkUnstructuredGrid of the tets with point and cell data, as in the file `.vtu`."""
+        """A vtkUnstructuredGrid of tets and facets with their data, as in the file `.vtu`."""
         from remesh_client._vtk import to_vtk
         return to_vtk(self)
 
     def __getstate__(self) -> dict[str, Any]:
         """For pickling: what it was read of, without the daemon."""
-        state = ("content", "revision", "parent", "order", "unit", "model_name")
+        state = ("content", "exact_areas", "revision", "parent", "order", "unit", "model_name")
         return {"_write_file": None, **{name: self.__dict__[name] for name in state}}
 
     def __repr__(self) -> str:

@@ -123,7 +123,8 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
     if (format > kNoOrder)
       archive(revision.options.order, revision.output.mids.next_id, counts.mid_nodes,
               counts.straight_edges);
-    if (format > kNoGroups) {
+    documents.has_figures = format > kNoGroups;
+    if (documents.has_figures) {
       archive(revision.source.groups, revision.meshed_source.groups, revision.report.figures);
       if (documents.anchored) archive(documents.anchor_source.groups);
     }

@@ -14,6 +14,7 @@ struct Documents {
   BoundaryParts parts;
   DelaunayState delaunay_state;  ///< but for its arrays
   bool anchored = false;
+  bool has_figures = false;  ///< of groups, which older formats have not
   ModelSource anchor_source;
 };
 

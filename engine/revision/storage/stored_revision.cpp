@@ -350,8 +350,7 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   revision.delaunay_state = std::make_shared<const DelaunayState>(std::move(state));
   check_indices(revision);
   revision.output.groups.of_model = group_members(revision.output, revision.model);
-  // Stored before they were kept.
-  if (revision.report.figures.empty()) revision.report.figures = group_figures(revision);
+  if (!documents.has_figures) revision.report.figures = group_figures(revision);
   revision.boxes = boxes_round(revision.output.mesh);
   revision.measures = measure_tets(revision.output.mesh.nodes, revision.output.mesh.tets, run);
   return revision;

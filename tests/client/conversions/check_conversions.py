@@ -42,7 +42,7 @@ def difference(points, others):
 def check_gmsh_formats(folder):
     for stem in ("part", "second"):
         points, tets, names = by_gmsh(folder / f"{stem}.msh")
-        assert len(names) == 25, names
+        assert len(names) == 27 and {"load", "supports"} <= names, names
         for name, most in ((f"{stem}.unv", 0), (f"{stem}-22.msh", 1.5e-14)):
             others, other_tets, other_names = by_gmsh(folder / name)
             assert difference(points, others) <= most, name
@@ -74,7 +74,7 @@ def check_meshio_formats(folder):
     assert {name for family in named.cell_tags.values() for name in family} == names
     tags = {block.type: np.unique(tags) for block, tags in
             zip(named.cells, named.cell_data["cell_tags"])}
-    assert (len(tags["triangle"]), len(tags["tetra"])) == (21, 4), tags
+    assert (len(tags["triangle"]), len(tags["tetra"])) == (23, 4), tags
 
 
 def main():

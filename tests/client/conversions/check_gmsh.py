@@ -63,7 +63,8 @@ def check_groups(facet_tags, tet_tags):
     """Physical groups: each has a name of its own, and every element is in one of them."""
     groups = gmsh.model.getPhysicalGroups()
     names = [gmsh.model.getPhysicalName(*group) for group in groups]
-    assert len(set(names)) == len(names) == 25 and {"hole.wall", "rib.side2", "pipe"} <= set(names)
+    assert len(set(names)) == len(names) == 27
+    assert {"hole.wall", "rib.side2", "pipe", "load", "supports"} <= set(names)
     covered = {2: set(), 3: set()}
     for dim, group in groups:
         for entity in gmsh.model.getEntitiesForPhysicalGroup(dim, group):

@@ -312,7 +312,7 @@ def check_losses(folder, address):
     model.write_text(json.dumps(part))
     remesh("mesh", model, "--nodes", 800, "-o", out, address=address)
     tries = {
-        "a pin as thin as nothing": (["--set", "pin_radius=1e-9"], "DETAIL_NOT_RESOLVED"),
+        "a pin as thin as nothing": (["--set", "pin_radius=1e-9"], "FEATURE_WITHOUT_EFFECT"),
         "a hole moved off the part": (["--set", "hole_x=100"], "FEATURE_WITHOUT_EFFECT"),
         "a group emptied": (["--remove", "hole"], "GROUP_EMPTIED"),
         "chords too coarse": (["--set", "hole.radius=6", "--edges-per-circle", 0, "--layers", 0,

@@ -24,7 +24,7 @@ def main():
         script = "set -e\ntrap 'kill $(jobs -p) 2>/dev/null || true' EXIT\n" + "\n".join(blocks)
         packages = next(prefix.glob("lib/python3*/dist-packages"))
         socket = f"unix:{name}/remeshd.sock"
-        environment = dict(os.environ, PATH=f"{prefix}/bin:{os.environ['PATH']}",
+        environment = dict(os.environ, PATH=f"{prefix}/bin:/usr/bin:{os.environ['PATH']}",
                            PYTHONPATH=str(packages), REMESHD_LISTEN=socket, REMESH_ADDRESS=socket,
                            PYTHONDONTWRITEBYTECODE="1")
         done = subprocess.run(["bash", "-c", script.replace("/usr/local", str(prefix))], cwd=folder,

@@ -203,8 +203,7 @@ TEST(Msh, GivesAnEntityEachPhysicalGroupOnce) {
   // Each its own first; Slot1.x_max is 7, base.x_max 8, Slot1.top 9, and of the cells, which
   // count on, base 10, both 11 and Slot1 12.
   EXPECT_EQ(tags[0], (Tags{{1}, {2, 7, 8}, {3}, {4}, {5}, {6, 5, 9}}));
-  // All tets are 13.
-  EXPECT_EQ(tags[1], (Tags{{10, 13}, {11, 10, 12, 13}}));
+  EXPECT_EQ(tags[1], (Tags{{10}, {11, 10, 12}}));
 }
 
 TEST(Msh, BoxesOfEntitiesHoldAllTheirNodes) {

@@ -101,7 +101,6 @@ def check_facet_mids(facets, want):
 def check_msh_groups(mesh, want):
     """By their nodes, for entities that groups have cut in parts come one after the other."""
     groups = {name: want["members"](name) for name in want["groups"]}
-    groups["remesh_all"] = {"tets": range(len(want["tets"])), "facets": []}
     for name, members in groups.items():
         for block, type_, width in (("facets", want["facet_type"], 3), ("tets", want["tet_type"], 4)):
             wanted = facets_of(want[block][k][:width] for k in members[block])
