@@ -16,8 +16,7 @@ inline std::string group_name(const std::vector<std::string>& faces) {
 }
 
 /// Of every group of the mesh, counted from the output mesh: in the order of `facet_groups`, then
-/// those of the model, whose exact areas are in `of_model`. States are left open. Takes 0.4 ms for
-/// 15,000 nodes.
+/// those of the model, whose exact areas are in `of_model`. States are left open.
 std::vector<GroupFigures> group_figures(const Revision& revision,
                                         std::span<const GroupFigures> of_model = {});
 

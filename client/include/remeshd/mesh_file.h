@@ -58,8 +58,8 @@ std::string to_vtu(const Mesh& mesh);
 /// One volume entity for each cell and one surface entity for each facet group, or several where
 /// groups of the model take parts of it. Physical groups: one for each cell and facet group, named
 /// by all its owners or faces (`base+slot1`); where such a name joins several, one for each single
-/// feature and face; and one for each group of the model. Those of volumes
-/// are numbered after those of surfaces.
+/// feature and face; and one for each group of the model. Those of volumes are numbered after those
+/// of surfaces.
 std::string to_msh(const Mesh& mesh);
 
 /// Abaqus and CalculiX input: `*NODE`, `*ELEMENT` of C3D4 or C3D10; a node set and an element
