@@ -42,27 +42,28 @@ def grouped(points):
     return [rc.set_group(name, on) for name, on in groups(points).items()]
 
 
-def displacement(part, complaints):
+def displacement(part, complaints, solver):
     """Of the loaded faces along the load, on the mean."""
-    solution = calculix.solve(part.mesh(), STEEL, {"supports": "xyz"}, {"load": LOAD}, limit=3600)
+    solution = calculix.solve(part.mesh(), STEEL, {"supports": "xyz"}, {"load": LOAD}, limit=3600,
+                              solver=solver)
     complaints.extend(solution.warnings)
     return solution.work / np.linalg.norm(LOAD)
 
 
-def row(daemon, case, nodes, seeds, complaints, **options):
+def row(daemon, case, nodes, seeds, solver, complaints, **options):
     """Remeshed and regular displacements of a case."""
     model, edit = documents(case)
     probe = daemon.mesh(model, nodes=400)
     edited = probe.edit(edit)
     base = daemon.mesh(model, nodes=nodes, **options)
     base = base.edit(*grouped(probe.mesh().points))
-    displacement(base, complaints)
+    displacement(base, complaints, solver)
     part = base.edit(edit, *grouped(edited.mesh().points))
-    remeshed = displacement(part, complaints)
+    remeshed = displacement(part, complaints, solver)
     regular = []
     for seed in range(1, seeds + 1):
         fresh = daemon.mesh(part.document(), nodes=part.report.nodes, seed=seed, **options)
-        regular.append(displacement(fresh, complaints))
+        regular.append(displacement(fresh, complaints, solver))
     return part, remeshed, np.array(regular)
 
 
@@ -74,6 +75,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--orders", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--even", action="store_true", help="one edge length everywhere")
+    parser.add_argument("--solver", default="", help="of ccx; default: its own choice")
     parser.add_argument("--check", action="store_true",
                         help="fail where remeshed is off by more than .5 %% or twice the spread + .1 %%")
     arguments = parser.parse_intermixed_args()
@@ -84,7 +86,7 @@ def main():
         for case in arguments.cases or PAPER + DETAILED:
             for order in arguments.orders:
                 part, remeshed, regular = row(daemon, case, arguments.nodes, arguments.seeds,
-                                              complaints, order=order,
+                                              arguments.solver, complaints, order=order,
                                               **({"even": True} if arguments.even else {}))
                 mean = regular.mean()
                 spread = np.ptp(regular) / mean
