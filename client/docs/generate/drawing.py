@@ -1,4 +1,5 @@
-"""Draws a closed surface of triangles, coloured and labelled by face, seen from two sides: no display needed."""
+"""Draws a closed surface of triangles, coloured and labelled by face, seen from one or more sides, without a
+display."""
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 from matplotlib import get_data_path
@@ -6,11 +7,12 @@ from scipy.ndimage import distance_transform_edt
 
 WIDTH, HEIGHT, FINER = 480, 340, 2  # px; pixels are drawn FINER times as fine
 ABOVE, BELOW = 28, 74  # px: room for the caption and the axes
-VIEWS = ((-55, 28, "from above"), (125, -28, "from below, behind"))  # degrees: azimuth, elevation
+BOTH = ((-55, 28, "from above"), (125, -28, "from below, behind"))  # degrees: azimuth, elevation
 COLOURS = ((252, 141, 98), (141, 160, 203), (102, 194, 165), (231, 138, 195), (166, 216, 84),
            (255, 217, 47), (229, 196, 148), (128, 205, 222))
 FONT = ImageFont.truetype(get_data_path() + "/fonts/ttf/DejaVuSans.ttf", 13 * FINER)
 SMALL = ImageFont.truetype(get_data_path() + "/fonts/ttf/DejaVuSans.ttf", 11 * FINER)
+ONE = ((-62, 24, ""),)
 GREY, BLACK, NOTHING = (110, 110, 110), (20, 20, 20), -1
 
 
@@ -51,9 +53,9 @@ def rasterise(corners, shape):
     return which, edge
 
 
-def render(points, triangles, owner, axes, scale):
-    """Half a picture, and the face at each pixel."""
-    shape = (HEIGHT * FINER, WIDTH * FINER // 2)
+def render(points, triangles, owner, axes, scale, width):
+    """A picture of `width` pixels, and the face at each."""
+    shape = (HEIGHT * FINER, width)
     seen = points @ axes.T
     middle = (seen.min(0) + seen.max(0)) / 2
     flat = (seen - middle) * [scale, -scale, scale] + [shape[1] / 2, (HEIGHT + ABOVE - BELOW) * FINER / 2, 0]
@@ -73,31 +75,38 @@ def render(points, triangles, owner, axes, scale):
     return Image.fromarray(image.astype(np.uint8)), face
 
 
-def places(anchor, size):
-    """Where a label may stand, the nearest to its anchor first: middles."""
+def places(anchor):
+    """Where a label's middle may be, and how far that is from its anchor."""
     for distance in range(0, 320, 8):
         count = max(1, distance // 3)
         for k in range(count):
             angle = 2 * np.pi * k / count
-            yield anchor + distance * np.array([np.cos(angle), 0.8 * np.sin(angle)])
+            yield anchor + distance * np.array([np.cos(angle), 0.8 * np.sin(angle)]), distance
 
 
-def label(draw, text, anchor, taken, room):
-    """Writes it near its anchor, over no other; a line leads to the anchor where it is not on it."""
+def label(draw, text, anchor, face, taken):
+    """Box of a label near its anchor, over no other and over little of other faces than its own. A line leads
+    to the anchor where it is not on it. `face`: that at each pixel."""
     width, height = draw.textbbox((0, 0), text, font=FONT)[2:]
     half = np.array([width / 2 + 8, height / 2 + 5])
-    for middle in places(np.array(anchor, float), half):
-        box = np.concatenate([middle - half, middle + half])
-        inside = box[0] >= room[0] and box[1] >= room[1] and box[2] <= room[2] and box[3] <= room[3]
-        if inside and not any(box[0] < b[2] and b[0] < box[2] and box[1] < b[3] and b[1] < box[3] for b in taken):
-            break
-    else:
+    own, best = face[anchor[1], anchor[0]], (np.inf, None)
+    for middle, distance in places(np.array(anchor, float)):
+        x0, y0, x1, y1 = box = np.concatenate([middle - half, middle + half]).astype(int)
+        if x0 < 4 or y0 < (ABOVE - 4) * FINER or x1 > face.shape[1] - 4 or y1 > face.shape[0] - 4 \
+                or any(x0 < b[2] and b[0] < x1 and y0 < b[3] and b[1] < y1 for b in taken):
+            continue
+        under = face[y0:y1, x0:x1]
+        cost = distance + 250 * ((under != own) & (under != NOTHING)).mean()
+        if cost < best[0]:
+            best = (cost, box)
+    box = best[1]
+    if box is None:
         raise ValueError(f"no room for the label {text}")
     if not (box[0] <= anchor[0] <= box[2] and box[1] <= anchor[1] <= box[3]):
-        draw.line([tuple(middle), tuple(anchor)], fill=BLACK, width=FINER)
+        draw.line([((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), tuple(anchor)], fill=BLACK, width=FINER)
         draw.ellipse([anchor[0] - 5, anchor[1] - 5, anchor[0] + 5, anchor[1] + 5], fill=BLACK)
     taken.append(box)
-    return middle, box, text
+    return box, text
 
 
 def draw_axes(draw, axes, corner):
@@ -108,39 +117,39 @@ def draw_axes(draw, axes, corner):
         draw.text(tuple(end), name, font=SMALL, fill=GREY, anchor="mm")
 
 
-def draw_view(canvas, half, picture, axes, caption, anchors):
-    """Puts half a picture in and labels it. `anchors`: place in it by text."""
-    left = half * WIDTH * FINER // 2
-    canvas.paste(picture, (left, 0))
-    draw = ImageDraw.Draw(canvas)
-    corner = np.array([left + 34 * FINER, (HEIGHT - 36) * FINER])
+def draw_view(picture, face, axes, caption, anchors):
+    """Labels a picture. `anchors`: place in it by text."""
+    draw = ImageDraw.Draw(picture)
+    corner = np.array([34 * FINER, (HEIGHT - 36) * FINER])
     draw_axes(draw, axes, corner)
-    draw.text((left + WIDTH * FINER // 4, 12 * FINER), caption, font=SMALL, fill=GREY, anchor="mm")
-    room = (left + 4, (ABOVE - 4) * FINER, left + WIDTH * FINER // 2 - 4, (HEIGHT - 4) * FINER)
+    draw.text((picture.width / 2, 12 * FINER), caption, font=SMALL, fill=GREY, anchor="mm")
     taken = [np.concatenate([corner - 34 * FINER, corner + 34 * FINER])]
-    put = [label(draw, text, (left + x, y), taken, room) for text, (x, y) in anchors.items()]
-    for middle, box, text in put:
+    for box, text in [label(draw, text, anchor, face, taken) for text, anchor in anchors.items()]:
         draw.rounded_rectangle(list(box), radius=6, fill="white", outline=BLACK)
-        draw.text(tuple(middle), text, font=FONT, fill=BLACK, anchor="mm")
+        draw.text(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), text, font=FONT, fill=BLACK, anchor="mm")
 
 
-def draw_faces(points, triangles, owner, names):
+def draw_faces(points, triangles, owner, names, views=BOTH):
     """The picture. `points` (n, 3); `triangles` (m, 3) into them, turning outward; `owner` (m): index into
-    `names`. ValueError where a face cannot be seen from either side."""
-    views = [view_axes(*view[:2]) for view in VIEWS]
-    extents = [np.ptp(points @ axes.T, axis=0) for axes in views]
-    room = np.array([(WIDTH / 2 - 36) * FINER, (HEIGHT - ABOVE - BELOW) * FINER])
-    scale = min((room / extent[:2]).min() for extent in extents)
-    halves = [render(points, triangles, owner, axes, scale) for axes in views]
-    anchors = [{}, {}]
+    `names`. A face is labelled in the first view that shows it well. ValueError where BOTH do not."""
+    axes = [view_axes(*view[:2]) for view in views]
+    width = WIDTH * FINER // len(views)
+    room = np.array([width - 36 * FINER, (HEIGHT - ABOVE - BELOW) * FINER])
+    scale = min((room / np.ptp(points @ one.T, axis=0)[:2]).min() for one in axes)
+    parts = [render(points, triangles, owner, one, scale, width) for one in axes]
+    anchors = [{} for _ in parts]
     for index, name in enumerate(names):
-        depths = [distance_transform_edt(face == index) for _, face in halves]
-        half = 0 if depths[0].max() >= 0.6 * depths[1].max() else 1
-        if depths[half].max() < 2:
+        depths = [distance_transform_edt(face == index) for _, face in parts]
+        largest = max(depth.max() for depth in depths)
+        if largest < 3 and views is not BOTH:
+            continue
+        if largest < 2:
             raise ValueError(f"face {name} cannot be seen")
-        y, x = np.unravel_index(depths[half].argmax(), depths[half].shape)
-        anchors[half][name] = (x, y)
+        at = next(k for k, depth in enumerate(depths) if depth.max() >= 0.6 * largest)
+        y, x = np.unravel_index(depths[at].argmax(), depths[at].shape)
+        anchors[at][name] = (x, y)
     canvas = Image.new("RGB", (WIDTH * FINER, HEIGHT * FINER), "white")
-    for half, (picture, _) in enumerate(halves):
-        draw_view(canvas, half, picture, views[half], VIEWS[half][2], anchors[half])
+    for k, (image, face) in enumerate(parts):
+        draw_view(image, face, axes[k], views[k][2], anchors[k])
+        canvas.paste(image, (k * width, 0))
     return canvas.resize((WIDTH, HEIGHT), Image.LANCZOS)
