@@ -13,6 +13,9 @@ install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/examples/models/
 install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/schema/
   DESTINATION ${CMAKE_INSTALL_DATADIR}/remeshd/schema COMPONENT documentation
   FILES_MATCHING PATTERN "*.json")
+install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/docs/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/remeshd/docs COMPONENT documentation
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "generate" EXCLUDE)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/remeshd)
 target_include_directories(remeshd_client

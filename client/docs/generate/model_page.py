@@ -111,4 +111,5 @@ def main():
         check_blocks(new, remesh)
 
 
-main()
+if __name__ == "__main__":
+    main()

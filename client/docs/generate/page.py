@@ -47,19 +47,20 @@ def settle(file, old, new):
 
 
 class Remesh:
-    """`remesh` in a folder, with a daemon of its own, which must lie beside it. A context manager."""
+    """`remesh` in a folder, with a daemon of its own, which must lie beside it. A context manager. `options` are
+    the daemon's."""
 
-    def __init__(self, program, folder):
-        self.folder, self.bin = Path(folder), Path(program).resolve().parent
+    def __init__(self, program, folder, *options, **environment):
+        self.folder, self.bin, self.options = Path(folder), Path(program).resolve().parent, options
         self.environment = dict(os.environ, PATH=f"{self.bin}:{os.environ['PATH']}",
-                                REMESH_ADDRESS=f"unix:{folder}/remeshd.sock")
+                                REMESH_ADDRESS=f"unix:{folder}/remeshd.sock", **environment)
 
     def __enter__(self):
         self.daemon = subprocess.Popen(
             [self.bin / "remeshd", "--listen", self.environment["REMESH_ADDRESS"], "--log-file",
-             self.folder / "remeshd.log"], env=self.environment, stderr=subprocess.DEVNULL)
+             self.folder / "remeshd.log", *self.options], cwd=self.folder, env=self.environment, stderr=subprocess.DEVNULL)
         until = time.monotonic() + 60
-        while self.run("info")[0] != 0:
+        while self.run("info")[0] == 5:
             assert self.daemon.poll() is None and time.monotonic() < until, "remeshd does not start"
             time.sleep(0.05)
         return self
@@ -68,9 +69,9 @@ class Remesh:
         self.daemon.terminate()
         self.daemon.wait(60)
 
-    def run(self, *arguments):
-        """Exit code, stdout, stderr."""
-        done = subprocess.run(["remesh", *map(str, arguments)], cwd=self.folder, env=self.environment,
+    def run(self, *arguments, within="."):
+        """Exit code, stdout, stderr. `within`: a folder in the folder."""
+        done = subprocess.run(["remesh", *map(str, arguments)], cwd=self.folder / within, env=self.environment,
                               capture_output=True, text=True)
         return done.returncode, done.stdout, done.stderr
 

@@ -44,4 +44,5 @@ def main():
             print(file.name, file.stat().st_size, *faces)
 
 
-main()
+if __name__ == "__main__":
+    main()
