@@ -130,6 +130,11 @@ OPERATION = {
     "STORE_LOCKED": Example({"part.json": PART}, [("--local", "--store", "../store", "--timeout", "1", *MESH)],
                             ("--store", "store")),
 }
+# What `remeshd` says and ends with when it starts: options.
+OF_REMESHD = {
+    "LISTEN_FAILED": ("--listen", "unix:/nowhere/remeshd.sock"),
+    "LISTEN_INVALID": ("--listen", "localhost"),
+}
 ERRORS = REQUESTS | REVISIONS | DOCUMENTS | MODELS | OPERATION
 
 # With a daemon alone: what another example has filed, and numbers that hold for one version of the algorithm.

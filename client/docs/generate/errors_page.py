@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 import error_sources
-from error_examples import ERRORS, WARNINGS
+from error_examples import ERRORS, OF_REMESHD, WARNINGS
 from error_notes import NOTES
 from page import DOCS, Remesh, replaced, settle
 
@@ -62,6 +62,12 @@ class Runner:
         command = " ".join(f'"{word}"' if not word or " " in word else word for word in example.commands[-1])
         return "\n".join([f"$ remesh {command}", *said]).replace(f"{folder}/", ""), code
 
+    def run_remeshd(self, name):
+        """(what it printed, exit code) of a daemon that does not start."""
+        code, _, err = self.remesh.run(*OF_REMESHD[name], program="remeshd")
+        assert code != 0 and err.startswith("remeshd: "), f"{name}: exit {code}\n{err}"
+        return "\n".join([f"$ remeshd {' '.join(OF_REMESHD[name])}", err.strip()]), code
+
     def warning(self, name, code, folder):
         """The line of the first warning of that code."""
         assert code == 0, f"{name}: exit {code}"
@@ -83,7 +89,7 @@ def check_sources(sections, made):
     reasons = {reason.name: reason for section in sections for reason in section.reasons}
     for name, reason in reasons.items():
         assert not made[name] or reason.status in made[name], f"{name}: made with {made[name]}"
-    unknown = (set(made) | set(ERRORS) | set(NOTES)) - set(reasons) - {name for name, _ in error_sources.warnings()}
+    unknown = (set(made) | set(ERRORS) | set(OF_REMESHD) | set(NOTES)) - set(reasons) - {name for name, _ in error_sources.warnings()}
     assert not unknown, f"error.proto has no {unknown}"
     return reasons
 
@@ -97,6 +103,10 @@ def entry(name, meaning, facts, example):
 
 
 def reason_entry(reason, made, runner):
+    if reason.name in OF_REMESHD:
+        example, code = runner.run_remeshd(reason.name)
+        facts = f"`{reason.status}`; `remeshd` says it when it starts, and ends with exit {code}."
+        return entry(reason.name, reason.meaning, facts, example)
     facts = f"`{reason.status}`, exit {runner.exit_code(reason.name, reason.status)}"
     for other in sorted(made[reason.name] - {reason.status}):
         facts += f"; also `{other}`, exit {runner.exit_code(reason.name, other)}"

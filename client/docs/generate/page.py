@@ -69,9 +69,9 @@ class Remesh:
         self.daemon.terminate()
         self.daemon.wait(60)
 
-    def run(self, *arguments, within="."):
+    def run(self, *arguments, within=".", program="remesh"):
         """Exit code, stdout, stderr. `within`: a folder in the folder."""
-        done = subprocess.run(["remesh", *map(str, arguments)], cwd=self.folder / within, env=self.environment,
+        done = subprocess.run([program, *map(str, arguments)], cwd=self.folder / within, env=self.environment,
                               capture_output=True, text=True)
         return done.returncode, done.stdout, done.stderr
 
