@@ -60,6 +60,42 @@ def test_a_support_may_be_moved(block):
     assert np.allclose(solution.displacements[held], 0)
 
 
+@needs_ccx
+def test_pure_bending_is_exact_in_second_order(block):
+    """Tractions at one end, the exact displacement at the other; both functions of the place."""
+    left, right = side(block, 0, False), side(block, 0, True)
+    low, curvature, poisson = block.points.min(axis=0), 1e-4, .3
+
+    def bent(points):
+        x, y, z = (points - low).T
+        cross = x**2 + poisson * (z**2 - y**2)
+        return curvature * np.column_stack([x * z, -poisson * y * z, -cross / 2])
+
+    solution = calculix.solve(
+        block, STEEL, {left: {"xyz"[k]: lambda p, k=k: bent(p)[:, k] for k in range(3)}},
+        {right: calculix.Traction(lambda p, n: 210000 * curvature * (p - low)[:, 2:] * n)})
+    expected = bent(block.all_points)
+    error = np.abs(solution.displacements - expected).max() / np.abs(expected).max()
+    assert error < (1e-5 if block.order == 2 else .2)
+
+
+def test_a_traction_along_the_normal_is_a_pressure(drilled):
+    for name in ("pin1.top", "pin1.wall"):
+        facets = drilled.faces[name]
+        forces = _loads.traction(drilled, facets, lambda p, n: -7 * n)
+        assert np.allclose(forces, _loads.pressure(drilled, facets, 7.), atol=1e-12)
+
+
+def test_a_traction_that_grows_has_its_resultant_and_moment(block):
+    facets = block.faces[side(block, 0, True)]
+    forces = _loads.traction(block, facets, lambda p, n: p[:, 1:2]**2 * n)
+    low, high = block.points[:, 1].min(), block.points[:, 1].max()
+    assert np.isclose(forces[:, 0].sum(), 3 * (high**3 - low**3) / 3)
+    assert np.isclose(forces[:, 0] @ block.all_points[:, 1], 3 * (high**4 - low**4) / 4)
+    with pytest.raises(ValueError, match="must be finite and of the shape"):
+        _loads.traction(block, facets, lambda p, n: p[:, 0])
+
+
 def test_consistent_forces_add_up_to_the_load(drilled):
     total = np.array([3, -1, 2.])
     for name in ("pin1.top", "pin1.wall"):
@@ -112,10 +148,12 @@ def test_bad_input_is_told_before_anything_runs(block):
     left, right = side(block, 0, False), side(block, 0, True)
     with pytest.raises(KeyError, match="no group or face 'top'.*there are: a"):
         calculix.solve(block, STEEL, {"top": "xyz"}, {})
-    with pytest.raises(ValueError, match="three finite numbers or a Pressure"):
+    with pytest.raises(ValueError, match="three finite numbers, a Pressure or a Traction"):
         calculix.solve(block, STEEL, {left: "xyz"}, {right: (1, 2)})
     with pytest.raises(ValueError, match="directions out of 'xyz'"):
         calculix.solve(block, STEEL, {left: "abc"}, {})
+    with pytest.raises(ValueError, match="finite and of the shape"):
+        calculix.solve(block, STEEL, {left: {"x": lambda points: points}}, {})
     with pytest.raises(ValueError, match="poisson between"):
         calculix.solve(block, calculix.Elastic(1, .5), {left: "xyz"}, {})
     with pytest.raises(ValueError, match="without a support"):

@@ -2,7 +2,7 @@
 """Nodal forces that do the work of a load on facets: consistent loads of T3 and T6."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from remesh_client.mesh import Mesh, NodeSet
 
 Floats = npt.NDArray[np.float64]
+Field = Callable[[Floats, Floats], Floats]  # of points and outward normals, (k, 3) each
 
 # Quadrature of a triangle, exact to degree 5 (Dunavant 1985): barycentric coordinates, weights.
 _A, _B = 0.059715871789770, 0.470142064105115
@@ -41,6 +42,22 @@ def pressure(mesh: Mesh, facets: NodeSet, value: float, area: float | None = Non
     if area is not None:
         value *= area / float((_WEIGHTS * np.linalg.norm(area_vectors, axis=2)).sum())
     return _sum(mesh, nodes, -value * np.einsum("q,qi,kqc->kic", _WEIGHTS, values, area_vectors))
+
+
+def traction(mesh: Mesh, facets: NodeSet, field: Field) -> Floats:
+    """Likewise of a force by area that differs from point to point: field(points (k, 3), outward
+    unit normals (k, 3)) gives it, (k, 3). Exact on plane facets where it is a polynomial of degree
+    3 or less (4 in meshes of first order). Raises ValueError for another shape and for numbers
+    that are not finite."""
+    nodes, values, area_vectors = _surface(mesh, facets)
+    places = np.einsum("qi,kic->kqc", values, mesh.all_points[nodes]).reshape(-1, 3)
+    areas = np.linalg.norm(area_vectors, axis=2)
+    forces = np.asarray(field(places, (area_vectors / areas[:, :, None]).reshape(-1, 3)), float)
+    if forces.shape != places.shape or not np.isfinite(forces).all():
+        raise ValueError(f"the traction on {facets.name} must be finite and of the shape "
+                         f"{places.shape}; it has {forces.shape}")
+    by_area = areas[:, :, None] * forces.reshape(area_vectors.shape)
+    return _sum(mesh, nodes, np.einsum("q,qi,kqc->kic", _WEIGHTS, values, by_area))
 
 
 def _surface(mesh: Mesh, facets: NodeSet) -> tuple[npt.NDArray[np.int32], Floats, Floats]:

@@ -17,7 +17,7 @@ import tempfile
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Mapping, Sequence, Union
+from typing import Callable, Mapping, Sequence, Union
 
 import numpy as np
 
@@ -45,8 +45,18 @@ class Pressure:
     value: float
 
 
-Support = Union[str, Mapping[str, float]]  # "xyz": held; {"x": 0.1}: moved by so much
-Load = Union[Sequence[float], Pressure]  # a total force x y z, or a pressure
+@dataclass(frozen=True)
+class Traction:
+    """Force by area that differs from point to point: field(points (k, 3), outward unit normals
+    (k, 3)) gives it, (k, 3)."""
+
+    field: Callable[[Floats, Floats], Floats]
+
+
+# "xyz": held; {"x": 0.1}: moved by so much; {"x": f}: by f(points (k, 3)), (k,)
+Move = Union[float, Callable[[Floats], Floats]]
+Support = Union[str, Mapping[str, Move]]
+Load = Union[Sequence[float], Pressure, Traction]  # a total force x y z, or by area
 
 
 class CalculixError(RuntimeError):
@@ -92,13 +102,16 @@ def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
           folder: os.PathLike[str] | str | None = None) -> Solution:
     """Displacements and stresses of a mesh of either order, C3D4 or C3D10.
 
-    supports: by name the directions in which the nodes are held. loads: by name a total force,
-    spread evenly over the facets, or a Pressure, on a group of the model scaled by its exact area
-    beside the facets'; as the nodal forces that are consistent with the elements. limit: s that ccx
-    may take. solver: one of ccx's, by its name there; default: its own choice, which is direct;
-    "ITERATIVE CHOLESKY" takes a fraction of the time on large meshes of second order. folder: where
-    its files are to stay; default: a temporary one. Raises CalculixError, with ccx's message, where it is missing, fails or takes too long;
-    KeyError for a name that is not on the mesh; ValueError for an empty set and bad values.
+    supports: by name the directions in which the nodes are held, or moved by so much, which may
+    be a function of their points. loads: by name a total force, spread evenly over the facets; a
+    Pressure, on a group of the model scaled by its exact area beside the facets'; or a Traction; as
+    the nodal forces that are consistent with the elements. limit: s that ccx may take. solver: one
+    of ccx's, by its name there; default: its own choice, which is direct; "ITERATIVE CHOLESKY"
+    takes a fraction of the time on large meshes of second order. folder: where its files are to
+    stay; default: a temporary one.
+
+    Raises CalculixError, with ccx's message, where it is missing, fails or takes too long; KeyError
+    for a name that is not on the mesh; ValueError for an empty set and bad values.
     """
     forces = np.zeros((len(mesh.all_points), 3))
     for name, load in loads.items():
@@ -135,10 +148,12 @@ def _nodal_forces(mesh: Mesh, facets: NodeSet, load: Load) -> Floats:
     if isinstance(load, Pressure):
         area = mesh.exact_areas.get(facets.name) if facets.name in mesh.groups else None
         return _loads.pressure(mesh, facets, load.value, area)
+    if isinstance(load, Traction):
+        return _loads.traction(mesh, facets, load.field)
     total = np.asarray(load, float)
     if total.shape != (3,) or not np.isfinite(total).all():
-        raise ValueError(f"the load on {facets.name} is three finite numbers or a Pressure, "
-                         f"not {load!r}")
+        raise ValueError(f"the load on {facets.name} is three finite numbers, a Pressure or a "
+                         f"Traction, not {load!r}")
     return _loads.force(mesh, facets, total)
 
 
@@ -156,7 +171,8 @@ def _deck(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
               for k, nodes in enumerate((elements + 1).tolist(), 1)]
     lines += ["*MATERIAL, NAME=material", "*ELASTIC", f"{material.young:.12g},"
               f"{material.poisson:.12g}", "*SOLID SECTION, ELSET=solid, MATERIAL=material",
-              "*STEP", f"*STATIC, SOLVER={solver}" if solver else "*STATIC", "*BOUNDARY", *_held(mesh, supports), "*CLOAD"]
+              "*STEP", f"*STATIC, SOLVER={solver}" if solver else "*STATIC",
+              "*BOUNDARY", *_held(mesh, supports), "*CLOAD"]
     for node in np.flatnonzero(forces.any(axis=1)).tolist():
         lines += [f"{node + 1},{axis + 1},{value:.13e}"
                   for axis, value in enumerate(forces[node].tolist()) if value]
@@ -167,15 +183,29 @@ def _held(mesh: Mesh, supports: Mapping[str, Support]) -> list[str]:
     lines = []
     for name, support in supports.items():
         nodes = _named(mesh, name).all_nodes
-        moves = dict.fromkeys(support, 0.0) if isinstance(support, str) else support
+        moves: Mapping[str, Move] = (dict.fromkeys(support, 0.0) if isinstance(support, str)
+                                     else support)
         if not len(nodes) or not moves or not set(moves) <= set(_AXES):
             raise ValueError(f"the support {name!r}: {support!r} on {len(nodes)} nodes; give "
                              "directions out of 'xyz' and a face or group with nodes")
-        lines += [f"{node},{_AXES[axis]},{_AXES[axis]},{value:.13e}"
-                  for node in (nodes + 1).tolist() for axis, value in moves.items()]
+        for axis, move in moves.items():
+            values = _moved(name, move, mesh.all_points[nodes])
+            lines += [f"{node},{_AXES[axis]},{_AXES[axis]},{value:.13e}"
+                      for node, value in zip((nodes + 1).tolist(), values.tolist())]
     if not lines:
         raise ValueError("without a support nothing keeps the part where it is")
     return lines
+
+
+def _moved(name: str, move: Move, points: Floats) -> Floats:
+    """(k,) by how much each of the points is moved."""
+    if not callable(move):
+        return np.full(len(points), float(move))
+    values = np.asarray(move(points), float)
+    if values.shape != (len(points),) or not np.isfinite(values).all():
+        raise ValueError(f"the support {name!r} must be finite and of the shape {(len(points),)}; "
+                         f"it has {values.shape}")
+    return values
 
 
 def _run(mesh: Mesh, deck: str, forces: Floats, folder: Path, limit: float, threads: int,
