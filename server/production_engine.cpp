@@ -6,6 +6,7 @@
 #include "engine/delivery/lost_names.h"
 #include "engine/difference/compare.h"
 #include "engine/kernel/tetgen.h"
+#include "engine/motion/design_velocities.h"
 #include "engine/remesh/density.h"
 #include "engine/remesh/forecast.h"
 #include "engine/remesh/node_limit.h"
@@ -37,6 +38,15 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
           .forecast = std::move(expected)};
 }
 
+std::vector<NodalVelocities> velocities_of(const Revision& revision,
+                                           const std::vector<std::string>& parameters,
+                                           const Run& run) {
+  const DesignVelocities all(revision, run);
+  std::vector<NodalVelocities> out;
+  for (const std::string& parameter : parameters) out.push_back(all.of(parameter, run));
+  return out;
+}
+
 }  // namespace
 
 Engine production_engine() {
@@ -51,6 +61,13 @@ Engine production_engine() {
               [](const Revision* base, const ModelSource& source, const MeshOptions& options,
                  const Run& run) { return make_revision(parent(base), source, options, run); },
           .compare = compare,
+          .velocities = velocities_of,
+          .gradient =
+              [](const Revision& revision, const std::vector<Vec3>& seed,
+                 const std::vector<std::string>& parameters, const Run& run) {
+                return DesignVelocities(revision, run).gradient(seed, parameters, run);
+              },
+          .horizon = connectivity_horizon,
           .image_of = image_of,
           .revision_of = revision_of,
           .feature_types = [] { return feature_types(); },

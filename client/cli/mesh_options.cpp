@@ -139,6 +139,12 @@ void MeshingOptions::add_mesh_to(CLI::App& command) {
                   "Order of the tets: 2 has nodes on their edges too, on the true geometry [1]")
       ->check(CLI::Range(1U, 2U))
       ->type_name("1|2");
+  command
+      .add_option("--hold", hold,
+                  "Keep the connectivity while no surface is further than this from where it was "
+                  "when that was made, x edge length [0: a hundredth]")
+      ->check(CLI::Range(0.0, 10.0))
+      ->type_name("H");
   command.add_flag("--no-clean-up", no_clean_up, "Leave slivers in");
   add_sizing_to(command);
   command
@@ -190,6 +196,7 @@ remesh::v1::MeshOptions MeshingOptions::to_message() const {
   if (start == kRandom) message.set_start(remesh::v1::START_RANDOM);
   if (threshold) message.set_threshold(*threshold);
   if (order) message.set_order(*order);
+  if (hold) message.set_hold(*hold);
   if (no_clean_up) message.set_clean_up(false);
   if (even) message.mutable_sizing()->set_even(true);
   if (edges_per_circle) message.mutable_sizing()->set_edges_per_circle(*edges_per_circle);

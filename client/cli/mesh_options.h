@@ -25,6 +25,7 @@ struct MeshingOptions {
   std::string start;   ///< empty, `lattice` or `random`
   std::optional<double> threshold;
   std::optional<std::uint32_t> order;  ///< of the tets: 1 or 2
+  std::optional<double> hold;          ///< x edge length
   bool no_clean_up = false;
   bool even = false;
   std::optional<std::uint32_t> edges_per_circle, layers;

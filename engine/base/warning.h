@@ -27,10 +27,11 @@ enum class WarningCode : std::uint8_t {
   NodesInserted,
   NotDurable,
   EdgesStraight,
+  HoldEnded,
 };
 
 /// Their names in the protocol, in the order of the enumerators.
-inline constexpr std::array<std::string_view, 13> kWarningNames{"GROUP_EMPTIED",
+inline constexpr std::array<std::string_view, 14> kWarningNames{"GROUP_EMPTIED",
                                                                 "FACE_LOST",
                                                                 "FEATURE_WITHOUT_EFFECT",
                                                                 "CHORDS_COARSE",
@@ -42,7 +43,8 @@ inline constexpr std::array<std::string_view, 13> kWarningNames{"GROUP_EMPTIED",
                                                                 "HEAD_KEPT",
                                                                 "NODES_INSERTED",
                                                                 "NOT_DURABLE",
-                                                                "EDGES_STRAIGHT"};
+                                                                "EDGES_STRAIGHT",
+                                                                "HOLD_ENDED"};
 
 constexpr std::string_view name_of(WarningCode code) {
   return kWarningNames[static_cast<std::size_t>(code)];

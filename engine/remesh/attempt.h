@@ -13,7 +13,7 @@
 #include "engine/patch/candidate.h"
 #include "engine/plan/copy_plan.h"
 #include "engine/remesh/density.h"
-#include "engine/remesh/morph.h"
+#include "engine/remesh/morph/morph.h"
 #include "engine/revision/report.h"
 
 namespace remeshd {

@@ -10,6 +10,7 @@
 #include "engine/delivery/lost_names.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/last_resort/tetgen_mesh.h"
+#include "engine/remesh/morph/hold.h"
 #include "engine/remesh/steps.h"
 
 namespace remeshd {
@@ -32,6 +33,18 @@ bool is_same_model(const Problem& problem, const Attempt* failed) {
   return may_keep_tets(problem, failed) &&
          same_geometry(problem.parent.meshed_model, problem.modified.model) &&
          problem.changed_rims().empty();
+}
+
+/// Whether its options ask to keep connectivity for longer than morphing does.
+bool may_hold(const Problem& problem, const Attempt*) {
+  const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
+  return now.hold > 0 && !problem.parent.model.features.empty() && problem.density.inherited &&
+         now.clean_up == then.clean_up && now.threshold == then.threshold &&
+         now.sizing.even == then.sizing.even;
+}
+
+bool may_morph(const Problem& problem, const Attempt* failed) {
+  return problem.modified.options.hold == 0 && may_keep_tets(problem, failed);
 }
 
 bool is_first_mesh(const Problem& problem, const Attempt*) {
@@ -75,13 +88,15 @@ bool always(const Problem&, const Attempt*) { return true; }
 
 Attempt keep_mesh(const Strategy& how, const Problem&, const Attempt*) { return Attempt(how.name); }
 
-Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
+/// The parent's tets over the nodes where `result` has them; `given_up`: how the warning begins
+/// that tells why it has none.
+Attempt morphed(const Strategy& how, const Problem& problem,
+                std::variant<MorphedMesh, NotMorphed> result, Warning given_up) {
   Attempt attempt(how.name);
-  auto result = morph_mesh(problem.parent, problem.modified, problem.run);
   if (auto* why = std::get_if<NotMorphed>(&result)) {
     attempt.serves = !why->empty();
-    attempt.warnings.push_back(
-        {.code = WarningCode::Fallback, .message = "the connectivity could not be kept: " + *why});
+    given_up.message += *why;
+    attempt.warnings.push_back(std::move(given_up));
     attempt.reason = std::move(*why);
     return attempt;
   }
@@ -91,6 +106,17 @@ Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
       mesh.nodes_moved / static_cast<double>(problem.parent.output.mesh.nodes.size());
   attempt.mesh = std::move(mesh);
   return attempt;
+}
+
+Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
+  return morphed(
+      how, problem, morph_mesh(problem.parent, problem.modified, problem.run),
+      {.code = WarningCode::Fallback, .message = "the connectivity could not be kept: "});
+}
+
+Attempt hold(const Strategy& how, const Problem& problem, const Attempt*) {
+  return morphed(how, problem, hold_mesh(problem.parent, problem.modified, problem.run),
+                 {.code = WarningCode::HoldEnded, .message = "the connectivity was not held: "});
 }
 
 Attempt by_tetgen(const Strategy& how, const Problem& problem, const Attempt* failed) {
@@ -114,7 +140,8 @@ constexpr std::uint64_t kOtherSeed = 0x5EED;
 // from 5 it is 3, but patches of the cases are a tenth to a half larger.
 constexpr std::array kStrategies{
     Strategy{MeshStrategy::Unchanged, "unchanged", is_same_model, keep_mesh, Reuse::Mesh},
-    Strategy{MeshStrategy::Morphed, "morphed", may_keep_tets, morph, Reuse::Mesh},
+    Strategy{MeshStrategy::Morphed, "held", may_hold, hold, Reuse::Mesh},
+    Strategy{MeshStrategy::Morphed, "morphed", may_morph, morph, Reuse::Mesh},
     Strategy{MeshStrategy::Local, "local, 4 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              4},
     Strategy{MeshStrategy::Local, "local, 6 edge lengths", needs_larger_patch, remesh_nodes,

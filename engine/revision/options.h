@@ -36,6 +36,9 @@ struct MeshOptions {
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
   double threshold = goals::kThreshold;
   std::uint32_t order = 1;  ///< of the tets: 1, or 2, with mid-nodes on the model's boundary
+  /// x edge length: surfaces may move by this from where they were when the connectivity was made,
+  /// before an edit makes another one; 0: by a hundredth.
+  double hold = 0;
   Sizing sizing;            ///< where the mesh is finer than its edge length
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/base/tolerance.h"
 #include "engine/boundary/edge_chains.h"
 #include "engine/boundary/facet_faces.h"
 #include "engine/second_order/jacobian.h"
@@ -11,8 +12,6 @@
 namespace remeshd {
 
 namespace {
-
-constexpr double kStraight = 1e-10;  // x length of an edge: it does not bend by less
 
 /// Model edges by the mesh edges that represent them.
 class MeshEdgesOfModel {
@@ -93,7 +92,7 @@ std::vector<CurvedEdge> curved_edges(const Revision& revision, const MidNumbers&
     } else if (one == other) {
       place = project(boundary.faces[one].surface, middle);
     }
-    if (distance(place, middle) > kStraight * distance(a, b))
+    if (distance(place, middle) > tolerance::kStraight * distance(a, b))
       curved.push_back({static_cast<std::int32_t>(mid), place});
   }
   return curved;

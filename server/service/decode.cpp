@@ -111,6 +111,7 @@ OptionsPatch decode(const v1::MeshOptions& message) {
   if (message.has_clean_up()) out.clean_up = message.clean_up();
   if (message.has_threshold()) out.threshold = message.threshold();
   if (message.has_order()) out.order = message.order();
+  if (message.has_hold()) out.hold = message.hold();
   out.inside = inside_of(message.inside());
   out.start = start_of(message.start());
   out.sizing = decode(message.sizing());

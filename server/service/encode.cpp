@@ -44,6 +44,7 @@ v1::MeshOptions encode(const MeshOptions& options) {
   out.set_start(options.start == MeshOptions::Start::Random ? v1::START_RANDOM : v1::START_LATTICE);
   out.set_threshold(options.threshold);
   out.set_order(options.order);
+  out.set_hold(options.hold);
   put(options.sizing, *out.mutable_sizing());
   return out;
 }

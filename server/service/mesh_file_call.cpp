@@ -7,6 +7,7 @@
 #include "proto/checksum.h"
 #include "server/limits.h"
 #include "server/service/mesh_file.h"
+#include "server/service/revision_work.h"
 
 namespace remeshd {
 namespace {
@@ -63,22 +64,10 @@ void make_file(const std::shared_ptr<MessageStream>& stream, Session& session,
 void send_mesh_file(const std::shared_ptr<MessageStream>& stream, Session& session,
                     const v1::GetMeshFileRequest& request) {
   check_mesh_file_format(request.format());
-  const auto failed = [stream](const Error& why) { stream->fail(why); };
-  const auto got = [stream, &session, request, failed](const HeldRevisionPtr& revision) {
-    answering(*stream, [&] {
-      stream->record().set_note("revision=" + revision->record.id.substr(0, 12));
-      session.later(Lane::Computation, {.run =
-                                            [stream, &session, request, revision] {
-                                              answering(*stream, [&] {
-                                                make_file(stream, session, request, revision);
-                                              });
-                                            },
-                                        .refused = failed,
-                                        .overdue = failed});
-    });
-  };
-  session.fetch(session.resolve(request.revision()).id, stream->stop_token(),
-                {.got = got, .failed = failed});
+  work_on_revision(stream, session, request.revision(),
+                   [stream, &session, request](const HeldRevisionPtr& revision) {
+                     make_file(stream, session, request, revision);
+                   });
 }
 
 }  // namespace remeshd

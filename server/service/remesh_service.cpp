@@ -13,6 +13,7 @@
 #include "server/service/located.h"
 #include "server/service/mesh_call.h"
 #include "server/service/mesh_file_call.h"
+#include "server/service/motion_calls.h"
 #include "server/service/query.h"
 #include "server/service/raw_service.h"
 #include "server/service/remake.h"
@@ -39,6 +40,9 @@ using RawService = RawMethods<
     Remesh::WithRawCallbackMethod_DeleteRevision, Remesh::WithRawCallbackMethod_DeleteDesign,
     Remesh::WithRawCallbackMethod_Compare, Remesh::WithRawCallbackMethod_ValidateModel,
     Remesh::WithRawCallbackMethod_ValidateEdit, Remesh::WithRawCallbackMethod_ListFeatureTypes,
+    Remesh::WithRawCallbackMethod_GetDesignVelocities,
+    Remesh::WithRawCallbackMethod_GetDesignGradient,
+    Remesh::WithRawCallbackMethod_GetConnectivityHorizon,
     Remesh::WithRawCallbackMethod_GetServerInfo>::Type;
 
 class RawRemeshService final : public RawService {
@@ -69,6 +73,21 @@ class RawRemeshService final : public RawService {
   grpc::ServerWriteReactor<Bytes>* GetMeshFile(Context* context, const Bytes* in) override {
     return work_on_stream<v1::GetMeshFileRequest>(tenants_, options_, "GetMeshFile", context, *in,
                                                   send_mesh_file);
+  }
+
+  grpc::ServerWriteReactor<Bytes>* GetDesignVelocities(Context* context, const Bytes* in) override {
+    return work_on_stream<v1::GetDesignVelocitiesRequest>(tenants_, options_, "GetDesignVelocities",
+                                                          context, *in, send_velocities);
+  }
+  Reply* GetDesignGradient(Context* context, const Bytes* in, Bytes* out) override {
+    return work_on_query<v1::GetDesignGradientRequest>(tenants_, options_,
+                                                       {"GetDesignGradient", Lane::Preparation},
+                                                       context, *in, out, reply_gradient);
+  }
+  Reply* GetConnectivityHorizon(Context* context, const Bytes* in, Bytes* out) override {
+    return work_on_query<v1::GetConnectivityHorizonRequest>(
+        tenants_, options_, {"GetConnectivityHorizon", Lane::Preparation}, context, *in, out,
+        reply_horizons);
   }
 
   Reply* GetRevision(Context* context, const Bytes* in, Bytes* out) override {

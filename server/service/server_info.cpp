@@ -62,7 +62,8 @@ v1::ServerInfo server_info(Session& session, const ServerFacts& facts,
        {v1::ServerCapabilities::CAPABILITY_SIZING, v1::ServerCapabilities::CAPABILITY_SIZES,
         v1::ServerCapabilities::CAPABILITY_GROUPS, v1::ServerCapabilities::CAPABILITY_AUDIT,
         v1::ServerCapabilities::CAPABILITY_FORECAST, v1::ServerCapabilities::CAPABILITY_MESH_DELTA,
-        v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE})
+        v1::ServerCapabilities::CAPABILITY_REMAKE, v1::ServerCapabilities::CAPABILITY_CACHE,
+        v1::ServerCapabilities::CAPABILITY_HOLD, v1::ServerCapabilities::CAPABILITY_VELOCITIES})
     out.mutable_capabilities()->add_capabilities(capability);
   for (const std::uint32_t order : {1U, 2U}) out.mutable_capabilities()->add_orders(order);
   for (const v1::MeshArray array : supported_arrays())

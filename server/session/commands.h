@@ -34,6 +34,7 @@ struct OptionsPatch {
   std::optional<double> threshold;
   std::optional<bool> clean_up;
   std::optional<std::uint32_t> order;  ///< of the tets
+  std::optional<double> hold;          ///< x edge length
   SizingPatch sizing;
 };
 

@@ -7,7 +7,9 @@
 
 #include "engine/base/stored_array.h"
 #include "engine/difference/compare.h"
+#include "engine/motion/velocities.h"
 #include "engine/remesh/forecast.h"
+#include "engine/remesh/morph/horizon.h"
 #include "engine/remesh/remesh.h"
 #include "engine/revision/storage/memory_use.h"
 
@@ -46,6 +48,16 @@ struct Engine {
   std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
+  /// As DesignVelocities, of each parameter; `seed`: by corner node, then by mid-node.
+  std::function<std::vector<NodalVelocities>(
+      const Revision&, const std::vector<std::string>& parameters, const Run&)>
+      velocities{};
+  std::function<std::vector<DesignDerivative>(const Revision&, const std::vector<Vec3>& seed,
+                                              const std::vector<std::string>& parameters,
+                                              const Run&)>
+      gradient{};
+  std::function<Horizon(const Revision&, const std::string& parameter, double hold, const Run&)>
+      horizon{};
   /// See engine/revision/storage/stored_revision.h.
   std::function<StoredArrays(const Revision&)> image_of;
   std::function<Revision(const StoredArrays&, const Revision* alike, const Run&)> revision_of;

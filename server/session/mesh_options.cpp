@@ -7,6 +7,8 @@
 namespace remeshd {
 namespace {
 
+constexpr double kMostHold = 10;  // x edge length
+
 void check(const SizingPatch& patch) {
   if (patch.edges_per_circle && *patch.edges_per_circle != 0 &&
       (*patch.edges_per_circle < 3 || *patch.edges_per_circle > 360))
@@ -31,6 +33,8 @@ void check(const OptionsPatch& patch) {
     throw error::option_invalid("threshold", "is not between 0 and 0.8");
   if (patch.order && *patch.order != 1 && *patch.order != 2)
     throw error::option_invalid("order", "is neither 1 nor 2");
+  if (patch.hold && !(*patch.hold >= 0 && *patch.hold <= kMostHold))
+    throw error::option_invalid("hold", "is not between 0 and 10");
   check(patch.sizing);
 }
 
@@ -57,6 +61,7 @@ MeshOptions patched(const OptionsPatch& patch, const MeshOptions& base) {
   options.threshold = patch.threshold.value_or(base.threshold);
   options.clean_up = patch.clean_up.value_or(base.clean_up);
   options.order = patch.order.value_or(base.order);
+  options.hold = patch.hold.value_or(base.hold);
   options.sizing = patched(patch.sizing, base.sizing);
   return options;
 }

@@ -179,6 +179,7 @@ json to_json(const MeshOptions& o) {
   if (o.nodes) j["nodes"] = *o.nodes;
   if (o.size) j["size"] = *o.size;
   if (o.order != 1) j["order"] = o.order;
+  if (o.hold != 0) j["hold"] = o.hold;
   if (!o.sizing.even) j["sizing"] = to_json(o.sizing);
   return j;
 }
@@ -194,6 +195,7 @@ MeshOptions options_in(const json& j) {
   j.at("clean_up").get_to(o.clean_up);
   j.at("threshold").get_to(o.threshold);
   if (j.contains("order")) o.order = whole_number<std::uint32_t>(j.at("order"));
+  if (j.contains("hold")) o.hold = j.at("hold").get<double>();
   o.sizing = j.contains("sizing") ? sizing_in(j.at("sizing")) : Sizing{.even = true};
   return o;
 }

@@ -134,12 +134,18 @@ class Canonical {
     real(options.threshold);
     byte(options.clean_up ? 1 : 0);
     if (options.order != 1) order(options.order);
+    if (options.hold != 0) hold(options.hold);
     if (!options.sizing.even) sizing(options.sizing);
   }
   /// Ids are older than the second order, so of the first nothing is said.
   void order(std::uint32_t order) {
     text("order");
     number(order);
+  }
+  /// Ids are older than it, so where nothing is held nothing is said.
+  void hold(double hold) {
+    text("hold");
+    real(hold);
   }
   /// Ids are older than sizing, so of an even mesh nothing is said. It begins like a text of six
   /// bytes, and what else may follow the options is a parent's id, which has none or 64.

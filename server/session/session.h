@@ -103,6 +103,24 @@ class Session {
   /// The same for the model that the edit makes of a revision or a model.
   Validated validate_edit(const std::variant<std::string, ModelSource>& base, const ModelEdit& edit,
                           const OptionsPatch& options, const Run& run);
+
+  // What the engine says of how a mesh moves with parameters: for the lane of computations.
+  [[nodiscard]] std::vector<NodalVelocities> velocities(const Revision& revision,
+                                                        const std::vector<std::string>& parameters,
+                                                        const Run& run) const {
+    return engine().velocities(revision, parameters, run);
+  }
+  [[nodiscard]] std::vector<DesignDerivative> gradient(const Revision& revision,
+                                                       const std::vector<Vec3>& seed,
+                                                       const std::vector<std::string>& parameters,
+                                                       const Run& run) const {
+    return engine().gradient(revision, seed, parameters, run);
+  }
+  [[nodiscard]] Horizon horizon(const Revision& revision, const std::string& parameter, double hold,
+                                const Run& run) const {
+    return engine().horizon(revision, parameter, hold, run);
+  }
+
   Archive::Removed remove(const std::string& reference, bool allow_head) {
     return archive_.remove(reference, allow_head);
   }

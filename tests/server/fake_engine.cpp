@@ -324,6 +324,30 @@ Engine FakeEngine::engine() const {
               comparison.features.push_back({feature.id, {{"++", 1}, {".+", 2}}, {}, {}, {}});
             return comparison;
           },
+      .velocities =
+          [](const Revision& revision, const std::vector<std::string>& parameters, const Run&) {
+            std::vector<NodalVelocities> all;
+            for (std::size_t k = 0; k < parameters.size(); ++k) {
+              const auto speed = static_cast<double>(k + 1);
+              NodalVelocities v{.value = 10 * speed};
+              v.velocities.assign(revision.output.mesh.nodes.size(), {speed, 0, -speed});
+              v.undefined.assign(v.velocities.size(), 0);
+              v.undefined.front() = 1;
+              all.push_back(std::move(v));
+            }
+            return all;
+          },
+      .gradient =
+          [](const Revision&, const std::vector<Vec3>& seed,
+             const std::vector<std::string>& parameters, const Run&) {
+            double sum = 0;
+            for (const Vec3& s : seed) sum += s.x + 10 * s.y + 100 * s.z;
+            return std::vector<DesignDerivative>(parameters.size(), {sum, 3});
+          },
+      .horizon =
+          [](const Revision&, const std::string& parameter, double hold, const Run&) {
+            return Horizon{7, 7 - hold, 7 + hold, "below " + parameter, "above " + parameter};
+          },
       .image_of = image_of_fake,
       .revision_of =
           [state](const StoredArrays& image, const Revision*, const Run&) {

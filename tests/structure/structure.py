@@ -9,7 +9,7 @@ from pathlib import Path
 # The road the data travels.
 STATIONS = ("base mesh kernel model delaunay cellular local_fuse difference sizing plan boundary "
             "nodes optimise extract improve verify revision patch delivery second_order "
-            "remesh").split()
+            "motion remesh").split()
 # What programs under any licence may be built from (deploy/LICENSING.md).
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python",
                   "client/report")

@@ -157,6 +157,7 @@ WARNINGS = {
     "NODES_FAR_FROM_TARGET": of_parts(("mesh", "part.json", "--nodes", "30", "-o", "part.vtu"), daemon=ALONE),
     "EDGES_STRAIGHT": Example({"part.json": RING}, [("mesh", "part.json", "--even", "--nodes", "200", "--order", "2",
                                                      "-o", "part.vtu")], ALONE),
+    "HOLD_ENDED": of_parts((*MESH, "--hold", "1"), edit("part", "--remove", "hole"), daemon=ALONE),
     "HEAD_KEPT": Example({"part.json": PART, "other.json": OTHER},
                          [MESH, ("mesh", "other.json", "--nodes", "500", "-o", "part.vtu")], ALONE),
 }

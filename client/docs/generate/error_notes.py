@@ -36,5 +36,7 @@ NOTES = {
     "RENEWED": "Nothing is wrong: transfer fields anew.",
     "NODES_INSERTED": "The mesh is a little finer there than asked for.",
     "NOT_DURABLE": "Free space on the store's disk; the revision is lost with the process.",
+    "HOLD_ENDED": "The next edits count from the new mesh. How far a parameter may go is told beforehand by the "
+                  "rpc GetConnectivityHorizon (`part.horizon` in Python).",
     "EDGES_STRAIGHT": "More nodes, or a size there, lets edges follow the face.",
 }

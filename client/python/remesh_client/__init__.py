@@ -12,7 +12,8 @@
 import importlib
 from types import ModuleType
 
-from remesh_client import calculix
+from remesh_client import adjoint, calculix
+from remesh_client._motion import Derivative, Horizon, Velocity
 from remesh_client.daemon import Daemon, connect, local
 from remesh_client.edits import (Edit, add, place, remove, remove_group, remove_size, set_group,
                                  set_parameter, set_size)
@@ -25,10 +26,10 @@ from remesh_client.part import Part, Warning
 from remesh_client.transfer import transfer
 
 __version__ = "0.1.0"
-__all__ = ["Busy", "Cancelled", "Conflict", "Daemon", "DeadlineExceeded", "Denied", "Edit",
-           "InvalidRequest", "Mesh", "MeshDamaged", "MeshingFailed", "NodeSet", "NotFound",
-           "Options", "Part", "RemeshError", "Unavailable", "Unsupported", "Warning", "add", "calculix",
-           "connect", "local", "place", "remove", "remove_group", "remove_size", "set_group",
+__all__ = ["Busy", "Cancelled", "Conflict", "Daemon", "DeadlineExceeded", "Denied", "Derivative",
+           "Edit", "Horizon", "InvalidRequest", "Mesh", "MeshDamaged", "MeshingFailed", "NodeSet", "NotFound",
+           "Options", "Part", "RemeshError", "Unavailable", "Unsupported", "Velocity", "Warning",
+           "add", "adjoint", "calculix", "connect", "local", "place", "remove", "remove_group", "remove_size", "set_group",
            "set_parameter", "set_size", "transfer"]
 
 

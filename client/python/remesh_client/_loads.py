@@ -60,6 +60,38 @@ def traction(mesh: Mesh, facets: NodeSet, field: Field) -> Floats:
     return _sum(mesh, nodes, np.einsum("q,qi,kqc->kic", _WEIGHTS, values, by_area))
 
 
+def force_work_gradient(mesh: Mesh, facets: NodeSet, total: Floats, u: Floats) -> Floats:
+    """d(work of `force`)/d(node), (n, 3), where the nodes' displacements u (n, 3) stay."""
+    nodes, values, area_vectors = _surface(mesh, facets)
+    areas = np.linalg.norm(area_vectors, axis=2)
+    along = np.einsum("qi,kic,c->kq", values, u[nodes], total)  # of the force, by point
+    whole = float((_WEIGHTS * areas).sum())
+    mean = float((_WEIGHTS * areas * along).sum()) / whole
+    by_area = _WEIGHTS * (along - mean) / whole
+    return _sum(mesh, nodes, _area_gradient(
+        mesh, nodes, by_area[:, :, None] * area_vectors / areas[:, :, None]))
+
+
+def pressure_work_gradient(mesh: Mesh, facets: NodeSet, value: float, area: float | None,
+                           u: Floats) -> Floats:
+    """Likewise of `pressure`; its scale to the exact area stays."""
+    nodes, values, area_vectors = _surface(mesh, facets)
+    if area is not None:
+        value *= area / float((_WEIGHTS * np.linalg.norm(area_vectors, axis=2)).sum())
+    moved = np.einsum("qi,kic->kqc", values, u[nodes])
+    return _sum(mesh, nodes, _area_gradient(mesh, nodes, -value * _WEIGHTS[:, None] * moved))
+
+
+def _area_gradient(mesh: Mesh, nodes: npt.NDArray[np.int32], by_vector: Floats) -> Floats:
+    """(k, i, 3): from d(work)/d(area vector), (k, q, 3), to d(work)/d(node)."""
+    _, derivatives = _shapes6() if mesh.order == 2 else _shapes3()
+    along = np.einsum("qiw,kic->kqwc", derivatives, mesh.all_points[nodes])
+    first = 0.5 * np.cross(along[:, :, 1], by_vector)  # the area vector is half the cross product
+    second = 0.5 * np.cross(by_vector, along[:, :, 0])
+    return (np.einsum("qi,kqc->kic", derivatives[:, :, 0], first)
+            + np.einsum("qi,kqc->kic", derivatives[:, :, 1], second))
+
+
 def _surface(mesh: Mesh, facets: NodeSet) -> tuple[npt.NDArray[np.int32], Floats, Floats]:
     """Nodes of each facet (k, i), shape functions (q, i) and, at each point of the quadrature,
     the outward normal times the area (k, q, 3)."""

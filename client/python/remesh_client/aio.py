@@ -21,6 +21,7 @@ from types import TracebackType
 from typing import Any, Awaitable, Callable, Mapping, TypeVar
 
 import grpc.aio
+import numpy.typing as npt
 
 from remesh_client import _requests
 from remesh_client._aio_stream import EditStream
@@ -28,12 +29,15 @@ from remesh_client._assembler import Content, MeshAssembler
 from remesh_client._connection import Access, address_or_default, channel_options
 from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
 from remesh_client._files import FileAssembler, write_whole
+from remesh_client._motion import (Derivative, Horizon, Velocity, VelocityAssembler, gradient,
+                                   horizons, seed_bytes)
 from remesh_client.edits import EditLike, Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.mesh import Mesh
 from remesh_client.part import Revision
-from remesh_client.v1 import (mesh_pb2, remesh_pb2_grpc, report_pb2, revision_pb2, server_pb2)
+from remesh_client.v1 import (mesh_pb2, motion_pb2, remesh_pb2_grpc, report_pb2, revision_pb2,
+                              server_pb2)
 
 T = TypeVar("T")
 
@@ -64,6 +68,43 @@ class Part(Revision):
             self._mesh = Mesh(content)
             self._exchange = None
         return self._mesh
+
+    async def velocities(self, *parameters: str) -> dict[str, Velocity]:
+        """d(node)/d(parameter), as Part.velocities."""
+        request = motion_pb2.GetDesignVelocitiesRequest(revision=self.revision,
+                                                        parameters=parameters)
+
+        async def transfer() -> dict[str, Velocity]:
+            assembler = VelocityAssembler()
+            async for message in self._daemon._stub.GetDesignVelocities(
+                    request, metadata=self._daemon._metadata):
+                assembler.add(message)
+            return assembler.finish()
+        return await self._daemon._again(transfer)
+
+    async def gradient(self, seed: npt.ArrayLike, *parameters: str) -> dict[str, Derivative]:
+        """d(function)/d(parameter), as Part.gradient."""
+        request = motion_pb2.GetDesignGradientRequest(
+            revision=self.revision, parameters=parameters, seed=seed_bytes(seed))
+
+        async def ask() -> motion_pb2.GetDesignGradientResponse:
+            reply: motion_pb2.GetDesignGradientResponse = (
+                await self._daemon._stub.GetDesignGradient(request,
+                                                           metadata=self._daemon._metadata))
+            return reply
+        return gradient(await self._daemon._again(ask))
+
+    async def horizon(self, *parameters: str, hold: float | None = None) -> dict[str, Horizon]:
+        """How far parameters may go, as Part.horizon."""
+        request = motion_pb2.GetConnectivityHorizonRequest(
+            revision=self.revision, parameters=parameters, hold=hold)
+
+        async def ask() -> motion_pb2.GetConnectivityHorizonResponse:
+            reply: motion_pb2.GetConnectivityHorizonResponse = (
+                await self._daemon._stub.GetConnectivityHorizon(
+                    request, metadata=self._daemon._metadata))
+            return reply
+        return horizons(await self._daemon._again(ask))
 
     async def write(self, path: os.PathLike[str] | str) -> Path:
         """Writes the mesh by the daemon's own writers, as Mesh.write."""

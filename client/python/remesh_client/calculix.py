@@ -97,7 +97,8 @@ class Solution:
 
 
 def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
-          loads: Mapping[str, Load], *, limit: float = 600, threads: int = 1,
+          loads: Mapping[str, Load], *, forces: Floats | None = None, limit: float = 600,
+          threads: int = 1,
           program: os.PathLike[str] | str = "ccx", solver: str = "",
           folder: os.PathLike[str] | str | None = None) -> Solution:
     """Displacements and stresses of a mesh of either order, C3D4 or C3D10.
@@ -105,7 +106,8 @@ def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
     supports: by name the directions in which the nodes are held, or moved by so much, which may
     be a function of their points. loads: by name a total force, spread evenly over the facets; a
     Pressure, on a group of the model scaled by its exact area beside the facets'; or a Traction; as
-    the nodal forces that are consistent with the elements. limit: s that ccx may take. solver: one
+    the nodal forces that are consistent with the elements. forces: further ones by node of
+    `mesh.all_points`, (n, 3). limit: s that ccx may take. solver: one
     of ccx's, by its name there; default: its own choice, which is direct; "ITERATIVE CHOLESKY"
     takes a fraction of the time on large meshes of second order, but stops where residuals are
     small: results of some parts were off by .6 %. folder: where its files are to stay; default: a
@@ -114,15 +116,17 @@ def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
     Raises CalculixError, with ccx's message, where it is missing, fails or takes too long; KeyError
     for a name that is not on the mesh; ValueError for an empty set and bad values.
     """
-    forces = np.zeros((len(mesh.all_points), 3))
+    total = np.zeros((len(mesh.all_points), 3)) if forces is None else np.array(forces, float)
+    if total.shape != mesh.all_points.shape:
+        raise ValueError(f"forces have the shape {total.shape}, not {mesh.all_points.shape}")
     for name, load in loads.items():
-        forces += _nodal_forces(mesh, _named(mesh, name), load)
-    deck = _deck(mesh, material, supports, forces, solver)
+        total += _nodal_forces(mesh, named(mesh, name), load)
+    deck = _deck(mesh, material, supports, total, solver)
     if folder is not None:
         Path(folder).mkdir(parents=True, exist_ok=True)
-        return _run(mesh, deck, forces, Path(folder), limit, threads, program)
+        return _run(mesh, deck, total, Path(folder), limit, threads, program)
     with tempfile.TemporaryDirectory(prefix="remesh-ccx-") as temporary:
-        return _run(mesh, deck, forces, Path(temporary), limit, threads, program)
+        return _run(mesh, deck, total, Path(temporary), limit, threads, program)
 
 
 def write_deck(path: os.PathLike[str] | str, mesh: Mesh, material: Elastic,
@@ -130,13 +134,14 @@ def write_deck(path: os.PathLike[str] | str, mesh: Mesh, material: Elastic,
     """Writes the input file of `solve`; returns its path. Raises as `solve` does."""
     forces = np.zeros((len(mesh.all_points), 3))
     for name, load in loads.items():
-        forces += _nodal_forces(mesh, _named(mesh, name), load)
+        forces += _nodal_forces(mesh, named(mesh, name), load)
     target = Path(path)
     target.write_text(_deck(mesh, material, supports, forces), encoding="ascii")
     return target
 
 
-def _named(mesh: Mesh, name: str) -> NodeSet:
+def named(mesh: Mesh, name: str) -> NodeSet:
+    """The group, or else the face, of a mesh. Raises KeyError."""
     if name in mesh.groups:
         return mesh.groups[name]
     if name in mesh.faces:
@@ -183,7 +188,7 @@ def _deck(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
 def _held(mesh: Mesh, supports: Mapping[str, Support]) -> list[str]:
     lines = []
     for name, support in supports.items():
-        nodes = _named(mesh, name).all_nodes
+        nodes = named(mesh, name).all_nodes
         moves: Mapping[str, Move] = (dict.fromkeys(support, 0.0) if isinstance(support, str)
                                      else support)
         if not len(nodes) or not moves or not set(moves) <= set(_AXES):

@@ -7,22 +7,26 @@ import os
 import time
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable, Iterable, TypeVar
 
 import grpc
+import numpy.typing as npt
 
 from remesh_client import _requests
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client._connection import Access, address_or_default, channel_options
 from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
 from remesh_client._files import FileAssembler, write_whole
+from remesh_client._motion import (Derivative, Horizon, Velocity, VelocityAssembler, gradient,
+                                   horizons, seed_bytes)
 from remesh_client._stream import EditStream
 from remesh_client.edits import Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.options import mesh_options
 from remesh_client.part import Part
-from remesh_client.v1 import (mesh_pb2, model_pb2, remesh_pb2_grpc, revision_pb2, server_pb2)
+from remesh_client.v1 import (mesh_pb2, model_pb2, motion_pb2, remesh_pb2_grpc, revision_pb2,
+                              server_pb2)
 
 T = TypeVar("T")
 
@@ -147,6 +151,27 @@ class Daemon:
                 assembler.add(message)
             return assembler.finish()
         return write_whole(path, self._again(transfer))
+
+    def _velocities(self, revision: str, parameters: Iterable[str]) -> dict[str, Velocity]:
+        request = motion_pb2.GetDesignVelocitiesRequest(revision=revision, parameters=parameters)
+
+        def transfer() -> dict[str, Velocity]:
+            assembler = VelocityAssembler()
+            for message in self._stub.GetDesignVelocities(request, metadata=self._metadata):
+                assembler.add(message)
+            return assembler.finish()
+        return self._again(transfer)
+
+    def _gradient(self, revision: str, seed: npt.ArrayLike,
+                  parameters: Iterable[str]) -> dict[str, Derivative]:
+        return gradient(self._ask("GetDesignGradient", motion_pb2.GetDesignGradientRequest(
+            revision=revision, parameters=parameters, seed=seed_bytes(seed))))
+
+    def _horizon(self, revision: str, parameters: Iterable[str],
+                 hold: float | None) -> dict[str, Horizon]:
+        return horizons(self._ask(
+            "GetConnectivityHorizon", motion_pb2.GetConnectivityHorizonRequest(
+                revision=revision, parameters=parameters, hold=hold)))
 
     def _document(self, revision: str) -> dict[str, Any]:
         reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision,

@@ -15,6 +15,7 @@ class Options(TypedDict, total=False):
     iterations: of the optimisation; 0: until quality stops improving. seed: of all random choices.
     clean_up: remove slivers. threshold: volume-length measure below which tets are cleaned up.
     inside: `membership` or `control_mesh`. start: `lattice` or `random`. order: 1 or 2.
+    hold: x edge length by which surfaces may move before the connectivity changes.
     even: one edge length everywhere. edges_per_circle, layers, min_size (a length), growth: rules
     of the size field. fail_on: names of warnings that are errors, `GROUP_EMPTIED`.
     threads: for the computation; never changes the result.
@@ -29,6 +30,7 @@ class Options(TypedDict, total=False):
     inside: str
     start: str
     order: int
+    hold: float
     even: bool
     edges_per_circle: int
     layers: int
@@ -39,7 +41,7 @@ class Options(TypedDict, total=False):
 
 
 _SIZING = ("even", "edges_per_circle", "layers", "min_size", "growth")
-_PLAIN = ("nodes", "size", "iterations", "seed", "clean_up", "threshold", "order")
+_PLAIN = ("nodes", "size", "iterations", "seed", "clean_up", "threshold", "order", "hold")
 _KNOWN = (*_PLAIN, *_SIZING, "inside", "start", "fail_on", "threads")
 
 

@@ -7,8 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Mapping
 
+import numpy.typing as npt
+
 from remesh_client._assembler import Content
 from remesh_client._exchange import Exchange, OnProgress
+from remesh_client._motion import Derivative, Horizon, Velocity
 from remesh_client._requests import edit_of
 from remesh_client.edits import EditLike
 from remesh_client.errors import Point
@@ -140,6 +143,26 @@ class Part(Revision):
     def write(self, path: os.PathLike[str] | str) -> Path:
         """As Mesh.write, without the mesh coming here."""
         return self._daemon._write_file(self.revision, path)
+
+    def velocities(self, *parameters: str) -> dict[str, Velocity]:
+        """d(node)/d(parameter) of its mesh, for each parameter: of the model, `radius`, or of a
+        feature, `hole.radius`; default: all of the model. Raises RemeshError."""
+        return self._daemon._velocities(self.revision, parameters)
+
+    def gradient(self, seed: npt.ArrayLike, *parameters: str) -> dict[str, Derivative]:
+        """From d(function)/d(node), (n, 3) by node of Mesh.all_points, to d(function)/d(parameter).
+
+        parameters: as of `velocities`. Raises RemeshError; ValueError for a seed of another shape.
+        """
+        return self._daemon._gradient(self.revision, seed, parameters)
+
+    def horizon(self, *parameters: str, hold: float | None = None) -> dict[str, Horizon]:
+        """How far each parameter may go, alone, before the connectivity changes.
+
+        parameters: as of `velocities`. hold: as rc.Options; default: this part's. Every value tried
+        is meshed and verified, so it takes some dozen edits' time. Raises RemeshError.
+        """
+        return self._daemon._horizon(self.revision, parameters, hold)
 
     def document(self) -> dict[str, Any]:
         """The model, as a document; expressions as written."""

@@ -10,17 +10,19 @@ constexpr std::int32_t kNone = -1;
 
 /// Pairs each element of `from` with the nearest of `to` that it may be; nothing where one finds no
 /// partner or two find the same.
-template <class From, class To, class Distance>
+template <class From, class To, class Place, class Distance>
 std::optional<std::vector<std::int32_t>> pair_up(const std::vector<From>& from,
                                                  const std::vector<To>& to, double reach,
+                                                 const Place& place_of,
                                                  const Distance& distance_of) {
   if (from.size() != to.size()) return std::nullopt;
   std::vector<std::int32_t> partner(from.size(), kNone);
   std::vector<std::uint8_t> taken(to.size(), 0);
   for (std::size_t a = 0; a < from.size(); ++a) {
     double nearest = reach;
+    const Vec3 at = place_of(a);
     for (std::size_t b = 0; b < to.size(); ++b) {
-      const double d = distance_of(from[a], to[b]);
+      const double d = distance_of(from[a], to[b], at);
       if (!(d <= nearest)) continue;
       nearest = d;
       partner[a] = static_cast<std::int32_t>(b);
@@ -60,33 +62,45 @@ Support BoundaryMatch::operator()(const Support& support) const {
 }
 
 std::optional<BoundaryMatch> match_boundaries(const BoundaryModel& from, const BoundaryModel& to,
-                                              double reach) {
+                                              double reach, const ExpectedPlace& expected) {
+  const auto place = [&](Support::Kind kind, std::size_t entity, const Vec3& p) {
+    return expected ? expected({kind, static_cast<std::int32_t>(entity)}, p) : p;
+  };
   BoundaryMatch match;
-  auto vertices = pair_up(from.vertices, to.vertices, reach,
-                          [](const BoundaryVertex& a, const BoundaryVertex& b) {
-                            return distance(a.position, b.position);
-                          });
+  auto vertices = pair_up(
+      from.vertices, to.vertices, reach,
+      [&](std::size_t v) { return place(Support::Kind::Vertex, v, from.vertices[v].position); },
+      [](const BoundaryVertex&, const BoundaryVertex& b, const Vec3& at) {
+        return distance(at, b.position);
+      });
   if (!vertices) return std::nullopt;
   match.vertices = std::move(*vertices);
   const auto vertex = [&](int v) { return v < 0 ? kNone : match.vertices[v]; };
 
-  auto edges =
-      pair_up(from.edges, to.edges, reach, [&](const BoundaryEdge& a, const BoundaryEdge& b) {
+  auto edges = pair_up(
+      from.edges, to.edges, reach,
+      [&](std::size_t e) { return place(Support::Kind::Edge, e, middle(from.edges[e])); },
+      [&](const BoundaryEdge& a, const BoundaryEdge& b, const Vec3& at) {
         const std::pair ends{vertex(a.start), vertex(a.end)};
         if (a.curve.kind != b.curve.kind ||
             (ends != std::pair{b.start, b.end} && ends != std::pair{b.end, b.start}))
           return HUGE_VAL;
-        return distance(middle(a), project(to, b, middle(a)));
+        return distance(at, project(to, b, at));
       });
   if (!edges) return std::nullopt;
   match.edges = std::move(*edges);
 
-  auto faces =
-      pair_up(from.faces, to.faces, reach, [&](const BoundaryFace& a, const BoundaryFace& b) {
+  auto faces = pair_up(
+      from.faces, to.faces, reach,
+      [&](std::size_t f) {
+        const BoundaryFace& face = from.faces[f];
+        return face.points.empty() ? Vec3{} : place(Support::Kind::Face, f, face.points.front());
+      },
+      [&](const BoundaryFace& a, const BoundaryFace& b, const Vec3& at) {
         if (a.names != b.names || a.surface.kind != b.surface.kind || a.reversed != b.reversed ||
             mapped(a.edges, match.edges) != b.edges)
           return HUGE_VAL;
-        return a.points.empty() ? 0.0 : std::fabs(signed_distance(b.surface, a.points.front()));
+        return a.points.empty() ? 0.0 : std::fabs(signed_distance(b.surface, at));
       });
   if (!faces) return std::nullopt;
   match.faces = std::move(*faces);

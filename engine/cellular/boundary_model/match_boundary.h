@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,13 +16,17 @@ struct BoundaryMatch {
   [[nodiscard]] Support operator()(const Support& support) const;
 };
 
+/// Where a point of an entity of the one boundary is expected on the other.
+using ExpectedPlace = std::function<Vec3(const Support& entity, const Vec3& p)>;
+
 /// Pairs the entities of two boundaries of nearly the same shape: every vertex with one at most
 /// `reach` away, every edge with one between the same vertices, of the same kind and at most
 /// `reach` away, every face with one of the same names, the same kind and between the same edges.
+/// Distances are from where `expected` says; empty: from where an entity was.
 ///
 /// Post: nothing unless this pairs all entities of both, one to one: the boundaries have the same
 /// topology then.
 std::optional<BoundaryMatch> match_boundaries(const BoundaryModel& from, const BoundaryModel& to,
-                                              double reach);
+                                              double reach, const ExpectedPlace& expected = {});
 
 }  // namespace remeshd

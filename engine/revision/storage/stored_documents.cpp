@@ -12,11 +12,11 @@ namespace remeshd {
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
 /// formats of whole revisions.
-constexpr std::uint32_t kFormat = 17;
+constexpr std::uint32_t kFormat = 18;
 // With less of the report, whose latest parts come last, and without the options' sizing, the
-// models' sizes and dense places, the second order, and the models' groups after it.
+// models' sizes and dense places, the second order, the models' groups and the hold after it.
 constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
-                        kNoSizes = 14, kNoOrder = 15, kNoGroups = 16;
+                        kNoSizes = 14, kNoOrder = 15, kNoGroups = 16, kNoHold = 17;
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -86,6 +86,7 @@ std::string write_documents(const Revision& revision) {
             report.counts.straight_edges);
     archive(revision.source.groups, revision.meshed_source.groups, report.figures);
     if (revision.anchor) archive(revision.anchor->source.groups);
+    archive(revision.options.hold);
   }
   return std::move(out).str();
 }
@@ -128,6 +129,7 @@ Documents read_documents(const std::string& bytes, Revision& revision) {
       archive(revision.source.groups, revision.meshed_source.groups, revision.report.figures);
       if (documents.anchored) archive(documents.anchor_source.groups);
     }
+    if (format > kNoHold) archive(revision.options.hold);
 #endif
   } catch (const Error&) {
     throw;

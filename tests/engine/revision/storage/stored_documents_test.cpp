@@ -120,7 +120,11 @@ TEST(StoredDocuments, KeepTheGroupsOfEachModelAndWhatBecameOfThem) {
 
 TEST(StoredDocuments, OfBeforeThereWereSizesAreEven) {
   std::string bytes = write_documents(revision());
-  ASSERT_EQ(bytes[1], 17);
+  ASSERT_EQ(bytes[1], 18);
+  // Format 17 held no connectivity.
+  bytes[1] = 17;
+  bytes.resize(bytes.size() - sizeof(double));
+  EXPECT_EQ(read(bytes).options.hold, 0);
   // Format 16 had no groups of the two models after it, and nothing of what became of them.
   bytes[1] = 16;
   bytes.resize(bytes.size() - 3 * sizeof(std::uint64_t));

@@ -8,6 +8,22 @@
 
 namespace remeshd {
 
+struct MorphLimits {
+  double surface_motion = 0.01;  ///< x edge length
+  /// x edge length: the bound on it adds up what placement and sizes may do; true motions are
+  /// measured where it is below this.
+  double motion_bound = 0.05;
+  double partner_reach = 0.1;  ///< x edge length: how far entities look for their partners
+  double influence = 2.9;      ///< x edge length: interior nodes this near may move
+  double leverage = 5;         ///< node motion over surface motion
+  /// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
+  /// that an edge may move by this with a hidden face, though no face of the boundary does.
+  double coincident = 0.5;
+  int sweeps = 24;             ///< of the harmonic extension, there and back
+  double quality_loss = 1e-3;  ///< rad, and of the measure: as good as none
+};
+inline constexpr MorphLimits kMorphLimits;
+
 /// The mesh of a revision whose nodes have followed a small motion of the surfaces.
 struct MorphedMesh {
   PagedMesh mesh;  ///< the tets of the base

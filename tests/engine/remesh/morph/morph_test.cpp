@@ -1,4 +1,4 @@
-#include "engine/remesh/morph.h"
+#include "engine/remesh/morph/morph.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/remesh/morph.h"
+#include "engine/remesh/morph/morph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +19,6 @@
 namespace remeshd {
 
 namespace {
-
-struct MorphLimits {
-  double surface_motion = 0.01;  ///< x edge length
-  /// x edge length: the bound on it adds up what placement and sizes may do; true motions are
-  /// measured where it is below this.
-  double motion_bound = 0.05;
-  double partner_reach = 0.1;  ///< x edge length: how far entities look for their partners
-  double influence = 2.9;      ///< x edge length: interior nodes this near may move
-  double leverage = 5;         ///< node motion over surface motion
-  /// x the kernel's tolerance: it takes faces this near for one and draws their edges on either, so
-  /// that an edge may move by this with a hidden face, though no face of the boundary does.
-  double coincident = 0.5;
-  int sweeps = 24;             ///< of the harmonic extension, there and back
-  double quality_loss = 1e-3;  ///< rad, and of the measure: as good as none
-};
-constexpr MorphLimits kMorphLimits;
 
 /// Where the nodes of the anchor go.
 class Motion {

@@ -1,0 +1,198 @@
+#include "engine/motion/design_velocities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "engine/base/tolerance.h"
+
+namespace remeshd {
+namespace {
+
+using Ref = FeatureSurfaces::Ref;
+
+/// Where a cone ends; of other surfaces nowhere.
+std::optional<Vec3> apex_of(const Surface& surface) {
+  if (surface.kind != Surface::Kind::Cone || surface.r2 == 0) return {};
+  return surface.frame.apply({0, 0, -surface.r1 / surface.r2});
+}
+
+}  // namespace
+
+class ChangingFaces {
+ public:
+  ChangingFaces(const FacesOfModel& now, const ParameterChange& change)
+      : now_(now), less_(change.less), more_(change.more), between_(change.between) {}
+
+  /// Of a surface at one of its points; nothing where it is no surface of the same kind any more.
+  [[nodiscard]] std::optional<SurfaceMotion> motion(const Ref& ref, const Vec3& p) const {
+    const Surface *now = now_.find(ref), *before = less_.find(ref), *after = more_.find(ref);
+    if (before == nullptr || after == nullptr || before->kind != now->kind ||
+        after->kind != now->kind)
+      return {};
+    return SurfaceMotion{normal(*now, p),
+                         (signed_distance(*before, p) - signed_distance(*after, p)) / between_};
+  }
+
+  [[nodiscard]] std::optional<Vec3> apex_velocity(const Ref& ref) const {
+    const Surface *before = less_.find(ref), *after = more_.find(ref);
+    if (before == nullptr || after == nullptr) return {};
+    const auto from = apex_of(*before), to = apex_of(*after);
+    if (!from || !to) return {};
+    return (*to - *from) / between_;
+  }
+
+  /// Of a node on some surfaces, where others touch.
+  [[nodiscard]] CommonMotion motion(const Vec3& p, std::span<const Ref> on,
+                                    std::span<const Ref> touching) const {
+    std::vector<SurfaceMotion> motions;
+    bool known = !on.empty();
+    double fastest = 0;
+    for (const Ref& ref : on) {
+      const auto one = motion(ref, p);
+      known = known && one.has_value();
+      if (!one) continue;
+      motions.push_back(*one);
+      fastest = std::fmax(fastest, std::fabs(one->speed));
+    }
+    CommonMotion out = common_motion(motions);
+    for (const Ref& ref : touching) {
+      const auto one = motion(ref, p);
+      known = known && one && moves_along(out.motion.required, *one, fastest);
+    }
+    out.defined = out.defined && known;
+    return out;
+  }
+
+ private:
+  const FacesOfModel& now_;
+  FacesOfModel less_, more_;
+  double between_;
+};
+
+DesignVelocities::DesignVelocities(const Revision& revision, const Run& run)
+    : revision_(revision),
+      surfaces_(revision.cells.boundary, revision.model),
+      faces_(revision.model),
+      spread_(revision, revision.output.mesh.nodes, run) {
+  find_curved_mids();
+}
+
+void DesignVelocities::find_curved_mids() {
+  const OutputMesh& output = revision_.output;
+  const double near = tolerance::kOnSurface * revision_.cells.boundary.bounds.diagonal();
+  for (std::size_t m = 0; m < output.mids.edges.size(); ++m) {
+    const auto [a, b] = output.mids.edges[m];
+    const Vec3 middle = 0.5 * (output.mesh.nodes[a] + output.mesh.nodes[b]);
+    const Vec3& place = output.mids.positions[m];
+    if (distance(place, middle) <=
+        tolerance::kStraight * distance(output.mesh.nodes[a], output.mesh.nodes[b]))
+      continue;
+    const auto of_a = surfaces_.at(revision_.supports()[a]);
+    const auto of_b = surfaces_.at(revision_.supports()[b]);
+    CurvedMid curved{static_cast<std::int32_t>(m), {}};
+    std::ranges::set_intersection(of_a, of_b, std::back_inserter(curved.on));
+    std::erase_if(curved.on, [&](const Ref& ref) {
+      return std::fabs(signed_distance(*faces_.find(ref), place)) > near;
+    });
+    mids_.push_back(std::move(curved));
+  }
+}
+
+CommonMotion DesignVelocities::apex_motion(const Vec3& p, const ChangingFaces& faces) const {
+  const double near = tolerance::kOnSurface * revision_.cells.boundary.bounds.diagonal();
+  CommonMotion out{{{}, {Freedom::Kind::None, {}}}, false};
+  for (int feature = 0; feature < static_cast<int>(faces_.size()); ++feature)
+    for (int face = 0; face < static_cast<int>(faces_.of(feature).size()); ++face) {
+      const auto now = apex_of(*faces_.find({feature, face}));
+      if (!now || distance(*now, p) > near) continue;
+      if (const auto velocity = faces.apex_velocity({feature, face}))
+        return {{*velocity, {Freedom::Kind::None, {}}}, true};
+    }
+  return out;
+}
+
+DesignVelocities::Motions DesignVelocities::motions(const ParameterChange& change) const {
+  const ChangingFaces faces(faces_, change);
+  const OutputMesh& output = revision_.output;
+  const BoundaryModel& boundary = revision_.cells.boundary;
+  Motions out;
+  out.nodes.resize(output.mesh.nodes.size());
+  out.undefined.resize(output.mesh.nodes.size() + output.mids.edges.size(), 0);
+  for (std::size_t n = 0; n < output.mesh.nodes.size(); ++n) {
+    const Support& support = revision_.supports()[n];
+    if (support.kind == Support::Kind::Interior) continue;
+    const bool apex =
+        support.kind == Support::Kind::Vertex && boundary.vertices[support.entity].edges.empty();
+    const Vec3& p = output.mesh.nodes[n];
+    const CommonMotion motion =
+        apex ? apex_motion(p, faces)
+             : faces.motion(p, surfaces_.at(support), surfaces_.touching(support));
+    out.nodes[n] = motion.motion;
+    out.undefined[n] = motion.defined ? 0 : 1;
+  }
+  for (const CurvedMid& mid : mids_) {
+    const CommonMotion motion = faces.motion(output.mids.positions[mid.mid], mid.on, {});
+    out.nodes.push_back(motion.motion);
+    out.undefined[output.mesh.nodes.size() + mid.mid] = motion.defined ? 0 : 1;
+  }
+  return out;
+}
+
+NodalVelocities DesignVelocities::of(const std::string& parameter, const Run& run) const {
+  Motions motions = this->motions(change_of(revision_.source, parameter));
+  const std::size_t corners = revision_.output.mesh.nodes.size();
+  const std::span<const NodeMotion> all = motions.nodes;
+  NodalVelocities out{parameter_value(revision_.source, parameter),
+                      spread_.forward(all.first(corners), run), std::move(motions.undefined)};
+  const auto& edges = revision_.output.mids.edges;
+  out.velocities.resize(corners + edges.size());
+  for (std::size_t m = 0; m < edges.size(); ++m)
+    out.velocities[corners + m] = 0.5 * (out.velocities[edges[m][0]] + out.velocities[edges[m][1]]);
+  for (std::size_t k = 0; k < mids_.size(); ++k) {
+    Vec3& v = out.velocities[corners + mids_[k].mid];
+    const NodeMotion& motion = all[corners + k];
+    v = motion.required + motion.freedom(v);
+  }
+  return out;
+}
+
+std::vector<DesignDerivative> DesignVelocities::gradient(std::span<const Vec3> seed,
+                                                         std::span<const std::string> parameters,
+                                                         const Run& run) const {
+  std::vector<DesignDerivative> out;
+  const std::size_t corners = revision_.output.mesh.nodes.size();
+  const auto& edges = revision_.output.mids.edges;
+  std::vector<Vec3> of_required;  // seed of what is required, once what is free is known
+  for (const std::string& parameter : parameters) {
+    const Motions motions = this->motions(change_of(revision_.source, parameter));
+    const std::span<const NodeMotion> all = motions.nodes;
+    if (of_required.empty()) {
+      std::vector<Vec3> of_corners(seed.begin(),
+                                   seed.begin() + static_cast<std::ptrdiff_t>(corners));
+      std::vector<Vec3> of_mids(seed.begin() + static_cast<std::ptrdiff_t>(corners), seed.end());
+      for (std::size_t k = 0; k < mids_.size(); ++k) {
+        Vec3& s = of_mids[mids_[k].mid];
+        s = all[corners + k].freedom(s);
+      }
+      for (std::size_t m = 0; m < edges.size(); ++m)
+        for (const std::int32_t n : edges[m]) of_corners[n] += 0.5 * of_mids[m];
+      of_required = spread_.reverse(all.first(corners), std::move(of_corners), run);
+    }
+    DesignDerivative derivative;
+    for (std::size_t n = 0; n < corners; ++n) {
+      derivative.value += dot(of_required[n], all[n].required);
+      if (motions.undefined[n] != 0 && of_required[n] != Vec3{}) ++derivative.undefined;
+    }
+    for (std::size_t k = 0; k < mids_.size(); ++k) {
+      const Vec3& s = seed[corners + mids_[k].mid];
+      derivative.value += dot(s, all[corners + k].required);
+      if (motions.undefined[corners + mids_[k].mid] != 0 && s != Vec3{}) ++derivative.undefined;
+    }
+    out.push_back(derivative);
+  }
+  return out;
+}
+
+}  // namespace remeshd

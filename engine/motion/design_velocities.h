@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/motion/feature_surfaces.h"
+#include "engine/motion/mesh_spread.h"
+#include "engine/motion/parameter_change.h"
+#include "engine/motion/velocities.h"
+#include "engine/revision/revision.h"
+
+namespace remeshd {
+
+/// The faces of a model's features at both ends of a change.
+class ChangingFaces;
+
+/// Design velocities of a mesh: d x / d p at its nodes. On the boundary they follow from the closed
+/// forms of the features: a node stays on its faces and edges to first order. From there they are
+/// spread as the motion of a held mesh is (`MeshSpread`), so that along a `hold` the connectivity's
+/// own derivative is what this gives.
+class DesignVelocities {
+ public:
+  /// Keeps a reference.
+  DesignVelocities(const Revision& revision, const Run& run);
+
+  /// Forward. `parameter`: as `parameter_value`; throws what `change_of` throws.
+  [[nodiscard]] NodalVelocities of(const std::string& parameter, const Run& run) const;
+
+  /// Reverse: one solution for any number of parameters. `seed`: d J / d x, by corner node, then by
+  /// mid-node. Pre: of that size.
+  [[nodiscard]] std::vector<DesignDerivative> gradient(std::span<const Vec3> seed,
+                                                       std::span<const std::string> parameters,
+                                                       const Run& run) const;
+
+ private:
+  struct Motions {
+    std::vector<NodeMotion> nodes;  ///< corner nodes, then mid-nodes on curved edges as `mids_`
+    std::vector<std::uint8_t> undefined;
+  };
+  /// A mid-node off the middle of its edge.
+  struct CurvedMid {
+    std::int32_t mid;
+    std::vector<FeatureSurfaces::Ref> on;
+  };
+
+  [[nodiscard]] Motions motions(const ParameterChange& change) const;
+  [[nodiscard]] CommonMotion apex_motion(const Vec3& p, const ChangingFaces& faces) const;
+  void find_curved_mids();
+
+  const Revision& revision_;
+  FeatureSurfaces surfaces_;
+  FacesOfModel faces_;
+  MeshSpread spread_;
+  std::vector<CurvedMid> mids_;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/cellular/boundary_model/support.h"
+#include "engine/model/feature_model.h"
+#include "engine/model/solid.h"
+
+namespace remeshd {
+
+/// The surfaces of features that each part of a model's boundary lies on, by which it can be
+/// followed into the same features with other numbers.
+class FeatureSurfaces {
+ public:
+  /// A face of a feature.
+  struct Ref {
+    int feature = -1;
+    int face = -1;  ///< in `faces_of`
+    friend auto operator<=>(const Ref&, const Ref&) = default;
+  };
+
+  FeatureSurfaces(const BoundaryModel& boundary, const FeatureModel& model);
+
+  /// Of a face those of all its names; of an edge those of its faces, and at a group's rim those
+  /// that cross there; of a vertex those of its edges. Ascending; none in the interior.
+  [[nodiscard]] std::span<const Ref> at(const Support& support) const;
+
+  /// Of an edge or vertex those of all features that touch it, with or without a part of the
+  /// boundary: where they part, the topology changes. None of faces and the interior.
+  [[nodiscard]] std::span<const Ref> touching(const Support& support) const;
+
+ private:
+  std::vector<std::vector<Ref>> faces_, edges_, vertices_;
+  std::vector<std::vector<Ref>> touching_edges_, touching_vertices_;
+};
+
+/// The faces of all features of a model.
+class FacesOfModel {
+ public:
+  explicit FacesOfModel(const FeatureModel& model);
+  [[nodiscard]] const std::vector<SolidFace>& of(int feature) const { return faces_[feature]; }
+  [[nodiscard]] std::size_t size() const { return faces_.size(); }
+  /// Null where there is no such face.
+  [[nodiscard]] const Surface* find(const FeatureSurfaces::Ref& ref) const;
+
+ private:
+  std::vector<std::vector<SolidFace>> faces_;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// Along what a node may slide without leaving what it stands on.
+struct Freedom {
+  enum class Kind : std::uint8_t { None, Line, Plane, Space };
+  Kind kind = Kind::Space;
+  Vec3 axis;  ///< unit: along the line; normal to the plane
+
+  /// The part of a vector that is free.
+  Vec3 operator()(const Vec3& v) const {
+    switch (kind) {
+      case Kind::None:
+        return {};
+      case Kind::Line:
+        return dot(axis, v) * axis;
+      case Kind::Plane:
+        return v - dot(axis, v) * axis;
+      case Kind::Space:
+        break;
+    }
+    return v;
+  }
+};
+
+/// The displacements, or the velocities, that a node may have: `required` and anything free beside.
+struct NodeMotion {
+  Vec3 required;
+  Freedom freedom;
+};
+
+/// How a surface moves at one of its points.
+struct SurfaceMotion {
+  Vec3 normal;       ///< unit
+  double speed = 0;  ///< along the normal; length per unit of the parameter
+};
+
+/// What a node does that stays on several moving surfaces.
+struct CommonMotion {
+  NodeMotion motion;
+  bool defined = true;  ///< false where the surfaces part: the least-squares motion then
+};
+
+/// Whether a point with this motion stays on a surface. `fastest`: speed that differences count by.
+bool moves_along(const Vec3& motion, const SurfaceMotion& surface, double fastest);
+
+/// The motions of a node that stands where these surfaces meet.
+CommonMotion common_motion(std::span<const SurfaceMotion> surfaces);
+
+}  // namespace remeshd

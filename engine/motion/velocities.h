@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/vec.h"
+
+namespace remeshd {
+
+/// How a mesh moves with a parameter.
+struct NodalVelocities {
+  double value = 0;  ///< of the parameter, in the model
+  /// By corner node, then by mid-node: length per unit of the parameter.
+  std::vector<Vec3> velocities;
+  /// Likewise: 1 where the boundary has no velocity, for what it stands on parts: faces that lie on
+  /// each other and move differently. The least-squares velocity stands there.
+  std::vector<std::uint8_t> undefined;
+};
+
+/// The derivative of a function of the nodes by a parameter.
+struct DesignDerivative {
+  double value = 0;
+  std::uint32_t undefined = 0;  ///< nodes without a velocity that the function depends on
+};
+
+}  // namespace remeshd

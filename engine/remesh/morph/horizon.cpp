@@ -1,0 +1,117 @@
+#include "engine/remesh/morph/horizon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/base/error.h"
+#include "engine/local_fuse/local_fuse.h"
+#include "engine/motion/design_velocities.h"
+#include "engine/remesh/morph/hold.h"
+
+namespace remeshd {
+namespace {
+
+struct HorizonLimits {
+  double near = 0.01;    ///< of the way: the end is known to this
+  double further = 1.1;  ///< x where the surfaces will have gone as far as they may
+};
+constexpr HorizonLimits kHorizon;
+
+/// Why the connectivity does not stay with that value; nothing where it does.
+std::optional<std::string> ends_at(const Revision& revision, const std::string& parameter,
+                                   double value, double hold, const Run& run) {
+  run.poll();
+  try {
+    Revision modified;
+    modified.model = modified.meshed_model = with_value(revision.source, parameter, value);
+    modified.options = revision.options;
+    modified.options.hold = hold;
+    modified.edge_length = revision.edge_length;
+    modified.cells = build_cells(modified.model, revision.model, revision.cells, run);
+    const auto result =
+        hold > 0 ? hold_mesh(revision, modified, run) : morph_mesh(revision, modified, run);
+    if (const auto* why = std::get_if<NotMorphed>(&result))
+      return why->empty() ? "a surface moves further than morphing lets it, or the topology changes"
+                          : *why;
+    return {};
+  } catch (const Error& error) {
+    if (error.info().kind == ErrorKind::Cancelled) throw;
+    return std::string(error.what());
+  }
+}
+
+/// What the model says of the parameter's values.
+std::pair<double, double> bounds_of(const ModelSource& source, const std::string& parameter) {
+  const auto found = std::ranges::find(source.parameters, parameter, &ParameterSource::name);
+  if (found == source.parameters.end()) return {-HUGE_VAL, HUGE_VAL};
+  return {found->lower.value_or(-HUGE_VAL), found->upper.value_or(HUGE_VAL)};
+}
+
+/// Speed of the fastest surface at a node.
+double fastest(const DesignVelocities& velocities, const Revision& revision,
+               const std::string& parameter, const Run& run) {
+  const NodalVelocities all = velocities.of(parameter, run);
+  double most = 0;
+  for (std::size_t n = 0; n < revision.supports().size(); ++n)
+    if (revision.supports()[n].kind != Support::Kind::Interior)
+      most = std::fmax(most, norm(all.velocities[n]));
+  return most;
+}
+
+struct End {
+  double value;
+  std::string reason;
+};
+
+/// Between `good`, where the connectivity stays, and `bad`.
+End find_end(const Revision& revision, const std::string& parameter, double good, double bad,
+             double hold, const Run& run) {
+  std::optional<std::string> why = ends_at(revision, parameter, bad, hold, run);
+  if (!why) return {bad, ""};
+  const double near = kHorizon.near * std::fabs(bad - good);
+  while (std::fabs(bad - good) > near) {
+    const double middle = 0.5 * (good + bad);
+    if (auto reason = ends_at(revision, parameter, middle, hold, run)) {
+      bad = middle;
+      why = std::move(reason);
+    } else {
+      good = middle;
+    }
+  }
+  return {good, *why};
+}
+
+}  // namespace
+
+Horizon connectivity_horizon(const Revision& revision, const std::string& parameter, double hold,
+                             const Run& run) {
+  Horizon out;
+  out.value = out.lower = out.upper = parameter_value(revision.source, parameter);
+  const DesignVelocities velocities(revision, run);
+  const double speed = fastest(velocities, revision, parameter, run);
+  const auto [least, most] = bounds_of(revision.source, parameter);
+  const double way = kHorizon.further * (hold > 0 ? hold : kMorphLimits.surface_motion) *
+                     revision.edge_length / speed;
+  if (!std::isfinite(way)) {
+    out.lower = least;
+    out.upper = most;
+    out.lower_reason = out.upper_reason = "no surface moves";
+    return out;
+  }
+  const auto end = [&](double bound, double far) {
+    const bool within = std::fabs(bound - out.value) <= std::fabs(far - out.value);
+    End found = find_end(revision, parameter, out.value, within ? bound : far, hold, run);
+    if (found.reason.empty())
+      found.reason = within ? "the parameter's bound" : "was not tried further";
+    return found;
+  };
+  const End lower = end(least, out.value - way), upper = end(most, out.value + way);
+  out.lower = lower.value;
+  out.lower_reason = lower.reason;
+  out.upper = upper.value;
+  out.upper_reason = upper.reason;
+  return out;
+}
+
+}  // namespace remeshd
