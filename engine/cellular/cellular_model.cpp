@@ -72,23 +72,6 @@ void require_one_piece(const CellComplex& model, const FeatureModel& features) {
                                   ids_of(features, smallest.features));
 }
 
-/// Of the boundary's faces, rims of groups included; where `all`, of every face.
-UnifiedEdges unified_edges_of(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
-                              const FeatureModel& model, bool all = false) {
-  const bool boundary = !all;
-  std::vector<SelectedFace> faces;
-  const std::vector<int> groups = groups_of_pieces(boundary ? model : FeatureModel{}, pieces);
-  for (std::size_t f = 0; f < pieces.size(); ++f) {
-    SelectedFace face{all || pieces[f].boundary, pieces[f].surface, 1, groups[f]};
-    if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
-      const bool along = looks_along(brep, brep.faces[f], face.surface);
-      face.side = along == pieces[f].outward ? 1 : -1;
-    }
-    faces.push_back(face);
-  }
-  return find_unified_edges(brep, faces);
-}
-
 void fill_edges_and_vertices(CellComplex& out, const Brep& brep, const UnifiedEdges& all,
                              const UnifiedEdges& boundary) {
   std::vector<std::vector<int>> vertex_owners(brep.vertices.size());

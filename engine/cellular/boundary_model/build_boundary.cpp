@@ -125,27 +125,6 @@ void add_edges(BoundaryModel& model, const Brep& brep, const UnifiedEdges& unifi
   }
 }
 
-/// Names of all pieces of a face, each once, the latest owner on the material side first.
-std::vector<FaceName> ordered_names(const std::vector<const BoundaryPiece*>& pieces) {
-  std::vector<FaceName> names;
-  const auto add = [&](const std::vector<FaceName> BoundaryPiece::*side) {
-    std::vector<const FaceName*> list;
-    for (const BoundaryPiece* piece : pieces)
-      for (const FaceName& name : piece->*side) list.push_back(&name);
-    std::ranges::sort(list, [](const FaceName* a, const FaceName* b) {
-      return a->feature != b->feature ? a->feature > b->feature : a->face < b->face;
-    });
-    const auto first = static_cast<std::ptrdiff_t>(names.size());
-    for (const FaceName* name : list)
-      if ((names.size() == static_cast<std::size_t>(first) || names.back() != *name) &&
-          std::find(names.begin(), names.begin() + first, *name) == names.begin() + first)
-        names.push_back(*name);
-  };
-  add(&BoundaryPiece::material_names);
-  add(&BoundaryPiece::other_names);
-  return names;
-}
-
 /// Joins pieces into faces. Points are numbered anew for each.
 class FaceJoiner {
  public:
@@ -211,6 +190,26 @@ bool is_reversed(const BoundaryFace& face) {
 }
 
 }  // namespace
+
+std::vector<FaceName> ordered_names(const std::vector<const BoundaryPiece*>& pieces) {
+  std::vector<FaceName> names;
+  const auto add = [&](const std::vector<FaceName> BoundaryPiece::*side) {
+    std::vector<const FaceName*> list;
+    for (const BoundaryPiece* piece : pieces)
+      for (const FaceName& name : piece->*side) list.push_back(&name);
+    std::ranges::sort(list, [](const FaceName* a, const FaceName* b) {
+      return a->feature != b->feature ? a->feature > b->feature : a->face < b->face;
+    });
+    const auto first = static_cast<std::ptrdiff_t>(names.size());
+    for (const FaceName* name : list)
+      if ((names.size() == static_cast<std::size_t>(first) || names.back() != *name) &&
+          std::find(names.begin(), names.begin() + first, *name) == names.begin() + first)
+        names.push_back(*name);
+  };
+  add(&BoundaryPiece::material_names);
+  add(&BoundaryPiece::other_names);
+  return names;
+}
 
 BoundaryModel build_boundary(const Brep& brep, const std::vector<BoundaryPiece>& pieces,
                              const UnifiedEdges& unified) {

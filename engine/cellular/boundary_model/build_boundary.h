@@ -18,6 +18,9 @@ namespace remeshd {
 BoundaryModel build_boundary(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
                              const UnifiedEdges& unified);
 
+/// Names of all pieces of a face, each once, the latest owner on the material side first.
+std::vector<FaceName> ordered_names(const std::vector<const BoundaryPiece*>& pieces);
+
 /// Throws Error(NON_MANIFOLD_MODEL) where the boundary touches itself along an edge or at a vertex,
 /// with the place but without the features.
 void require_manifold(const kernel::Brep& brep, const UnifiedEdges& unified);

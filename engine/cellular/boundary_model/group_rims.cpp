@@ -92,6 +92,22 @@ std::vector<int> groups_of_pieces(const FeatureModel& model,
   return numbers;
 }
 
+UnifiedEdges unified_edges_of(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
+                              const FeatureModel& model, bool all) {
+  const bool boundary = !all;
+  std::vector<SelectedFace> faces;
+  const std::vector<int> groups = groups_of_pieces(boundary ? model : FeatureModel{}, pieces);
+  for (std::size_t f = 0; f < pieces.size(); ++f) {
+    SelectedFace face{all || pieces[f].boundary, pieces[f].surface, 1, groups[f]};
+    if (boundary && face.selected && !brep.faces[f].triangles.empty()) {
+      const bool along = looks_along(brep, brep.faces[f], face.surface);
+      face.side = along == pieces[f].outward ? 1 : -1;
+    }
+    faces.push_back(face);
+  }
+  return find_unified_edges(brep, faces);
+}
+
 std::vector<Vec3> changed_rims(const BoundaryModel& a, const BoundaryModel& b,
                                const std::function<double(const Vec3&)>& apart) {
   std::vector<Vec3> places;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/boundary_model/unified_edges.h"
 #include "engine/model/feature_model.h"
 
 namespace remeshd {
@@ -13,6 +14,10 @@ namespace remeshd {
 /// surface. Conditions do not count: what they cut through a face is no edge.
 std::vector<int> groups_of_pieces(const FeatureModel& model,
                                   const std::vector<BoundaryPiece>& pieces);
+
+/// Of the boundary's faces, rims of groups included; where `all`, of every face, without rims.
+UnifiedEdges unified_edges_of(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
+                              const FeatureModel& model, bool all = false);
 
 /// Points on the edges between faces of one surface that one of two boundaries has and the other
 /// has not, since other groups name faces there. `apart`: how far they are from each other at a

@@ -1,0 +1,132 @@
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <HeaderSection_FileDescription.hxx>
+#include <HeaderSection_FileName.hxx>
+#include <Interface_HArray1OfHAsciiString.hxx>
+#include <Interface_Static.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <sstream>
+
+#include "engine/base/error.h"
+#include "engine/kernel/brep_shapes.h"
+#include "engine/kernel/step/exchange_text.h"
+#include "engine/kernel/step/skin_solid.h"
+#include "engine/kernel/step/step_file.h"
+#include "engine/kernel/step/step_session.h"
+
+namespace remeshd::kernel {
+namespace {
+
+using Text = Handle(TCollection_HAsciiString);
+
+Text text_of(const std::string& text) { return new TCollection_HAsciiString(text.c_str()); }
+
+Handle(Interface_HArray1OfHAsciiString) lines_of(const std::vector<std::string>& texts) {
+  const Handle(Interface_HArray1OfHAsciiString) lines =
+      new Interface_HArray1OfHAsciiString(1, std::max<int>(1, static_cast<int>(texts.size())));
+  if (texts.empty()) lines->SetValue(1, text_of(""));
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    lines->SetValue(static_cast<int>(i) + 1, text_of(texts[i]));
+  return lines;
+}
+
+/// No time: the same model gives the same bytes.
+void fill_header(const Handle(StepData_StepModel) & model, const StepLabels& labels) {
+  APIHeaderSection_MakeHeader header(model);
+  if (!header.IsDone()) throw error::kernel_failure("the STEP file got no header");
+  header.SetName(text_of(labels.file));
+  header.SetTimeStamp(text_of("1970-01-01T00:00:00"));
+  header.SetAuthor(lines_of({}));
+  header.SetOrganization(lines_of({}));
+  header.SetOriginatingSystem(text_of(labels.origin));
+  header.SetAuthorisation(text_of(""));
+  header.SetDescription(lines_of(labels.description));
+}
+
+/// Throws Error(KERNEL_FAILURE).
+void name_item(const Handle(Transfer_FinderProcess) & made, const TopoDS_Shape& shape,
+               const std::string& name) {
+  const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(made, shape);
+  if (item.IsNull()) throw error::kernel_failure("the STEP file lacks the face " + name);
+  item->SetName(text_of(name));
+}
+
+/// The translator counts the products of a process in their names.
+void name_products(const Handle(StepData_StepModel) & model, const std::string& name) {
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
+    if (product.IsNull()) continue;
+    product->SetId(text_of(name));
+    product->SetName(text_of(name));
+  }
+}
+
+std::string print(const Handle(StepData_StepModel) & model) {
+  StepData_StepWriter writer(model);
+  writer.FloatWriter().SetFormat("%#.16G");
+  writer.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
+  std::ostringstream out;
+  if (!writer.Print(out)) throw error::kernel_failure("the STEP file could not be printed");
+  return tidy_exchange_text(std::move(out).str());
+}
+
+std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, const Brep& brep,
+                        const Skin& skin, const StepLabels& labels, const Run& run) {
+  Interface_Static::SetCVal("write.step.unit", labels.unit.name);
+  STEPControl_Writer writer;
+  const Handle(StepData_StepModel) model = writer.Model(/*newone=*/true);
+  // Lengths are divided by the one over the other: kernel units become the model's.
+  model->SetLocalLengthUnit(1);
+  model->SetWriteLengthUnit(brep.scale);
+  writer.SetTolerance(1e-7);
+  with_progress(run, [&](const Message_ProgressRange& range) {
+    if (writer.Transfer(solid, STEPControl_ManifoldSolidBrep, /*compgraph=*/true, range) !=
+        IFSelect_RetDone) {
+      run.poll();
+      throw error::kernel_failure("the solid could not be translated to STEP");
+    }
+  });
+  const Handle(Transfer_FinderProcess) made = writer.WS()->TransferWriter()->FinderProcess();
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  for (int f = 0; f < faces.Extent(); ++f) name_item(made, faces(f + 1), skin.names[wholes[f]]);
+  name_item(made, solid, labels.solid);
+  name_products(model, labels.solid);
+  fill_header(model, labels);
+  return print(model);
+}
+
+}  // namespace
+
+StepText write_step(const Brep& brep, const Skin& skin, const StepLabels& labels, const Run& run) {
+  StepText out;
+  with_step_translator([&] {
+    WholeFaces wholes;
+    TopoDS_Shape solid;
+    try {
+      solid = skin_solid(brep, skin, /*join=*/true, wholes);
+    } catch (const Error&) {
+      out.joined = false;
+    } catch (const Standard_Failure&) {
+      out.joined = false;
+    }
+    if (!out.joined) solid = skin_solid(brep, skin, /*join=*/false, wholes);
+    run.poll();
+    out.bytes = write_solid(solid, wholes, brep, skin, labels, run);
+  });
+  return out;
+}
+
+}  // namespace remeshd::kernel
