@@ -68,6 +68,10 @@ Engine production_engine() {
                 return DesignVelocities(revision, run).gradient(seed, parameters, run);
               },
           .horizon = connectivity_horizon,
+          .step_of =
+              [](const Revision& revision, const ModelLabels& labels, const Run& run) {
+                return model_step(revision.model, revision.cells, labels, run);
+              },
           .image_of = image_of,
           .revision_of = revision_of,
           .feature_types = [] { return feature_types(); },

@@ -10,26 +10,40 @@
 #include "remeshd/mesh_file.h"
 
 namespace remeshd::cli {
+namespace {
+
+bool is_model_file_name(const std::filesystem::path& file) {
+  return file.extension() == ".step" || file.extension() == ".stp";
+}
+
+}  // namespace
+
+const std::vector<std::string>& file_formats() {
+  static const std::vector<std::string> formats{"vtu", "msh", "inp", kModelFormat};
+  return formats;
+}
 
 void MeshOutputs::add_to(CLI::App& command) {
   command
       .add_option("-o,--output", files,
-                  "Mesh file: .vtu, .msh or .inp; `-`: to stdout; may be given several times")
+                  "Mesh file: .vtu, .msh or .inp; or the exact model: .step, .stp; `-`: to stdout; "
+                  "may be given several times")
       ->required()
       ->type_name("OUT")
       ->expected(1)
       ->take_all();
-  only(*command.add_option("--format", format, "Format of the mesh, whatever the files are called"),
-       {"vtu", "msh", "inp"});
+  only(*command.add_option("--format", format, "Format, whatever the files are called"),
+       file_formats());
 }
 
 void MeshOutputs::check(const std::string& text_file) const {
   for (const std::filesystem::path& file : files) {
     if (format.empty() && file == kStandardStream)
-      throw UsageError("-o - needs --format vtu, msh or inp");
-    if (format.empty() && !client::is_mesh_file_name(file))
-      throw UsageError(file.string() +
-                       ": the ending must be .vtu, .msh or .inp, unless --format tells it");
+      throw UsageError("-o - needs --format vtu, msh, inp or step");
+    if (format.empty() && !is_model_file_name(file) && !client::is_mesh_file_name(file))
+      throw UsageError(
+          file.string() +
+          ": the ending must be .vtu, .msh, .inp, .step or .stp, unless --format tells it");
     check_text_file(file);
   }
   const auto streams =
@@ -38,7 +52,8 @@ void MeshOutputs::check(const std::string& text_file) const {
 }
 
 std::string MeshOutputs::format_of(const std::filesystem::path& file) const {
-  return format.empty() ? file.extension().string().substr(1) : format;
+  if (!format.empty()) return format;
+  return is_model_file_name(file) ? kModelFormat : file.extension().string().substr(1);
 }
 
 bool MeshOutputs::take_stdout() const {

@@ -10,10 +10,14 @@ class App;
 
 namespace remeshd::cli {
 
-/// Where a mesh goes, and in which formats.
+/// What `--format` takes; `step` is the model's exact boundary, all others are the mesh.
+inline constexpr const char* kModelFormat = "step";
+const std::vector<std::string>& file_formats();
+
+/// Where a mesh goes, or its model, and in which formats.
 struct MeshOutputs {
-  std::vector<std::filesystem::path> files;  ///< the same mesh in each; `-`: to stdout
-  std::string format{};  ///< of all of them, `vtu`, `msh` or `inp`; empty: by the names' endings
+  std::vector<std::filesystem::path> files;  ///< of one revision; `-`: to stdout
+  std::string format{};  ///< of all, one of `file_formats`; empty: by the names' endings
 
   /// The options -o and --format.
   void add_to(CLI::App& command);

@@ -39,19 +39,40 @@ void Session::write_text(const std::filesystem::path& file, const std::string& t
   }
 }
 
-void Session::write_mesh_of(const std::string& revision, const MeshOutputs& outputs) {
-  const client::Mesh mesh =
-      client().get_mesh(revision, call(), [this](std::uint64_t done, std::uint64_t total) {
-        remesh::v1::Progress progress;
-        progress.set_stage("transfer");
-        progress.set_fraction(total == 0 ? 1
-                                         : static_cast<double>(done) / static_cast<double>(total));
-        if (console_.verbose()) console_.progress(progress);
-      });
+client::OnTransfer Session::show_transfer() {
+  return [this](std::uint64_t done, std::uint64_t total) {
+    remesh::v1::Progress progress;
+    progress.set_stage("transfer");
+    progress.set_fraction(total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total));
+    if (console_.verbose()) console_.progress(progress);
+  };
+}
+
+client::Mesh Session::fetch_mesh(const std::string& revision) {
+  client::Mesh mesh = client().get_mesh(revision, call(), show_transfer());
   console_.end_progress();
   poll();
+  return mesh;
+}
+
+std::string Session::fetch_model(const std::string& revision) {
+  std::string bytes = client().get_mesh_file(revision, kModelFormat, call(), show_transfer());
+  console_.end_progress();
+  poll();
+  return bytes;
+}
+
+void Session::write_mesh_of(const std::string& revision, const MeshOutputs& outputs) {
+  std::optional<client::Mesh> mesh;
+  std::optional<std::string> model;
   for (const std::filesystem::path& file : outputs.files) {
-    write_text(file, client::mesh_in_format(outputs.format_of(file), mesh));
+    const bool of_model = outputs.format_of(file) == kModelFormat;
+    if (of_model && !model) model = fetch_model(revision);
+    if (!of_model && !mesh) mesh = fetch_mesh(revision);
+  }
+  for (const std::filesystem::path& file : outputs.files) {
+    const std::string format = outputs.format_of(file);
+    write_text(file, format == kModelFormat ? *model : client::mesh_in_format(format, *mesh));
     if (file != kStandardStream) console_.detail("wrote " + file.string());
   }
 }

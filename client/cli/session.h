@@ -40,10 +40,15 @@ class Session {
 
   /// Writes text to a file, or to the data stream where the name is `-`.
   void write_text(const std::filesystem::path& file, const std::string& text) const;
-  /// Fetches the mesh of a revision and writes it. Throws CallError, FileError.
+  /// Fetches the mesh of a revision, its model or both, as the files need, and writes them. Throws
+  /// CallError, FileError.
   void write_mesh_of(const std::string& revision, const MeshOutputs& outputs);
 
  private:
+  client::OnTransfer show_transfer();
+  client::Mesh fetch_mesh(const std::string& revision);
+  std::string fetch_model(const std::string& revision);
+
   const Surroundings& surroundings_;
   const GlobalOptions& options_;
   Console& console_;

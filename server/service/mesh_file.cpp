@@ -17,14 +17,17 @@ using Writer = std::string (*)(const client::Mesh&);
 
 struct Format {
   const char* name;
-  Writer write;
+  Writer write;  ///< of a mesh; null: of the model
 };
 constexpr Format kFormats[] = {
-    {"vtu", client::to_vtu}, {"msh", client::to_msh}, {"inp", client::to_inp}};
+    {"vtu", client::to_vtu}, {"msh", client::to_msh}, {"inp", client::to_inp}, {"step", nullptr}};
 
 /// Peak of a writer by the bytes of the arrays: the copy of the mesh, and the file, which has up to
 /// 2.2 times as many, with the room that its text had before it grew last and what is copied of it.
 constexpr std::uint64_t kPeakShare = 6;
+
+/// Of a model's file: 25 MB was measured for 80 faces.
+constexpr std::uint64_t kModelBytes = 16U << 20U, kFaceBytes = 512U << 10U;
 
 /// The mesh as a client has it that received all its arrays.
 client::Mesh mesh_of(const HeldRevision& revision) {
@@ -46,6 +49,16 @@ client::Mesh mesh_of(const HeldRevision& revision) {
     known->read(bytes, mesh);
   }
   return mesh;
+}
+
+ModelLabels labels_of(const HeldRevision& held) {
+  const RevisionRecord& record = held.record;
+  const ModelSource& source = held.revision.source;
+  ModelLabels labels{.name = source.name, .unit = source.unit, .file = record.id + ".step"};
+  labels.description.push_back("exact boundary of revision " + record.id);
+  if (!record.parent.empty()) labels.description.push_back("edited from " + record.parent);
+  labels.origin = "remeshd, algorithm version " + std::to_string(record.algorithm_version);
+  return labels;
 }
 
 const Format* find_format(std::string_view name) {
@@ -72,11 +85,15 @@ void check_mesh_file_format(std::string_view format) {
   throw error::option_invalid("format", "is none of " + known);
 }
 
-std::string mesh_file(const HeldRevision& revision, std::string_view format) {
-  return find_format(format)->write(mesh_of(revision));
+std::string mesh_file(const Session& session, const HeldRevision& revision, std::string_view format,
+                      const Run& run) {
+  if (const Writer write = find_format(format)->write) return write(mesh_of(revision));
+  return session.step_of(revision, labels_of(revision), run);
 }
 
-std::uint64_t mesh_file_memory(const HeldRevision& revision) {
+std::uint64_t mesh_file_memory(const HeldRevision& revision, std::string_view format) {
+  if (find_format(format)->write == nullptr)
+    return kModelBytes + kFaceBytes * revision.revision.cells.boundary.faces.size();
   std::uint64_t bytes = 0;
   for (const MeshArray& array : mesh_arrays(revision.revision.output)) bytes += array.bytes;
   return kPeakShare * bytes;

@@ -42,9 +42,9 @@ void make_file(const std::shared_ptr<MessageStream>& stream, Session& session,
                const v1::GetMeshFileRequest& request, const HeldRevisionPtr& revision) {
   const Run run{.stop = stream->stop_token(), .on_progress = {}, .dumps = {}};
   run.poll();
-  auto memory = session.take_reply_memory(mesh_file_memory(*revision), run.stop);
+  auto memory = session.take_reply_memory(mesh_file_memory(*revision, request.format()), run.stop);
   const auto sending = std::make_shared<Sending>();
-  sending->file = mesh_file(*revision, request.format());
+  sending->file = mesh_file(session, *revision, request.format(), run);
   sending->file.shrink_to_fit();
   run.poll();
   if (memory) memory.resize(limits::kUntakenBytes + sending->file.size());

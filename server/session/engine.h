@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/stored_array.h"
+#include "engine/cellular/model_step.h"
 #include "engine/difference/compare.h"
 #include "engine/motion/velocities.h"
 #include "engine/remesh/forecast.h"
@@ -58,6 +59,8 @@ struct Engine {
       gradient{};
   std::function<Horizon(const Revision&, const std::string& parameter, double hold, const Run&)>
       horizon{};
+  /// The model of a revision as a STEP file, by engine/cellular/model_step.h.
+  std::function<std::string(const Revision&, const ModelLabels&, const Run&)> step_of;
   /// See engine/revision/storage/stored_revision.h.
   std::function<StoredArrays(const Revision&)> image_of;
   std::function<Revision(const StoredArrays&, const Revision* alike, const Run&)> revision_of;

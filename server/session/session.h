@@ -125,6 +125,13 @@ class Session {
     return archive_.remove(reference, allow_head);
   }
 
+  /// The exact boundary of a revision's model. Takes a fuse of its features: for the lane of
+  /// computations. Throws Error(KERNEL_FAILURE), Error(Cancelled).
+  [[nodiscard]] std::string step_of(const HeldRevision& revision, const ModelLabels& labels,
+                                    const Run& run) const {
+    return engine().step_of(revision.revision, labels, run);
+  }
+
   /// Makes a revision the head of a design that has it. Throws Error: what `resolve` throws,
   /// DESIGN_NOT_FOUND, REVISION_NOT_FOUND where the design has it not, HEAD_CONFLICT.
   Archive::HeadSet set_head(const std::string& reference, const std::string& design,

@@ -126,7 +126,11 @@ def test_files_are_those_of_the_daemons_writers(daemon, tool, tmp_path, remeshd)
                                                           for e in ("inp", "msh", "vtu")]
     text = (tmp_path / "a.inp").read_text()
     assert f"*NODE" in text and "C3D4" in text and "pin1_wall" in text
-    with pytest.raises(ValueError, match="endings known are .vtu, .msh and .inp"):
+    step = tool.write(tmp_path / "model.step").read_text()
+    assert mesh.write(tmp_path / "model.stp").read_text() == step
+    assert step.startswith("ISO-10303-21;") and "ADVANCED_FACE('pin1.wall'" in step
+    assert f"FILE_NAME('{tool.revision}.step'" in step
+    with pytest.raises(ValueError, match="endings known are .vtu, .msh, .inp, .step and .stp"):
         mesh.write(tmp_path / "a.stl")
     with pytest.raises(OSError):
         mesh.write(tmp_path / "missing" / "a.inp")

@@ -17,7 +17,7 @@ TEST_F(Capabilities, TellWhatTheDaemonDoes) {
           v1::ServerCapabilities::CAPABILITY_CACHE));
   EXPECT_THAT(can.orders(), testing::ElementsAre(1, 2));
   EXPECT_EQ(can.arrays_size(), 28);
-  EXPECT_THAT(can.formats(), testing::ElementsAre("vtu", "msh", "inp"));
+  EXPECT_THAT(can.formats(), testing::ElementsAre("vtu", "msh", "inp", "step"));
 }
 
 }  // namespace

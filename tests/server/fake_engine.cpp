@@ -348,6 +348,11 @@ Engine FakeEngine::engine() const {
           [](const Revision&, const std::string& parameter, double hold, const Run&) {
             return Horizon{7, 7 - hold, 7 + hold, "below " + parameter, "above " + parameter};
           },
+      .step_of =
+          [](const Revision& revision, const ModelLabels& labels, const Run& run) {
+            run.poll();
+            return "ISO-10303-21;" + revision.source.name + ";" + labels.unit + ";" + labels.file;
+          },
       .image_of = image_of_fake,
       .revision_of =
           [state](const StoredArrays& image, const Revision*, const Run&) {

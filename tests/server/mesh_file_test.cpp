@@ -74,6 +74,16 @@ TEST_F(MeshFile, ComesThroughTheClientLibrary) {
   EXPECT_EQ(client::Client(channel_).get_mesh_file("plate", "inp"), receive("plate", "inp").file);
 }
 
+TEST_F(MeshFile, OfTheModelIsWhatTheEngineMakesOfTheRevision) {
+  create(plate());
+  const std::string id = edit("plate", set("at", 11)).revision().id();
+  const Received received = receive("plate", "step");
+  ASSERT_TRUE(received.status.ok()) << received.status.error_message();
+  EXPECT_EQ(received.header.format(), "step");
+  EXPECT_EQ(received.header.digest(), sha256_hex(received.file));
+  EXPECT_EQ(received.file, "ISO-10303-21;plate;mm;" + id + ".step");
+}
+
 TEST_F(MeshFile, LargerThanAMessageComesInSeveralParts) {
   create(create_request(plate(), 50000));
   const Received received = receive("plate", "inp");
@@ -87,7 +97,7 @@ TEST_F(MeshFile, OfAnotherFormatIsRefusedAndThoseThatThereAreNamed) {
     const grpc::Status status = receive("plate", format).status;
     EXPECT_EQ(detail(status).reason(), v1::Error::OPTIONS_INVALID) << format;
     EXPECT_EQ(detail(status).parameter(), "format");
-    EXPECT_THAT(status.error_message(), testing::HasSubstr("vtu, msh, inp"));
+    EXPECT_THAT(status.error_message(), testing::HasSubstr("vtu, msh, inp, step"));
   }
 }
 

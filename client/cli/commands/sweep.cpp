@@ -294,8 +294,8 @@ void add_sweep_command(CLI::App& app, Action& action) {
       ->add_option("-o,--output", arguments->folder,
                    "Write each step's mesh and Report into this folder")
       ->type_name("DIR");
-  only(*command->add_option("--format", arguments->format, "Format of the meshes [vtu]"),
-       {"vtu", "msh", "inp"});
+  only(*command->add_option("--format", arguments->format, "Format of the files [vtu]"),
+       file_formats());
   command->add_flag("--from-base", arguments->from_base,
                     "Let every step edit BASE, not the last step that went well");
   arguments->meshing.add_to(*command);

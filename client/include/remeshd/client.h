@@ -65,8 +65,8 @@ class Client {
   [[nodiscard]] Mesh get_mesh(const std::string& revision, const CallOptions& call = {},
                               const OnTransfer& on_transfer = {},
                               const MeshWanted& wanted = {}) const;
-  /// The bytes of the mesh as the daemon writes it to a file: `vtu`, `msh` or `inp`, as
-  /// `info().capabilities().formats()` tells. Checked as `get_mesh` does.
+  /// The bytes of the mesh as the daemon writes it to a file, `vtu`, `msh` or `inp`, or of the
+  /// exact boundary of its model, `step`, as `info().capabilities().formats()` tells. Checked as `get_mesh` does.
   [[nodiscard]] std::string get_mesh_file(const std::string& revision, const std::string& format,
                                           const CallOptions& call = {},
                                           const OnTransfer& on_transfer = {}) const;

@@ -11,7 +11,7 @@ from remesh_client.edits import EditLike, Model, edit_document, model_document
 from remesh_client.options import mesh_options
 from remesh_client.v1 import (document_pb2, mesh_pb2, model_pb2, revision_pb2, stream_pb2)
 
-FORMATS = ("vtu", "msh", "inp")
+FORMATS = {"vtu": "vtu", "msh": "msh", "inp": "inp", "step": "step", "stp": "step"}
 
 
 def head_update(file: bool | None) -> revision_pb2.HeadUpdate | None:
@@ -59,9 +59,9 @@ def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],
 
 
 def format_of(path: os.PathLike[str] | str) -> str:
-    """The format of a mesh file by the ending of its name. Raises ValueError."""
+    """The format of a file by the ending of its name. Raises ValueError."""
     ending = os.path.splitext(os.fspath(path))[1].removeprefix(".")
     if ending not in FORMATS:
-        raise ValueError(f"{os.fspath(path)}: unknown mesh format {ending!r}; the endings known "
-                         "are .vtu, .msh and .inp")
-    return ending
+        raise ValueError(f"{os.fspath(path)}: unknown format {ending!r}; the endings known "
+                         "are .vtu, .msh, .inp, .step and .stp")
+    return FORMATS[ending]

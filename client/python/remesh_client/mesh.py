@@ -276,9 +276,9 @@ class Mesh:
     # Elsewhere ----------------------------------------------------------------------------------
 
     def write(self, path: os.PathLike[str] | str) -> Path:
-        """Writes the mesh by the daemon's own writers; the file appears whole or not at all.
+        """Writes the mesh, or its exact model, by the daemon; the file appears whole or not at all.
 
-        path: ends in `.vtu`, `.msh` or `.inp`. Returns it. Raises ValueError for another ending,
+        path: ends in `.vtu`, `.msh` or `.inp`, or in `.step` or `.stp` for the model. Returns it. Raises ValueError for another ending,
         RemeshError, OSError; and of a mesh of `remesh_client.aio`: `await part.write(path)`.
         """
         if self._write_file is None:

@@ -18,7 +18,7 @@ CASES = [
     (["cache", "ver"], {"verify"}),
     (["cache", "verify", "--rep"], {"--repair"}),
     (["mesh", "part.json", "--form"], {"--format"}),
-    (["mesh", "part.json", "--format", ""], {"vtu", "msh", "inp"}),
+    (["mesh", "part.json", "--format", ""], {"vtu", "msh", "inp", "step"}),
     (["cache", "ls", "--by", ""], {"used", "bytes", "created"}),
     (["log", "part", "--add"], {"--address"}),
     (["schema", ""], {"model", "edit"}),
