@@ -1,4 +1,11 @@
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
+#include <GeomToStep_MakeSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <HeaderSection_FileDescription.hxx>
 #include <HeaderSection_FileName.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
@@ -9,14 +16,21 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepGeom_Surface.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_FaceSurface.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <cmath>
 #include <sstream>
 
 #include "engine/base/error.h"
@@ -28,6 +42,9 @@
 
 namespace remeshd::kernel {
 namespace {
+
+constexpr double kSpan = 0.25;      // rad, of an arc
+constexpr double kSameKnot = 1e-6;  // rad
 
 using Text = Handle(TCollection_HAsciiString);
 
@@ -55,12 +72,46 @@ void fill_header(const Handle(StepData_StepModel) & model, const StepLabels& lab
   header.SetDescription(lines_of(labels.description));
 }
 
+bool has_pole(const TopoDS_Face& face) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) return true;
+  return false;
+}
+
+/// Values between two, so that none is further than kSpan from the next.
+std::vector<double> cuts(double first, double last) {
+  std::vector<double> out;
+  const int spans = static_cast<int>(std::ceil((last - first) / kSpan));
+  for (int i = 1; i < spans; ++i) out.push_back(first + (last - first) * i / spans);
+  return out;
+}
+
+/// The surface of a face swept by an arc that ends on the axis, as of a lemon, of itself and no
+/// more; null where the face lies on anything else.
+///
+/// The translator would sweep the whole circle, of which readers take the wrong part where a face
+/// ends in a pole. In short spans, because integrals take a fixed number of points in each.
+Handle(Geom_Surface) swept_by_arc(const TopoDS_Face& face) {
+  const auto swept = Handle(Geom_SurfaceOfRevolution)::DownCast(BRep_Tool::Surface(face));
+  if (swept.IsNull() || swept->BasisCurve()->DynamicType() != STANDARD_TYPE(Geom_TrimmedCurve) ||
+      !has_pole(face))
+    return {};
+  const Handle(Geom_BSplineSurface) exact = GeomConvert::SurfaceToBSplineSurface(swept);
+  exact->SetUNotPeriodic();
+  double u_min = 0, u_max = 0, v_min = 0, v_max = 0;
+  exact->Bounds(u_min, u_max, v_min, v_max);
+  for (const double u : cuts(u_min, u_max)) exact->InsertUKnot(u, 1, kSameKnot);
+  for (const double v : cuts(v_min, v_max)) exact->InsertVKnot(v, 1, kSameKnot);
+  return {exact};
+}
+
 /// Throws Error(KERNEL_FAILURE).
-void name_item(const Handle(Transfer_FinderProcess) & made, const TopoDS_Shape& shape,
-               const std::string& name) {
+Handle(StepRepr_RepresentationItem) name_item(const Handle(Transfer_FinderProcess) & made,
+                                              const TopoDS_Shape& shape, const std::string& name) {
   const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(made, shape);
   if (item.IsNull()) throw error::kernel_failure("the STEP file lacks the face " + name);
   item->SetName(text_of(name));
+  return item;
 }
 
 /// The translator counts the products of a process in their names.
@@ -101,7 +152,14 @@ std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, con
   const Handle(Transfer_FinderProcess) made = writer.WS()->TransferWriter()->FinderProcess();
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
-  for (int f = 0; f < faces.Extent(); ++f) name_item(made, faces(f + 1), skin.names[wholes[f]]);
+  for (int f = 0; f < faces.Extent(); ++f) {
+    const auto item = Handle(StepShape_FaceSurface)::DownCast(
+        name_item(made, faces(f + 1), skin.names[wholes[f]]));
+    const Handle(Geom_Surface) swept = swept_by_arc(TopoDS::Face(faces(f + 1)));
+    if (item.IsNull() || swept.IsNull()) continue;
+    item->SetFaceGeometry(GeomToStep_MakeSurface(swept).Value());
+    model->AddWithRefs(item->FaceGeometry());
+  }
   name_item(made, solid, labels.solid);
   name_products(model, labels.solid);
   fill_header(model, labels);

@@ -120,11 +120,16 @@ TEST(ModelStep, HoldsRoundFeaturesWithTheirPolesApexesAndSeams) {
       feature("stand", "cone", {{"radius_bottom", 0.0}, {"radius_top", 3.0}, {"height", 4.0}}),
       feature("can", "cylinder", {{"radius", 5.0}, {"height", 10.0}}),
       feature("track", "slot", {{"length", 5.0}, {"width", 2.0}, {"height", 3.0}}),
-      // Arcs that meet the axis sweep spindle tori, with a centre beyond it and before it.
-      feature("lemon", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, 0.5, 0.0)}, {}),
-      feature("apple", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, 2.0, 0.0)}, {}),
-      feature("spindle", "revolution",
-              {point(0.0, 0.0), point(2.0, 0.0), point(1.0, 2.0), point(0.0, 4.0)}, {}),
+      // Arcs that end on the axis.
+      feature("nose", "revolution", {point(0.0, 0.0), point(1.0, 0.0), arc(0.0, 3.0, 0.7, 1.8)},
+              {}),
+      feature("nut", "revolution", {point(0.0, 0.0), point(2.0, 0.0), arc(0.0, 2.0, 1.5, 2.2)}, {}),
+      feature("half_lemon", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, 0.5, 0.0)},
+              {{"angle", 180.0}}),
+      feature("half_apple", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, 2.0, 0.0)},
+              {{"angle", 180.0}}),
+      feature("barrel", "revolution",
+              {point(0.0, -1.0), point(1.0, -1.0), arc(1.0, 1.0, 1.2, 0.0), point(0.0, 1.0)}, {}),
       feature("quarter", "revolution",
               {point(1.0, 0.0), point(3.0, 0.0), arc(3.0, 2.0, 4.0, 1.0), point(1.0, 2.0)},
               {{"angle", 90.0}}),
@@ -139,6 +144,16 @@ TEST(ModelStep, HoldsRoundFeaturesWithTheirPolesApexesAndSeams) {
     expect_same(written, model, source.id);
     EXPECT_EQ(written.content.edges, static_cast<int>(written.cells.boundary.edges.size()))
         << source.id;
+  }
+}
+
+TEST(ModelStep, IsRefusedForAFaceOfTwoPolesWithoutAnEdgeWhichDoesNotReadBack) {
+  for (const double through : {0.5, 2.0}) {
+    const ModelSource source = test::one_feature(
+        feature("lemon", "revolution", {point(0.0, -1.0), arc(0.0, 1.0, through, 0.0)}, {}));
+    const ErrorInfo info = test::error_of([&] { write(source); });
+    EXPECT_EQ(info.reason, "KERNEL_FAILURE");
+    EXPECT_THAT(info.message, HasSubstr("the STEP file reads back with volume"));
   }
 }
 
