@@ -55,6 +55,8 @@ class MessageStream final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
 
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
+  /// Asks what works for the call to stop.
+  void stop() { stop_.request_stop(); }
   CallRecord& record() { return *record_; }
 
   void OnWriteDone(bool ok) override;

@@ -17,15 +17,19 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-constexpr double kMostHold = 10;  // x edge length, as of MeshOptions.hold
+constexpr double kMostHold = 10;              // x edge length, as of MeshOptions.hold
+constexpr std::size_t kMostParameters = 100;  // of one request: each has vectors, or takes edits
 
-/// Those asked for; else those of the model that may have any value.
+/// Those asked for; else those of the model that may have any value. Throws Error: OPTIONS_INVALID
+/// where these are too many.
 template <typename Request>
 std::vector<std::string> parameters_of(const Request& request, const ModelSource& source) {
   std::vector<std::string> names(request.parameters().begin(), request.parameters().end());
   if (names.empty())
     for (const ParameterSource& parameter : source.parameters)
       if (!parameter.integer) names.push_back(parameter.name);
+  if (names.size() > kMostParameters)
+    throw error::option_invalid("parameters", "are more than " + std::to_string(kMostParameters));
   return names;
 }
 

@@ -22,7 +22,11 @@ void work_on_revision(const std::shared_ptr<Call>& call, Session& session,
       session.later(Lane::Computation,
                     {.run = [call, work, revision] { answering(*call, [&] { work(revision); }); },
                      .refused = failed,
-                     .overdue = failed});
+                     .overdue =
+                         [call](const Error& why) {
+                           call->fail(why);
+                           call->stop();
+                         }});
     });
   };
   session.fetch(session.resolve(reference).id, call->stop_token(), {.got = got, .failed = failed});

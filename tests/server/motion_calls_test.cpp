@@ -136,6 +136,13 @@ TEST_F(MotionCalls, AHorizonCountsByTheHoldAskedForOrTheRevisions) {
             grpc::INVALID_ARGUMENT);
 }
 
+TEST_F(MotionCalls, TooManyParametersAreRefused) {
+  create(plate());
+  const auto request = of("plate", std::vector<std::string>(101, "at"));
+  EXPECT_EQ(velocities(request).status.error_code(), grpc::INVALID_ARGUMENT);
+  EXPECT_TRUE(velocities(of("plate", std::vector<std::string>(100, "at"))).status.ok());
+}
+
 TEST_F(MotionCalls, OptionsOutOfRangeAreRefused) {
   for (const double hold : {-1.0, 10.5, HUGE_VAL}) {
     v1::CreateRevisionRequest request = create_request(plate());
