@@ -82,9 +82,9 @@ std::string model_step(const FeatureModel& model, const CellularModel& cells,
   std::string out;
   fuse_features(model, membership, fuse_frame(membership), run, [&](const FusedFeatures& fused) {
     const kernel::Brep& brep = *fused.cells.brep;
-    kernel::StepText text = kernel::write_step(brep, skin_of(model, fused), told, run);
-    check_content(kernel::read_step(text.bytes, told.unit, brep.scale, run), cells);
-    out = std::move(text.bytes);
+    std::string text = kernel::write_step(brep, skin_of(model, fused), told, run);
+    check_content(kernel::read_step(text, told.unit, brep.scale, run), cells);
+    out = std::move(text);
   });
   return out;
 }

@@ -40,17 +40,14 @@ struct StepLabels {
   LengthUnit unit;
 };
 
-struct StepText {
-  std::string bytes;
-  bool joined = true;  ///< false: the faces of the B-rep as they are, since they did not join
-};
-
 /// The material as an exact B-rep in a STEP file (ISO 10303-21, AP214): one solid, with its voids.
-/// Coordinates are the model's to 16 digits. The bytes depend on the arguments alone.
+/// Coordinates are the model's to 16 digits. The bytes depend on the arguments alone. Where the
+/// parts of a face do not join they all stand there, under its name.
 ///
 /// Pre: the skin is closed and manifold, its material in one piece.
 /// Throws Error(KERNEL_FAILURE), Error(Cancelled).
-StepText write_step(const Brep& brep, const Skin& skin, const StepLabels& labels, const Run& run);
+std::string write_step(const Brep& brep, const Skin& skin, const StepLabels& labels,
+                       const Run& run);
 
 struct StepFace {
   std::string name;

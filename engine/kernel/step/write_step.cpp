@@ -6,12 +6,11 @@
 #include <Geom_Curve.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
-#include <HeaderSection_FileDescription.hxx>
-#include <HeaderSection_FileName.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <Interface_Static.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
@@ -30,6 +29,7 @@
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -51,7 +51,7 @@ using Text = Handle(TCollection_HAsciiString);
 Text text_of(const std::string& text) { return new TCollection_HAsciiString(text.c_str()); }
 
 Handle(Interface_HArray1OfHAsciiString) lines_of(const std::vector<std::string>& texts) {
-  const Handle(Interface_HArray1OfHAsciiString) lines =
+  Handle(Interface_HArray1OfHAsciiString) lines =
       new Interface_HArray1OfHAsciiString(1, std::max<int>(1, static_cast<int>(texts.size())));
   if (texts.empty()) lines->SetValue(1, text_of(""));
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -108,7 +108,7 @@ Handle(Geom_Surface) swept_by_arc(const TopoDS_Face& face) {
 /// Throws Error(KERNEL_FAILURE).
 Handle(StepRepr_RepresentationItem) name_item(const Handle(Transfer_FinderProcess) & made,
                                               const TopoDS_Shape& shape, const std::string& name) {
-  const Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(made, shape);
+  Handle(StepRepr_RepresentationItem) item = STEPConstruct::FindEntity(made, shape);
   if (item.IsNull()) throw error::kernel_failure("the STEP file lacks the face " + name);
   item->SetName(text_of(name));
   return item;
@@ -166,23 +166,28 @@ std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, con
   return print(model);
 }
 
+/// Null where faces do not join.
+TopoDS_Shape joined_solid(const Brep& brep, const Skin& skin, WholeFaces& wholes) {
+  try {
+    return skin_solid(brep, skin, /*join=*/true, wholes);
+  } catch (const Error&) {
+    return {};
+  } catch (const Standard_Failure&) {
+    return {};
+  }
+}
+
 }  // namespace
 
-StepText write_step(const Brep& brep, const Skin& skin, const StepLabels& labels, const Run& run) {
-  StepText out;
+std::string write_step(const Brep& brep, const Skin& skin, const StepLabels& labels,
+                       const Run& run) {
+  std::string out;
   with_step_translator([&] {
     WholeFaces wholes;
-    TopoDS_Shape solid;
-    try {
-      solid = skin_solid(brep, skin, /*join=*/true, wholes);
-    } catch (const Error&) {
-      out.joined = false;
-    } catch (const Standard_Failure&) {
-      out.joined = false;
-    }
-    if (!out.joined) solid = skin_solid(brep, skin, /*join=*/false, wholes);
+    TopoDS_Shape solid = joined_solid(brep, skin, wholes);
+    if (solid.IsNull()) solid = skin_solid(brep, skin, /*join=*/false, wholes);
     run.poll();
-    out.bytes = write_solid(solid, wholes, brep, skin, labels, run);
+    out = write_solid(solid, wholes, brep, skin, labels, run);
   });
   return out;
 }
