@@ -12,6 +12,8 @@ inline constexpr double kProbe = 1e-9;
 inline constexpr double kWideProbe = 1e-7;
 /// Directions that differ by no more are the same: rad, or the sine.
 inline constexpr double kSameDirection = 1e-9;
+/// Exact areas and volumes of the same shape differ by no more, relative.
+inline constexpr double kSameMeasure = 1e-6;
 /// An edge that bends by less is straight, x its length.
 inline constexpr double kStraight = 1e-10;
 /// What rounding alone may do to a number, relative.

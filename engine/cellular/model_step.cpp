@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/base/error.h"
+#include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/build_boundary.h"
 #include "engine/cellular/boundary_model/group_rims.h"
 #include "engine/cellular/fuse_features.h"
@@ -13,8 +14,6 @@
 
 namespace remeshd {
 namespace {
-
-constexpr double kSameMeasure = 1e-6;  // relative
 
 kernel::LengthUnit length_unit(std::string_view label) {
   struct Known {
@@ -56,7 +55,7 @@ kernel::Skin skin_of(const FeatureModel& model, const FusedFeatures& fused) {
   return skin;
 }
 
-bool same(double a, double b) { return std::fabs(a - b) <= kSameMeasure * std::fabs(b); }
+bool same(double a, double b) { return std::fabs(a - b) <= tolerance::kSameMeasure * std::fabs(b); }
 
 /// Throws Error(KERNEL_FAILURE).
 void check_content(const kernel::StepContent& content, const CellularModel& cells) {

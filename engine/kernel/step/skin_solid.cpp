@@ -18,13 +18,12 @@
 #include <map>
 
 #include "engine/base/error.h"
+#include "engine/base/tolerance.h"
 #include "engine/base/union_find.h"
 #include "engine/kernel/brep_shapes.h"
 
 namespace remeshd::kernel {
 namespace {
-
-constexpr double kSameMeasure = 1e-6;  // relative
 
 /// Faces that close one shell, the material behind them.
 struct ShellFaces {
@@ -161,8 +160,9 @@ void check_measures(const Brep& brep, const Skin& skin, const std::vector<ShellF
       size = std::max(size, distance(moments.centroid, reference));
     }
   for (std::size_t w = 0; w < parts.size(); ++w)
-    if (std::fabs(joined[w].area - parts[w].area) > kSameMeasure * parts[w].area ||
-        std::fabs(joined[w].volume - parts[w].volume) > kSameMeasure * parts[w].area * size)
+    if (std::fabs(joined[w].area - parts[w].area) > tolerance::kSameMeasure * parts[w].area ||
+        std::fabs(joined[w].volume - parts[w].volume) >
+            tolerance::kSameMeasure * parts[w].area * size)
       throw error::kernel_failure("the face " + skin.names[w] + " is not as it was when joined");
 }
 

@@ -43,8 +43,11 @@
 namespace remeshd::kernel {
 namespace {
 
-constexpr double kSpan = 0.25;      // rad, of an arc
-constexpr double kSameKnot = 1e-6;  // rad
+struct ArcSpans {
+  double most = 0.25;       ///< rad, of an arc
+  double same_knot = 1e-6;  ///< rad
+};
+constexpr ArcSpans kSpans;
 
 using Text = Handle(TCollection_HAsciiString);
 
@@ -78,10 +81,10 @@ bool has_pole(const TopoDS_Face& face) {
   return false;
 }
 
-/// Values between two, so that none is further than kSpan from the next.
+/// Values between two, so that none is further than a span from the next.
 std::vector<double> cuts(double first, double last) {
   std::vector<double> out;
-  const int spans = static_cast<int>(std::ceil((last - first) / kSpan));
+  const int spans = static_cast<int>(std::ceil((last - first) / kSpans.most));
   for (int i = 1; i < spans; ++i) out.push_back(first + (last - first) * i / spans);
   return out;
 }
@@ -100,8 +103,8 @@ Handle(Geom_Surface) swept_by_arc(const TopoDS_Face& face) {
   exact->SetUNotPeriodic();
   double u_min = 0, u_max = 0, v_min = 0, v_max = 0;
   exact->Bounds(u_min, u_max, v_min, v_max);
-  for (const double u : cuts(u_min, u_max)) exact->InsertUKnot(u, 1, kSameKnot);
-  for (const double v : cuts(v_min, v_max)) exact->InsertVKnot(v, 1, kSameKnot);
+  for (const double u : cuts(u_min, u_max)) exact->InsertUKnot(u, 1, kSpans.same_knot);
+  for (const double v : cuts(v_min, v_max)) exact->InsertVKnot(v, 1, kSpans.same_knot);
   return {exact};
 }
 
