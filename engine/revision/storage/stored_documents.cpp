@@ -11,12 +11,20 @@ namespace remeshd {
 
 namespace {
 /// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
-/// formats of whole revisions.
-constexpr std::uint32_t kFormat = 18;
-// With less of the report, whose latest parts come last, and without the options' sizing, the
-// models' sizes and dense places, the second order, the models' groups and the hold after it.
-constexpr std::uint32_t kNoAttempts = 10, kNoGeometryAttempts = 11, kNoTaken = 12, kNoSizing = 13,
-                        kNoSizes = 14, kNoOrder = 15, kNoGroups = 16, kNoHold = 17;
+/// formats of whole revisions. Earlier ones have less of the report, whose latest parts come last,
+/// and not the options' sizing, the models' sizes and dense places, the second order, the models'
+/// groups and the hold after it.
+enum Format : std::uint32_t {
+  kNoAttempts = 10,
+  kNoGeometryAttempts,
+  kNoTaken,
+  kNoSizing,
+  kNoSizes,
+  kNoOrder,
+  kNoGroups,
+  kNoHold,
+  kFormat
+};
 
 class DocumentsArchive : public StoredArchive<DocumentsArchive> {
  public:
@@ -71,7 +79,7 @@ std::string write_documents(const Revision& revision) {
   {
     cereal::PortableBinaryOutputArchive archive(out);
     const MeshGroups& groups = revision.output.groups;
-    archive(kFormat, revision.source, revision.meshed_source, revision.options,
+    archive(std::uint32_t{kFormat}, revision.source, revision.meshed_source, revision.options,
             revision.edge_length, *revision.cells.parts, groups.facet_groups, groups.cell_owners,
             revision.output.map.transform_features, revision.report, revision.reference,
             revision.delaunay_state->mesh.super_vertices(), revision.delaunay_state->next_node_id,
