@@ -14,7 +14,8 @@ TEST_F(Capabilities, TellWhatTheDaemonDoes) {
           v1::ServerCapabilities::CAPABILITY_GROUPS, v1::ServerCapabilities::CAPABILITY_AUDIT,
           v1::ServerCapabilities::CAPABILITY_FORECAST,
           v1::ServerCapabilities::CAPABILITY_MESH_DELTA, v1::ServerCapabilities::CAPABILITY_REMAKE,
-          v1::ServerCapabilities::CAPABILITY_CACHE));
+          v1::ServerCapabilities::CAPABILITY_CACHE, v1::ServerCapabilities::CAPABILITY_HOLD,
+          v1::ServerCapabilities::CAPABILITY_VELOCITIES));
   EXPECT_THAT(can.orders(), testing::ElementsAre(1, 2));
   EXPECT_EQ(can.arrays_size(), 28);
   EXPECT_THAT(can.formats(), testing::ElementsAre("vtu", "msh", "inp", "step"));

@@ -88,8 +88,9 @@ def _area_gradient(mesh: Mesh, nodes: npt.NDArray[np.int32], by_vector: Floats) 
     along = np.einsum("qiw,kic->kqwc", derivatives, mesh.all_points[nodes])
     first = 0.5 * np.cross(along[:, :, 1], by_vector)  # the area vector is half the cross product
     second = 0.5 * np.cross(by_vector, along[:, :, 0])
-    return (np.einsum("qi,kqc->kic", derivatives[:, :, 0], first)
-            + np.einsum("qi,kqc->kic", derivatives[:, :, 1], second))
+    out: Floats = (np.einsum("qi,kqc->kic", derivatives[:, :, 0], first)
+                   + np.einsum("qi,kqc->kic", derivatives[:, :, 1], second))
+    return out
 
 
 def _surface(mesh: Mesh, facets: NodeSet) -> tuple[npt.NDArray[np.int32], Floats, Floats]:

@@ -150,7 +150,7 @@ def sensitivity(mesh: Mesh, solution: Solution, adjoint: Solution, material: Ela
     other = scale * adjoint.displacements
     _, plus = strain_energy(mesh, solution.displacements + other, material)
     _, minus = strain_energy(mesh, solution.displacements - other, material)
-    out = by_node - (plus - minus) / (2 * scale)
+    out: Floats = by_node - (plus - minus) / (2 * scale)
     for name, load in loads.items():
         out += _work_gradient(mesh, name, load, adjoint.displacements)
     return out
