@@ -12,6 +12,13 @@ namespace {
 
 using Ref = FeatureSurfaces::Ref;
 
+struct TouchLimits {
+  double sine = 1e-6;  ///< of the angle between surfaces that touch
+  double step = 1e-6;  ///< x the model's size
+  double same = 1e-4;  ///< x the model's size: one surface has no more of the other's curvature
+};
+constexpr TouchLimits kTouch;
+
 /// Where a cone ends; of other surfaces nowhere.
 std::optional<Vec3> apex_of(const Surface& surface) {
   if (surface.kind != Surface::Kind::Cone || surface.r2 == 0) return {};
@@ -22,8 +29,13 @@ std::optional<Vec3> apex_of(const Surface& surface) {
 
 class ChangingFaces {
  public:
-  ChangingFaces(const FacesOfModel& now, const ParameterChange& change)
-      : now_(now), less_(change.less), more_(change.more), between_(change.between) {}
+  /// `size`: of the model, length.
+  ChangingFaces(const FacesOfModel& now, const ParameterChange& change, double size)
+      : now_(now),
+        less_(change.less),
+        more_(change.more),
+        between_(change.between),
+        step_(kTouch.step * size) {}
 
   /// Of a surface at one of its points; nothing where it is no surface of the same kind any more.
   [[nodiscard]] std::optional<SurfaceMotion> motion(const Ref& ref, const Vec3& p) const {
@@ -43,6 +55,37 @@ class ChangingFaces {
     return (*to - *from) / between_;
   }
 
+  /// How the curve along which two surfaces touch moves across itself, in their common tangent
+  /// plane; nothing where they cross, or are one.
+  ///
+  /// There the normals are the same, to both sides of it they are not: with g their difference,
+  /// g' v + dg/dp = 0 across the curve.
+  [[nodiscard]] std::optional<SurfaceMotion> tangency(const Ref& a, const Ref& b,
+                                                      const Vec3& p) const {
+    if (!motion(a, p) || !motion(b, p)) return {};
+    const Vec3 n = normal(*now_.find(a), p);
+    const Vec3 other = normal(*now_.find(b), p);
+    if (norm(cross(n, other)) > kTouch.sine) return {};
+    const double side = dot(n, other) < 0 ? -1 : 1;
+    const auto gap = [&](const FacesOfModel& faces, const Vec3& at) {
+      return normal(*faces.find(a), at) - side * normal(*faces.find(b), at);
+    };
+    const auto slope = [&](const Vec3& along) {
+      return (gap(now_, p + step_ * along) - gap(now_, p - step_ * along)) / (2 * step_);
+    };
+    // The difference of the curvatures, a symmetric matrix: its larger eigenvalue is across.
+    const Vec3 x = any_perpendicular(n), y = cross(n, x);
+    const Vec3 by_x = slope(x), by_y = slope(y);
+    const double xx = dot(by_x, x), yy = dot(by_y, y), xy = 0.5 * (dot(by_x, y) + dot(by_y, x));
+    const double mean = 0.5 * (xx + yy);
+    const double curvature = mean + std::copysign(std::hypot(0.5 * (xx - yy), xy), mean);
+    if (std::fabs(curvature) * step_ < kTouch.same * kTouch.step) return {};
+    const Vec3 one = xy * x + (curvature - xx) * y, another = (curvature - yy) * x + xy * y;
+    const Vec3 across = normalised(norm2(one) > norm2(another) ? one : another);
+    const Vec3 change = (gap(more_, p) - gap(less_, p)) / between_;
+    return SurfaceMotion{across, -dot(across, change) / curvature};
+  }
+
   /// Of a node on some surfaces, where others touch.
   [[nodiscard]] CommonMotion motion(const Vec3& p, std::span<const Ref> on,
                                     std::span<const Ref> touching) const {
@@ -56,6 +99,9 @@ class ChangingFaces {
       motions.push_back(*one);
       fastest = std::fmax(fastest, std::fabs(one->speed));
     }
+    for (std::size_t i = 0; i < on.size(); ++i)
+      for (std::size_t k = i + 1; k < on.size(); ++k)
+        if (const auto across = tangency(on[i], on[k], p)) motions.push_back(*across);
     CommonMotion out = common_motion(motions);
     for (const Ref& ref : touching) {
       const auto one = motion(ref, p);
@@ -69,6 +115,7 @@ class ChangingFaces {
   const FacesOfModel& now_;
   FacesOfModel less_, more_;
   double between_;
+  double step_;  ///< to where curvatures are looked for, length
 };
 
 DesignVelocities::DesignVelocities(const Revision& revision, const Run& run)
@@ -114,7 +161,7 @@ CommonMotion DesignVelocities::apex_motion(const Vec3& p, const ChangingFaces& f
 }
 
 DesignVelocities::Motions DesignVelocities::motions(const ParameterChange& change) const {
-  const ChangingFaces faces(faces_, change);
+  const ChangingFaces faces(faces_, change, revision_.cells.boundary.bounds.diagonal());
   const OutputMesh& output = revision_.output;
   const BoundaryModel& boundary = revision_.cells.boundary;
   Motions out;

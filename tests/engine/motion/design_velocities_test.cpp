@@ -120,6 +120,29 @@ TEST(DesignVelocities, OfFacesThatPartAreUndefined) {
   EXPECT_GT(all.gradient(seed, std::vector<std::string>{"base.dz"}, kRun)[0].undefined, 0U);
 }
 
+TEST(DesignVelocities, FollowTheEdgesWhereAFlatWallTouchesARoundOne) {
+  // A slot 14 long and 5 wide: its ends' centres move in as it gets wider, its flat walls out.
+  ModelSource source = test::model_of({test::block("base", 30, 20, 6)});
+  FeatureSource slot = test::placed(
+      test::feature("slot", "slot", {{"length", 14.0}, {"width", 5.0}, {"height", 6.0}}), 0, 0, 0,
+      Nature::Subtractive);
+  source.features.push_back(slot);
+  const Revision r = make_revision(Revision::none(), source, {.nodes = 600}, kRun);
+  const NodalVelocities v = DesignVelocities(r, kRun).of("slot.width", kRun);
+  EXPECT_EQ(undefined(v), 0U);
+  std::size_t found = 0;
+  for (std::size_t n = 0; n < r.supports().size(); ++n) {
+    const Vec3& p = r.output.mesh.nodes[n];
+    if (r.supports()[n].kind != Support::Kind::Edge || std::fabs(std::fabs(p.x) - 4.5) > 1e-9 ||
+        std::fabs(std::fabs(p.y) - 2.5) > 1e-9)
+      continue;
+    ++found;
+    EXPECT_NEAR(v.velocities[n].x, p.x > 0 ? -0.5 : 0.5, 1e-6);
+    EXPECT_NEAR(v.velocities[n].y, p.y > 0 ? 0.5 : -0.5, 1e-6);
+  }
+  EXPECT_GT(found, 0U);
+}
+
 TEST(DesignVelocities, FollowAnApex) {
   ModelSource cone = test::one_feature(test::feature(
       "cone", "cone", {{"radius_bottom", 10.0}, {"radius_top", 0.0}, {"height", 20.0}}));
