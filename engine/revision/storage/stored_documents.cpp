@@ -99,7 +99,7 @@ std::string write_documents(const Revision& revision) {
   return std::move(out).str();
 }
 
-Documents read_documents(const std::string& bytes, Revision& revision) {
+Documents read_documents(const std::string& bytes, [[maybe_unused]] Revision& revision) {
   Documents documents;
   try {
     DocumentsArchive archive(bytes);
