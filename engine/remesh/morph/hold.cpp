@@ -4,13 +4,11 @@
 #include <array>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
-#include "engine/base/stopwatch.h"
 #include "engine/mesh/quality.h"
-#include "engine/model/solid.h"
 #include "engine/motion/carried_boundary.h"
 #include "engine/motion/held_places.h"
-#include "engine/patch/node_map.h"
 
 namespace remeshd {
 namespace {
@@ -79,16 +77,7 @@ std::variant<MorphedMesh, NotMorphed> hold_mesh(const Revision& original, const 
     if (!is_good_enough(t, held.mesh.nodes, anchor))
       return NotMorphed("a tet would have missed what a held mesh has to keep of its quality");
   }
-  run.report("verify", 0.95);
-  const Stopwatch watch;
-  const Membership membership(modified.model);
-  const VerifiedParent parent = verified_parent(original);
-  held.verification =
-      verify(held.mesh, held.supports, boundary, modified.cells.volume, run,
-             {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});
-  held.verify_seconds = watch.total();
-  if (!held.verification.valid) return NotMorphed(held.verification.failures.front().what);
-  return held;
+  return verified(std::move(held), original, modified, run);
 }
 
 }  // namespace remeshd

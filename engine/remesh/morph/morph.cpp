@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/base/stopwatch.h"
 #include "engine/base/tolerance.h"
@@ -119,6 +120,20 @@ struct Worst {
 
 }  // namespace
 
+std::variant<MorphedMesh, NotMorphed> verified(MorphedMesh moved, const Revision& original,
+                                               const Revision& modified, const Run& run) {
+  run.report("verify", 0.95);
+  const Stopwatch watch;
+  const Membership membership(modified.model);
+  const VerifiedParent parent = verified_parent(original);
+  moved.verification =
+      verify(moved.mesh, moved.supports, modified.cells.boundary, modified.cells.volume, run,
+             {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});
+  moved.verify_seconds = watch.total();
+  if (!moved.verification.valid) return NotMorphed(moved.verification.failures.front().what);
+  return moved;
+}
+
 std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
                                                  const Run& run) {
   const double l = sizes_of(original, run).least();
@@ -155,16 +170,7 @@ std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const
         !Worst(t, c.mesh.nodes).as_good_as(Worst(t, anchor)))
       return NotMorphed("a tet would have missed the goals of quality");
   }
-  run.report("verify", 0.95);
-  const Stopwatch watch;
-  const Membership membership(modified.model);
-  const VerifiedParent parent = verified_parent(original);
-  c.verification =
-      verify(c.mesh, c.supports, boundary, modified.cells.volume, run,
-             {.material = [&](const Vec3& p) { return membership.inside(p); }, .parent = &parent});
-  c.verify_seconds = watch.total();
-  if (!c.verification.valid) return NotMorphed(c.verification.failures.front().what);
-  return c;
+  return verified(std::move(c), original, modified, run);
 }
 
 }  // namespace remeshd

@@ -49,4 +49,8 @@ using NotMorphed = std::string;
 std::variant<MorphedMesh, NotMorphed> morph_mesh(const Revision& original, const Revision& modified,
                                                  const Run& run);
 
+/// Verifies a mesh of `modified` that has the tets of `original` over nodes that moved.
+std::variant<MorphedMesh, NotMorphed> verified(MorphedMesh moved, const Revision& original,
+                                               const Revision& modified, const Run& run);
+
 }  // namespace remeshd
