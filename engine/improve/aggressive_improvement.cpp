@@ -17,7 +17,7 @@ struct AggressiveLimits {
 };
 constexpr AggressiveLimits kAggressiveLimits;
 /// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
-constexpr int kSteepness[] = {3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5};
+constexpr int kSteepness[] = {3, 3, 3, 3, 4, 4, 5, 5};
 constexpr int kPerturbations = 10;  // edges and facets of a tet, each of which is taken out
 
 }  // namespace

@@ -16,17 +16,31 @@ namespace {
 
 struct CleanUpLimits {
   double sharp_gain = 0.02;  ///< tried at least: a sharp tet may be above the threshold already
-  /// Residual tets worked on in a pass, and one more per thousand: a VTM mesh of 15,000 nodes has
-  /// fewer than ten, only a threshold out of reach has more.
-  std::size_t residual = 40;
-  std::size_t neighbourhoods = 12;  ///< of those that are optimised, in a pass
-  std::size_t perturbed = 3;        ///< which costs ten times as much
+  int neighbourhood_passes = 2;
   /// A node in more tets, as only a broken mesh has, stays: it would be tried for each.
   std::size_t tets_at_node = 300;
   double bad_at_interface = 0.9;  ///< score
   int jobs_per_poll = 64;
 };
 constexpr CleanUpLimits kCleanUpLimits;
+
+/// How many residual tets one kind of operation is tried on in a pass: so many, but no more than
+/// one for each few dirty tets. A VTM mesh of 15,000 nodes has fewer than ten, only a threshold out
+/// of reach has more, on parts that are thin for their edge length; there an edit of a coarse mesh
+/// would spend more on what its parent left than on what it makes.
+struct Budget {
+  std::size_t most;
+  std::size_t dirty_for_one;
+  [[nodiscard]] std::size_t of(std::size_t dirty) const {
+    return std::clamp<std::size_t>(dirty / dirty_for_one, 1, most);
+  }
+};
+struct CleanUpBudgets {
+  Budget residual{40, 150};        ///< and one more per thousand tets
+  Budget neighbourhoods{12, 500};  ///< of those that are optimised
+  Budget perturbed{3, 2000};       ///< which costs ten times as much
+};
+constexpr CleanUpBudgets kBudgets;
 
 /// A tet to be worked on; out of date once its slot's stamp has grown.
 struct Job {
@@ -54,8 +68,11 @@ class CleanUp {
         score_(options.threshold, options.min_dihedral),
         aggressive_(mesh_, rules_, smoother_, score_, max_ring_),
         work_(mesh.tets.size(), Work::Same) {
-    for (std::size_t t = 0; t < dirty.size(); ++t)
-      if (dirty[t] != 0) work_[t] = Work::Changed;
+    for (std::size_t t = 0; t < dirty.size(); ++t) {
+      if (dirty[t] == 0) continue;
+      work_[t] = Work::Changed;
+      ++dirty_;
+    }
     if (options_.confined) mark_nodes_of_dirty();
   }
 
@@ -179,19 +196,19 @@ class CleanUp {
   }
 
   [[nodiscard]] std::size_t most_residual() const {
-    return kCleanUpLimits.residual + static_cast<std::size_t>(mesh_.slots()) / 1000;
+    return kBudgets.residual.of(dirty_) + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
   /// Works on the few tets that are left; where there are many the goals are out of reach.
   void optimise_residual_tets() {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
-    for (int pass = 0; pass < options_.passes; ++pass)
-      if (!on_residual_tets(kCleanUpLimits.neighbourhoods, Spare::NeighboursInVain, in_vain,
+    for (int pass = 0; pass < kCleanUpLimits.neighbourhood_passes; ++pass)
+      if (!on_residual_tets(kBudgets.neighbourhoods.of(dirty_), Spare::NeighboursInVain, in_vain,
                             optimise))
         break;
     in_vain.clear();
-    on_residual_tets(kCleanUpLimits.perturbed, Spare::NeighboursInVain, in_vain,
+    on_residual_tets(kBudgets.perturbed.of(dirty_), Spare::NeighboursInVain, in_vain,
                      [&](std::int32_t t) { return aggressive_.perturb_and_optimise(t); });
   }
 
@@ -255,6 +272,7 @@ class CleanUp {
   }
   void push(std::int32_t t) { jobs_.push({mesh_.quality(t), t, mesh_.stamp(t)}); }
 
+  std::size_t dirty_ = 0;  ///< tets of the input
   const TetMesh& start_;
   LocalMesh mesh_;
   BoundaryRules rules_;

@@ -10,7 +10,7 @@ namespace remeshd {
 namespace {
 
 struct PlacingLimits {
-  int passes = 12;
+  int passes = 30;
   double at_rest = 1e-13;  ///< x the model's diagonal: a pass that moves nodes less is the last
 };
 constexpr PlacingLimits kPlacing;
@@ -79,7 +79,7 @@ class Placing {
       for (const std::int32_t n : stage.nodes())
         motions_[n] = onto_support(boundary_, supports_[n], anchor_[n], anchor_[n] + u_[n]);
       const std::vector<Vec3> before = u_;
-      stage.forward(motions_, u_, run);
+      stage.forward(motions_, u_, run, Spread::Accuracy::Rough);
       double moved = 0;
       for (const std::int32_t n : stage.nodes())
         moved = std::max(moved, distance(u_[n], before[n]));

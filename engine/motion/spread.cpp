@@ -7,7 +7,8 @@ namespace remeshd {
 namespace {
 
 struct SolverLimits {
-  double tolerance = 1e-12;  ///< of the residual, relative
+  double tolerance = 1e-12;  ///< of the residual, relative to that of x = 0
+  double rough = 1e-3;       ///< the same, relative to that at the beginning
   int iterations = 2000;
 };
 constexpr SolverLimits kSolver;
@@ -34,8 +35,8 @@ Spread::Spread(std::span<const std::int32_t> nodes, std::span<const MotionLink> 
   entries_.resize(begin_.back());
   std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
   for (const MotionLink& link : links) {
-    if (row_[link.a] >= 0) entries_[next[row_[link.a]]++] = {link.b, link.weight};
-    if (row_[link.b] >= 0) entries_[next[row_[link.b]]++] = {link.a, link.weight};
+    if (row_[link.a] >= 0) entries_[next[row_[link.a]]++] = {link.b, row_[link.b], link.weight};
+    if (row_[link.b] >= 0) entries_[next[row_[link.b]]++] = {link.a, row_[link.a], link.weight};
   }
   // Links of the same two nodes become one.
   std::size_t out = 0;
@@ -61,16 +62,14 @@ void Spread::multiply(std::span<const Vec3> x, std::vector<Vec3>& out) const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     Vec3 sum = diagonal_[k] * x[k];
     for (std::size_t e = begin_[k]; e < begin_[k + 1]; ++e)
-      if (const std::int32_t row = row_[entries_[e].column]; row >= 0)
-        sum -= entries_[e].weight * x[row];
+      if (const std::int32_t row = entries_[e].row; row >= 0) sum -= entries_[e].weight * x[row];
     out[k] = sum;
   }
 }
 
 std::vector<Vec3> Spread::solve(std::span<const NodeMotion> motions, std::vector<Vec3> b,
-                                const Run& run) const {
+                                std::vector<Vec3> x, Accuracy accuracy, const Run& run) const {
   const auto free = [&](std::size_t k, const Vec3& v) { return motions[nodes_[k]].freedom(v); };
-  std::vector<Vec3> x(nodes_.size());
   std::vector<Vec3> scaled(nodes_.size());
   std::vector<Vec3> image(nodes_.size());
   const auto scale = [&] {
@@ -79,9 +78,16 @@ std::vector<Vec3> Spread::solve(std::span<const NodeMotion> motions, std::vector
   };
   for (std::size_t k = 0; k < nodes_.size(); ++k) b[k] = free(k, b[k]);
   scale();
-  std::vector<Vec3> direction = scaled;
   double now = product(b, scaled);
-  const double enough = kSolver.tolerance * kSolver.tolerance * now;
+  double enough = kSolver.tolerance * kSolver.tolerance * now;
+  if (std::ranges::any_of(x, [](const Vec3& v) { return v != Vec3{}; })) {
+    multiply(x, image);
+    for (std::size_t k = 0; k < nodes_.size(); ++k) b[k] -= free(k, image[k]);
+    scale();
+    now = product(b, scaled);
+  }
+  if (accuracy == Accuracy::Rough) enough = std::max(enough, kSolver.rough * kSolver.rough * now);
+  std::vector<Vec3> direction = scaled;
   for (int i = 0; i < kSolver.iterations && now > enough; ++i) {
     run.poll();
     multiply(direction, image);
@@ -102,10 +108,16 @@ std::vector<Vec3> Spread::solve(std::span<const NodeMotion> motions, std::vector
   return x;
 }
 
-void Spread::forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u,
-                     const Run& run) const {
+void Spread::forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u, const Run& run,
+                     Accuracy accuracy) const {
   if (nodes_.empty()) return;
-  for (const std::int32_t n : nodes_) u[n] = motions[n].required;
+  std::vector<Vec3> guess(nodes_.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    Vec3& now = u[nodes_[k]];
+    const NodeMotion& motion = motions[nodes_[k]];
+    guess[k] = motion.freedom(now - motion.required);
+    now = motion.required;
+  }
   std::vector<Vec3> pull(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     Vec3 sum;
@@ -113,7 +125,7 @@ void Spread::forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u,
       sum += entries_[e].weight * (u[entries_[e].column] - u[nodes_[k]]);
     pull[k] = sum;
   }
-  const std::vector<Vec3> x = solve(motions, std::move(pull), run);
+  const std::vector<Vec3> x = solve(motions, std::move(pull), std::move(guess), accuracy, run);
   for (std::size_t k = 0; k < nodes_.size(); ++k) u[nodes_[k]] += x[k];
 }
 
@@ -122,13 +134,14 @@ void Spread::reverse(std::span<const NodeMotion> motions, std::vector<Vec3>& see
   if (nodes_.empty()) return;
   std::vector<Vec3> own(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) own[k] = seed[nodes_[k]];
-  const std::vector<Vec3> x = solve(motions, std::move(own), run);
+  const std::vector<Vec3> x =
+      solve(motions, std::move(own), std::vector<Vec3>(nodes_.size()), Accuracy::Full, run);
   std::vector<Vec3> image(nodes_.size());
   multiply(x, image);
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     seed[nodes_[k]] -= image[k];
     for (std::size_t e = begin_[k]; e < begin_[k + 1]; ++e)
-      if (row_[entries_[e].column] < 0) seed[entries_[e].column] += entries_[e].weight * x[k];
+      if (entries_[e].row < 0) seed[entries_[e].column] += entries_[e].weight * x[k];
   }
 }
 

@@ -30,8 +30,13 @@ class Spread {
 
   [[nodiscard]] std::span<const std::int32_t> nodes() const { return nodes_; }
 
-  /// Sets u at its nodes. `motions`, `u`: by node of the mesh.
-  void forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u, const Run& run) const;
+  /// Of u: all that double precision gives, or three digits more than it has before.
+  enum class Accuracy : std::uint8_t { Full, Rough };
+
+  /// Sets u at its nodes. `motions`, `u`: by node of the mesh. What u is before does not matter but
+  /// for the time: the nearer to what it becomes, the less.
+  void forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u, const Run& run,
+               Accuracy accuracy = Accuracy::Full) const;
 
   /// The transpose. From d J / d u at all nodes to d J / d u at the others, with what reaches them
   /// through these nodes, and d J / d required at these.
@@ -40,13 +45,17 @@ class Spread {
  private:
   struct Entry {
     std::int32_t column;  ///< node of the mesh
+    std::int32_t row;     ///< of that node; -1: it is not of these
     double weight;
   };
 
   /// Row by row, diagonal x - sum of weight x at its neighbours; x is given for these nodes alone.
   void multiply(std::span<const Vec3> x, std::vector<Vec3>& out) const;
-  /// Solves P L P x = P b for x = P x, by conjugate gradients; P: what of each node is free.
+  /// Solves P L P x = P b for x = P x, by conjugate gradients from a guess at x; P: what of each
+  /// node is free. Ends where the residual is next to nothing beside that of x = 0, or a thousandth
+  /// of what it is at the guess.
   [[nodiscard]] std::vector<Vec3> solve(std::span<const NodeMotion> motions, std::vector<Vec3> b,
+                                        std::vector<Vec3> x, Accuracy accuracy,
                                         const Run& run) const;
 
   std::vector<std::int32_t> nodes_;

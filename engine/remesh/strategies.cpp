@@ -30,9 +30,9 @@ bool may_keep_tets(const Problem& problem, const Attempt*) {
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {
-  return may_keep_tets(problem, failed) &&
-         same_geometry(problem.parent.meshed_model, problem.modified.model) &&
-         problem.changed_rims().empty();
+  // Sizes last, which are not known before they are asked for.
+  return same_geometry(problem.parent.meshed_model, problem.modified.model) &&
+         problem.changed_rims().empty() && may_keep_tets(problem, failed);
 }
 
 /// Whether its options ask to keep connectivity for longer than morphing does.

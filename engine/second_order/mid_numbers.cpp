@@ -60,8 +60,11 @@ class OriginalMids {
 /// The original's mid-nodes of a tet whose corners are the original's; none where it has no such.
 std::optional<TetMids> kept_mids(const OutputMesh& output, const OutputMesh& original,
                                  std::size_t t, const Tet& tet) {
-  const std::int32_t was = output.map.original_tet[t];
-  if (was < 0 || original.mids.of_tets.empty()) return std::nullopt;
+  if (original.mids.of_tets.empty()) return std::nullopt;
+  std::int32_t was = output.map.original_tet[t];
+  // One with a node that moved is none of the original's, but may have its place.
+  if (was < 0) was = static_cast<std::int32_t>(t);
+  if (static_cast<std::size_t>(was) >= original.mids.of_tets.size()) return std::nullopt;
   const Tet& corners = original.mesh.tets[was];
   for (int k = 0; k < 4; ++k)
     if (output.map.original_node[tet[k]] != corners[k]) return std::nullopt;

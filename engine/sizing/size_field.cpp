@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -88,7 +90,7 @@ class SizeField::Tree {
       : limits_(limits), sources_(std::move(sources)), grid_(bounds) {
     const bool cones = std::ranges::any_of(sources_, &SizeSource::varies);
     steepest_ = (cones ? 2 : 1) * limits.slope;
-    nodes_.reserve(2 * sources_.size() / kTreeLimits.leaf + 1);
+    nodes_.reserve(most_nodes(sources_.size()));
     divide(sources_);
     begin_at_.assign(grid_.cells(), 0);
     std::int32_t last = 0;
@@ -107,9 +109,10 @@ class SizeField::Tree {
   [[nodiscard]] const std::vector<SizeSource>& sources() const { return sources_; }
   /// That no rule goes below.
   [[nodiscard]] double least() const { return limits_.least; }
-  [[nodiscard]] std::size_t bytes() const {
-    return sources_.capacity() * sizeof(SizeSource) + nodes_.capacity() * sizeof(Node) +
-           begin_at_.capacity() * sizeof(std::int32_t);
+  /// Memory of a tree of so many sources.
+  [[nodiscard]] static std::size_t bytes(std::size_t sources, const Box& bounds) {
+    return sources * sizeof(SizeSource) + most_nodes(sources) * sizeof(Node) +
+           BoxGrid(bounds).cells() * sizeof(std::int32_t);
   }
   /// The least that sources ask for, where that is below `enough`, else that.
   [[nodiscard]] double operator()(const Vec3& p, double enough = HUGE_VAL) const {
@@ -138,6 +141,7 @@ class SizeField::Tree {
     std::int32_t count;   ///< of them; 0: it has two children
     std::int32_t second;  ///< the other child; the first comes next
   };
+  static std::size_t most_nodes(std::size_t sources) { return 2 * sources / kTreeLimits.leaf + 1; }
   struct Least {
     double size;
     std::int32_t source;
@@ -211,6 +215,36 @@ class SizeField::Tree {
   std::vector<std::int32_t> begin_at_;  ///< by cell: the source to begin at; -1: none matters
 };
 
+/// A tree that is made when it is first asked: an edit that keeps all tets never asks.
+class SizeField::LazyTree {
+ public:
+  LazyTree(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
+      : limits_(limits),
+        sources_(std::move(sources)),
+        bounds_(bounds),
+        bytes_(Tree::bytes(sources_.size(), bounds)) {}
+
+  [[nodiscard]] const Tree& operator*() const {
+    if (const Tree* tree = ready_.load(std::memory_order_acquire)) return *tree;
+    std::call_once(made_, [&] {
+      tree_.emplace(limits_, std::move(sources_), bounds_);
+      ready_.store(&*tree_, std::memory_order_release);
+    });
+    return *tree_;
+  }
+  /// Once it is made.
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+ private:
+  SizeLimits limits_;
+  mutable std::vector<SizeSource> sources_;  ///< until it is made
+  Box bounds_;
+  std::size_t bytes_;
+  mutable std::once_flag made_;
+  mutable std::optional<Tree> tree_;
+  mutable std::atomic<const Tree*> ready_ = nullptr;  ///< what asks most of the time
+};
+
 SizeField::SizeField(double base) : limits_{base, base, 0} {}
 
 SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
@@ -222,7 +256,8 @@ SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, 
     of_its_kind = std::fmin(of_its_kind, s.varies() ? limits.least : s.size);
   }
   limits_.least = std::fmax(least, std::fmin(limits.least, limits.base));
-  if (!sources.empty()) tree_ = std::make_shared<const Tree>(limits_, std::move(sources), bounds);
+  if (!sources.empty())
+    tree_ = std::make_shared<const LazyTree>(limits_, std::move(sources), bounds);
   limits_.least = std::fmin(limits_.least, asked);
 }
 
@@ -230,9 +265,9 @@ SizeField SizeField::refined(std::span<const Vec3> places, double share, const B
   SizeLimits limits = limits_;
   if (even()) limits.slope = kRefinement.slope;
   std::vector<SizeSource> sources;
-  if (!even()) sources = tree_->sources();
+  if (!even()) sources = (**tree_).sources();
   for (SizeSource& source : sources)
-    if (!source.varies() && !source.asked) source.size = std::fmax(source.size, tree_->least());
+    if (!source.varies() && !source.asked) source.size = std::fmax(source.size, (**tree_).least());
   for (const Vec3& p : places) {
     const double size = share * (*this)(p);
     sources.push_back({std::array<Vec3, 3>{p, p, p}, {p, p}, size});
@@ -244,19 +279,19 @@ SizeField SizeField::refined(std::span<const Vec3> places, double share, const B
 std::size_t SizeField::bytes() const { return even() ? 0 : tree_->bytes(); }
 
 double SizeField::asked_for(const Vec3& p, double enough) const {
-  return even() ? enough : (*tree_)(p, enough);
+  return even() ? enough : (**tree_)(p, enough);
 }
 
 bool SizeField::is_below(const Vec3& p, double length) const {
-  return limits_.base < length || (!even() && tree_->any_below(p, length));
+  return limits_.base < length || (!even() && (**tree_).any_below(p, length));
 }
 
 double SizeField::bound(const Vec3& p) const {
-  return even() ? limits_.base : tree_->of_one(p, limits_.base);
+  return even() ? limits_.base : (**tree_).of_one(p, limits_.base);
 }
 
 double SizeField::operator()(const Vec3& p) const {
-  return even() ? limits_.base : (*tree_)(p, limits_.base);
+  return even() ? limits_.base : (**tree_)(p, limits_.base);
 }
 
 double SizeField::grid_length() const { return std::sqrt(limits_.base * limits_.least); }
@@ -266,7 +301,7 @@ SizeField::Range SizeField::in(const Box& box) const {
 }
 
 SizeField::Range SizeField::around(double asked, const Box& box) const {
-  const double reach = tree_->steepest() * 0.5 * box.diagonal();
+  const double reach = (**tree_).steepest() * 0.5 * box.diagonal();
   return {std::clamp(asked - reach, limits_.least, limits_.base),
           std::clamp(asked + reach, limits_.least, limits_.base)};
 }

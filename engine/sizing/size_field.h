@@ -101,13 +101,14 @@ class SizeField {
 
  private:
   class Tree;
+  class LazyTree;
   /// The same in a box of whose middle is known what is asked for there. Pre: not even.
   [[nodiscard]] Range around(double asked, const Box& box) const;
   void divide(const Box& box, const Box& whole, const Surface& surface,
               std::vector<EvenPart>& parts) const;
 
   SizeLimits limits_;
-  std::shared_ptr<const Tree> tree_;  ///< null where the field is even
+  std::shared_ptr<const LazyTree> tree_;  ///< null where the field is even
 };
 
 }  // namespace remeshd

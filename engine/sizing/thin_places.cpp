@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/base/parallel.h"
 #include "engine/sizing/triangle_tree.h"
 
 namespace remeshd {
@@ -21,8 +22,10 @@ struct PlaceLimits {
   double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
   double largest = 1;   ///< x greatest thickness: the same; what lies between is not looked at
   double cube = 0.15;   ///< x greatest thickness: side of those that one thin place does for
+  double rounding = 1 + 1e-9;  ///< a factor that leaves nothing out for rounding
 };
 constexpr PlaceLimits kPlaceLimits;
+constexpr std::size_t kFacesAtOnce = 4;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -65,13 +68,15 @@ std::vector<std::vector<int>> neighbours_of(const BoundaryModel& boundary) {
 
 class Search {
  public:
-  Search(const BoundaryModel& boundary, const ThinPlaceLimits& limits, const Run& run)
+  /// `tree`: of all of the boundary.
+  Search(const BoundaryModel& boundary, const TriangleTree& tree, const ThinPlaceLimits& limits,
+         const Run& run)
       : boundary_(boundary),
+        tree_(tree),
         most_(limits.most),
         least_(limits.least),
         film_(limits.film),
         poll_(run),
-        tree_(boundary),
         neighbours_(boundary.faces.size(), 0),
         others_(boundary.faces.size(), 1) {}
 
@@ -81,7 +86,8 @@ class Search {
     others_[face] = 0;
     const BoundaryFace& searched = boundary_.faces[face];
     for (const auto& t : searched.triangles)
-      visit({face, {searched.points[t[0]], searched.points[t[1]], searched.points[t[2]]}});
+      visit({face, {searched.points[t[0]], searched.points[t[1]], searched.points[t[2]]}},
+            HUGE_VAL);
     for (const int f : neighbours) neighbours_[f] = 0;
     others_[face] = 1;
   }
@@ -96,13 +102,14 @@ class Search {
   };
 
   /// Adds the places of a patch: one where the thickness is nearly even all over it, which it tells
-  /// then.
-  std::optional<Thickness> visit(const Patch& patch) {
+  /// then. `within`: something that is no neighbour is less far from its middle, where that is
+  /// known.
+  std::optional<Thickness> visit(const Patch& patch, double within) {
     poll_();
     const TriangleTree::Nearest nearest =
-        tree_.nearest(patch.middle, most_ + patch.radius, neighbours_);
+        tree_.nearest(patch.middle, std::min(most_ + patch.radius, within), neighbours_);
     if (!nearest.found) return std::nullopt;
-    if (patch.radius > kPlaceLimits.largest * most_) return visit_halves(patch);
+    if (patch.radius > kPlaceLimits.largest * most_) return visit_halves(patch, nearest.at);
     double least = nearest.distance, greatest = nearest.distance;
     for (const Vec3& corner : patch.corners) {
       const double d = distance_to_others(corner, nearest.at);
@@ -112,7 +119,7 @@ class Search {
     if (greatest < film_) return add(patch, {least, greatest, true});
     least = std::max(least, least_);
     if (greatest > kPlaceLimits.even * least && patch.radius > kPlaceLimits.smallest * least)
-      return visit_halves(patch);
+      return visit_halves(patch, nearest.at);
     if (least >= most_) return std::nullopt;
     // From what is nearest, beside a film, this face is less far than the patch: it ends there.
     const double film = tree_.nearest(nearest.at, film_, others_).distance;
@@ -120,10 +127,15 @@ class Search {
     return add(patch, {least, std::max(least, greatest), false});
   }
 
-  std::optional<Thickness> visit_halves(const Patch& patch) {
+  /// `on_other`: a point that is no neighbour's.
+  std::optional<Thickness> visit_halves(const Patch& patch, const Vec3& on_other) {
     const std::size_t before = places_.size();
+    const auto visit_half = [&](const Corners& corners) {
+      const Patch half(patch.face, corners);
+      return visit(half, kPlaceLimits.rounding * distance(half.middle, on_other));
+    };
     const auto halves = halves_of(patch.corners);
-    const auto one = visit({patch.face, halves[0]}), other = visit({patch.face, halves[1]});
+    const auto one = visit_half(halves[0]), other = visit_half(halves[1]);
     if (!one || !other || one->film != other->film) return std::nullopt;
     const Thickness both{std::min(one->least, other->least),
                          std::max(one->greatest, other->greatest), one->film};
@@ -156,9 +168,9 @@ class Search {
   }
 
   const BoundaryModel& boundary_;
+  const TriangleTree& tree_;
   double most_, least_, film_;
   Polling poll_;
-  TriangleTree tree_;
   std::vector<std::uint8_t> neighbours_;  ///< by face: 1 for those of the face searched, and it
   std::vector<std::uint8_t> others_;      ///< by face: 1 for all but the face searched
   std::vector<ThinPlace> places_;
@@ -232,10 +244,15 @@ std::vector<ThinPlace> without_covered(std::vector<ThinPlace> places,
 std::vector<ThinPlace> thin_places(const BoundaryModel& boundary, const ThinPlaceLimits& limits,
                                    const Run& run) {
   const auto neighbours = neighbours_of(boundary);
-  Search search(boundary, limits, run);
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-    search.search(static_cast<int>(f), neighbours[f]);
-  return without_covered(search.take(), limits);
+  const TriangleTree tree(boundary);
+  std::vector<ThinPlace> places = collect_in_blocks<ThinPlace>(
+      boundary.faces.size(), kFacesAtOnce, run,
+      [&](std::size_t begin, std::size_t end, std::vector<ThinPlace>& found) {
+        Search search(boundary, tree, limits, run);
+        for (std::size_t f = begin; f < end; ++f) search.search(static_cast<int>(f), neighbours[f]);
+        found = search.take();
+      });
+  return without_covered(std::move(places), limits);
 }
 
 }  // namespace remeshd

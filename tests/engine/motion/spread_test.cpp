@@ -37,6 +37,28 @@ TEST_F(SpreadOfAMesh, GivesTheInteriorALinearMotionOfTheBoundary) {
     EXPECT_NEAR(distance(u[n], linear(nodes_[n])), 0, 1e-9);
 }
 
+TEST_F(SpreadOfAMesh, IsTheSameFromWhereverItBegins) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::vector<NodeMotion> motions(nodes_.size());
+  std::vector<Vec3> from_rest(nodes_.size());
+  std::vector<Vec3> from_anywhere(nodes_.size());
+  std::vector<Vec3> in_steps(nodes_.size());
+  for (std::size_t n = 0; n < from_rest.size(); ++n) {
+    from_anywhere[n] = {any(random), any(random), any(random)};
+    if (r_.supports()[n].kind != Support::Kind::Interior)
+      from_rest[n] = from_anywhere[n] = in_steps[n] = linear(nodes_[n]) + from_anywhere[n];
+  }
+  spread_.interior().forward(motions, from_rest, kRun);
+  spread_.interior().forward(motions, from_anywhere, kRun);
+  for (int step = 0; step < 5; ++step)
+    spread_.interior().forward(motions, in_steps, kRun, Spread::Accuracy::Rough);
+  for (std::size_t n = 0; n < from_rest.size(); ++n) {
+    EXPECT_NEAR(distance(from_rest[n], from_anywhere[n]), 0, 1e-9);
+    EXPECT_NEAR(distance(from_rest[n], in_steps[n]), 0, 1e-9);
+  }
+}
+
 TEST_F(SpreadOfAMesh, ItsTransposeGivesTheSameProducts) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);

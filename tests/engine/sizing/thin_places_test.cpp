@@ -75,6 +75,16 @@ TEST(ThinPlaces, OfARoundWallAreAsThickAsItIs) {
   for (const ThinPlace& place : places) EXPECT_NEAR(place.thickness, 0.5, 0.02);
 }
 
+TEST(ThinPlaces, AreTheSameWithAnyNumberOfThreads) {
+  const BoundaryModel boundary = boundary_of(test::case_model("detailed/coldplate"));
+  const auto one = thin_places(boundary, kThree, {.threads = 1});
+  const auto three = thin_places(boundary, kThree, {.threads = 3});
+  ASSERT_FALSE(one.empty());
+  EXPECT_TRUE(std::ranges::equal(one, three, [](const ThinPlace& a, const ThinPlace& b) {
+    return a.face == b.face && a.triangle == b.triangle && a.thickness == b.thickness;
+  }));
+}
+
 TEST(ThinPlaces, AreFoundFromTheSmallerSide) {
   // The large faces' triangles have the pin far from their corners and middles.
   const BoundaryModel boundary = boundary_of(test::model_of(
