@@ -17,6 +17,7 @@ import numpy as np
 
 import remesh_client as rc
 
+HELD = 2  # WAY_MORPHED
 BRACKET = Path(__file__).parents[2] / "client/examples/models/bracket.json"
 
 
@@ -58,24 +59,25 @@ def walk(document, moving, steps, random):
         yield dict(values)
 
 
-def row(daemon, hxt, base, moving, steps, random):
-    """Seconds: of edits, of regular meshes, the same at the client, of HXT; and the share kept."""
-    times, kept = np.zeros((steps, 5)), []
+def row(daemon, hxt, base, moving, steps, hold, random):
+    """Seconds: of edits, of regular meshes, the same at the client, of HXT; the shares kept, and held."""
+    times, kept, held = np.zeros((steps, 5)), [], 0
     part = base
     length = base.report.edge_length
     for k, values in enumerate(walk(base.document(), moving, steps, random)):
         begin = time.monotonic()
-        part = part.edit(values, file=False)
+        part = part.edit(values, options={"hold": hold}, file=False)
         part.mesh()
         edited = time.monotonic()
         regular = daemon.mesh(part.document(), size=length, order=2, seed=1000 + k, file=False)
         regular.mesh()
         ended = time.monotonic()
         kept.append(part.report.nodes_kept / part.report.nodes)
+        held += part.report.way == HELD
         theirs = hxt.mesh(part.document())["cpu"] if hxt._program else 0
         times[k] = (part.report.seconds.total, regular.report.seconds.total, edited - begin,
                     ended - edited, theirs)
-    return times.sum(axis=0) / steps, np.mean(kept)
+    return times.sum(axis=0) / steps, np.mean(kept), held / steps
 
 
 def main():
@@ -84,9 +86,10 @@ def main():
     parser.add_argument("peer", nargs="?")
     parser.add_argument("--nodes", type=int, nargs="+", default=[1500, 15000])
     parser.add_argument("--steps", type=int, default=20)
+    parser.add_argument("--hold", type=float, default=0, help="edge lengths; see MeshOptions.hold")
     arguments = parser.parse_args()
-    print("| nodes | moving | kept | edit, ms | by regular | at the client | by HXT |")
-    print("|---|---|---|---|---|---|---|")
+    print("| nodes | moving | held | nodes kept | edit, ms | by regular | at the client | by HXT |")
+    print("|---|---|---|---|---|---|---|---|")
     with rc.local(arguments.remeshd) as daemon, tempfile.TemporaryDirectory() as folder:
         hxt = Hxt(arguments.peer, folder)
         for nodes in arguments.nodes:
@@ -95,10 +98,10 @@ def main():
             every = list(base.document()["parameters"])
             for moving in [every, *([name] for name in every)]:
                 random = np.random.default_rng(1)
-                (edit, regular, call, regular_call, theirs), kept = row(
-                    daemon, hxt, base, moving, arguments.steps, random)
+                (edit, regular, call, regular_call, theirs), kept, held = row(
+                    daemon, hxt, base, moving, arguments.steps, arguments.hold, random)
                 print(f"| {base.report.nodes} | {'all' if len(moving) > 1 else moving[0]} | "
-                      f"{kept:.0%} | {1000 * edit:.0f} | {edit / regular:.2f} | "
+                      f"{held:.0%} | {kept:.0%} | {1000 * edit:.0f} | {edit / regular:.2f} | "
                       f"{call / regular_call:.2f} | "
                       + (f"{edit / theirs:.2f} |" if theirs else "- |"), flush=True)
 

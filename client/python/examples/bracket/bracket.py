@@ -4,10 +4,13 @@
 
 Five parameters of the example `bracket` (remesh example bracket -o bracket.json) are changed by
 SLSQP with gradients from design velocities and adjoint solutions, or by COBYLA, which needs none.
-Each design is the last one remeshed, of second order, and solved by CalculiX. Prints a line a
-design, and what remeshing saved.
+Each design is the last one remeshed, of second order, and solved by CalculiX. While surfaces are within
+HOLD edge lengths of where they were, and tets are good, connectivity is held. Prints a line a design,
+and what remeshing saved.
 """
 import argparse
+import os
+import subprocess
 import time
 
 import numpy as np
@@ -15,9 +18,11 @@ from scipy.optimize import minimize
 
 import remesh_client as rc
 from measures import Solved
+from remesh_client.v1.report_pb2 import Report
 
 MOST_STRESS = 50.0  # MPa
 MOST_DISPLACEMENT = .06  # mm
+HOLD = 3.0  # edge lengths
 NEARLY = 1e-3  # share of a limit: a design that misses it by less is within it
 
 
@@ -38,8 +43,9 @@ class Bracket:
         begin = np.array([document[name]["value"] for name in self.names], float)
         self.start = (begin - self.low) / (self.high - self.low)
         self.most_solves = most_solves
-        self.solves = 0
+        self.solves = self.held = 0
         self.known = {}  # by design: values
+        self.revisions = {}  # by design
         self.slopes = {}  # by design: derivatives by x
         self.last = None  # the design that `solved` is of
         self.solved = None
@@ -74,21 +80,25 @@ class Bracket:
         if self.solves >= self.most_solves:
             raise EnoughSolves
         begin = time.monotonic()
-        self.part = self.part.edit(dict(zip(self.names, design)))
+        self.part = self.part.edit(dict(zip(self.names, design)), options={"hold": HOLD})
         self.part.mesh()
         remeshed = time.monotonic()
         self.daemon.mesh(self.part.document(), size=self.length, order=2, seed=2 + self.solves,
                          file=False).mesh()  # for its time alone
         meshed = time.monotonic()
         self.solved, self.last = Solved(self.part), design
+        self.revisions[design] = self.part.revision
         self.solves += 1
         ended = time.monotonic()
         self.remeshing += remeshed - begin
         self.regular += meshed - remeshed
         self.solving += ended - meshed
         measures, report = self.solved.measures, self.part.report
+        held = report.way == Report.WAY_MORPHED
+        self.held += held
         print(f"{len(self.known) + 1:3}  {measures.mass:.4f} kg  {measures.stress:5.1f} MPa  "
-              f"{measures.displacement:.4f} mm  kept {report.nodes_kept / report.nodes:4.0%}  "
+              f"{measures.displacement:.4f} mm  "
+              f"{'held' if held else f'kept {report.nodes_kept / report.nodes:.0%}':9}  "
               f"remeshed {remeshed - begin:.2f} s, anew {meshed - remeshed:.2f} s  "
               f"solved {ended - meshed:.2f} s  "
               + " ".join(f"{n}={v:.4g}" for n, v in zip(self.names, design)), flush=True)
@@ -109,6 +119,21 @@ class Bracket:
         minimize(lambda x: self.values(x)[0], self.start, method="COBYLA", constraints=limits,
                  options={"maxiter": self.most_solves, "rhobeg": .25, "tol": .01})
 
+    def tell(self):
+        """Prints totals, and the lightest design within the limits, which it returns."""
+        fine = [(values[0], design) for design, values in self.known.items()
+                if min(values[1:]) > -NEARLY]
+        print(f"{len(self.known)} designs, {self.held} held, {self.solves} solutions: remeshing "
+              f"{self.remeshing:.1f} s, regular meshes {self.regular:.1f} s, solving "
+              f"{self.solving:.1f} s")
+        if not fine:
+            raise SystemExit("no design within the limits")
+        mass, design = min(fine)
+        begin = next(iter(self.known.values()))[0]
+        print(f"lightest within the limits: {mass:.4f} kg, {1 - mass / begin:.0%} less than at first: "
+              + ", ".join(f"{name} {value:.4g}" for name, value in zip(self.names, design)))
+        return design
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -116,6 +141,8 @@ def main():
     parser.add_argument("--nodes", type=int, default=1500)
     parser.add_argument("--solves", type=int, default=40, help="at most, adjoint ones among them")
     parser.add_argument("--no-gradients", action="store_true", help="by COBYLA")
+    parser.add_argument("--page", metavar="FILE",
+                        help="from the first design to the lightest, in 3-D, by `remesh report`")
     arguments = parser.parse_args()
     with rc.connect() as daemon:
         first = daemon.mesh(arguments.model, nodes=arguments.nodes, order=2)
@@ -124,17 +151,11 @@ def main():
             bracket.by_values() if arguments.no_gradients else bracket.by_gradients()
         except EnoughSolves:
             pass
-    fine = [(values[0], design) for design, values in bracket.known.items()
-            if min(values[1:]) > -NEARLY]
-    print(f"{len(bracket.known)} designs, {bracket.solves} solutions: remeshing "
-          f"{bracket.remeshing:.1f} s, regular meshes {bracket.regular:.1f} s, solving "
-          f"{bracket.solving:.1f} s")
-    if not fine:
-        raise SystemExit("no design within the limits")
-    mass, design = min(fine)
-    begin = list(bracket.known.values())[0][0]
-    print(f"lightest within the limits: {mass:.4f} kg, {1 - mass / begin:.0%} less than at first: "
-          + ", ".join(f"{name} {value:.4g}" for name, value in zip(bracket.names, design)))
+        design = bracket.tell()
+        if arguments.page:
+            subprocess.run(["remesh", "report", first.revision, bracket.revisions[design],
+                            "-o", arguments.page],
+                           env={**os.environ, "REMESH_ADDRESS": daemon.address}, check=True)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,8 @@
 
 One parameter of the bracket goes over one edge length in 50 steps. At each, displacement and stress
 are worked out on a fresh mesh, on one remeshed from the step before, and on one whose connectivity
-is held from the middle of the way. Each series is compared with the cubic that fits it best: what is left is noise.
+is held from the middle of the way. Each series is compared with the cubic that fits it best: what
+is left is noise.
 """
 import argparse
 
@@ -12,6 +13,7 @@ import numpy as np
 
 import remesh_client as rc
 from measures import Solved
+from remesh_client.v1.report_pb2 import Report
 
 NAMES = ("displacement", "stress")
 
@@ -66,7 +68,8 @@ def main():
         options = {"order": 2, "even": True} if arguments.even else {"order": 2}
         base = daemon.mesh(arguments.model, nodes=arguments.nodes, **options)
         length = base.report.edge_length
-        begin = base.document()["parameters"][name]["value"]
+        bounds = base.document()["parameters"][name]
+        begin = min(bounds["value"], bounds["upper"] - length)
         x = begin + length * np.arange(1, arguments.steps + 1) / arguments.steps
         remeshed = list(chain(base, name, x))
         fresh = [daemon.mesh(part.document(), size=length, file=False, **options)
@@ -81,7 +84,7 @@ def main():
         kept = np.mean([part.report.nodes_kept / part.report.nodes for part in parts])
         print(f"| {way} | " + " | ".join(f"{100 * noise(x, values[:, k]):.4f} %" for k in range(2))
               + f" | {kept:.0%} |")
-    same = sum(part.report.way == 2 for part in held)  # WAY_MORPHED
+    same = sum(part.report.way == Report.WAY_MORPHED for part in held)
     print(f"{same} of {len(held)} held meshes have the connectivity of the one in the middle")
     if arguments.plot:
         plot(arguments.plot, x, name, found)
