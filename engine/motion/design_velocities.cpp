@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "engine/base/tolerance.h"
 
@@ -18,6 +19,34 @@ struct TouchLimits {
   double same = 1e-4;  ///< x the model's size: one surface has no more of the other's curvature
 };
 constexpr TouchLimits kTouch;
+
+struct FootLimits {
+  double sine = 1e-3;   ///< of the angle between surfaces that cross, at least
+  double rest = 1e-15;  ///< x the model's size: a step that is less is the last
+  int steps = 100;
+};
+constexpr FootLimits kFoot;
+const std::array<Vec3, 3> kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+
+/// The point nearest to m of the curve where two surfaces cross, near to a point on it; nothing
+/// where they do not cross there.
+std::optional<Vec3> foot(const Surface& a, const Surface& b, const Vec3& m, const Vec3& near,
+                         double size) {
+  Vec3 x = near;
+  for (int step = 0; step < kFoot.steps; ++step) {
+    const Vec3 n = normal(a, x), o = normal(b, x);
+    const Vec3 along = cross(n, o);
+    const double sine2 = norm2(along), cosine = dot(n, o);
+    if (sine2 < kFoot.sine * kFoot.sine) return {};
+    // To the foot on the tangent, and onto both surfaces' tangent planes.
+    const double off_a = signed_distance(a, x), off_b = signed_distance(b, x);
+    const Vec3 by = (dot(along, m - x) / sine2) * along + ((cosine * off_b - off_a) / sine2) * n +
+                    ((cosine * off_a - off_b) / sine2) * o;
+    x += by;
+    if (norm(by) <= kFoot.rest * size) return x;
+  }
+  return x;
+}
 
 /// Where a cone ends; of other surfaces nowhere.
 std::optional<Vec3> apex_of(const Surface& surface) {
@@ -111,7 +140,55 @@ class ChangingFaces {
     return out;
   }
 
+  /// Of a node that is where the surfaces are nearest to a point: how it moves with them where that
+  /// point stays, and how with the point, column by column. Nothing where the surfaces are not the
+  /// same on both sides, or do not cross there.
+  /// `freedom`: that of the node, which tells a surface from a curve.
+  [[nodiscard]] std::optional<FollowingMotion> nearest_motion(std::span<const Ref> on,
+                                                              Freedom::Kind freedom,
+                                                              const Vec3& point,
+                                                              const Vec3& node) const {
+    const std::optional<std::pair<Ref, Ref>> pair = that_cross(on, freedom, node);
+    if (!pair) return {};
+    const auto nearest = [&](const FacesOfModel& faces, const Vec3& m) -> std::optional<Vec3> {
+      const Surface *a = faces.find(pair->first), *b = faces.find(pair->second);
+      if (a == nullptr || b == nullptr) return {};
+      if (freedom == Freedom::Kind::Plane) return project(*a, m);
+      return foot(*a, *b, m, node, step_ / kTouch.step);
+    };
+    const auto difference = [&](const FacesOfModel& low, const Vec3& from, const FacesOfModel& high,
+                                const Vec3& to) -> std::optional<Vec3> {
+      const auto a = nearest(low, from), b = nearest(high, to);
+      if (!a || !b) return {};
+      return *b - *a;
+    };
+    const auto with_surfaces = difference(less_, point, more_, point);
+    if (!with_surfaces) return {};
+    FollowingMotion out{*with_surfaces / between_, {}};
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 by = step_ * kAxes[k];
+      const auto with_point = difference(now_, point - by, now_, point + by);
+      if (!with_point) return {};
+      out.of_point[k] = *with_point / (2 * step_);
+    }
+    return out;
+  }
+
  private:
+  /// Of a node's surfaces one twice, or two that cross where it is on a curve.
+  [[nodiscard]] std::optional<std::pair<Ref, Ref>> that_cross(std::span<const Ref> on,
+                                                              Freedom::Kind freedom,
+                                                              const Vec3& node) const {
+    if (freedom == Freedom::Kind::Plane && !on.empty()) return std::pair{on[0], on[0]};
+    if (freedom != Freedom::Kind::Line) return {};
+    for (std::size_t i = 0; i < on.size(); ++i)
+      for (std::size_t k = i + 1; k < on.size(); ++k)
+        if (norm(cross(normal(*now_.find(on[i]), node), normal(*now_.find(on[k]), node))) >
+            kFoot.sine)
+          return std::pair{on[i], on[k]};
+    return {};
+  }
+
   const FacesOfModel& now_;
   FacesOfModel less_, more_;
   double between_;
@@ -181,26 +258,37 @@ DesignVelocities::Motions DesignVelocities::motions(const ParameterChange& chang
   }
   for (const CurvedMid& mid : mids_) {
     const CommonMotion motion = faces.motion(output.mids.positions[mid.mid], mid.on, {});
-    out.nodes.push_back(motion.motion);
+    out.mids.push_back(mid_motion(mid, motion.motion, faces));
     out.undefined[output.mesh.nodes.size() + mid.mid] = motion.defined ? 0 : 1;
   }
   return out;
 }
 
+FollowingMotion DesignVelocities::mid_motion(const CurvedMid& mid, const NodeMotion& on_faces,
+                                             const ChangingFaces& faces) const {
+  const OutputMesh& output = revision_.output;
+  const auto [a, b] = output.mids.edges[mid.mid];
+  const Vec3 middle = 0.5 * (output.mesh.nodes[a] + output.mesh.nodes[b]);
+  if (const auto nearest = faces.nearest_motion(mid.on, on_faces.freedom.kind, middle,
+                                                output.mids.positions[mid.mid]))
+    return *nearest;
+  FollowingMotion motion{on_faces.required, {}};
+  for (int k = 0; k < 3; ++k) motion.of_point[k] = on_faces.freedom(kAxes[k]);
+  return motion;
+}
+
 NodalVelocities DesignVelocities::of(const std::string& parameter, const Run& run) const {
   Motions motions = this->motions(change_of(revision_.source, parameter));
   const std::size_t corners = revision_.output.mesh.nodes.size();
-  const std::span<const NodeMotion> all = motions.nodes;
   NodalVelocities out{parameter_value(revision_.source, parameter),
-                      spread_.forward(all.first(corners), run), std::move(motions.undefined)};
+                      spread_.forward(motions.nodes, run), std::move(motions.undefined)};
   const auto& edges = revision_.output.mids.edges;
   out.velocities.resize(corners + edges.size());
   for (std::size_t m = 0; m < edges.size(); ++m)
     out.velocities[corners + m] = 0.5 * (out.velocities[edges[m][0]] + out.velocities[edges[m][1]]);
   for (std::size_t k = 0; k < mids_.size(); ++k) {
     Vec3& v = out.velocities[corners + mids_[k].mid];
-    const NodeMotion& motion = all[corners + k];
-    v = motion.required + motion.freedom(v);
+    v = motions.mids[k](v);
   }
   return out;
 }
@@ -214,27 +302,26 @@ std::vector<DesignDerivative> DesignVelocities::gradient(std::span<const Vec3> s
   std::vector<Vec3> of_required;  // seed of what is required, once what is free is known
   for (const std::string& parameter : parameters) {
     const Motions motions = this->motions(change_of(revision_.source, parameter));
-    const std::span<const NodeMotion> all = motions.nodes;
     if (of_required.empty()) {
       std::vector<Vec3> of_corners(seed.begin(),
                                    seed.begin() + static_cast<std::ptrdiff_t>(corners));
       std::vector<Vec3> of_mids(seed.begin() + static_cast<std::ptrdiff_t>(corners), seed.end());
       for (std::size_t k = 0; k < mids_.size(); ++k) {
         Vec3& s = of_mids[mids_[k].mid];
-        s = all[corners + k].freedom(s);
+        s = motions.mids[k].reverse(s);
       }
       for (std::size_t m = 0; m < edges.size(); ++m)
         for (const std::int32_t n : edges[m]) of_corners[n] += 0.5 * of_mids[m];
-      of_required = spread_.reverse(all.first(corners), std::move(of_corners), run);
+      of_required = spread_.reverse(motions.nodes, std::move(of_corners), run);
     }
     DesignDerivative derivative;
     for (std::size_t n = 0; n < corners; ++n) {
-      derivative.value += dot(of_required[n], all[n].required);
+      derivative.value += dot(of_required[n], motions.nodes[n].required);
       if (motions.undefined[n] != 0 && of_required[n] != Vec3{}) ++derivative.undefined;
     }
     for (std::size_t k = 0; k < mids_.size(); ++k) {
       const Vec3& s = seed[corners + mids_[k].mid];
-      derivative.value += dot(s, all[corners + k].required);
+      derivative.value += dot(s, motions.mids[k].required);
       if (motions.undefined[corners + mids_[k].mid] != 0 && s != Vec3{}) ++derivative.undefined;
     }
     out.push_back(derivative);

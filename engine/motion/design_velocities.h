@@ -36,7 +36,8 @@ class DesignVelocities {
 
  private:
   struct Motions {
-    std::vector<NodeMotion> nodes;  ///< corner nodes, then mid-nodes on curved edges as `mids_`
+    std::vector<NodeMotion> nodes;      ///< corner nodes
+    std::vector<FollowingMotion> mids;  ///< as `mids_`; each follows the middle of its edge
     std::vector<std::uint8_t> undefined;
   };
   /// A mid-node off the middle of its edge.
@@ -46,6 +47,8 @@ class DesignVelocities {
   };
 
   [[nodiscard]] Motions motions(const ParameterChange& change) const;
+  [[nodiscard]] FollowingMotion mid_motion(const CurvedMid& mid, const NodeMotion& on_faces,
+                                           const ChangingFaces& faces) const;
   [[nodiscard]] CommonMotion apex_motion(const Vec3& p, const ChangingFaces& faces) const;
   void find_curved_mids();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -33,6 +34,21 @@ struct Freedom {
 struct NodeMotion {
   Vec3 required;
   Freedom freedom;
+};
+
+/// The displacement, or the velocity, of a node that is where its surfaces are nearest to a point,
+/// by that of the point.
+struct FollowingMotion {
+  Vec3 required;                 ///< where the point stays
+  std::array<Vec3, 3> of_point;  ///< columns
+
+  Vec3 operator()(const Vec3& v) const {
+    return required + v.x * of_point[0] + v.y * of_point[1] + v.z * of_point[2];
+  }
+  /// From d J / d motion of the node to d J / d motion of the point.
+  [[nodiscard]] Vec3 reverse(const Vec3& seed) const {
+    return {dot(of_point[0], seed), dot(of_point[1], seed), dot(of_point[2], seed)};
+  }
 };
 
 /// How a surface moves at one of its points.

@@ -34,7 +34,8 @@ class Mids {
         places_(size()),
         origins_(size(), NodeOrigin::New),
         transforms_(size(), -1),
-        bends_(size(), Bend::None) {
+        bends_(size(), Bend::None),
+        same_tets_(revision.report.strategy == MeshStrategy::Morphed) {
     for (std::size_t mid = 0; mid < size(); ++mid) places_[mid] = middle(mid);
     for (const auto& [mid, place] : curved) {
       const bool too_far = distance(place, places_[mid]) > kLimits.bend * length(mid);
@@ -138,11 +139,13 @@ class Mids {
       if (o < 0) continue;
       origins_[mid] = NodeOrigin::Moved;
       transforms_[mid] = output_.map.node_transform[numbers_.edges[mid][0]];
+      const bool stays_straight =
+          bends_[mid] == Bend::Curved && std::ranges::binary_search(was.straightened, o);
+      // Lest it jumps from step to step.
+      if (stays_straight && same_tets_) straighten(static_cast<std::int32_t>(mid));
       const std::int32_t transform = common_transform(mid);
       if (transform < 0) continue;
       const Vec3 place = output_.map.transforms[transform].apply(was.positions[o]);
-      const bool stays_straight =
-          bends_[mid] == Bend::Curved && std::ranges::binary_search(was.straightened, o);
       if (!stays_straight && distance(place, places_[mid]) > kLimits.same_place * length(mid))
         continue;
       places_[mid] = place;
@@ -181,6 +184,7 @@ class Mids {
   std::vector<NodeOrigin> origins_;
   std::vector<std::int32_t> transforms_;
   std::vector<Bend> bends_;
+  bool same_tets_;  ///< as the original's, over nodes that followed their surfaces
 };
 
 }  // namespace

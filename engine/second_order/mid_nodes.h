@@ -11,7 +11,7 @@ namespace remeshd {
 /// What an edit keeps of an edge, it keeps of its mid-node: kept to the bit, by the same
 /// transformation, where its corner nodes are and its place is still right. A mid-node whose curved
 /// edge would turn a tet over, by a lower bound of the Jacobian determinant, stays in the middle of
-/// its corner nodes, and is counted.
+/// its corner nodes, and is counted; while the connectivity is kept it stays so, lest it jumps.
 ///
 /// `parent`: the revision that was edited, which the output's node map leads to.
 void add_mid_nodes(const Revision& parent, Revision& revision, const Run& run);

@@ -22,10 +22,10 @@ struct PlaceLimits {
   double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
   double largest = 1;   ///< x greatest thickness: the same; what lies between is not looked at
   double cube = 0.15;   ///< x greatest thickness: side of those that one thin place does for
-  double rounding = 1 + 1e-9;  ///< a factor that leaves nothing out for rounding
+  double rounding = 1 + 1e-9;     ///< a factor that leaves nothing out for rounding
+  std::size_t faces_at_once = 4;  ///< on one thread
 };
 constexpr PlaceLimits kPlaceLimits;
-constexpr std::size_t kFacesAtOnce = 4;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -246,7 +246,7 @@ std::vector<ThinPlace> thin_places(const BoundaryModel& boundary, const ThinPlac
   const auto neighbours = neighbours_of(boundary);
   const TriangleTree tree(boundary);
   std::vector<ThinPlace> places = collect_in_blocks<ThinPlace>(
-      boundary.faces.size(), kFacesAtOnce, run,
+      boundary.faces.size(), kPlaceLimits.faces_at_once, run,
       [&](std::size_t begin, std::size_t end, std::vector<ThinPlace>& found) {
         Search search(boundary, tree, limits, run);
         for (std::size_t f = begin; f < end; ++f) search.search(static_cast<int>(f), neighbours[f]);

@@ -8,7 +8,8 @@ namespace remeshd {
 /// is further than that many edge lengths from where it was when the connectivity was made (the
 /// anchor), with the same features and topology. Every node is placed anew from where it was then
 /// (`held_places`), so that the mesh depends on the anchor and the model alone, smoothly, and any
-/// number of steps ends where one step would.
+/// number of steps ends where one step would; but that a mid-node whose edge had to be straightened
+/// on the way stays in the middle.
 ///
 /// Post: the mesh is valid; each tet has dihedral angles from 10 to 165 degrees and a volume-length
 /// of at least 0.25, or is as good as it was at the anchor.

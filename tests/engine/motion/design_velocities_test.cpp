@@ -107,6 +107,23 @@ INSTANTIATE_TEST_SUITE_P(DesignVelocities, VelocitiesOf,
                                          Moved{"tool2-a", "pipe_outer.radius", 2},
                                          Moved{"tool3-a", "width"}));
 
+/// A mid-node far off the middle of its edge moves along its circle by more than that middle does.
+TEST(DesignVelocities, OfMidNodesOnACoarseCircleAreTheLimitOfHeldMeshes) {
+  const ModelSource source = test::case_model("detailed/valve");
+  MeshOptions options{.nodes = 400, .order = 2, .hold = 1, .sizing = {.even = true}};
+  const Revision base = make_revision(Revision::none(), source, options, kRun);
+  const NodalVelocities v = DesignVelocities(base, kRun).of("bolt4_0.radius", kRun);
+  const double t = 1e-4 * base.edge_length / fastest(v);
+  options.nodes.reset();
+  const Revision held =
+      make_revision(base, apply(source, {{set("bolt4_0.radius", v.value + t)}}), options, kRun);
+  ASSERT_EQ(held.report.strategy, MeshStrategy::Morphed);
+  const CowVector<Vec3>&now = held.output.mids.positions, &then = base.output.mids.positions;
+  for (std::size_t m = 0; m < now.size(); ++m)
+    EXPECT_NEAR(distance((now[m] - then[m]) / t, v.velocities[base.output.mesh.nodes.size() + m]),
+                0, 2e-3 * fastest(v));
+}
+
 TEST(DesignVelocities, OfFacesThatPartAreUndefined) {
   // The base's top is where the wall and the pipe begin and the mounts' holes end.
   const Revision r =

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -254,6 +255,21 @@ TEST(MidNodes, StayInTheMiddleOfStraightEdgesRatherThanTurnATetOver) {
     EXPECT_EQ(r.output.mids.positions[mid],
               0.5 * (r.output.mesh.nodes[a] + r.output.mesh.nodes[b]));
   }
+}
+
+TEST(MidNodes, ThatWereStraightenedStaySoWhileTheConnectivityIsHeld) {
+  const ModelSource thin = test::model_of(
+      {test::block("plate", 40, 40, 10),
+       test::placed(test::cylinder("drill", 8, 12), 11.95, 0, -1, Nature::Subtractive)});
+  MeshOptions options = second_order(400);
+  options.sizing = {.even = true};
+  options.hold = 2;
+  const Revision r = make_revision(Revision::none(), thin, options, kRun);
+  ASSERT_FALSE(r.output.mids.straightened.empty());
+  const Revision held = edited(r, SetFeatureParameter{"drill", "radius", 7.9});
+  ASSERT_EQ(held.report.strategy, MeshStrategy::Morphed);
+  expect_valid(held);
+  EXPECT_TRUE(std::ranges::includes(held.output.mids.straightened, r.output.mids.straightened));
 }
 
 struct TetOnTheHole {
