@@ -239,13 +239,18 @@ TEST(MidNodes, AreStoredWithTheRevision) {
 }
 
 /// A film of a wall between a drill and a plate's side: curved edges would turn tets over.
-TEST(MidNodes, StayInTheMiddleOfStraightEdgesRatherThanTurnATetOver) {
+Revision film_beside_a_drill(double hold) {
   const ModelSource thin = test::model_of(
       {test::block("plate", 40, 40, 10),
        test::placed(test::cylinder("drill", 8, 12), 11.95, 0, -1, Nature::Subtractive)});
   MeshOptions options = second_order(400);
   options.sizing = {.even = true};
-  const Revision r = make_revision(Revision::none(), thin, options, kRun);
+  options.hold = hold;
+  return make_revision(Revision::none(), thin, options, kRun);
+}
+
+TEST(MidNodes, StayInTheMiddleOfStraightEdgesRatherThanTurnATetOver) {
+  const Revision r = film_beside_a_drill(0);
   expect_one_for_each_edge(r);
   expect_valid(r);
   EXPECT_GT(r.report.counts.straight_edges, 0U);
@@ -258,13 +263,7 @@ TEST(MidNodes, StayInTheMiddleOfStraightEdgesRatherThanTurnATetOver) {
 }
 
 TEST(MidNodes, ThatWereStraightenedStaySoWhileTheConnectivityIsHeld) {
-  const ModelSource thin = test::model_of(
-      {test::block("plate", 40, 40, 10),
-       test::placed(test::cylinder("drill", 8, 12), 11.95, 0, -1, Nature::Subtractive)});
-  MeshOptions options = second_order(400);
-  options.sizing = {.even = true};
-  options.hold = 2;
-  const Revision r = make_revision(Revision::none(), thin, options, kRun);
+  const Revision r = film_beside_a_drill(2);
   ASSERT_FALSE(r.output.mids.straightened.empty());
   const Revision held = edited(r, SetFeatureParameter{"drill", "radius", 7.9});
   ASSERT_EQ(held.report.strategy, MeshStrategy::Morphed);
