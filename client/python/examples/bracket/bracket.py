@@ -10,6 +10,7 @@ and what remeshing saved.
 """
 import argparse
 import os
+import shutil
 import subprocess
 import time
 
@@ -144,6 +145,8 @@ def main():
     parser.add_argument("--page", metavar="FILE",
                         help="from the first design to the lightest, in 3-D, by `remesh report`")
     arguments = parser.parse_args()
+    if arguments.page and not shutil.which("remesh"):
+        parser.error("--page: the program `remesh` is not in the PATH")
     with rc.connect() as daemon:
         first = daemon.mesh(arguments.model, nodes=arguments.nodes, order=2)
         bracket = Bracket(daemon, first, arguments.solves)
