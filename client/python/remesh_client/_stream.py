@@ -9,6 +9,7 @@ from typing import Any, Callable, Iterator
 
 import grpc
 
+from remesh_client._answers import Answers
 from remesh_client._exchange import (BETWEEN_TRIES, RECONNECT, Exchange, cancel_request,
                                      is_broken, stream_ended)
 from remesh_client.errors import Error, made_here
@@ -22,7 +23,7 @@ class _Call:
 
     def __init__(self, open_call: Callable[[Iterator[Request]], Any]) -> None:
         self._requests: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
-        self.answers = open_call(iter(self._requests.get, None))
+        self.answers = Answers(lambda: open_call(iter(self._requests.get, None)))
 
     def send(self, request: Request) -> None:
         self._requests.put(request)
@@ -35,7 +36,7 @@ class _Call:
         self.end()
 
     def is_active(self) -> bool:
-        return bool(self.answers.is_active())
+        return not self.answers.ended
 
 
 class EditStream:

@@ -7,12 +7,13 @@ import os
 import time
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Callable, Iterable, TypeVar
+from typing import Any, Callable, Iterable, Iterator, TypeVar
 
 import grpc
 import numpy.typing as npt
 
 from remesh_client import _requests
+from remesh_client._answers import messages
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client._connection import Access, address_or_default, channel_options
 from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
@@ -131,12 +132,15 @@ class Daemon:
             return getattr(self._stub, method)(request, metadata=self._metadata)
         return self._again(call)
 
+    def _messages(self, method: str, request: Any) -> Iterator[Any]:
+        """Those that a call answers with, one after another."""
+        return messages(lambda: getattr(self._stub, method)(request, metadata=self._metadata))
+
     def _fetch(self, revision: str) -> Content:
         """A whole mesh by GetMesh."""
         def transfer() -> Content:
             assembler = MeshAssembler()
-            for message in self._stub.GetMesh(mesh_pb2.GetMeshRequest(revision=revision),
-                                              metadata=self._metadata):
+            for message in self._messages("GetMesh", mesh_pb2.GetMeshRequest(revision=revision)):
                 assembler.add(message.mesh)
             return assembler.content
         return self._again(transfer)
@@ -147,7 +151,7 @@ class Daemon:
 
         def transfer() -> bytes:
             assembler = FileAssembler()
-            for message in self._stub.GetMeshFile(request, metadata=self._metadata):
+            for message in self._messages("GetMeshFile", request):
                 assembler.add(message)
             return assembler.finish()
         return write_whole(path, self._again(transfer))
@@ -157,7 +161,7 @@ class Daemon:
 
         def transfer() -> dict[str, Velocity]:
             assembler = VelocityAssembler()
-            for message in self._stub.GetDesignVelocities(request, metadata=self._metadata):
+            for message in self._messages("GetDesignVelocities", request):
                 assembler.add(message)
             return assembler.finish()
         return self._again(transfer)
