@@ -7,8 +7,8 @@ import re
 from pathlib import Path
 
 # The road the data travels.
-STATIONS = ("base mesh kernel model delaunay cellular local_fuse difference sizing plan boundary "
-            "nodes optimise extract improve verify revision patch delivery second_order "
+STATIONS = ("libm base mesh kernel model delaunay cellular local_fuse difference sizing plan "
+            "boundary nodes optimise extract improve verify revision patch delivery second_order "
             "motion remesh").split()
 # What programs under any licence may be built from (deploy/LICENSING.md).
 APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats", "client/python",

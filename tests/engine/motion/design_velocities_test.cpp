@@ -72,7 +72,7 @@ TEST_P(VelocitiesOf, KeepNodesOnTheMovedModel) {
 TEST_P(VelocitiesOf, AreTheLimitOfHeldMeshes) {
   MeshOptions options = options_;
   options.nodes.reset();
-  const double t = 1e-3 * base_.edge_length / fastest(v_);
+  const double t = 5e-4 * base_.edge_length / fastest(v_);
   const Revision held =
       make_revision(base_, apply(source_, {{set(parameter_, v_.value + t)}}), options, kRun);
   ASSERT_EQ(held.report.strategy, MeshStrategy::Morphed);
