@@ -126,6 +126,7 @@ struct Daemon::Parts {
   Readiness readiness;
   const std::shared_ptr<FrontDesk> desk;
   const std::function<std::uint64_t()> helper_crashes;  ///< may be empty
+  const bool shares;  ///< revisions with other daemons
   Tenants tenants;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;
@@ -139,7 +140,9 @@ struct Daemon::Parts {
         desk(std::make_shared<FrontDesk>(
             FrontDesk{.log = options.log, .metrics = options.metrics, .doorman = options.doorman})),
         helper_crashes(engine.helper_crashes),
-        tenants(std::move(engine), session_limits(options), store_opener(options), options.metrics),
+        shares(options.sharing.objects != nullptr),
+        tenants(std::move(engine), session_limits(options), store_opener(options), options.metrics,
+                options.sharing),
         max_connections(remeshd::max_connections(options)),
         service(make_remesh_service(tenants, {.facts = facts(), .desk = desk})),
         cache_service(make_cache_service(tenants, {.facts = facts(), .desk = desk})) {
@@ -179,6 +182,7 @@ struct Daemon::Parts {
       if (tenants.persistent()) out.disk_bytes = load.disk_bytes;
       if (tenants.limits().disk > 0) out.disk_budget_bytes = tenants.limits().disk;
       out.revisions = load.revisions;
+      if (shares) out.tier_waiting = load.tier_waiting;
       if (connections) out.connections = connections->count();
       out.streams = desk->streams->load();
       if (helper_crashes) out.helper_crashes = static_cast<double>(helper_crashes());

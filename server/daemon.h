@@ -10,6 +10,7 @@
 #include "server/guard/tls_files.h"
 #include "server/limits.h"
 #include "server/session/engine.h"
+#include "server/tier/sharing.h"
 
 namespace grpc {
 class Channel;
@@ -50,6 +51,7 @@ struct DaemonOptions {
   /// Asks callers for tokens, by which they are tenants; it has the daemon open the stores of
   /// these. Null: everybody is let in, as the one tenant there is.
   std::shared_ptr<Doorman> doorman;
+  Sharing sharing;          ///< with other daemons; needs a store
   bool reflection = false;  ///< whether the protocol can be asked for
 };
 

@@ -109,6 +109,15 @@ inline constexpr std::uint64_t kKeptShare = 4;
 inline constexpr std::chrono::seconds kReturnInterval(10);
 inline constexpr std::uint64_t kReturnGrowth = 16 * kMebi;
 
+// The shared tier.
+
+/// s that a tier that fails is left alone.
+inline constexpr std::chrono::seconds kTierRest(10);
+/// s in which it has to tell whether it has a mesh that is just being computed, and another one.
+inline constexpr double kTierLookUp = 0.05, kTierAnswer = 2;
+/// Bytes of an object; what is larger is none of the daemon's.
+inline constexpr std::size_t kTierObjectBytes = 1024 * kMebi;
+
 // The process.
 
 /// s beyond the grace time (`--grace`) until a daemon that does not come to rest is ended by force:

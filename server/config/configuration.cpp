@@ -5,6 +5,7 @@
 #include "server/config/config_error.h"
 #include "server/config/config_file.h"
 #include "server/config/environment.h"
+#include "server/guard/tier_secrets.h"
 #include "server/guard/tls_files.h"
 #include "server/guard/tokens.h"
 #include "server/transport/listen_address.h"
@@ -40,6 +41,20 @@ void check_metrics(const Settings& settings) {
                       ", and whoever does may read them; insecure-metrics allows it");
 }
 
+void check_tier(const Settings& settings) {
+  const TierSettings& tier = settings.tier;
+  if (tier.place.find("://") != std::string::npos && !is_http(tier.place))
+    throw ConfigError("tier: " + tier.place + " is neither a folder nor http:// or https://");
+  if (settings.daemon.store.empty())
+    throw ConfigError("tier: needs a store, where what it is to get waits");
+  if (tier.key_file.empty()) throw ConfigError("tier: needs a tier-key-file");
+  if (tier.s3_region.empty() != tier.s3_credentials_file.empty())
+    throw ConfigError("tier-s3-region and tier-s3-credentials-file go together");
+  if (!tier.s3_region.empty() && !is_http(tier.place))
+    throw ConfigError("tier-s3-region: the tier is a folder");
+  read_tier_secrets(tier.key_file, tier.s3_credentials_file);
+}
+
 }  // namespace
 
 Configuration read_configuration(std::vector<std::string> arguments,
@@ -67,6 +82,7 @@ void check_settings(const Settings& settings) {
     parse_listen_address("unix:" + settings.health_socket.string());
   if (!settings.metrics.empty()) check_metrics(settings);
   check_tls_files(settings.daemon.tls);
+  if (!settings.tier.place.empty()) check_tier(settings);
   if (!settings.token_file.empty()) Tokens::read(settings.token_file);
 }
 

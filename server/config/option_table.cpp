@@ -214,6 +214,28 @@ std::vector<Option> work_options() {
   };
 }
 
+/// What it shares with other daemons.
+std::vector<Option> tier_options() {
+  return {
+      text(
+          "tier", "PLACE", [](S& s) { return &s.tier.place; },
+          "shared tier: a folder that all daemons of a farm reach, or http://HOST:PORT/PATH for "
+          "GET, PUT and HEAD; needs a store"),
+      text(
+          "tier-key-file", "FILE", [](S& s) { return &s.tier.key_file; },
+          "the farm's key, 16 characters or more: what was not sealed with it is not used"),
+      choice(
+          "tier-ack", {"local", "tier"}, [](S& s) { return &s.tier.acknowledge; },
+          "what has to have an edit before it is acknowledged"),
+      text(
+          "tier-s3-region", "REGION", [](S& s) { return &s.tier.s3_region; },
+          "the tier is a bucket of S3: sign requests for it"),
+      text(
+          "tier-s3-credentials-file", "FILE", [](S& s) { return &s.tier.s3_credentials_file; },
+          "line `ACCESS_KEY SECRET_KEY` of the bucket"),
+  };
+}
+
 std::vector<Option> watch_options() {
   return {
       text(
@@ -233,7 +255,7 @@ std::vector<Option> watch_options() {
 
 std::vector<Option> make_table() {
   std::vector<Option> table;
-  for (auto& options : {reach_options(), work_options(), watch_options()})
+  for (auto& options : {reach_options(), work_options(), tier_options(), watch_options()})
     table.insert(table.end(), options.begin(), options.end());
   return table;
 }

@@ -7,6 +7,15 @@
 
 namespace remeshd {
 
+/// The shared tier.
+struct TierSettings {
+  std::string place;                          ///< a URL or a folder; empty: none
+  std::filesystem::path key_file;             ///< has the farm's key
+  std::string acknowledge = "local";          ///< or `tier`: where an edit has to be
+  std::string s3_region;                      ///< requests are signed for S3; empty: they are not
+  std::filesystem::path s3_credentials_file;  ///< has `ACCESS_KEY SECRET_KEY`
+};
+
 /// All that can be configured, each by the option of its name (option_table.h).
 struct Settings {
   DaemonOptions daemon;
@@ -16,6 +25,7 @@ struct Settings {
   std::string metrics;                  ///< HOST:PORT to serve metrics on; empty: none
   bool insecure_metrics = false;        ///< `metrics` may be reached from elsewhere
   std::filesystem::path token_file;     ///< of Doorman; empty: none
+  TierSettings tier;
   bool behind_proxy = false;  ///< what may be reached from elsewhere need not have mutual TLS
   double grace = 10;          ///< s that requests may go on after a signal to end
 };

@@ -96,6 +96,8 @@ std::vector<MetricFamily> Metrics::Parts::Collect() const {
   add(out, "remeshd_disk_bytes", "Bytes that the revisions stored take on the disk",
       now.disk_bytes);
   add(out, "remeshd_disk_budget_bytes", "Bytes that they may take", now.disk_budget_bytes);
+  add(out, "remeshd_tier_waiting", "Objects that the shared tier is still to get",
+      now.tier_waiting);
   add(out, "remeshd_revisions", "Revisions in the catalogue", now.revisions);
   add(out, "remeshd_connections", "Connections that are open", now.connections);
   add(out, "remeshd_streams", "Streams that are open", now.streams);
@@ -134,7 +136,7 @@ void Metrics::computed(const RevisionFigures& figures) noexcept {
 }
 
 void Metrics::cache_request(CacheResult result) noexcept {
-  static constexpr const char* kNames[] = {"memory", "disk", "computed", "remade"};
+  static constexpr const char* kNames[] = {"memory", "disk", "tier", "computed", "remade"};
   count([&] {
     parts_->cache_requests.Add({{"result", kNames[static_cast<std::size_t>(result)]}}).Increment();
   });

@@ -23,6 +23,7 @@ struct MetricsReadings {
   std::optional<double> connections, streams;
   std::optional<double> helper_crashes;
   std::optional<double> log_dropped;
+  std::optional<double> tier_waiting;
 };
 
 /// What the making of a revision came to.
@@ -36,7 +37,7 @@ struct RevisionFigures {
 /// cannot be counted for want of memory is lost.
 class Metrics {
  public:
-  enum class CacheResult : std::uint8_t { Memory, Disk, Computed, Remade };
+  enum class CacheResult : std::uint8_t { Memory, Disk, Tier, Computed, Remade };
   enum class Tier : std::uint8_t { Memory, Disk };
   using Source = std::function<void(MetricsReadings&)>;
 

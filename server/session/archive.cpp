@@ -51,9 +51,10 @@ void check_expected(const DesignRecord& design, const std::string& expected) {
 }  // namespace
 
 Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk,
-                 Metrics* metrics)
+                 Metrics* metrics, std::unique_ptr<SharedRevisions> shared)
     : engine_(engine),
       store_(store),
+      shared_(std::move(shared)),
       memory_(memory),
       metrics_(metrics),
       held_(memory, store.persistent(), engine.memory_blocks,
@@ -80,6 +81,7 @@ Archive::~Archive() {
 }
 
 Reference Archive::resolve(const std::string& text) {
+  if (shared_ && is_full_id(text) && !is_known(text)) adopt(text);
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
 }
 

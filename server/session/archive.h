@@ -20,6 +20,7 @@
 #include "server/session/one_at_a_time.h"
 #include "server/session/recipe.h"
 #include "server/session/references.h"
+#include "server/session/shared_revisions.h"
 #include "server/store/store.h"
 
 namespace remeshd {
@@ -42,13 +43,26 @@ class Archive {
   };
 
   /// All of these must outlive the archive. `disk`: null for no limit; `metrics`: for none.
+  /// `shared`: null where the revisions are shared with no other daemon; else the store must be
+  /// persistent.
   Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr,
-          Metrics* metrics = nullptr);
+          Metrics* metrics = nullptr, std::unique_ptr<SharedRevisions> shared = nullptr);
   ~Archive();
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
 
+  /// Of a full id that the catalogue has not, the shared tier is asked, and the revision entered
+  /// that it knows. Throws Error(TIER_UNAVAILABLE) where it cannot tell.
   Reference resolve(const std::string& text);
+  /// Whether there is a shared tier.
+  [[nodiscard]] bool shares() const { return shared_ != nullptr; }
+  /// A revision whose mesh the shared tier has, taken into the store; null where it seems not to
+  /// have it, which it must tell at once. As `find` otherwise. Throws Error(TIER_UNAVAILABLE).
+  HeldRevisionPtr find_shared(const std::string& id, const Run& run);
+  /// As SharedRevisions::publish, where there is a shared tier. The revision has been filed.
+  void publish(const std::string& id);
+  /// As SharedRevisions::waiting.
+  [[nodiscard]] std::size_t tier_waiting() const { return shared_ ? shared_->waiting() : 0; }
   /// The revision, read from the store if need be; null if there is none, or if its mesh has gone.
   /// Throws Error(`STORE_CORRUPTED`).
   HeldRevisionPtr find(const std::string& id, const Run& run);
@@ -149,6 +163,17 @@ class Archive {
   HeldRevisionPtr remake(const std::string& id, const HeldRevisionPtr& parent, const Run& run);
   /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone.
   void keep(const HeldRevisionPtr& revision);
+
+  /// Of a revision whose mesh the store has not, and has to be made again of its recipe where the
+  /// tier does not tell at once that it has it. Pre: as of `bring`.
+  HeldRevisionPtr look_up_shared(const std::string& id, const Run& run);
+  /// Enters a revision that the shared tier knows.
+  void adopt(const std::string& id);
+  /// Takes a mesh out of the shared tier; null where it has none that is right. Pre: the turn of
+  /// loading it is the caller's.
+  HeldRevisionPtr bring(const std::string& id, const Run& run);
+  void take_in(const SharedRevisions::Mesh& mesh);
+
   struct Written;
   Written write(const HeldRevision& revision, const PlaceRecord& place, bool by_itself);
   /// The same; on a full disk nothing is written, and the record tells so.
@@ -180,6 +205,7 @@ class Archive {
 
   const Engine& engine_;
   Store& store_;
+  const std::unique_ptr<SharedRevisions> shared_;  ///< null: none
   MemoryBudget& memory_;
   Metrics* const metrics_;  ///< null: none
   HeldRevisions held_;

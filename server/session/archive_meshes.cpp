@@ -82,13 +82,14 @@ HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
   if (held) count(Memory);
   if (held) return held;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-  if (!record || record->bytes == 0) return nullptr;
+  if (!record) return nullptr;
+  if (record->bytes == 0) return look_up_shared(id, run);
   try {
     held = load(*record, run);
   } catch (const Error& failure) {
     // Where garbage was collected meanwhile, nothing is damaged: there is no mesh.
     if (failure.info().kind != ErrorKind::Internal || is_stored(id)) throw;
-    return nullptr;
+    return look_up_shared(id, run);
   }
   count(Disk);
   return held;
@@ -122,6 +123,7 @@ HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
   HeldRevisionPtr held;
   std::exception_ptr damage;  // of the last that could not be read
   for (std::string next = id; !next.empty();) {
+    if (shared_ && !is_known(next)) adopt(next);
     const Reading reading = read(next, run);
     count_use(next, reading.held != nullptr);
     held = reading.held;
@@ -192,6 +194,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
   }
   try {
     keep(made);
+    if (shared_) shared_->offer(id);
   } catch (const Error&) {
     // It is served all the same; whoever reads it next has it made again.
   }

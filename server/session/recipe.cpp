@@ -202,23 +202,28 @@ MeshOptions options_in(const json& j) {
 
 }  // namespace
 
-Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike) {
-  if (!held.asked) return {};
-  Recipe recipe{.revision = held.record.id,
-                .parent = held.record.parent,
-                .algorithm_version = held.record.algorithm_version,
-                .model = held.revision.source,
-                .edit = held.edit,
-                .options = *held.asked};
+std::vector<Recipe::Digest> digests_of(const HeldRevision& held, const HeldRevision* alike) {
+  std::vector<Recipe::Digest> digests;
   const std::vector<MeshArray> arrays = mesh_arrays(held.revision.output);
   const auto others = alike ? mesh_arrays(alike->revision.output) : std::vector<MeshArray>();
   for (const MeshArray& array : arrays) {
     const auto other = std::ranges::find(others, array.name, &MeshArray::name);
-    recipe.digests.push_back({array.name, other != others.end()
-                                              ? held.digests.of(array, *other, alike->digests)
-                                              : held.digests.of(array)});
+    digests.push_back({array.name, other != others.end()
+                                       ? held.digests.of(array, *other, alike->digests)
+                                       : held.digests.of(array)});
   }
-  return recipe;
+  return digests;
+}
+
+Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike) {
+  if (!held.asked) return {};
+  return {.revision = held.record.id,
+          .parent = held.record.parent,
+          .algorithm_version = held.record.algorithm_version,
+          .model = held.revision.source,
+          .edit = held.edit,
+          .options = *held.asked,
+          .digests = digests_of(held, alike)};
 }
 
 std::string write_recipe(const Recipe& recipe) {

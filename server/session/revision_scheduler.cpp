@@ -119,9 +119,34 @@ void RevisionScheduler::proceed(const WaitingRequestPtr& request, const Prepared
   }
 }
 
-HeldRevisionPtr RevisionScheduler::make_revision(const ComputationPtr& computation) {
+/// The shared tier is asked for the mesh while it is computed; what comes first is taken.
+RevisionScheduler::Outcome RevisionScheduler::outcome_of(const ComputationPtr& computation) {
+  const std::stop_token asked = computation->stop.get_token();
+  if (!parts_.archive.shares()) return {make_revision(computation, asked)};
+  HeldRevisionPtr shared;
+  std::stop_source either;
+  const std::stop_callback forward(asked, [&] { either.request_stop(); });
+  std::jthread look_up([&](const std::stop_token& stop) {  // which the end of this asks for
+    contained([&] {
+      shared = parts_.archive.find_shared(computation->prepared.id,
+                                          Run{.stop = stop, .on_progress = {}, .dumps = {}});
+      if (shared) either.request_stop();
+    });
+  });
+  try {
+    return {make_revision(computation, either.get_token())};
+  } catch (const Error& failure) {
+    if (failure.info().kind != ErrorKind::Cancelled) throw;
+    look_up.join();
+    if (!shared || asked.stop_requested()) throw;
+    return {shared, false};
+  }
+}
+
+HeldRevisionPtr RevisionScheduler::make_revision(const ComputationPtr& computation,
+                                                 const std::stop_token& stop) {
   const Prepared& prepared = computation->prepared;
-  const Run run{.stop = computation->stop.get_token(),
+  const Run run{.stop = stop,
                 .on_progress =
                     [&](const Progress& progress) {
                       for (const auto& request : computations_.waiting_for(computation))
@@ -166,13 +191,13 @@ void RevisionScheduler::compute(const ComputationPtr& computation) {
         const auto share =
             parts_.memory.take(working_memory(computation->prepared), computation->stop.get_token(),
                                parts_.computation.limits().wait);
-        const HeldRevisionPtr made = make_revision(computation);
+        const auto [made, computed] = outcome_of(computation);
         // In memory before it leaves the list, so that no moment is left to compute it twice.
         parts_.archive.hold(made);
-        bool first = true;
+        bool cached = !computed;
         for (const auto& request : computations_.remove(computation)) {
-          complete(request, made, !first);
-          first = false;
+          complete(request, made, cached);
+          cached = true;
         }
         parts_.archive.drop_unfiled(made->record.id);
       },
@@ -191,6 +216,7 @@ void RevisionScheduler::complete(const WaitingRequestPtr& request, const HeldRev
         made.filed =
             parts_.archive.file(revision, request->design, request->head, request->fail_on);
         made.warnings = made.filed.warnings;
+        parts_.archive.publish(revision->record.id);
         if (!close(request)) return;
         const Listener& listener = request->listener();
         // It is answered: `fail` would do nothing any more.

@@ -73,7 +73,13 @@ class RevisionScheduler {
   void proceed(const WaitingRequestPtr& request, const Prepared& prepared);
   HeldRevisionPtr find_intact(const std::string& id, const std::stop_token& stop) const;
   void compute(const ComputationPtr& computation);
-  HeldRevisionPtr make_revision(const ComputationPtr& computation);
+  /// What a computation comes to.
+  struct Outcome {
+    HeldRevisionPtr revision;
+    bool computed = true;  ///< else it came from the shared tier
+  };
+  Outcome outcome_of(const ComputationPtr& computation);
+  HeldRevisionPtr make_revision(const ComputationPtr& computation, const std::stop_token& stop);
   void check_waiting(const ComputationPtr& computation, std::span<const Warning> warnings);
   void complete(const WaitingRequestPtr& request, const HeldRevisionPtr& revision, bool cached);
   bool close(const WaitingRequestPtr& request);

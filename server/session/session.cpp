@@ -20,13 +20,21 @@ std::filesystem::path dumps_of(const std::string& tenant, const std::filesystem:
   return tenant.empty() || dumps.empty() ? dumps : dumps / "tenants" / tenant;
 }
 
+std::unique_ptr<SharedRevisions> shared_revisions(const Sharing& sharing, const std::string& tenant,
+                                                  Store& store) {
+  if (!sharing.objects) return nullptr;
+  return std::make_unique<SharedRevisions>(sharing, tenant, store);
+}
+
 }  // namespace
 
-Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store)
+Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store,
+                 const Sharing& sharing)
     : resources_(resources),
       tenant_(std::move(tenant)),
       store_(std::move(store)),
-      archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics()),
+      archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics(),
+               shared_revisions(sharing, tenant_, *store_)),
       fetcher_(tenant_,
                {archive_, resources.lane(Lane::Preparation), resources.lane(Lane::Computation)}),
       scheduler_({engine(), archive_, fetcher_, resources.memory(),
@@ -170,6 +178,7 @@ Load Session::load() {
             .waiting = scheduler_.waiting() + fetcher_.waiting(),
             .held = archive_.held().count(),
             .held_bytes = archive_.held().bytes()};
+  load.tier_waiting = archive_.tier_waiting();
   load.memory_bytes = load.held_bytes + resources_.memory().leased();
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();

@@ -43,6 +43,7 @@ struct Load {
   std::uint64_t memory_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
   std::uint64_t disk_bytes = 0;
+  std::size_t tier_waiting = 0;  ///< objects that the shared tier is still to get
 };
 
 /// Everything that the clients of a tenant may do, in the engine's terms, with what is the
@@ -51,7 +52,9 @@ struct Load {
 class Session {
  public:
   /// `resources` must outlive the session, and be stopped before its end.
-  Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store);
+  /// `sharing`: without objects where nothing is shared; else the store must be persistent.
+  Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store,
+          const Sharing& sharing = {});
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 

@@ -7,8 +7,9 @@
 namespace remeshd {
 
 Tenants::Tenants(Engine engine, SessionLimits limits, OpenStore open_store,
-                 std::shared_ptr<Metrics> metrics)
+                 std::shared_ptr<Metrics> metrics, Sharing sharing)
     : open_store_(std::move(open_store)),
+      sharing_(std::move(sharing)),
       resources_(std::move(engine), std::move(limits), std::move(metrics)) {
   open("");
 }
@@ -22,7 +23,7 @@ void Tenants::open(const std::string& tenant) {
     if (stopped_) throw error::shutting_down();
     if (sessions_.contains(tenant)) return;
   }
-  auto session = std::make_unique<Session>(resources_, tenant, open_store_(tenant));
+  auto session = std::make_unique<Session>(resources_, tenant, open_store_(tenant), sharing_);
   session->on_store_health([this, tenant](bool healthy) { note_health(tenant, healthy); });
   const std::scoped_lock lock(mutex_);
   if (stopped_) throw error::shutting_down();
@@ -53,6 +54,7 @@ Load Tenants::load() {
     sum.revisions += load.revisions;
     sum.designs += load.designs;
     sum.disk_bytes += load.disk_bytes;
+    sum.tier_waiting += load.tier_waiting;
   }
   sum.memory_bytes = sum.held_bytes + resources_.memory().leased();
   return sum;

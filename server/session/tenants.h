@@ -24,9 +24,9 @@ class Tenants {
   using OpenStore = std::function<std::unique_ptr<Store>(const std::string& tenant)>;
 
   /// Opens the session of the tenant ``. Throws what `open_store` throws. `metrics`: counts queues,
-  /// requests of the cache and evictions; null for none.
+  /// requests of the cache and evictions; null for none. `sharing`: as of Session.
   Tenants(Engine engine, SessionLimits limits, OpenStore open_store,
-          std::shared_ptr<Metrics> metrics = nullptr);
+          std::shared_ptr<Metrics> metrics = nullptr, Sharing sharing = {});
   /// As `stop`.
   ~Tenants();
   Tenants(const Tenants&) = delete;
@@ -62,6 +62,7 @@ class Tenants {
   void note_health(const std::string& tenant, bool healthy);
 
   const OpenStore open_store_;
+  const Sharing sharing_;
   std::mutex health_;                ///< guards what follows
   std::set<std::string> unhealthy_;  ///< tenants
   HealthListener health_listener_;

@@ -168,11 +168,15 @@ void Packs::write(const RevisionRecord& record, std::string_view file) {
 }
 
 Packs::File Packs::read_file(const std::string& id) const {
-  const auto damaged = [&](const char* what) { return error::store_corrupted(id, what); };
   const fs::path path = path_of(id);
-  if (!fs::exists(path)) throw damaged("it is gone");
+  if (!fs::exists(path)) throw error::store_corrupted(id, "it is gone");
+  return checked(id, read_whole(path));
+}
+
+Packs::File Packs::checked(const std::string& id, std::string bytes) {
+  const auto damaged = [&](const char* what) { return error::store_corrupted(id, what); };
   File file;
-  file.bytes = read_whole(path);
+  file.bytes = std::move(bytes);
   auto head = read_pack_head(std::string_view(file.bytes).substr(0, kMostHeadBytes));
   if (!head || head->store_version == 0) throw damaged("its head cannot be read");
   if (head->record.id != id) throw damaged("it is another revision");
@@ -187,6 +191,26 @@ Packs::File Packs::read_file(const std::string& id) const {
     head->arrays.push_back({.name = kOlderBytes, .bytes = rest.size(), .data_bytes = rest.size()});
   file.head = std::move(*head);
   return file;
+}
+
+std::string Packs::file(const std::string& id) const { return read_file(id).bytes; }
+
+std::optional<PackHead> Packs::head_in(std::string_view file) {
+  auto head = read_pack_head(file);
+  if (head && head->store_version < kFirstWithArrays) head.reset();
+  return head;
+}
+
+Packs::Written Packs::take_in(const RevisionRecord& record, std::string_view file) {
+  const PackHead given = checked(record.id, std::string(file)).head;
+  const std::string& on = given.record.base;
+  if (!on.empty()) {
+    const auto base = head(on);
+    if (!base || base->content != given.base_content)
+      throw error::store_corrupted(record.id, "its base is not what it was");
+  }
+  write(record, file);
+  return {.bytes = file.size(), .base = on};
 }
 
 bool Packs::is_whole(const std::string& id) const {

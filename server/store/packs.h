@@ -47,6 +47,14 @@ class Packs {
   /// `recipe`: as `packed`; may be empty.
   Written put(const RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
               const StoredArrays& arrays, const Base* base);
+  /// Stores a pack as another store of this version has it, in place of what has its id. Its base
+  /// must be here. One revision may not be put twice at a time. Throws Error(STORE_CORRUPTED) where
+  /// it is damaged, another revision's or not whole without what is here; STORE_FAILED, STORE_FULL.
+  Written take_in(const RevisionRecord& record, std::string_view file);
+  /// The file of a revision, whole. Throws Error(STORE_CORRUPTED, STORE_FAILED).
+  [[nodiscard]] std::string file(const std::string& id) const;
+  /// What the file of a pack of this version says of itself; nothing where it is none.
+  [[nodiscard]] static std::optional<PackHead> head_in(std::string_view file);
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
   /// gone, or a base of theirs is; Error(STORE_FAILED).
   [[nodiscard]] StoredArrays get(const std::string& id);
@@ -86,6 +94,7 @@ class Packs {
     std::vector<std::string> names;  ///< of the arrays, in their order
   };
 
+  static File checked(const std::string& id, std::string bytes);
   [[nodiscard]] File read_file(const std::string& id) const;
   [[nodiscard]] Decoded decode_chain(const std::string& id) const;
   StatePtr state_of(const std::string& id);

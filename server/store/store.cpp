@@ -6,6 +6,7 @@
 
 #include "engine/base/error.h"
 #include "server/store/packed_text.h"
+#include "server/store/quarantine.h"
 #include "server/store/store_error.h"
 
 namespace remeshd {
@@ -41,16 +42,31 @@ Store::Store(fs::path folder, OpenedStore opened)
 void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
                 const StoredArrays& arrays, const Packs::Base* base) {
   if (!persistent()) return;
+  put_with(record, base != nullptr ? base->id : "", [&] {
+    return packs_->put(record, first, packed_recipe(recipe), arrays, base);
+  });
+}
+
+void Store::take_in(RevisionRecord& record, std::string_view pack) {
+  put_with(record, record.base, [&] { return packs_->take_in(record, pack); });
+}
+
+void Store::put_with(RevisionRecord& record, const std::string& base,
+                     const std::function<Packs::Written()>& write) {
   {
     const std::scoped_lock lock(committing_);
     leftovers_.erase(record.id);
-    unfiled_[record.id] = base != nullptr ? base->id : "";
+    unfiled_[record.id] = base;
   }
   try {
-    const Packs::Written written = packs_->put(record, first, packed_recipe(recipe), arrays, base);
+    const Packs::Written written = write();
     record.bytes = written.bytes;
     record.base = written.base;
     set_healthy(true);
+  } catch (const Error& failure) {
+    if (failure.info().reason != "STORE_CORRUPTED") set_healthy(false);
+    discard(record.id);
+    throw;
   } catch (...) {
     set_healthy(false);
     discard(record.id);
@@ -80,6 +96,24 @@ StoredArrays Store::get(const std::string& id) {
       if (deletions_ == before) throw;
     }
   }
+}
+
+std::string Store::pack(const std::string& id) {
+  for (;;) {
+    const std::uint64_t before = deletions_;
+    try {
+      return packs_->file(id);
+    } catch (const Error&) {
+      if (deletions_ == before) throw;
+    }
+  }
+}
+
+std::string Store::quarantine(std::string_view name, std::string_view bytes,
+                              std::string_view why) {
+  Quarantine quarantine(folder_ / "quarantine", folder_ / "tmp");
+  quarantine.keep(name, bytes, why);
+  return quarantine.notes().front();
 }
 
 std::string Store::fault_of(const std::string& id) const {

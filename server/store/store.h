@@ -58,10 +58,14 @@ class Store {
   /// it has it too. Text of the caller's, maybe empty.
   void put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
            const StoredArrays& arrays, const Packs::Base* base = nullptr);
+  /// The same for the pack of a revision as another store has it, as Packs::take_in.
+  void take_in(RevisionRecord& record, std::string_view pack);
   /// Gives up what was put and not committed.
   void discard(const std::string& id);
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED).
   StoredArrays get(const std::string& id);
+  /// The pack of a revision, whole, for another store. Throws Error(STORE_CORRUPTED, STORE_FAILED).
+  std::string pack(const std::string& id);
   /// What is wrong with the file of a revision; else empty. Pre: the store is persistent.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
   /// The recipe of a revision, be its mesh gone or it deleted: the journal's, else the file's.
@@ -73,6 +77,10 @@ class Store {
     std::uint32_t quarantined = 0;  ///< files
   };
   [[nodiscard]] Room room() const;
+  /// Keeps bytes of another store that are not used, and why; tells where, in a clause. Pre: the
+  /// store is persistent.
+  std::string quarantine(std::string_view name, std::string_view bytes, std::string_view why);
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// A recipe as a transaction has it.
   static std::string packed_recipe(const std::string& recipe);
 
@@ -108,6 +116,8 @@ class Store {
 
  private:
   Store(std::filesystem::path folder, OpenedStore opened);
+  void put_with(RevisionRecord& record, const std::string& base,
+                const std::function<Packs::Written()>& write);
   void apply(const Transaction& transaction);
   void enter(Transaction& transaction);
   void rewrite_journal(const Transaction& last);

@@ -98,7 +98,7 @@ def test_a_damaged_delta_is_fetched_whole(daemon, tool, monkeypatch):
     from remesh_client import _assembler
     part = tool.edit(pin_radius=6.25)
     monkeypatch.setattr(_assembler._checksum, "digest", lambda blocks: "0")
-    daemon._stream.wait(part._exchange, lambda exchange: exchange.done)
+    part._exchange.carrier.wait(part._exchange, lambda exchange: exchange.done)
     monkeypatch.undo()
     assert part._exchange.mesh_error.reason == "MESH_DAMAGED"
     assert len(part.mesh().points) == part.report.nodes

@@ -45,7 +45,7 @@ def main():
     with rc.local(arguments.remeshd) as daemon:
         part = daemon.mesh(MODEL, nodes=arguments.nodes, order=arguments.order)
         part.mesh()
-        call = daemon._stream._call
+        call = daemon._farm.replicas[0].stream._call
         call.answers = Waiting(call.answers)
         for k in range(arguments.edits):
             part = part.edit(pin_radius=4.5 + .02 * k)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Sequence
 
 import grpc
 
@@ -14,6 +14,7 @@ from remesh_client.errors import Error, made_here
 DEFAULT_ADDRESS = "127.0.0.1:50051"
 _MAX_MESSAGE = 256 << 20  # bytes: models are the largest single messages
 _KEEPALIVE_MS, _KEEPALIVE_TIMEOUT_MS = 30_000, 20_000
+_RECONNECT_MS = 200, 2_000  # between tries of a daemon that is started again
 
 
 @dataclass(frozen=True)
@@ -66,10 +67,24 @@ def channel_options(address: str) -> list[tuple[str, Any]]:
     options: list[tuple[str, Any]] = [
         ("grpc.keepalive_time_ms", _KEEPALIVE_MS),
         ("grpc.keepalive_timeout_ms", _KEEPALIVE_TIMEOUT_MS),
+        ("grpc.initial_reconnect_backoff_ms", _RECONNECT_MS[0]),
+        ("grpc.min_reconnect_backoff_ms", _RECONNECT_MS[0]),
+        ("grpc.max_reconnect_backoff_ms", _RECONNECT_MS[1]),
         ("grpc.max_receive_message_length", _MAX_MESSAGE)]
     if is_loopback(address):  # a proxy of the environment would be asked even for the way here
         options.append(("grpc.enable_http_proxy", 0))
     return options
+
+
+def addresses_or_default(address: str | Sequence[str] | None) -> list[str]:
+    """Those of a list or a text with commas; as `address_or_default` where none is given. Raises
+    ValueError where there is none in it."""
+    if address is None or isinstance(address, str):
+        address = address_or_default(address).split(",")
+    addresses = [each.strip() for each in address if each.strip()]
+    if not addresses:
+        raise ValueError("no address is given")
+    return addresses
 
 
 def address_or_default(address: str | None) -> str:

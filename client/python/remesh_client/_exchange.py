@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import Callable
+from typing import TYPE_CHECKING, Callable
 
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client.errors import (DeadlineExceeded, Error, RemeshError, error_of_rpc, from_error,
@@ -11,6 +11,9 @@ from remesh_client.errors import (DeadlineExceeded, Error, RemeshError, error_of
 from remesh_client.v1 import revision_pb2, stream_pb2
 
 import grpc
+
+if TYPE_CHECKING:
+    from remesh_client._stream import EditStream
 
 Progress = stream_pb2.Progress
 OnProgress = Callable[[Progress], object]
@@ -25,8 +28,9 @@ class Exchange:
 
     def __init__(self, request: stream_pb2.EditStreamRequest, document: str = "",
                  base: Callable[[], Content | None] = lambda: None,
-                 on_progress: OnProgress | None = None) -> None:
-        """base: the mesh that a delta is against, asked for when the mesh begins to come."""
+                 on_progress: OnProgress | None = None, route: str = "") -> None:
+        """base: the mesh that a delta is against, asked for when the mesh begins to come.
+        route: which of several daemons it goes to, as Farm takes it."""
         self.id = f"python-{next(_ids)}"
         if request.HasField("edit"):
             request.edit.request_id = self.id
@@ -39,6 +43,9 @@ class Exchange:
         self.mesh_error: RemeshError | None = None  # after the result
         self.done = False
         self.overdue = False  # cancelled because its time was up
+        self.broken = False  # what carried it broke
+        self.route = route
+        self.carrier: EditStream | None = None  # that it was sent on
         self._document = document
         self._base = base
         self._on_progress = on_progress
@@ -77,6 +84,10 @@ class Exchange:
             self.mesh_error = error
         self._finish()
 
+    def again(self) -> Exchange:
+        """The same request, to be sent once more. Pre: it failed."""
+        return Exchange(self.request, self._document, self._base, self._on_progress, self.route)
+
     def restart(self) -> None:
         """The stream broke: all answers will come again."""
         self._assembler = None
@@ -98,8 +109,9 @@ class Exchange:
     def _finish(self) -> None:
         self.done = True
         self._assembler = None
-        self._base = lambda: None
-        self._on_progress = None
+        if self.error is None:  # else it may be sent again
+            self._base = lambda: None
+            self._on_progress = None
 
 
 def is_broken(failure: grpc.RpcError) -> bool:

@@ -2,6 +2,7 @@
 """Requests for the stream, made of what users give."""
 from __future__ import annotations
 
+import hashlib
 import os
 from typing import Any, Callable, Mapping, Sequence
 
@@ -29,21 +30,25 @@ def put_model(request: revision_pb2.CreateRevisionRequest | model_pb2.ValidateMo
 
 
 def first_mesh(model: Model, options: Mapping[str, Any], design: str, file: bool | None,
-               with_mesh: bool, on_progress: OnProgress | None) -> Exchange:
-    """Meshes a model. Raises what `model_document` and `mesh_options` raise."""
+               with_mesh: bool, on_progress: OnProgress | None,
+               route: str | None = None) -> Exchange:
+    """Meshes a model. route: default: the design where it joins one, else the request's own.
+    Raises what `model_document` and `mesh_options` raise."""
     create = revision_pb2.CreateRevisionRequest(
         options=mesh_options(options), design=design, head=head_update(file),
         threads=options.get("threads", 0))
     source = put_model(create, model)
     mesh = mesh_pb2.MeshSelection() if with_mesh else None
+    if route is None:
+        route = design or hashlib.sha256(create.SerializeToString(deterministic=True)).hexdigest()
     return Exchange(stream_pb2.EditStreamRequest(create=create, mesh=mesh), source,
-                    on_progress=on_progress)
+                    on_progress=on_progress, route=route)
 
 
 def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],
             options: Mapping[str, Any], file: bool | None, with_mesh: bool,
             content: Callable[[], Content | None] | None,
-            on_progress: OnProgress | None) -> Exchange:
+            on_progress: OnProgress | None, route: str = "") -> Exchange:
     """Edits a revision. content: gives the base's mesh once that has come; None: there is none."""
     edit = revision_pb2.EditRevisionRequest(base=base, options=mesh_options(options),
                                             head=head_update(file),
@@ -55,7 +60,7 @@ def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],
         edit.document, source = edit_document(edits, parameters)
     mesh = mesh_pb2.MeshSelection(delta=content is not None) if with_mesh else None
     return Exchange(stream_pb2.EditStreamRequest(edit=edit, mesh=mesh), source,
-                    content or (lambda: None), on_progress)
+                    content or (lambda: None), on_progress, route)
 
 
 def format_of(path: os.PathLike[str] | str) -> str:

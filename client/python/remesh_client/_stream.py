@@ -16,14 +16,15 @@ from remesh_client.errors import Error, made_here
 from remesh_client.v1 import stream_pb2
 
 Request = stream_pb2.EditStreamRequest
+OpenCall = Callable[[str, Iterator[Request]], Any]
 
 
 class _Call:
     """One call of EditStream; a stream that broke goes on in another one."""
 
-    def __init__(self, open_call: Callable[[Iterator[Request]], Any]) -> None:
+    def __init__(self, open_call: OpenCall, route: str) -> None:
         self._requests: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
-        self.answers = Answers(lambda: open_call(iter(self._requests.get, None)))
+        self.answers = Answers(lambda: open_call(route, iter(self._requests.get, None)))
 
     def send(self, request: Request) -> None:
         self._requests.put(request)
@@ -42,9 +43,12 @@ class _Call:
 class EditStream:
     """May be used by several threads. One of those that wait reads for all."""
 
-    def __init__(self, open_call: Callable[[Iterator[Request]], Any]) -> None:
-        """open_call: begins a call of EditStream with the requests that it is given."""
+    def __init__(self, open_call: OpenCall, reconnects: bool = True) -> None:
+        """open_call: begins a call of EditStream, of the route of the first request, with the
+        requests that it is given. reconnects: one that broke goes on; else what it left
+        unanswered fails, as `broken`."""
         self._open_call = open_call
+        self._reconnects = reconnects
         self._call: _Call | None = None
         self._unanswered: dict[str, Exchange] = {}  # in the order sent
         self._state = threading.Lock()  # guards these
@@ -55,8 +59,9 @@ class EditStream:
     def send(self, exchange: Exchange) -> None:
         with self._state:
             if self._call is None or not (self._unanswered or self._call.is_active()):
-                self._call = _Call(self._open_call)
+                self._call = _Call(self._open_call, exchange.route)
             self._unanswered[exchange.id] = exchange
+            exchange.carrier = self
             self._call.send(exchange.request)
 
     def wait(self, exchange: Exchange, done: Callable[[Exchange], bool],
@@ -131,6 +136,8 @@ class EditStream:
 
         Each request names its base by id, so nothing can be done twice.
         """
+        if not self._reconnects:
+            return False
         now = time.monotonic()
         self._broken_since = self._broken_since or now
         if not is_broken(failure) or not self._answered or now - self._broken_since > RECONNECT:
@@ -142,7 +149,7 @@ class EditStream:
             if self._call is None:
                 return True
             self._call.end()
-            self._call = _Call(self._open_call)
+            self._call = _Call(self._open_call, next(iter(self._unanswered.values())).route)
             for exchange in self._unanswered.values():
                 exchange.restart()
                 self._call.send(exchange.request)
@@ -155,4 +162,5 @@ class EditStream:
             self._unanswered.clear()
         self._broken_since = None
         for exchange in unanswered:
+            exchange.broken = failure is None or is_broken(failure)
             exchange.fail(stream_ended(failure))

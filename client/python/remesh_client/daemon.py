@@ -7,7 +7,7 @@ import os
 import time
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Callable, Iterable, Iterator, TypeVar
+from typing import Any, Callable, Iterable, Iterator, Sequence, TypeVar
 
 import grpc
 import numpy.typing as npt
@@ -15,19 +15,18 @@ import numpy.typing as npt
 from remesh_client import _requests
 from remesh_client._answers import messages
 from remesh_client._assembler import Content, MeshAssembler
-from remesh_client._connection import Access, address_or_default, channel_options
-from remesh_client._exchange import BETWEEN_TRIES, RECONNECT, Exchange, OnProgress, is_broken
+from remesh_client._connection import Access, addresses_or_default
+from remesh_client._exchange import RECONNECT, Exchange, OnProgress, is_broken
+from remesh_client._farm import Farm, Replica
 from remesh_client._files import FileAssembler, write_whole
 from remesh_client._motion import (Derivative, Horizon, Velocity, VelocityAssembler, gradient,
                                    horizons, seed_bytes)
-from remesh_client._stream import EditStream
 from remesh_client.edits import Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
 from remesh_client.options import mesh_options
 from remesh_client.part import Part
-from remesh_client.v1 import (mesh_pb2, model_pb2, motion_pb2, remesh_pb2_grpc, revision_pb2,
-                              server_pb2)
+from remesh_client.v1 import mesh_pb2, model_pb2, motion_pb2, revision_pb2, server_pb2
 
 T = TypeVar("T")
 
@@ -38,34 +37,29 @@ class Daemon:
     Requests of one Daemon go through one EditStream and are answered in their order.
     """
 
-    def __init__(self, address: str, access: Access = Access(),
-                 local: LocalDaemon | None = None) -> None:
-        self.address = address
+    def __init__(self, addresses: Sequence[str], access: Access = Access(),
+                 local: LocalDaemon | None = None, patience: float = RECONNECT) -> None:
+        self.address = ",".join(addresses)
         self._local = local
-        self._metadata = access.metadata(address)
-        options = channel_options(address)
-        self._channel = (grpc.secure_channel(address, access.credentials(), options)
-                         if access.encrypts else grpc.insecure_channel(address, options))
-        self._stub: Any = remesh_pb2_grpc.RemeshServiceStub(self._channel)  # type: ignore
-        self._reached = False  # it has answered a call
-        self._stream = EditStream(
-            lambda requests: self._stub.EditStream(requests, metadata=self._metadata))
+        self._farm = Farm(addresses, access, patience)
 
     def mesh(self, model: Model, *, design: str = "", file: bool | None = None,
              with_mesh: bool = True, progress: OnProgress | None = None,
-             timeout: float | None = None, **options: Any) -> Part:
+             timeout: float | None = None, route: str | None = None, **options: Any) -> Part:
         """Meshes a model; the same request again is answered from the daemon's cache.
 
         model: a path to a JSON document, a mapping as in one, or a FeatureModel. design: the name
         of the list of revisions that it joins; default: the model's. file: False: in none.
         with_mesh: has the mesh come along. progress: called with each Progress (stage, iteration,
-        fraction) while this waits. timeout: s. options: as rc.Options, `nodes=8000, order=2`.
+        fraction) while this waits. timeout: s. route: loops of one route go to one of several daemons;
+        default: one a design, and one a first mesh in none. options: as rc.Options, `nodes=8000,
+        order=2`.
 
         Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
         KeyboardInterrupt cancels the computation.
         """
-        return self._make(_requests.first_mesh(model, options, design, file, with_mesh, progress),
-                          timeout)
+        return self._make(_requests.first_mesh(model, options, design, file, with_mesh, progress,
+                                               route), timeout)
 
     def open(self, revision: str) -> Part:
         """A revision that is there: a design (its head), `design@number`, an id or 8 digits of
@@ -100,8 +94,7 @@ class Daemon:
 
     def close(self) -> None:
         """Cancels what is under way; ends the daemon too where `local` started it."""
-        self._stream.cancel_all()
-        self._channel.close()
+        self._farm.close()
         if self._local is not None:
             self._local.stop()
 
@@ -116,104 +109,130 @@ class Daemon:
         return f"<Daemon {self.address}>"
 
     def _make(self, exchange: Exchange, timeout: float | None) -> Part:
-        self._stream.send(exchange)
-        self._stream.wait(exchange, lambda sent: sent.has_result, timeout)
+        exchange = self._carry(exchange, timeout)
         if exchange.error is not None:
             raise exchange.error
         result = exchange.result
         if result is None:
             raise made_here(Error.CODE_CANCELLED, "the request was cancelled", Error.CANCELLED)
         return Part(self, result.revision, result.report, exchange, result.durable,
-                    result.head_conflict)
+                    result.head_conflict, exchange.route)
 
-    def _ask(self, method: str, request: Any) -> Any:
+    def _carry(self, exchange: Exchange, timeout: float | None) -> Exchange:
+        """Has it answered, by the next replica where one is not available; returns the exchange
+        that was."""
+        begun = time.monotonic()
+        while True:
+            replica = self._farm.best(exchange.route)
+            left = None if timeout is None else timeout - (time.monotonic() - begun)
+            replica.stream.send(exchange)
+            replica.stream.wait(exchange, lambda sent: sent.has_result, left)
+            error = exchange.error
+            if error is None:
+                replica.reached = True
+                return exchange
+            if not self._farm.several or not (exchange.broken or error.code == "UNAVAILABLE"):
+                return exchange
+            if not self._farm.may_try_again(replica, begun, error.retry_after):
+                return exchange
+            exchange = exchange.again()
+
+    def _ask(self, method: str, request: Any, route: str = "") -> Any:
         """A call that changes nothing."""
-        def call() -> Any:
-            return getattr(self._stub, method)(request, metadata=self._metadata)
-        return self._again(call)
+        def call(replica: Replica) -> Any:
+            return replica.call(method, request, route)
+        return self._again(call, route)
 
-    def _messages(self, method: str, request: Any) -> Iterator[Any]:
-        """Those that a call answers with, one after another."""
-        return messages(lambda: getattr(self._stub, method)(request, metadata=self._metadata))
+    def _read(self, method: str, request: Any, route: str,
+              assemble: Callable[[Iterator[Any]], T]) -> T:
+        """What is made of the messages that a call answers with."""
+        return self._again(lambda replica: assemble(
+            messages(lambda: replica.call(method, request, route))), route)
 
-    def _fetch(self, revision: str) -> Content:
+    def _fetch(self, revision: str, route: str = "") -> Content:
         """A whole mesh by GetMesh."""
-        def transfer() -> Content:
+        def assemble(answers: Iterator[Any]) -> Content:
             assembler = MeshAssembler()
-            for message in self._messages("GetMesh", mesh_pb2.GetMeshRequest(revision=revision)):
+            for message in answers:
                 assembler.add(message.mesh)
             return assembler.content
-        return self._again(transfer)
+        return self._read("GetMesh", mesh_pb2.GetMeshRequest(revision=revision), route, assemble)
 
-    def _write_file(self, revision: str, path: os.PathLike[str] | str) -> Path:
+    def _write_file(self, revision: str, path: os.PathLike[str] | str, route: str) -> Path:
         request = mesh_pb2.GetMeshFileRequest(revision=revision,
                                               format=_requests.format_of(path))
 
-        def transfer() -> bytes:
+        def assemble(answers: Iterator[Any]) -> bytes:
             assembler = FileAssembler()
-            for message in self._messages("GetMeshFile", request):
+            for message in answers:
                 assembler.add(message)
             return assembler.finish()
-        return write_whole(path, self._again(transfer))
+        return write_whole(path, self._read("GetMeshFile", request, route, assemble))
 
-    def _velocities(self, revision: str, parameters: Iterable[str]) -> dict[str, Velocity]:
+    def _velocities(self, revision: str, parameters: Iterable[str],
+                    route: str) -> dict[str, Velocity]:
         request = motion_pb2.GetDesignVelocitiesRequest(revision=revision, parameters=parameters)
 
-        def transfer() -> dict[str, Velocity]:
+        def assemble(answers: Iterator[Any]) -> dict[str, Velocity]:
             assembler = VelocityAssembler()
-            for message in self._messages("GetDesignVelocities", request):
+            for message in answers:
                 assembler.add(message)
             return assembler.finish()
-        return self._again(transfer)
+        return self._read("GetDesignVelocities", request, route, assemble)
 
-    def _gradient(self, revision: str, seed: npt.ArrayLike,
-                  parameters: Iterable[str]) -> dict[str, Derivative]:
+    def _gradient(self, revision: str, seed: npt.ArrayLike, parameters: Iterable[str],
+                  route: str) -> dict[str, Derivative]:
         return gradient(self._ask("GetDesignGradient", motion_pb2.GetDesignGradientRequest(
-            revision=revision, parameters=parameters, seed=seed_bytes(seed))))
+            revision=revision, parameters=parameters, seed=seed_bytes(seed)), route))
 
-    def _horizon(self, revision: str, parameters: Iterable[str],
-                 hold: float | None) -> dict[str, Horizon]:
+    def _horizon(self, revision: str, parameters: Iterable[str], hold: float | None,
+                 route: str) -> dict[str, Horizon]:
         return horizons(self._ask(
             "GetConnectivityHorizon", motion_pb2.GetConnectivityHorizonRequest(
-                revision=revision, parameters=parameters, hold=hold)))
+                revision=revision, parameters=parameters, hold=hold), route))
 
-    def _document(self, revision: str) -> dict[str, Any]:
-        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision,
-                                                                         documents=True))
+    def _document(self, revision: str, route: str) -> dict[str, Any]:
+        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(
+            revision=revision, documents=True), route)
         document: dict[str, Any] = json.loads(reply.model_document)
         return document
 
-    def _again(self, call: Callable[[], T]) -> T:
+    def _again(self, call: Callable[[Replica], T], route: str) -> T:
         """Makes a call that changes nothing again where the connection breaks."""
         begun = time.monotonic()
         while True:
+            replica = self._farm.best(route)
             try:
-                answer = call()
+                answer = call(replica)
             except grpc.RpcError as failure:
-                late = time.monotonic() - begun > RECONNECT
-                if late or not self._reached or not is_broken(failure):
-                    raise from_rpc(failure) from None
-                time.sleep(BETWEEN_TRIES)
+                error = from_rpc(failure)
+                if not (is_broken(failure) and
+                        self._farm.may_try_again(replica, begun, error.retry_after)):
+                    raise error from None
             else:
-                self._reached = True
+                replica.reached = True
                 return answer
 
 
-def connect(address: str | None = None, *, tls_ca: os.PathLike[str] | str | None = None,
+def connect(address: str | Sequence[str] | None = None, *, patience: float = RECONNECT,
+            tls_ca: os.PathLike[str] | str | None = None,
             tls_cert: os.PathLike[str] | str | None = None,
             tls_key: os.PathLike[str] | str | None = None,
             token_file: os.PathLike[str] | str | None = None) -> Daemon:
     """A connection to a daemon; nothing is sent before the first request.
 
     address: `HOST:PORT`, `unix:/PATH`, or `local` for a daemon that is started for it, as by
-    `local()`. Default: REMESH_ADDRESS, else 127.0.0.1:50051. The others are PEM files of TLS, and
-    a file with a token. Raises OSError where a file cannot be read, InvalidRequest for a token
-    that would go in the clear to another machine.
+    `local()`; or several, as a list or with commas between, of daemons that share a tier: each loop
+    goes to one of them, and to the next where that is not available. Default: REMESH_ADDRESS, else
+    127.0.0.1:50051. patience: s for which a request is sent again where none is available. The
+    others are PEM files of TLS, and a file with a token. Raises OSError where a file cannot be
+    read, InvalidRequest for a token that would go in the clear to another machine, ValueError for
+    no address.
     """
-    address = address_or_default(address)
-    if address == "local":
+    addresses = addresses_or_default(address)
+    if addresses == ["local"]:
         return local()
-    return Daemon(address, Access(tls_ca, tls_cert, tls_key, token_file))
+    return Daemon(addresses, Access(tls_ca, tls_cert, tls_key, token_file), patience=patience)
 
 
 def local(program: os.PathLike[str] | str | None = None, *options: str) -> Daemon:
@@ -226,7 +245,7 @@ def local(program: os.PathLike[str] | str | None = None, *options: str) -> Daemo
     """
     started = LocalDaemon(program, options)
     try:
-        return Daemon(started.address, local=started)
+        return Daemon([started.address], local=started)
     except BaseException:
         started.stop()
         raise

@@ -105,9 +105,10 @@ class Part(Revision):
 
     def __init__(self, daemon: Daemon, info: revision_pb2.RevisionInfo, report: report_pb2.Report,
                  exchange: Exchange | None = None, durable: bool = False,
-                 head_conflict: bool = False) -> None:
+                 head_conflict: bool = False, route: str | None = None) -> None:
         super().__init__(info, report, exchange, durable, head_conflict)
         self._daemon = daemon
+        self._route: str = route or info.design or info.root
 
     def edit(self, *edits: EditLike, options: Mapping[str, Any] | None = None, mesh: bool = True,
              file: bool | None = None, progress: OnProgress | None = None,
@@ -125,36 +126,36 @@ class Part(Revision):
         KeyboardInterrupt cancels the computation.
         """
         return self._daemon._make(edit_of(
-            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress),
-            timeout)
+            self.revision, edits, parameters, options or {}, file, mesh, self._base(), progress,
+            self._route), timeout)
 
     def mesh(self) -> Mesh:
         """Its mesh; the same object each time. Raises RemeshError."""
         if self._mesh is None:
-            if self._exchange is not None:
-                self._daemon._stream.wait(self._exchange, lambda exchange: exchange.done)
+            if self._exchange is not None and self._exchange.carrier is not None:
+                self._exchange.carrier.wait(self._exchange, lambda exchange: exchange.done)
             content = self._content()
             if content is None:  # not asked for, or damaged on its way
-                content = self._daemon._fetch(self.revision)
-            self._mesh = Mesh(content, self._daemon._write_file, self._areas())
+                content = self._daemon._fetch(self.revision, self._route)
+            self._mesh = Mesh(content, self._write_file, self._areas())
             self._exchange = None
         return self._mesh
 
     def write(self, path: os.PathLike[str] | str) -> Path:
         """As Mesh.write, without the mesh coming here."""
-        return self._daemon._write_file(self.revision, path)
+        return self._write_file(self.revision, path)
 
     def velocities(self, *parameters: str) -> dict[str, Velocity]:
         """d(node)/d(parameter) of its mesh, for each parameter: of the model, `radius`, or of a
         feature, `hole.radius`; default: all of the model. Raises RemeshError."""
-        return self._daemon._velocities(self.revision, parameters)
+        return self._daemon._velocities(self.revision, parameters, self._route)
 
     def gradient(self, seed: npt.ArrayLike, *parameters: str) -> dict[str, Derivative]:
         """From d(function)/d(node), (n, 3) by node of Mesh.all_points, to d(function)/d(parameter).
 
         parameters: as of `velocities`. Raises RemeshError; ValueError for a seed of another shape.
         """
-        return self._daemon._gradient(self.revision, seed, parameters)
+        return self._daemon._gradient(self.revision, seed, parameters, self._route)
 
     def horizon(self, *parameters: str, hold: float | None = None) -> dict[str, Horizon]:
         """How far each parameter may go, alone, before the connectivity changes.
@@ -162,8 +163,11 @@ class Part(Revision):
         parameters: as of `velocities`. hold: as rc.Options; default: this part's. Every value tried
         is meshed and verified, so it takes some dozen edits' time. Raises RemeshError.
         """
-        return self._daemon._horizon(self.revision, parameters, hold)
+        return self._daemon._horizon(self.revision, parameters, hold, self._route)
 
     def document(self) -> dict[str, Any]:
         """The model, as a document; expressions as written."""
-        return self._daemon._document(self.revision)
+        return self._daemon._document(self.revision, self._route)
+
+    def _write_file(self, revision: str, path: os.PathLike[str] | str) -> Path:
+        return self._daemon._write_file(revision, path, self._route)

@@ -1,0 +1,233 @@
+#include "server/session/shared_revisions.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "engine/base/error.h"
+#include "server/limits.h"
+#include "server/session/revision_id.h"
+#include "server/store/journal_line.h"
+#include "server/store/packed_text.h"
+#include "server/tier/sealed_object.h"
+
+namespace remeshd {
+namespace {
+
+constexpr const char* kRecipe = "recipe";
+constexpr const char* kPack = "pack";
+// Longer chains are not written (packs.cpp).
+constexpr std::size_t kMostBases = 64;
+// Meshes that wait for a tier: the recipes of more are written all the same.
+constexpr std::size_t kMostWaiting = 100'000;
+
+std::uint64_t first_digits(const std::string& id) {
+  std::uint64_t digits = 0;
+  std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), digits, 16);
+  return digits;
+}
+
+/// What a revision is, whatever store has it.
+std::string line_of(RevisionRecord record, const std::string& packed_recipe) {
+  record.bytes = 0;
+  record.base.clear();
+  record.pinned = false;
+  return write_journal_line({.transaction = {AddRevision{std::move(record), packed_recipe}}});
+}
+
+/// What a record and its recipe tell, of a revision of that id. Throws WrongObject.
+SharedRevisions::Known known_of(RevisionRecord record, std::string packed_recipe,
+                                const std::string& id) {
+  SharedRevisions::Known known{.record = std::move(record),
+                               .packed_recipe = std::move(packed_recipe)};
+  try {
+    known.recipe = read_recipe(unpacked(known.packed_recipe));
+  } catch (const Error& why) {
+    throw WrongObject("its recipe cannot be read: " + why.info().message);
+  }
+  const Recipe& recipe = known.recipe;
+  if (known.record.id != id || recipe.revision != id || known.record.parent != recipe.parent)
+    throw WrongObject("it tells of another revision");
+  if (revision_id(recipe.model, recipe.options, recipe.parent, recipe.algorithm_version) != id)
+    throw WrongObject("its recipe gives another revision");
+  return known;
+}
+
+/// The same of a line. Throws WrongObject.
+SharedRevisions::Known known_in(const std::string& line, const std::string& id) {
+  auto read = read_journal_line(line);
+  auto* added = read && read->transaction.size() == 1
+                    ? std::get_if<AddRevision>(&read->transaction.front())
+                    : nullptr;
+  if (added == nullptr) throw WrongObject("it tells of no revision");
+  return known_of(std::move(added->record), std::move(added->recipe.bytes), id);
+}
+
+}  // namespace
+
+SharedRevisions::SharedRevisions(Sharing sharing, std::string tenant, Store& store)
+    : sharing_(std::move(sharing)),
+      prefix_(tenant.empty() ? "" : "tenants/" + tenant + "/"),
+      store_(store),
+      outbox_(store.folder() / "outbox", [this](const std::string& name) { write(name); }) {}
+
+std::string SharedRevisions::key_of(const std::string& kind, const std::string& id) const {
+  return prefix_ + kind + "/" + id.substr(0, 2) + "/" + id;
+}
+
+void SharedRevisions::refuse(const std::string& key, std::string_view object,
+                             std::string_view why) {
+  {
+    const std::scoped_lock lock(mutex_);
+    wrong_.insert(key);
+  }
+  std::string name = key;
+  std::ranges::replace(name, '/', '-');
+  const std::string note = store_.quarantine("tier-" + name, object, why);
+  if (sharing_.tell) sharing_.tell(key + " is not used: " + std::string(why) + "; " + note);
+}
+
+bool SharedRevisions::is_wrong(const std::string& key) const {
+  const std::scoped_lock lock(mutex_);
+  return wrong_.contains(key);
+}
+
+std::optional<std::string> SharedRevisions::read(const std::string& key) {
+  if (is_wrong(key)) return std::nullopt;
+  const auto object = sharing_.objects->get(key);
+  if (!object) return std::nullopt;
+  try {
+    return unsealed(key, *object, sharing_.farm_key);
+  } catch (const WrongObject& why) {
+    refuse(key, *object, why.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<SharedRevisions::Known> SharedRevisions::find(const std::string& id) {
+  if (auto known = find_recipe(id)) return known;
+  auto found = mesh(id);  // which tells its recipe too
+  if (!found) return std::nullopt;
+  return std::move(found->known);
+}
+
+std::optional<SharedRevisions::Known> SharedRevisions::find_recipe(const std::string& id) {
+  const std::string key = key_of(kRecipe, id);
+  const auto line = read(key);
+  if (!line) return std::nullopt;
+  try {
+    Known known = known_in(*line, id);
+    const std::scoped_lock lock(mutex_);
+    published_.insert(first_digits(id));
+    return known;
+  } catch (const WrongObject& why) {
+    refuse(key, *line, why.what());
+    return std::nullopt;
+  }
+}
+
+bool SharedRevisions::has_mesh(const std::string& id, double within) {
+  const std::string key = key_of(kPack, id);
+  return !is_wrong(key) && sharing_.objects->has(key, within);
+}
+
+std::optional<SharedRevisions::Mesh> SharedRevisions::mesh(const std::string& id) {
+  const std::string key = key_of(kPack, id);
+  auto pack = read(key);
+  if (!pack) return std::nullopt;
+  try {
+    const auto head = Packs::head_in(*pack);
+    if (!head || head->recipe.empty()) throw WrongObject("it is no pack of this version");
+    Known known = known_of(head->record, head->recipe, id);
+    if (auto told = find_recipe(id)) {  // when it was made, and how long that took
+      known.record.created_ns = told->record.created_ns;
+      known.record.seconds = std::move(told->record.seconds);
+    }
+    return Mesh{std::move(known), std::move(*pack)};
+  } catch (const WrongObject& why) {
+    refuse(key, *pack, why.what());
+    return std::nullopt;
+  }
+}
+
+std::vector<SharedRevisions::Mesh> SharedRevisions::meshes(const std::string& id) {
+  std::vector<Mesh> chain;
+  const auto stored = [&](const std::string& each) {
+    return store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(each); });
+  };
+  for (std::string next = id; !next.empty() && !stored(next);) {
+    auto found = chain.size() < kMostBases ? mesh(next) : std::nullopt;
+    if (!found) return {};
+    next = found->known.record.base;
+    chain.push_back(std::move(*found));
+  }
+  std::ranges::reverse(chain);
+  return chain;
+}
+
+void SharedRevisions::put_away(const Mesh& mesh, std::string_view why) {
+  refuse(key_of(kPack, mesh.known.record.id), mesh.pack, why);
+}
+
+void SharedRevisions::publish(const std::string& id) {
+  std::vector<std::string> fresh;
+  for (std::string next = id; !next.empty();) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!published_.insert(first_digits(next)).second) break;
+    }
+    fresh.push_back(next);
+    const auto record =
+        store_.read([&](Catalogue& catalogue) { return catalogue.revision(next); });
+    next = record ? record->parent : "";
+  }
+  // Ancestors first: nothing in the tier is to want for what it is made of.
+  for (auto each = fresh.rbegin(); each != fresh.rend(); ++each) {
+    outbox_.add(std::string(kRecipe) + "-" + *each);
+    if (outbox_.size() < kMostWaiting) outbox_.add(std::string(kPack) + "-" + *each);
+  }
+  if (!sharing_.acknowledge_in_tier) return;
+  for (auto each = fresh.rbegin(); each != fresh.rend(); ++each)
+    outbox_.write_now(std::string(kRecipe) + "-" + *each);
+  outbox_.write_now(std::string(kRecipe) + "-" + id);
+}
+
+void SharedRevisions::mend(const std::string& id) {
+  for (const char* const kind : {kRecipe, kPack})
+    if (is_wrong(key_of(kind, id))) outbox_.add(std::string(kind) + "-" + id);
+}
+
+void SharedRevisions::offer(const std::string& id) {
+  mend(id);
+  outbox_.add(std::string(kPack) + "-" + id);
+}
+
+std::optional<std::string> SharedRevisions::content_of(const std::string& kind,
+                                                       const std::string& id) {
+  try {
+    if (kind == kPack) return store_.pack(id);
+    const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
+    const std::string recipe = store_.recipe(id);
+    if (!record || recipe.empty()) return std::nullopt;
+    return line_of(*record, Store::packed_recipe(recipe));
+  } catch (const Error&) {
+    return std::nullopt;  // gone, or damaged: it is written when it has been made again
+  }
+}
+
+void SharedRevisions::write(const std::string& name) {
+  const std::size_t dash = name.find('-');
+  if (dash == std::string::npos || !is_full_id(name.substr(dash + 1))) return;  // not ours
+  const std::string kind = name.substr(0, dash), id = name.substr(dash + 1);
+  const std::string key = key_of(kind, id);
+  const bool wrong = is_wrong(key);
+  if (kind == kPack && !wrong && sharing_.objects->has(key, limits::kTierAnswer)) return;
+  const auto content = content_of(kind, id);
+  if (!content) return;
+  sharing_.objects->put(key, sealed(key, *content, sharing_.farm_key));
+  if (!wrong) return;
+  const std::scoped_lock lock(mutex_);
+  wrong_.erase(key);
+}
+
+}  // namespace remeshd

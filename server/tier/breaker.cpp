@@ -1,0 +1,73 @@
+#include "server/tier/breaker.h"
+
+#include <type_traits>
+#include <utility>
+
+#include "server/limits.h"
+#include "server/tier/tier_error.h"
+
+namespace remeshd {
+namespace {
+
+// One failure may be that of a single connection.
+constexpr int kFailures = 3;
+
+}  // namespace
+
+Breaker::Breaker(std::unique_ptr<ObjectStore> store, std::function<void(const std::string&)> tell,
+                 std::function<Clock::time_point()> now)
+    : store_(std::move(store)), tell_(std::move(tell)), now_(std::move(now)) {}
+
+void Breaker::begin() {
+  const std::scoped_lock lock(mutex_);
+  if (failures_ < kFailures) return;
+  const auto now = now_();
+  if (now < closed_from_)
+    throw error::tier_unavailable(why_, std::chrono::duration<double>(closed_from_ - now).count());
+  closed_from_ = now + limits::kTierRest;  // this one tries, and others hear of it
+}
+
+void Breaker::note_success() {
+  const std::scoped_lock lock(mutex_);
+  if (std::exchange(failures_, 0) >= kFailures && tell_) tell_("");
+}
+
+void Breaker::note_failure(const std::string& why) {
+  const std::scoped_lock lock(mutex_);
+  if (++failures_ < kFailures) return;
+  closed_from_ = now_() + limits::kTierRest;
+  why_ = why;
+  if (failures_ == kFailures && tell_) tell_(why);
+}
+
+template <typename Work>
+auto Breaker::tried(Work&& work) {
+  begin();
+  try {
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      note_success();
+    } else {
+      auto result = work();
+      note_success();
+      return result;
+    }
+  } catch (const Error& failure) {
+    note_failure(failure.info().message);
+    throw;
+  }
+}
+
+bool Breaker::has(const std::string& key, double within) {
+  return tried([&] { return store_->has(key, within); });
+}
+
+std::optional<std::string> Breaker::get(const std::string& key) {
+  return tried([&] { return store_->get(key); });
+}
+
+void Breaker::put(const std::string& key, const std::string& bytes) {
+  tried([&] { store_->put(key, bytes); });
+}
+
+}  // namespace remeshd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "server/tier/object_store.h"
+
+namespace remeshd {
+
+/// Leaves a store that fails alone for a while: after some failures in a row whatever is asked of
+/// it fails at once; then one request tries it, and where that goes well all do again.
+class Breaker final : public ObjectStore {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// `tell`: hears when the store is left alone, and why, and when it answers again (an empty text);
+  /// must not call back; may be empty. `now`: a clock for tests.
+  explicit Breaker(std::unique_ptr<ObjectStore> store,
+                   std::function<void(const std::string& why)> tell = {},
+                   std::function<Clock::time_point()> now = &Clock::now);
+
+  [[nodiscard]] bool has(const std::string& key, double within) override;
+  [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
+  void put(const std::string& key, const std::string& bytes) override;
+
+ private:
+  template <typename Work>
+  auto tried(Work&& work);
+  void begin();
+  void note_success();
+  void note_failure(const std::string& why);
+
+  const std::unique_ptr<ObjectStore> store_;
+  const std::function<void(const std::string&)> tell_;
+  const std::function<Clock::time_point()> now_;
+  std::mutex mutex_;  ///< guards what follows
+  int failures_ = 0;  ///< in a row
+  Clock::time_point closed_from_;  ///< the store is left alone until then
+  std::string why_;
+};
+
+}  // namespace remeshd

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "server/tier/object_store.h"
+
+namespace remeshd {
+
+/// Objects as files below a folder that all daemons reach, on a file system of the network. A file
+/// is there whole or not at all.
+class FolderObjects final : public ObjectStore {
+ public:
+  /// Makes the folder if need be. Throws Error(TIER_UNAVAILABLE).
+  explicit FolderObjects(std::filesystem::path folder);
+
+  [[nodiscard]] bool has(const std::string& key, double within) override;
+  [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
+  void put(const std::string& key, const std::string& bytes) override;
+
+ private:
+  const std::filesystem::path folder_;
+};
+
+}  // namespace remeshd

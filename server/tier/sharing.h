@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/tier/object_store.h"
+
+namespace remeshd {
+
+/// What opens the shared tier.
+struct TierSecrets {
+  std::string farm_key;                ///< of all daemons of the farm
+  std::string access_key, secret_key;  ///< of an S3 bucket
+};
+
+/// The shared tier, as the sessions of all tenants use it.
+struct Sharing {
+  std::shared_ptr<ObjectStore> objects{};  ///< null: none
+  std::string farm_key{};
+  /// An edit is acknowledged when the tier has its recipe; else when the local store has it.
+  bool acknowledge_in_tier = false;
+  std::function<void(const std::string&)> tell{};  ///< hears lines for the log; may be empty
+};
+
+/// Whether the place of a tier is that of an HTTP server, not a folder.
+bool is_http(const std::string& place);
+
+/// The objects at a place, `http://...`, `https://...` or a folder, behind a breaker. `s3_region`:
+/// as HttpAccess::region. `tell`: as Sharing::tell. Throws Error(TIER_UNAVAILABLE) for a folder
+/// that cannot be made.
+std::shared_ptr<ObjectStore> open_objects(const std::string& place, const std::string& s3_region,
+                                          const TierSecrets& secrets,
+                                          const std::function<void(const std::string&)>& tell);
+
+}  // namespace remeshd

@@ -1,0 +1,16 @@
+#include "server/tier/tier_error.h"
+
+#include <string>
+
+namespace remeshd::error {
+
+Error tier_unavailable(std::string_view why, double retry_after) {
+  return Error({.kind = ErrorKind::Unavailable,
+                .reason = "TIER_UNAVAILABLE",
+                .message = "the shared tier cannot be used: " + std::string(why),
+                .stage = "store",
+                .hint = "try again later; the daemon's log tells when it answers again",
+                .retry_after = retry_after});
+}
+
+}  // namespace remeshd::error

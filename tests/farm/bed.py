@@ -1,0 +1,234 @@
+"""A farm on this machine: replicas of remeshd, and the tier that they share."""
+import http.client
+import os
+import secrets
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import threading
+import time
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+
+class FaultyTier:
+    """Objects in memory over HTTP, by a server that can fail.
+
+    mode: `well`; `failing`: answers 500; `full`: refuses PUT with 507; `cutting`: half of each
+    body, then the end; `silent`: takes requests and never answers; `down`: nobody listens.
+    """
+
+    def __init__(self):
+        self.objects = {}
+        self._mode = "well"
+        self._server = None
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self._port = free.getsockname()[1]
+        self.url = f"http://127.0.0.1:{self._port}/farm"
+        self._listen()
+
+    @property
+    def mode(self):
+        return self._mode
+
+    @mode.setter
+    def mode(self, mode):
+        before, self._mode = self._mode, mode
+        if mode == "down":
+            self._end()
+        elif before == "down":
+            self._listen()
+
+    def _listen(self):
+        tier = self
+
+        class Handler(BaseHTTPRequestHandler):
+            protocol_version = "HTTP/1.1"
+
+            def log_message(self, *_):
+                pass
+
+            def _answer(self, status, body=b""):
+                if tier.mode == "silent":
+                    while tier.mode == "silent":
+                        time.sleep(.02)
+                    self.close_connection = True
+                    return
+                if tier.mode == "failing":
+                    status, body = 500, b"out of order"
+                self.send_response(status)
+                self.send_header("Content-Length", str(len(body)))
+                self.end_headers()
+                if self.command == "HEAD":
+                    return
+                if tier.mode == "cutting" and body:
+                    self.wfile.write(body[:len(body) // 2])
+                    self.close_connection = True
+                else:
+                    self.wfile.write(body)
+
+            def do_GET(self):
+                found = tier.objects.get(self.path)
+                self._answer(404 if found is None else 200, found or b"")
+
+            do_HEAD = do_GET
+
+            def do_PUT(self):
+                body = self.rfile.read(int(self.headers["Content-Length"]))
+                if tier.mode == "full":
+                    return self._answer(507)
+                if tier.mode in ("well", "cutting"):
+                    tier.objects[self.path] = body
+                self._answer(201)
+
+        self._server = ThreadingHTTPServer(("127.0.0.1", self._port), Handler)
+        self._server.daemon_threads = True
+        threading.Thread(target=self._server.serve_forever, daemon=True).start()
+
+    def _end(self):
+        self._server.shutdown()
+        self._server.server_close()
+        self._server = None
+
+    def clear(self):
+        self.objects.clear()
+
+    def stop(self):
+        if self._server is not None:
+            self.mode = "down"
+
+
+class NginxTier:
+    """A folder behind Debian's nginx by WebDAV."""
+
+    def __init__(self, folder):
+        self._folder = Path(folder)
+        for name in ("objects", "temp"):
+            (self._folder / name).mkdir(parents=True)
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            self._port = free.getsockname()[1]
+        self.url = f"http://127.0.0.1:{self._port}"
+        (self._folder / "nginx.conf").write_text(f"""
+worker_processes 1; daemon off; pid {self._folder}/pid; error_log {self._folder}/error.log;
+{"user root;" if os.geteuid() == 0 else ""}
+events {{}}
+http {{
+  access_log off; client_max_body_size 0; client_body_temp_path {self._folder}/temp;
+  keepalive_requests 100000;
+  server {{
+    listen 127.0.0.1:{self._port};
+    location / {{
+      root {self._folder}/objects; dav_methods PUT; create_full_put_path on;
+    }}
+  }}
+}}""")
+        self._process = None
+        self.start()
+
+    def start(self):
+        self._process = subprocess.Popen(["nginx", "-p", self._folder, "-c",
+                                          self._folder / "nginx.conf"], stderr=subprocess.DEVNULL)
+        wait_for_port(self._port)
+
+    def clear(self):
+        for entry in (self._folder / "objects").iterdir():
+            shutil.rmtree(entry)
+
+    def stop(self):
+        if self._process is not None:
+            self._process.terminate()
+            self._process.wait()
+            self._process = None
+
+
+def wait_for_port(port):
+    for _ in range(500):
+        try:
+            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=1)
+            connection.connect()
+            connection.close()
+            return
+        except OSError:
+            time.sleep(.02)
+    raise TimeoutError(f"nobody listens on port {port}")
+
+
+class Replica:
+    """One daemon with a store of its own; started again it has the address that it had."""
+
+    def __init__(self, program, folder, options):
+        self._program, self._folder, self._options = program, Path(folder), options
+        self._folder.mkdir(parents=True)
+        self.address = ""
+        self.process = None
+        self.start()
+
+    def start(self):
+        port_file = self._folder / "port"
+        port_file.unlink(missing_ok=True)
+        self.process = subprocess.Popen(
+            [self._program, "--listen", self.address or "127.0.0.1:0", "--store",
+             self._folder / "store", "--port-file", port_file, "--log-file", self._folder / "log",
+             *self._options])
+        for _ in range(1000):
+            if port_file.exists() and port_file.read_text().strip():
+                break
+            if self.process.poll() is not None:
+                raise RuntimeError((self._folder / "log").read_text())
+            time.sleep(.01)
+        self.address = port_file.read_text().split()[0]
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+            self.process.wait()
+
+    def log(self):
+        return (self._folder / "log").read_text()
+
+    def lose_store(self):
+        """As a machine that is replaced. Pre: it does not run."""
+        shutil.rmtree(self._folder / "store")
+
+
+class Bed:
+    """Replicas over a tier; a context manager."""
+
+    def __init__(self, program, tier, replicas=3, acknowledge="tier", options=()):
+        self.folder = Path(tempfile.mkdtemp(prefix="remesh-farm-"))
+        key = self.folder / "key"
+        key.write_text(secrets.token_hex(16))
+        key.chmod(0o600)
+        self.tier = tier(self.folder / "tier") if tier is NginxTier else tier()
+        self._options = ["--tier", self.tier.url, "--tier-key-file", key, "--tier-ack",
+                         acknowledge, "--workers", "1", "--grace", "2", *options]
+        self._program = program
+        self.replicas = []
+        for _ in range(replicas):
+            self.add()
+
+    def add(self):
+        self.replicas.append(Replica(self._program, self.folder / f"replica{len(self.replicas)}",
+                                     self._options))
+        return self.replicas[-1]
+
+    @property
+    def addresses(self):
+        return [replica.address for replica in self.replicas]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for replica in self.replicas:
+            replica.stop()
+        self.tier.stop()
+        shutil.rmtree(self.folder, ignore_errors=True)

@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""Loops go on where replicas are killed.
+
+    PYTHONPATH=build/client/python tests/farm/kills.py build/bin/remeshd [--kills 50] [--lose-stores]
+
+Three replicas share a tier, which has each edit before it is acknowledged. While loops run, one
+after another is killed and started again, at any moment, or, with --lose-stores, without what it
+had. Exits with 1 where a client saw an error, or one byte differs from what one daemon makes.
+"""
+import argparse
+import random
+import sys
+import time
+
+from bed import Bed, FaultyTier, NginxTier
+from loops import Loop, differences, reference, run_all
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("remeshd")
+    parser.add_argument("--kills", type=int, default=50)
+    parser.add_argument("--loops", type=int, default=3)
+    parser.add_argument("--edits", type=int, default=40)
+    parser.add_argument("--nodes", type=int, default=2000)
+    parser.add_argument("--nginx", action="store_true", help="the tier is nginx")
+    parser.add_argument("--lose-stores", action="store_true")
+    arguments = parser.parse_args()
+    size = (arguments.loops, arguments.edits, arguments.nodes)
+    right = reference(arguments.remeshd, *size)
+    chance, kills, rounds, wrong = random.Random(1), 0, 0, []
+    begun = time.monotonic()
+    with Bed(arguments.remeshd, NginxTier if arguments.nginx else FaultyTier) as bed:
+        while kills < arguments.kills and not wrong:
+            rounds += 1
+            if rounds > 1:  # nothing of the loops is known yet
+                for replica in bed.replicas:
+                    replica.kill()
+                    replica.lose_store()
+                bed.tier.clear()
+                for replica in bed.replicas:
+                    replica.start()
+            loops = [Loop(number, *size[1:]) for number in range(arguments.loops)]
+            threads = run_all(loops, bed.addresses)
+            while any(thread.is_alive() for thread in threads):
+                time.sleep(chance.uniform(.05, .8))
+                if kills >= arguments.kills or not any(t.is_alive() for t in threads):
+                    continue
+                victim = chance.choice(bed.replicas)
+                victim.kill()
+                if arguments.lose_stores:
+                    victim.lose_store()
+                time.sleep(chance.uniform(0, .3))
+                victim.start()
+                kills += 1
+            wrong = differences(loops, right)
+            longest = max(loop.longest for loop in loops)
+            print(f"round {rounds}: {kills} kills so far, longest edit {longest:.2f} s", flush=True)
+    seconds = time.monotonic() - begun
+    print(f"{kills} kills in {rounds} x {arguments.loops} loops of {arguments.edits} edits, "
+          f"{seconds:.0f} s: {len(wrong)} wrong", *wrong, sep="\n  ")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

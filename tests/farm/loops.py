@@ -1,0 +1,73 @@
+"""Loops of edits, and what each revision of theirs has to be."""
+import hashlib
+import random
+import threading
+import time
+from pathlib import Path
+
+import remesh_client as rc
+
+MODEL = Path(__file__).parent.parent / "cases/tool1-a.json"
+
+
+class Loop:
+    """A first mesh and edits of it, one of the other, the same for the same number."""
+
+    def __init__(self, number, edits, nodes):
+        chance = random.Random(number)
+        self.number, self.nodes = number, nodes
+        self.radii = [round(chance.uniform(4, 6), 3) for _ in range(edits)]
+        self.made = []  # (id, digest of the mesh) of each revision
+        self.longest = 0.0  # s that an edit took with its mesh
+        self.error = None
+
+    def run(self, daemon, after_each=lambda: None):
+        part = daemon.mesh(MODEL, nodes=self.nodes, seed=self.number + 1, file=False)
+        self._note(part)
+        for radius in self.radii:
+            begun = time.monotonic()
+            part = part.edit(pin_radius=radius, file=False)
+            self._note(part)
+            self.longest = max(self.longest, time.monotonic() - begun)
+            after_each()
+
+    def _note(self, part):
+        mesh = part.mesh()
+        arrays = hashlib.sha256(mesh.points.tobytes())
+        arrays.update(mesh.tets.tobytes())
+        self.made.append((part.revision, arrays.hexdigest()))
+
+
+def reference(program, count, edits, nodes):
+    """What loops have to be: those of one daemon alone."""
+    with rc.local(program) as daemon:
+        loops = [Loop(number, edits, nodes) for number in range(count)]
+        for loop in loops:
+            loop.run(daemon)
+        return loops
+
+
+def run_all(loops, addresses, patience=60.0, after_each=lambda: None):
+    """Side by side, each with a client of its own; an error of one stands in it."""
+    def run(loop):
+        try:
+            with rc.connect(addresses, patience=patience) as daemon:
+                loop.run(daemon, after_each)
+        except Exception as why:  # pylint: disable=broad-except
+            loop.error = why
+    threads = [threading.Thread(target=run, args=[loop]) for loop in loops]
+    for thread in threads:
+        thread.start()
+    return threads
+
+
+def differences(loops, references):
+    """What is not as it has to be, a line each."""
+    lines = []
+    for loop, right in zip(loops, references):
+        if loop.error is not None:
+            lines.append(f"loop {loop.number} after {len(loop.made)} revisions: {loop.error!r}")
+        elif loop.made != right.made:
+            wrong = [n for n, (a, b) in enumerate(zip(loop.made, right.made)) if a != b]
+            lines.append(f"loop {loop.number}: revisions {wrong} are others")
+    return lines
