@@ -13,6 +13,12 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 
+def free_port():
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        return free.getsockname()[1]
+
+
 class FaultyTier:
     """Objects in memory over HTTP, by a server that can fail.
 
@@ -24,9 +30,7 @@ class FaultyTier:
         self.objects = {}
         self._mode = "well"
         self._server = None
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self._port = free.getsockname()[1]
+        self._port = free_port()
         self.url = f"http://127.0.0.1:{self._port}/farm"
         self._listen()
 
@@ -52,9 +56,10 @@ class FaultyTier:
                 pass
 
             def _answer(self, status, body=b""):
-                if tier.mode == "silent":
-                    while tier.mode == "silent":
-                        time.sleep(.02)
+                while tier.mode == "silent":
+                    time.sleep(.02)
+                    self.close_connection = True
+                if tier.mode == "down" or self.close_connection:
                     self.close_connection = True
                     return
                 if tier.mode == "failing":
@@ -108,9 +113,7 @@ class NginxTier:
         self._folder = Path(folder)
         for name in ("objects", "temp"):
             (self._folder / name).mkdir(parents=True)
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self._port = free.getsockname()[1]
+        self._port = free_port()
         self.url = f"http://127.0.0.1:{self._port}"
         (self._folder / "nginx.conf").write_text(f"""
 worker_processes 1; daemon off; pid {self._folder}/pid; error_log {self._folder}/error.log;
@@ -160,8 +163,11 @@ def wait_for_port(port):
 class Replica:
     """One daemon with a store of its own; started again it has the address that it had."""
 
-    def __init__(self, program, folder, options):
+    def __init__(self, program, folder, options, metrics=False):
         self._program, self._folder, self._options = program, Path(folder), options
+        self.metrics_address = f"127.0.0.1:{free_port()}" if metrics else ""
+        if metrics:
+            self._options = [*options, "--metrics", self.metrics_address]
         self._folder.mkdir(parents=True)
         self.address = ""
         self.process = None
@@ -202,7 +208,8 @@ class Replica:
 class Bed:
     """Replicas over a tier; a context manager."""
 
-    def __init__(self, program, tier, replicas=3, acknowledge="tier", options=()):
+    def __init__(self, program, tier, replicas=3, acknowledge="tier", options=(),
+                 metrics=False):
         self.folder = Path(tempfile.mkdtemp(prefix="remesh-farm-"))
         key = self.folder / "key"
         key.write_text(secrets.token_hex(16))
@@ -210,14 +217,14 @@ class Bed:
         self.tier = tier(self.folder / "tier") if tier is NginxTier else tier()
         self._options = ["--tier", self.tier.url, "--tier-key-file", key, "--tier-ack",
                          acknowledge, "--workers", "1", "--grace", "2", *options]
-        self._program = program
+        self._program, self._metrics = program, metrics
         self.replicas = []
         for _ in range(replicas):
             self.add()
 
     def add(self):
         self.replicas.append(Replica(self._program, self.folder / f"replica{len(self.replicas)}",
-                                     self._options))
+                                     self._options, self._metrics))
         return self.replicas[-1]
 
     @property

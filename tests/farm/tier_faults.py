@@ -54,7 +54,7 @@ def try_mode(mode, program, right, edits, nodes):
                 daemon.open(last)
                 wrong.append("another replica knows what the tier has not got")
             except rc.RemeshError as why:
-                if why.reason != "TIER_UNAVAILABLE" and mode not in ("full", "cutting"):
+                if why.reason != "TIER_UNAVAILABLE" and mode != "full":
                     wrong.append(f"another replica says {why.reason}: {why}")
         bed.tier.mode = "well"
         if not settled(bed, [each for each, _ in loop.made]):

@@ -11,6 +11,7 @@ import grpc
 from remesh_client._connection import Access, channel_options
 from remesh_client._exchange import BETWEEN_TRIES
 from remesh_client._stream import EditStream
+from remesh_client.errors import RemeshError
 from remesh_client.v1 import remesh_pb2_grpc
 
 AWAY = 1.0  # s for which a replica that did not answer is passed over
@@ -56,35 +57,58 @@ class Farm:
 
     def __init__(self, addresses: Sequence[str], access: Access, patience: float) -> None:
         """patience: s for which a request is tried again where none answers."""
-        self._patience = patience
+        self.patience = patience
         self.replicas = [Replica(address, access, len(addresses) == 1) for address in addresses]
 
     @property
     def several(self) -> bool:
         return len(self.replicas) > 1
 
-    def best(self, route: str) -> Replica:
-        now = time.monotonic()
-        ranked = sorted(self.replicas, reverse=True, key=lambda replica: hashlib.sha256(
-            f"{replica.address}\n{route}".encode()).digest())
-        here = [replica for replica in ranked if replica.away_until <= now]
-        return here[0] if here else min(ranked, key=lambda replica: replica.away_until)
-
-    def may_try_again(self, replica: Replica, begun: float, retry_after: float | None) -> bool:
-        """After a replica did not answer, or said that it is not available for retry_after s; waits
-        where no other one is there. begun: when the request was first sent."""
-        now = time.monotonic()
-        reached = any(each.reached for each in self.replicas)
-        replica.away_until = now + (retry_after if retry_after is not None
-                                    else AWAY if self.several else BETWEEN_TRIES)
-        wait = min(each.away_until for each in self.replicas) - now
-        if wait <= 0:
-            return True
-        if not reached or now + wait - begun > self._patience:
-            return False
-        time.sleep(wait)
-        return True
-
     def close(self) -> None:
         for replica in self.replicas:
             replica.close()
+
+
+class Search:
+    """The tries of one request."""
+
+    def __init__(self, farm: Farm, route: str) -> None:
+        self._farm = farm
+        self._begun = time.monotonic()
+        self._ranked = sorted(farm.replicas, reverse=True, key=lambda replica: hashlib.sha256(
+            f"{replica.address}\n{route}".encode()).digest())
+
+    def seconds(self) -> float:
+        """Since it began."""
+        return time.monotonic() - self._begun
+
+    def replica(self) -> Replica:
+        """The one to ask now."""
+        now = time.monotonic()
+        here = [replica for replica in self._ranked if replica.away_until <= now]
+        return here[0] if here else min(self._ranked, key=lambda replica: replica.away_until)
+
+    def goes_on(self, replica: Replica, error: RemeshError, broken: bool) -> bool:
+        """Whether `replica()` is to be asked after this one failed; waits where all are away.
+
+        broken: it did not answer. What one does not know another one may, that has not yet given
+        it to the tier.
+        """
+        if not broken or error.reason not in (error.code, "STREAM_ENDED"):
+            replica.reached = True  # it says so itself
+        if error.reason == "REVISION_NOT_FOUND" and len(self._ranked) > 1:
+            self._ranked.remove(replica)
+        elif broken or (self._farm.several and error.code == "UNAVAILABLE"):
+            pause = AWAY if self._farm.several else BETWEEN_TRIES
+            replica.away_until = time.monotonic() + (pause if error.retry_after is None
+                                                     else error.retry_after)
+        else:
+            return False
+        wait = min(each.away_until for each in self._ranked) - time.monotonic()
+        if wait <= 0:
+            return True
+        reached = any(each.reached for each in self._farm.replicas)
+        if not reached or self.seconds() + wait > self._farm.patience:
+            return False
+        time.sleep(wait)
+        return True

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import time
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Callable, Iterable, Iterator, Sequence, TypeVar
@@ -17,7 +16,7 @@ from remesh_client._answers import messages
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client._connection import Access, addresses_or_default
 from remesh_client._exchange import RECONNECT, Exchange, OnProgress, is_broken
-from remesh_client._farm import Farm, Replica
+from remesh_client._farm import Farm, Replica, Search
 from remesh_client._files import FileAssembler, write_whole
 from remesh_client._motion import (Derivative, Horizon, Velocity, VelocityAssembler, gradient,
                                    horizons, seed_bytes)
@@ -121,19 +120,18 @@ class Daemon:
     def _carry(self, exchange: Exchange, timeout: float | None) -> Exchange:
         """Has it answered, by the next replica where one is not available; returns the exchange
         that was."""
-        begun = time.monotonic()
+        search = Search(self._farm, exchange.route)
         while True:
-            replica = self._farm.best(exchange.route)
-            left = None if timeout is None else timeout - (time.monotonic() - begun)
+            replica = search.replica()
+            left = None if timeout is None else timeout - search.seconds()
             replica.stream.send(exchange)
             replica.stream.wait(exchange, lambda sent: sent.has_result, left)
             error = exchange.error
             if error is None:
                 replica.reached = True
                 return exchange
-            if not self._farm.several or not (exchange.broken or error.code == "UNAVAILABLE"):
-                return exchange
-            if not self._farm.may_try_again(replica, begun, error.retry_after):
+            # One daemon alone is waited for by its stream.
+            if not self._farm.several or not search.goes_on(replica, error, exchange.broken):
                 return exchange
             exchange = exchange.again()
 
@@ -199,15 +197,14 @@ class Daemon:
 
     def _again(self, call: Callable[[Replica], T], route: str) -> T:
         """Makes a call that changes nothing again where the connection breaks."""
-        begun = time.monotonic()
+        search = Search(self._farm, route)
         while True:
-            replica = self._farm.best(route)
+            replica = search.replica()
             try:
                 answer = call(replica)
             except grpc.RpcError as failure:
                 error = from_rpc(failure)
-                if not (is_broken(failure) and
-                        self._farm.may_try_again(replica, begun, error.retry_after)):
+                if not search.goes_on(replica, error, is_broken(failure)):
                     raise error from None
             else:
                 replica.reached = True
