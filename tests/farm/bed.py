@@ -1,6 +1,7 @@
 """A farm on this machine: replicas of remeshd, and the tier that they share."""
 import http.client
 import os
+import re
 import secrets
 import shutil
 import signal
@@ -11,6 +12,9 @@ import threading
 import time
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+
+
+BALANCER = Path(__file__).parent.parent.parent / "deploy/cluster/nginx.conf"
 
 
 def free_port():
@@ -106,30 +110,20 @@ class FaultyTier:
             self.mode = "down"
 
 
-class NginxTier:
-    """A folder behind Debian's nginx by WebDAV."""
+class Nginx:
+    """Debian's nginx, in a folder of its own."""
 
-    def __init__(self, folder):
-        self._folder = Path(folder)
-        for name in ("objects", "temp"):
-            (self._folder / name).mkdir(parents=True)
-        self._port = free_port()
-        self.url = f"http://127.0.0.1:{self._port}"
+    def __init__(self, folder, port, http):
+        self._folder, self._port, self._process = Path(folder), port, None
+        (self._folder / "temp").mkdir(parents=True)
         (self._folder / "nginx.conf").write_text(f"""
 worker_processes 1; daemon off; pid {self._folder}/pid; error_log {self._folder}/error.log;
 {"user root;" if os.geteuid() == 0 else ""}
 events {{}}
 http {{
-  access_log off; client_max_body_size 0; client_body_temp_path {self._folder}/temp;
-  keepalive_requests 100000;
-  server {{
-    listen 127.0.0.1:{self._port};
-    location / {{
-      root {self._folder}/objects; dav_methods PUT; create_full_put_path on;
-    }}
-  }}
+  access_log off; client_body_temp_path {self._folder}/temp;
+  {http}
 }}""")
-        self._process = None
         self.start()
 
     def start(self):
@@ -137,15 +131,47 @@ http {{
                                           self._folder / "nginx.conf"], stderr=subprocess.DEVNULL)
         wait_for_port(self._port)
 
-    def clear(self):
-        for entry in (self._folder / "objects").iterdir():
-            shutil.rmtree(entry)
-
     def stop(self):
         if self._process is not None:
             self._process.terminate()
             self._process.wait()
             self._process = None
+
+
+class Balancer(Nginx):
+    """The balancer of deploy/cluster/nginx.conf before these replicas."""
+
+    def __init__(self, folder, addresses):
+        port = free_port()
+        self.address = f"127.0.0.1:{port}"
+        lines = [line.replace("listen 50050", f"listen {self.address}")
+                 for line in BALANCER.read_text().splitlines()]
+        server = next(line for line in lines if line.startswith("  server "))
+        at = lines.index(server)
+        lines = [line for line in lines if not line.startswith("  server ")]
+        lines[at:at] = [re.sub(r"server \S+", f"server {each}", server) for each in addresses]
+        super().__init__(folder, port, "\n".join(lines))
+
+
+class NginxTier(Nginx):
+    """A folder behind nginx by WebDAV."""
+
+    def __init__(self, folder):
+        port = free_port()
+        self.url = f"http://127.0.0.1:{port}"
+        super().__init__(folder, port, f"""
+  client_max_body_size 0; keepalive_requests 100000;
+  server {{
+    listen 127.0.0.1:{port};
+    location / {{
+      root {folder}/objects; dav_methods PUT; create_full_put_path on;
+    }}
+  }}""")
+        (self._folder / "objects").mkdir()
+
+    def clear(self):
+        for entry in (self._folder / "objects").iterdir():
+            shutil.rmtree(entry)
 
 
 def wait_for_port(port):
@@ -218,7 +244,7 @@ class Bed:
         self._options = ["--tier", self.tier.url, "--tier-key-file", key, "--tier-ack",
                          acknowledge, "--workers", "1", "--grace", "2", *options]
         self._program, self._metrics = program, metrics
-        self.replicas = []
+        self.replicas, self._balancer = [], None
         for _ in range(replicas):
             self.add()
 
@@ -231,10 +257,17 @@ class Bed:
     def addresses(self):
         return [replica.address for replica in self.replicas]
 
+    def balance(self):
+        """A balancer before the replicas that there are."""
+        self._balancer = Balancer(self.folder / "balancer", self.addresses)
+        return self._balancer
+
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
+        if self._balancer is not None:
+            self._balancer.stop()
         for replica in self.replicas:
             replica.stop()
         self.tier.stop()

@@ -24,6 +24,8 @@ def main():
     parser.add_argument("--edits", type=int, default=40)
     parser.add_argument("--nodes", type=int, default=2000)
     parser.add_argument("--nginx", action="store_true", help="the tier is nginx")
+    parser.add_argument("--balancer", action="store_true",
+                        help="clients know the address of a balancer alone")
     parser.add_argument("--lose-stores", action="store_true")
     arguments = parser.parse_args()
     size = (arguments.loops, arguments.edits, arguments.nodes)
@@ -31,6 +33,7 @@ def main():
     chance, kills, rounds, wrong = random.Random(1), 0, 0, []
     begun = time.monotonic()
     with Bed(arguments.remeshd, NginxTier if arguments.nginx else FaultyTier) as bed:
+        balancer = bed.balance() if arguments.balancer else None
         while kills < arguments.kills and not wrong:
             rounds += 1
             if rounds > 1:  # nothing of the loops is known yet
@@ -41,7 +44,7 @@ def main():
                 for replica in bed.replicas:
                     replica.start()
             loops = [Loop(number, *size[1:]) for number in range(arguments.loops)]
-            threads = run_all(loops, bed.addresses)
+            threads = run_all(loops, balancer.address if balancer else bed.addresses)
             while any(thread.is_alive() for thread in threads):
                 time.sleep(chance.uniform(.05, .8))
                 if kills >= arguments.kills or not any(t.is_alive() for t in threads):

@@ -115,7 +115,10 @@ class Exchange:
 
 
 def is_broken(failure: grpc.RpcError) -> bool:
-    """The connection broke, or the daemon ended: it cancels its calls then."""
+    """The connection broke, or the daemon ended: it cancels its calls then. A balancer in between
+    resets them, which gRPC takes for an internal error; the daemon's own come with details."""
+    if failure.code() == grpc.StatusCode.INTERNAL:
+        return "RST_STREAM" in (failure.details() or "")
     return failure.code() in (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.CANCELLED)
 
 
