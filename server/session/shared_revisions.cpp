@@ -65,7 +65,7 @@ SharedRevisions::Known known_in(const std::string& line, const std::string& id) 
 
 }  // namespace
 
-SharedRevisions::SharedRevisions(Sharing sharing, std::string tenant, Store& store)
+SharedRevisions::SharedRevisions(Sharing sharing, const std::string& tenant, Store& store)
     : sharing_(std::move(sharing)),
       prefix_(tenant.empty() ? "" : "tenants/" + tenant + "/"),
       store_(store),

@@ -35,7 +35,7 @@ class SharedRevisions {
   };
 
   /// `store` must be persistent and, like the objects, outlive it.
-  SharedRevisions(Sharing sharing, std::string tenant, Store& store);
+  SharedRevisions(Sharing sharing, const std::string& tenant, Store& store);
 
   /// Throws Error(TIER_UNAVAILABLE), as all that follow.
   [[nodiscard]] std::optional<Known> find(const std::string& id);

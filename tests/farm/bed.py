@@ -1,4 +1,5 @@
 """A farm on this machine: replicas of remeshd, and the tier that they share."""
+import collections
 import http.client
 import os
 import re
@@ -10,6 +11,7 @@ import subprocess
 import tempfile
 import threading
 import time
+import urllib.request
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
@@ -30,12 +32,13 @@ class FaultyTier:
     body, then the end; `silent`: takes requests and never answers; `down`: nobody listens.
     """
 
-    def __init__(self):
+    def __init__(self, host="127.0.0.1"):
+        self._host = host
         self.objects = {}
         self._mode = "well"
         self._server = None
         self._port = free_port()
-        self.url = f"http://127.0.0.1:{self._port}/farm"
+        self.url = f"http://{host}:{self._port}/farm"
         self._listen()
 
     @property
@@ -93,8 +96,9 @@ class FaultyTier:
                     tier.objects[self.path] = body
                 self._answer(201)
 
-        self._server = ThreadingHTTPServer(("127.0.0.1", self._port), Handler)
+        self._server = ThreadingHTTPServer((self._host, self._port), Handler)
         self._server.daemon_threads = True
+        self._server.handle_error = lambda *_: None  # of connections that replicas leave behind
         threading.Thread(target=self._server.serve_forever, daemon=True).start()
 
     def _end(self):
@@ -189,13 +193,14 @@ def wait_for_port(port):
 class Replica:
     """One daemon with a store of its own; started again it has the address that it had."""
 
-    def __init__(self, program, folder, options, metrics=False):
+    def __init__(self, program, folder, options, metrics=False, address="", within=()):
+        """address: default: a free port of loopback. within: what the command is to begin with."""
         self._program, self._folder, self._options = program, Path(folder), options
         self.metrics_address = f"127.0.0.1:{free_port()}" if metrics else ""
         if metrics:
             self._options = [*options, "--metrics", self.metrics_address]
         self._folder.mkdir(parents=True)
-        self.address = ""
+        self.address, self._within = address, within
         self.process = None
         self.start()
 
@@ -203,7 +208,7 @@ class Replica:
         port_file = self._folder / "port"
         port_file.unlink(missing_ok=True)
         self.process = subprocess.Popen(
-            [self._program, "--listen", self.address or "127.0.0.1:0", "--store",
+            [*self._within, self._program, "--listen", self.address or "127.0.0.1:0", "--store",
              self._folder / "store", "--port-file", port_file, "--log-file", self._folder / "log",
              *self._options])
         for _ in range(1000):
@@ -213,6 +218,13 @@ class Replica:
                 raise RuntimeError((self._folder / "log").read_text())
             time.sleep(.01)
         self.address = port_file.read_text().split()[0]
+
+    def revisions_from(self):
+        """How often a revision came from where, since it was started: `computed`, `tier`, ..."""
+        with urllib.request.urlopen(f"http://{self.metrics_address}/metrics") as page:
+            text = page.read().decode()
+        return collections.Counter({result: float(count) for result, count in re.findall(
+            r'remeshd_cache_requests_total\{result="(\w+)"\} (\S+)', text)})
 
     def kill(self):
         self.process.kill()

@@ -10,11 +10,10 @@ what one daemon makes, or less than 95 % of the revisions that a replica had to 
 there in the tier.
 """
 import argparse
-import re
+import collections
 import sys
 import threading
 import time
-import urllib.request
 
 import remesh_client as rc
 from bed import Bed, FaultyTier
@@ -52,13 +51,6 @@ class Load:
             thread.join()
 
 
-def cache_requests(replica):
-    """How often a revision came from where, by the metrics of a replica."""
-    text = urllib.request.urlopen(f"http://{replica.metrics_address}/metrics").read().decode()
-    return {result: float(count) for result, count in
-            re.findall(r'remeshd_cache_requests_total\{result="(\w+)"\} (\S+)', text)}
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("remeshd")
@@ -68,12 +60,7 @@ def main():
     parser.add_argument("--nodes", type=int, default=2000)
     arguments = parser.parse_args()
     right = reference(arguments.remeshd, arguments.loops, arguments.edits, arguments.nodes)
-    totals = {}
-
-    def count(replica):
-        for result, number in cache_requests(replica).items():
-            totals[result] = totals.get(result, 0) + number
-
+    totals = collections.Counter()
     with Bed(arguments.remeshd, FaultyTier, replicas=2, metrics=True) as bed:
         load = Load(right, bed.addresses)
         for restart in range(arguments.restarts):
@@ -84,14 +71,14 @@ def main():
             if restart == 2 * arguments.restarts // 3:
                 load.addresses = bed.addresses[:2]
             replica = bed.replicas[restart % 2]
-            count(replica)
+            totals += replica.revisions_from()
             replica.stop()
             replica.lose_store()
             replica.start()
         load.end()
         for replica in bed.replicas:
-            count(replica)
-    moved, remade = totals.get("tier", 0), totals.get("remade", 0)
+            totals += replica.revisions_from()
+    moved, remade = totals["tier"], totals["remade"]
     share = moved / max(1, moved + remade)
     wrong = load.failed
     if share < MOVED_SHARE:
