@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <ranges>
 #include <utility>
 
 #include "engine/base/error.h"
 #include "server/limits.h"
 #include "server/session/revision_id.h"
+#include "server/store/files.h"
 #include "server/store/journal_line.h"
 #include "server/store/packed_text.h"
 #include "server/tier/sealed_object.h"
@@ -25,6 +27,12 @@ std::uint64_t first_digits(const std::string& id) {
   std::uint64_t digits = 0;
   std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), digits, 16);
   return digits;
+}
+
+/// Of a store, made if need be.
+std::filesystem::path outbox_folder(const Store& store, const char* name) {
+  make_folder(store.folder() / "outbox");
+  return store.folder() / "outbox" / name;
 }
 
 /// What a revision is, whatever store has it.
@@ -69,7 +77,10 @@ SharedRevisions::SharedRevisions(Sharing sharing, const std::string& tenant, Sto
     : sharing_(std::move(sharing)),
       prefix_(tenant.empty() ? "" : "tenants/" + tenant + "/"),
       store_(store),
-      outbox_(store.folder() / "outbox", [this](const std::string& name) { write(name); }) {}
+      recipes_(outbox_folder(store, "recipes"), Outbox::Again::First,
+               [this](const std::string& id) { write_recipe(id); }),
+      meshes_(outbox_folder(store, "meshes"), Outbox::Again::Last,
+              [this](const std::string& id) { write_mesh(id); }) {}
 
 std::string SharedRevisions::key_of(const std::string& kind, const std::string& id) const {
   return prefix_ + kind + "/" + id.substr(0, 2) + "/" + id;
@@ -170,61 +181,69 @@ void SharedRevisions::put_away(const Mesh& mesh, std::string_view why) {
 }
 
 void SharedRevisions::publish(const std::string& id) {
+  const auto parent_of = [&](const std::string& each) {
+    const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(each); });
+    return record ? record->parent : std::string();
+  };
   std::vector<std::string> fresh;
-  for (std::string next = id; !next.empty();) {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (!published_.insert(first_digits(next)).second) break;
-    }
+  for (std::string next = id; !next.empty(); next = parent_of(next)) {
+    const std::scoped_lock lock(mutex_);
+    if (!published_.insert(first_digits(next)).second) break;
     fresh.push_back(next);
-    const auto record =
-        store_.read([&](Catalogue& catalogue) { return catalogue.revision(next); });
-    next = record ? record->parent : "";
   }
   // Ancestors first: nothing in the tier is to want for what it is made of.
-  for (auto each = fresh.rbegin(); each != fresh.rend(); ++each) {
-    outbox_.add(std::string(kRecipe) + "-" + *each);
-    if (outbox_.size() < kMostWaiting) outbox_.add(std::string(kPack) + "-" + *each);
+  for (const std::string& each : fresh | std::views::reverse) {
+    recipes_.add(each);
+    if (meshes_.size() < kMostWaiting) meshes_.add(each);
   }
   if (!sharing_.acknowledge_in_tier) return;
-  for (auto each = fresh.rbegin(); each != fresh.rend(); ++each)
-    outbox_.write_now(std::string(kRecipe) + "-" + *each);
-  outbox_.write_now(std::string(kRecipe) + "-" + id);
+  std::vector<std::string> waiting;
+  for (std::string next = id; recipes_.has(next); next = parent_of(next)) waiting.push_back(next);
+  for (const std::string& each : waiting | std::views::reverse) recipes_.write_now(each);
 }
 
 void SharedRevisions::mend(const std::string& id) {
-  for (const char* const kind : {kRecipe, kPack})
-    if (is_wrong(key_of(kind, id))) outbox_.add(std::string(kind) + "-" + id);
+  if (is_wrong(key_of(kRecipe, id))) recipes_.add(id);
+  if (is_wrong(key_of(kPack, id))) meshes_.add(id);
 }
 
 void SharedRevisions::offer(const std::string& id) {
   mend(id);
-  outbox_.add(std::string(kPack) + "-" + id);
+  meshes_.add(id);
 }
 
-std::optional<std::string> SharedRevisions::content_of(const std::string& kind,
-                                                       const std::string& id) {
+namespace {
+
+/// What `read` gives; nothing where it throws: what is gone or damaged is written when it has been
+/// made again.
+template <typename Read>
+std::string where_whole(Read&& read) {
   try {
-    if (kind == kPack) return store_.pack(id);
-    const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
-    const std::string recipe = store_.recipe(id);
-    if (!record || recipe.empty()) return std::nullopt;
-    return line_of(*record, Store::packed_recipe(recipe));
+    return read();
   } catch (const Error&) {
-    return std::nullopt;  // gone, or damaged: it is written when it has been made again
+    return {};
   }
 }
 
-void SharedRevisions::write(const std::string& name) {
-  const std::size_t dash = name.find('-');
-  if (dash == std::string::npos || !is_full_id(name.substr(dash + 1))) return;  // not ours
-  const std::string kind = name.substr(0, dash), id = name.substr(dash + 1);
-  const std::string key = key_of(kind, id);
+}  // namespace
+
+void SharedRevisions::write_recipe(const std::string& id) {
+  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
+  const std::string recipe = where_whole([&] { return store_.recipe(id); });
+  if (record && !recipe.empty())
+    put(key_of(kRecipe, id), line_of(*record, Store::packed_recipe(recipe)));
+}
+
+void SharedRevisions::write_mesh(const std::string& id) {
+  const std::string key = key_of(kPack, id);
+  if (!is_wrong(key) && sharing_.objects->has(key, limits::kTierAnswer)) return;
+  const std::string pack = where_whole([&] { return store_.pack(id); });
+  if (!pack.empty()) put(key, pack);
+}
+
+void SharedRevisions::put(const std::string& key, const std::string& content) {
   const bool wrong = is_wrong(key);
-  if (kind == kPack && !wrong && sharing_.objects->has(key, limits::kTierAnswer)) return;
-  const auto content = content_of(kind, id);
-  if (!content) return;
-  sharing_.objects->put(key, sealed(key, *content, sharing_.farm_key));
+  sharing_.objects->put(key, sealed(key, content, sharing_.farm_key));
   if (!wrong) return;
   const std::scoped_lock lock(mutex_);
   wrong_.erase(key);

@@ -48,15 +48,15 @@ class SharedRevisions {
   void put_away(const Mesh& mesh, std::string_view why);
 
   /// Has the revision and its ancestors written to the tier, as far as this process has not done so:
-  /// soon, or, where an edit is acknowledged in the tier, its recipe now. Throws, beside
-  /// Error(TIER_UNAVAILABLE), Error(STORE_FAILED, STORE_FULL).
+  /// soon, or, where an edit is acknowledged in the tier, their recipes now. Throws
+  /// Error(TIER_UNAVAILABLE) in that case.
   void publish(const std::string& id);
   /// Has what was wrong of a revision written over; the store has all of it now.
   void mend(const std::string& id);
   /// The same, and its mesh written where the tier has none.
   void offer(const std::string& id);
   /// Objects that are still to be written.
-  [[nodiscard]] std::size_t waiting() const { return outbox_.size(); }
+  [[nodiscard]] std::size_t waiting() const { return recipes_.size() + meshes_.size(); }
 
  private:
   [[nodiscard]] std::string key_of(const std::string& kind, const std::string& id) const;
@@ -64,10 +64,9 @@ class SharedRevisions {
   void refuse(const std::string& key, std::string_view object, std::string_view why);
   std::optional<Known> find_recipe(const std::string& id);
   std::optional<Mesh> mesh(const std::string& id);
-  /// Writes what a name in the outbox stands for.
-  void write(const std::string& name);
-  [[nodiscard]] std::optional<std::string> content_of(const std::string& kind,
-                                                      const std::string& id);
+  void write_recipe(const std::string& id);
+  void write_mesh(const std::string& id);
+  void put(const std::string& key, const std::string& content);
   bool is_wrong(const std::string& key) const;
 
   const Sharing sharing_;
@@ -76,7 +75,7 @@ class SharedRevisions {
   mutable std::mutex mutex_;                      ///< guards what follows
   std::unordered_set<std::uint64_t> published_;   ///< by the first digits of the id
   std::set<std::string> wrong_;                   ///< keys that are to be written over
-  Outbox outbox_;  ///< last: it uses what stands before it
+  Outbox recipes_, meshes_;  ///< last: they use what stands before them
 };
 
 }  // namespace remeshd

@@ -19,7 +19,8 @@ constexpr std::chrono::milliseconds kPause(250);
 
 }  // namespace
 
-Outbox::Outbox(fs::path folder, Write write) : folder_(std::move(folder)), write_(std::move(write)) {
+Outbox::Outbox(fs::path folder, Again again, Write write)
+    : folder_(std::move(folder)), again_(again), write_(std::move(write)) {
   make_folder(folder_);
   std::vector<std::pair<fs::file_time_type, std::string>> found;
   for (const auto& entry : fs::directory_iterator(folder_))
@@ -35,7 +36,11 @@ Outbox::~Outbox() = default;
 void Outbox::add(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   if (waiting_.contains(name)) return;
-  const File mark(folder_ / name, O_WRONLY | O_CREAT);
+  try {
+    const File mark(folder_ / name, O_WRONLY | O_CREAT);
+  } catch (const Error&) {
+    // On a disk that is full it waits in memory alone.
+  }
   waiting_.insert(name);
   order_.push_back(name);
   changed_.notify_all();
@@ -54,7 +59,8 @@ void Outbox::write_now(const std::string& name) {
   } catch (...) {
     const std::scoped_lock lock(mutex_);
     writing_.erase(name);
-    if (waiting_.insert(name).second) order_.push_back(name);
+    if (waiting_.insert(name).second)
+      order_.insert(again_ == Again::First ? order_.begin() : order_.end(), name);
     changed_.notify_all();
     throw;
   }
@@ -72,6 +78,11 @@ void Outbox::take_off(const std::string& name) {
   } catch (const Error&) {
     // It is written once more by the next process.
   }
+}
+
+bool Outbox::has(const std::string& name) const {
+  const std::scoped_lock lock(mutex_);
+  return waiting_.contains(name) || writing_.contains(name);
 }
 
 std::size_t Outbox::size() const {

@@ -18,19 +18,22 @@ class Outbox {
  public:
   /// Writes what the name stands for; throws Error where that has to be tried again.
   using Write = std::function<void(const std::string& name)>;
+  /// What failed is tried again before all others, so that none overtakes it, or after them.
+  enum class Again { First, Last };
 
   /// Makes the folder if need be. Throws Error(STORE_FAILED).
-  Outbox(std::filesystem::path folder, Write write);
+  Outbox(std::filesystem::path folder, Again again, Write write);
   /// Waits for what is just being written.
   ~Outbox();
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
   /// Has it written soon, after what was added before; once more where it is just being written.
-  /// Throws Error(STORE_FAILED, STORE_FULL).
   void add(const std::string& name);
   /// Writes it now, if it is still to be written. Throws what `write` throws; then it stays.
   void write_now(const std::string& name);
+  /// Whether it is still to be written.
+  [[nodiscard]] bool has(const std::string& name) const;
   /// How many are still to be written.
   [[nodiscard]] std::size_t size() const;
 
@@ -41,6 +44,7 @@ class Outbox {
   void take_off(const std::string& name);
 
   const std::filesystem::path folder_;
+  const Again again_;
   const Write write_;
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable_any changed_;

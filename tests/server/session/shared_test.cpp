@@ -183,6 +183,17 @@ TEST_F(SharedTest, AStoreFromBeforeIsSharedAsItIsUsed) {
   EXPECT_EQ(shelf_->keys("recipe/").size(), 4U) << "the edit and what it is made of";
 }
 
+TEST_F(SharedTest, WhatIsAcknowledgedDoesNotWantForItsAncestors) {
+  here_.session = only_session(here_.engine.engine(), here_.folder.open());
+  const auto ids = make_chain(here_);
+  open(here_, true);
+  shelf_->fails = true;
+  EXPECT_EQ(here_.fail(edit_of(ids[3], 84)).reason, "TIER_UNAVAILABLE");
+  shelf_->fails = false;
+  here_.make(edit_of(ids[3], 84));
+  EXPECT_EQ(shelf_->keys("recipe/").size(), 5U);
+}
+
 TEST_F(SharedTest, TakesWhatIsThereInPlaceOfComputing) {
   open(here_);
   const auto ids = make_chain(here_);

@@ -28,7 +28,8 @@ class OutboxTest : public testing::Test {
     written_.push_back(name);
   }
   std::unique_ptr<Outbox> open() {
-    return std::make_unique<Outbox>(folder_, [this](const std::string& name) { write(name); });
+    return std::make_unique<Outbox>(folder_, again_,
+                                    [this](const std::string& name) { write(name); });
   }
   static void wait_until_empty(const Outbox& outbox) {
     for (int i = 0; i < 1000 && outbox.size() > 0; ++i)
@@ -45,6 +46,7 @@ class OutboxTest : public testing::Test {
 
   const fs::path folder_ =
       fs::temp_directory_path() / ("remeshd-outbox-test-" + std::to_string(::getpid()));
+  Outbox::Again again_ = Outbox::Again::First;
   std::atomic<bool> fails_ = false;
   std::mutex mutex_;
   std::vector<std::string> written_;
@@ -85,6 +87,16 @@ TEST_F(OutboxTest, TriesAgainWhatFailed) {
   fails_ = false;
   wait_until_empty(*outbox);
   EXPECT_EQ(written(), Names{"a"});
+}
+
+TEST_F(OutboxTest, LetsNoneOvertakeWhatFailed) {
+  fails_ = true;
+  const auto outbox = open();
+  for (const char* name : {"a", "b", "c"}) outbox->add(name);
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));  // two tries at least
+  fails_ = false;
+  wait_until_empty(*outbox);
+  EXPECT_EQ(written(), (Names{"a", "b", "c"}));
 }
 
 TEST_F(OutboxTest, WritesNowWhatIsStillToBeWritten) {
