@@ -10,6 +10,13 @@ import remesh_client as rc
 MODEL = Path(__file__).parent.parent / "cases/tool1-a.json"
 
 
+def digest(mesh):
+    """Of nodes and tets."""
+    arrays = hashlib.sha256(mesh.points.tobytes())
+    arrays.update(mesh.tets.tobytes())
+    return arrays.hexdigest()
+
+
 class Loop:
     """A first mesh and edits of it, one of the other, the same for the same number."""
 
@@ -32,10 +39,7 @@ class Loop:
             after_each()
 
     def _note(self, part):
-        mesh = part.mesh()
-        arrays = hashlib.sha256(mesh.points.tobytes())
-        arrays.update(mesh.tets.tobytes())
-        self.made.append((part.revision, arrays.hexdigest()))
+        self.made.append((part.revision, digest(part.mesh())))
 
 
 def reference(program, count, edits, nodes):

@@ -16,13 +16,7 @@ import time
 
 import remesh_client as rc
 from bed import Bed, FaultyTier
-from loops import Loop
-
-
-def digest(mesh):
-    arrays = hashlib.sha256(mesh.points.tobytes())
-    arrays.update(mesh.tets.tobytes())
-    return arrays.hexdigest()
+from loops import Loop, digest
 
 
 def flip(tier, path, chance):

@@ -43,7 +43,8 @@ TEST(ConfigurationPrecedence, ReplacesAListAsAWhole) {
 
 TEST(ConfigurationPrecedence, LetsEveryOptionBeGivenInEachOfTheThreeWays) {
   // Another value than the default, as text; what is not here has one by its kind.
-  const std::map<std::string, std::string> others{{"log-level", "debug"}, {"log-format", "json"}};
+  const std::map<std::string, std::string> others{
+      {"log-level", "debug"}, {"log-format", "json"}, {"tier-ack", "tier"}};
   for (const Option& option : option_table()) {
     const Settings defaults;
     std::string text;
