@@ -16,6 +16,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 
+NGINX = shutil.which("nginx") or "/usr/sbin/nginx"  # which is not in every user's path
 BALANCER = Path(__file__).parent.parent.parent / "deploy/cluster/nginx.conf"
 
 
@@ -131,7 +132,7 @@ http {{
         self.start()
 
     def start(self):
-        self._process = subprocess.Popen(["nginx", "-p", self._folder, "-c",
+        self._process = subprocess.Popen([NGINX, "-p", self._folder, "-c",
                                           self._folder / "nginx.conf"], stderr=subprocess.DEVNULL)
         wait_for_port(self._port)
 
