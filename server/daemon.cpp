@@ -126,7 +126,7 @@ struct Daemon::Parts {
   Readiness readiness;
   const std::shared_ptr<FrontDesk> desk;
   const std::function<std::uint64_t()> helper_crashes;  ///< may be empty
-  const bool shares;  ///< revisions with other daemons
+  const bool shares;                                    ///< revisions with other daemons
   Tenants tenants;
   const std::size_t max_connections;
   std::unique_ptr<grpc::Service> service, cache_service;

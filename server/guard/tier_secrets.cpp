@@ -18,8 +18,7 @@ TierSecrets read_tier_secrets(const std::filesystem::path& key_file,
   std::string more;
   std::istringstream key(read_secret_file(key_file));
   if (!(key >> secrets.farm_key) || key >> more || secrets.farm_key.size() < kShortestKey)
-    throw SecretFileError(key_file.string() +
-                          ": is to have one word, of 16 characters or more");
+    throw SecretFileError(key_file.string() + ": is to have one word, of 16 characters or more");
   if (s3_credentials_file.empty()) return secrets;
   std::istringstream keys(read_secret_file(s3_credentials_file));
   if (!(keys >> secrets.access_key >> secrets.secret_key) || keys >> more)

@@ -1,5 +1,5 @@
-#include "server/session/archive.h"
 #include "server/limits.h"
+#include "server/session/archive.h"
 #include "server/session/session_error.h"
 #include "server/session/shared_revisions.h"
 #include "server/store/store_error.h"

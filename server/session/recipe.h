@@ -28,7 +28,8 @@ struct Recipe {
 };
 
 /// Of the arrays of a revision that are delivered. `alike`: as of `recipe_of`.
-std::vector<Recipe::Digest> digests_of(const HeldRevision& held, const HeldRevision* alike = nullptr);
+std::vector<Recipe::Digest> digests_of(const HeldRevision& held,
+                                       const HeldRevision* alike = nullptr);
 
 /// The recipe of a revision that tells its options as asked for; an empty one of another. `alike`:
 /// one that has blocks of arrays in common with it, whose digests are taken over; null for none.

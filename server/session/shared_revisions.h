@@ -47,8 +47,8 @@ class SharedRevisions {
   /// A mesh of `meshes` is not what its recipe tells.
   void put_away(const Mesh& mesh, std::string_view why);
 
-  /// Has the revision and its ancestors written to the tier, as far as this process has not done so:
-  /// soon, or, where an edit is acknowledged in the tier, their recipes now. Throws
+  /// Has the revision and its ancestors written to the tier, as far as this process has not done
+  /// so: soon, or, where an edit is acknowledged in the tier, their recipes now. Throws
   /// Error(TIER_UNAVAILABLE) in that case.
   void publish(const std::string& id);
   /// Has what was wrong of a revision written over; the store has all of it now.
@@ -72,10 +72,10 @@ class SharedRevisions {
   const Sharing sharing_;
   const std::string prefix_;  ///< of keys
   Store& store_;
-  mutable std::mutex mutex_;                      ///< guards what follows
-  std::unordered_set<std::uint64_t> published_;   ///< by the first digits of the id
-  std::set<std::string> wrong_;                   ///< keys that are to be written over
-  Outbox recipes_, meshes_;  ///< last: they use what stands before them
+  mutable std::mutex mutex_;                     ///< guards what follows
+  std::unordered_set<std::uint64_t> published_;  ///< by the first digits of the id
+  std::set<std::string> wrong_;                  ///< keys that are to be written over
+  Outbox recipes_, meshes_;                      ///< last: they use what stands before them
 };
 
 }  // namespace remeshd

@@ -42,9 +42,8 @@ Store::Store(fs::path folder, OpenedStore opened)
 void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
                 const StoredArrays& arrays, const Packs::Base* base) {
   if (!persistent()) return;
-  put_with(record, base != nullptr ? base->id : "", [&] {
-    return packs_->put(record, first, packed_recipe(recipe), arrays, base);
-  });
+  put_with(record, base != nullptr ? base->id : "",
+           [&] { return packs_->put(record, first, packed_recipe(recipe), arrays, base); });
 }
 
 void Store::take_in(RevisionRecord& record, std::string_view pack) {
@@ -109,8 +108,7 @@ std::string Store::pack(const std::string& id) {
   }
 }
 
-std::string Store::quarantine(std::string_view name, std::string_view bytes,
-                              std::string_view why) {
+std::string Store::quarantine(std::string_view name, std::string_view bytes, std::string_view why) {
   Quarantine quarantine(folder_ / "quarantine", folder_ / "tmp");
   quarantine.keep(name, bytes, why);
   return quarantine.notes().front();

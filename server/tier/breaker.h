@@ -15,8 +15,8 @@ namespace remeshd {
 class Breaker final : public ObjectStore {
  public:
   using Clock = std::chrono::steady_clock;
-  /// `tell`: hears when the store is left alone, and why, and when it answers again (an empty text);
-  /// must not call back; may be empty. `now`: a clock for tests.
+  /// `tell`: hears when the store is left alone, and why, and when it answers again (an empty
+  /// text); must not call back; may be empty. `now`: a clock for tests.
   explicit Breaker(std::unique_ptr<ObjectStore> store,
                    std::function<void(const std::string& why)> tell = {},
                    std::function<Clock::time_point()> now = &Clock::now);
@@ -35,8 +35,8 @@ class Breaker final : public ObjectStore {
   const std::unique_ptr<ObjectStore> store_;
   const std::function<void(const std::string&)> tell_;
   const std::function<Clock::time_point()> now_;
-  std::mutex mutex_;  ///< guards what follows
-  int failures_ = 0;  ///< in a row
+  std::mutex mutex_;               ///< guards what follows
+  int failures_ = 0;               ///< in a row
   Clock::time_point closed_from_;  ///< the store is left alone until then
   std::string why_;
 };

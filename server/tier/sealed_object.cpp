@@ -33,9 +33,12 @@ bool same(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string sealed(std::string_view key, std::string_view bytes, std::string_view farm_key) {
-  const std::string told =
-      json{{"format", kFormat}, {"key", key}, {"bytes", bytes.size()}, {"sha256", sha256_hex(bytes)}}
-          .dump();
+  const std::string told = json{
+      {"format", kFormat},
+      {"key", key},
+      {"bytes", bytes.size()},
+      {"sha256",
+       sha256_hex(bytes)}}.dump();
   std::string object = told + ' ' + mac_of(told, farm_key) + '\n';
   object += bytes;
   return object;

@@ -10,7 +10,8 @@ namespace {
 using Function = double (*)(double);
 using Exact = long double (*)(long double);
 
-/// Of the C library's functions of long double, which have 11 more bits, in units of the last place.
+/// Of the C library's functions of long double, which have 11 more bits, in units of the last
+/// place.
 double error_in_ulp(double value, long double exact) {
   const double nearest = std::abs(static_cast<double>(exact));
   const long double ulp = std::nextafter(nearest, INFINITY) - nearest;

@@ -75,9 +75,8 @@ class SharedTest : public testing::Test {
                          .design = "plate"};
   }
   static Command edit_of(const std::string& base, double dx) {
-    return EditCommand{.base = base,
-                       .edit = {{SetFeatureParameter{"plate", "dx", Scalar(dx)}}},
-                       .document = "{}"};
+    return EditCommand{
+        .base = base, .edit = {{SetFeatureParameter{"plate", "dx", Scalar(dx)}}}, .document = "{}"};
   }
   /// A first mesh and three edits of it, one of the other.
   std::vector<std::string> make_chain(const Replica& replica) {

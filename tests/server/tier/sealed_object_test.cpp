@@ -27,8 +27,7 @@ TEST(SealedObject, GivesItsBytes) {
 TEST(SealedObject, BelongsToItsKeyAndFarm) {
   const std::string object = sealed(kKey, "bytes", kFarm);
   EXPECT_EQ(why_not("recipe/ab/abce", object), "it belongs to another key");
-  EXPECT_EQ(why_not(kKey, object, "another farm's key"),
-            "it was not sealed with the farm's key");
+  EXPECT_EQ(why_not(kKey, object, "another farm's key"), "it was not sealed with the farm's key");
   EXPECT_EQ(why_not(kKey, "<html>\n"), "it is no object of remeshd");
   EXPECT_EQ(why_not(kKey, ""), "it is no object of remeshd");
 }
