@@ -25,7 +25,7 @@ from bench_shared import shared_parts
 from bench_tier import Balancer, LoggedTier, bytes_received, cpu_seconds, resident_bytes
 
 TOP = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(TOP / "tests/farm"))
+sys.path.insert(0, str(TOP / "tests/cluster"))
 from bed import Bed  # noqa: E402  pylint: disable=wrong-import-position
 
 CASES = TOP / "tests/cases"

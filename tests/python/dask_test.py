@@ -1,4 +1,4 @@
-"""Studies on a Dask cluster, whose workers are threads here; tests/farm/doe.py has processes."""
+"""Studies on a Dask cluster, whose workers are threads here; tests/cluster/doe.py has processes."""
 import itertools
 import pickle
 import sys
@@ -13,7 +13,7 @@ from distributed import Client, LocalCluster
 
 from remesh_client.dask import learn_shares, map_designs, open_part, plan_designs
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "farm"))
+sys.path.insert(0, str(Path(__file__).parent.parent / "cluster"))
 from bed import Bed, FaultyTier
 
 BASE = {"a": 0, "b": 0, "c": 0}

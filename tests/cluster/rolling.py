@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """No request fails while replicas are restarted one after another, and while they become more or fewer.
 
-    PYTHONPATH=build/client/python tests/farm/rolling.py build/bin/remeshd [--restarts 10]
+    PYTHONPATH=build/client/python tests/cluster/rolling.py build/bin/remeshd [--restarts 10]
 
 Loops run over two replicas all the time. Each replica in turn is ended by SIGTERM and started again,
 without its store: another machine. In the middle a third one joins and later leaves; clients

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What is wrong in the tier is never served.
 
-    PYTHONPATH=build/client/python tests/farm/wrong_objects.py build/bin/remeshd [--flips 1000]
+    PYTHONPATH=build/client/python tests/cluster/wrong_objects.py build/bin/remeshd [--flips 1000]
 
 A bit is changed in the recipe or the mesh of each revision of a loop, chance says which; then a
 replica that has nothing serves them all. Every byte is to be right, what is wrong kept in the

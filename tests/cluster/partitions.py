@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Loops end, and nothing is made twice over, where the network falls apart. As root.
 
-    PYTHONPATH=build/client/python tests/farm/partitions.py build/bin/remeshd
+    PYTHONPATH=build/client/python tests/cluster/partitions.py build/bin/remeshd
 
 Two replicas, each in a network namespace of its own; what is sent to a lost address is dropped
 without a word. In turn: a replica and the tier do not reach each other while loops run; nor do a

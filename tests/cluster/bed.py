@@ -39,7 +39,7 @@ class FaultyTier:
         self._mode = "well"
         self._server = None
         self._port = free_port()
-        self.url = f"http://{host}:{self._port}/farm"
+        self.url = f"http://{host}:{self._port}/objects"
         self._listen()
 
     @property

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Loops go on where the tier fails, and it is made up for when it is well again.
 
-    PYTHONPATH=build/client/python tests/farm/tier_faults.py build/bin/remeshd [--edits 20]
+    PYTHONPATH=build/client/python tests/cluster/tier_faults.py build/bin/remeshd [--edits 20]
 
 Edits are acknowledged by the local store. In the middle of a loop the tier goes down, falls silent,
 is full, answers 500 or cuts its bodies. No client may see an error; every byte is to be as one
@@ -26,7 +26,7 @@ def settled(bed, ids, seconds=40):
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         paths = set(bed.tier.objects)
-        if all(any(path.startswith(f"/farm/{kind}/") and path.endswith(each) for path in paths)
+        if all(any(path.startswith(f"/objects/{kind}/") and path.endswith(each) for path in paths)
                for each in ids for kind in ("recipe", "pack")):
             return True
         time.sleep(.1)

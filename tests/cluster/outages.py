@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Loops end where the tier and a replica are out at once, as soon as the tier is back.
 
-    PYTHONPATH=build/client/python tests/farm/outages.py build/bin/remeshd [--outages 5]
+    PYTHONPATH=build/client/python tests/cluster/outages.py build/bin/remeshd [--outages 5]
 
 Edits are acknowledged in the tier. In the middle of loops the tier goes down, and a replica is
 killed; some seconds later the tier is back, and then the replica. A client of one replica alone

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """A factorial design of experiments on a Dask cluster, one of whose machines is lost.
 
-    PYTHONPATH=build/client/python tests/farm/doe.py build/bin/remeshd [--case tool2-a] [--levels 4]
+    PYTHONPATH=build/client/python tests/cluster/doe.py build/bin/remeshd [--case tool2-a] [--levels 4]
 
 A scheduler and two workers, each with a daemon of its own; the daemons share a tier. Three
 parameters of different features have so many levels each, the first of them the base's. All designs

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Loops go on where replicas are killed.
 
-    PYTHONPATH=build/client/python tests/farm/kills.py build/bin/remeshd [--kills 50] [--lose-stores]
+    PYTHONPATH=build/client/python tests/cluster/kills.py build/bin/remeshd [--kills 50] [--lose-stores]
 
 Three replicas share a tier, which has each edit before it is acknowledged. While loops run, one
 after another is killed and started again, at any moment, or, with --lose-stores, without what it

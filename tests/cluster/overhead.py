@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What tier and balancer add to an edit.
 
-    PYTHONPATH=build/client/python tests/farm/overhead.py build/bin/remeshd [--edits 60]
+    PYTHONPATH=build/client/python tests/cluster/overhead.py build/bin/remeshd [--edits 60]
 
 The same edits in turn by a daemon alone and by one that shares nginx's tier, has each edit
 acknowledged there and stands behind a balancer, with the mesh each time. Told are medians of
