@@ -47,6 +47,7 @@ struct ErrorInfo {
   std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
   /// What was tried for a mesh before the last, each with its reason: `full: an inverted tet ...`.
   std::vector<std::string> attempts{};
+  std::string home{};  ///< address of the daemon to ask instead, with DESIGN_ELSEWHERE
 };
 
 class Error : public std::runtime_error {

@@ -20,7 +20,7 @@ LATER = {
     "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients
 }
 # Texts of that form that are no names of the protocol.
-OTHERS = re.compile(r"(REMESH|REMESHD|XDG|NOTIFY)_")  # environment
+OTHERS = re.compile(r"(REMESH|REMESHD|XDG|NOTIFY)_|RST_STREAM$")  # environment; HTTP/2
 
 ENUMERATOR = re.compile(r"^\s*([A-Z][A-Z0-9_]*) = \d+;")
 TEXT = re.compile(r'"([A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*)"')

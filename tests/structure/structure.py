@@ -16,7 +16,7 @@ APACHE_FOLDERS = ("proto", "client/library", "client/include", "client/formats",
 APACHE_MARK = "SPDX-License-Identifier: Apache-2.0"
 APACHE_SOURCES = {".cpp", ".h", ".proto", ".py", ".cmake", ".yaml", ".txt", ".js", ".css"}
 # Each sees those after it, and engine.
-SERVER_LAYERS = "process config transport service guard session admission tier store observe".split()
+SERVER_LAYERS = "process config transport service guard session admission tier designs store observe".split()
 # Of the client, the layer `service` may have the writers of mesh files and what fills a mesh.
 MESH_FILE_HEADERS = {"client/library/mesh_arrays.h", "remeshd/mesh.h", "remeshd/mesh_file.h"}
 
