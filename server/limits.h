@@ -115,6 +115,8 @@ inline constexpr std::uint64_t kReturnGrowth = 16 * kMebi;
 inline constexpr std::chrono::seconds kTierRest(10);
 /// s in which it has to tell whether it has a mesh that is just being computed, and another one.
 inline constexpr double kTierLookUp = 0.05, kTierAnswer = 2;
+/// For how long a daemon that has seen a recipe in it takes it for being there.
+inline constexpr std::chrono::hours kTierRefresh(7 * 24);
 /// Bytes of an object; what is larger is none of the daemon's.
 inline constexpr std::size_t kTierObjectBytes = 1024 * kMebi;
 

@@ -53,7 +53,11 @@ auto Breaker::tried(Work&& work) {
       return result;
     }
   } catch (const Error& failure) {
-    note_failure(failure.info().message);
+    if (failure.info().reason == "TIER_REFUSED") {
+      note_success();  // it answers
+    } else {
+      note_failure(failure.info().message);
+    }
     throw;
   }
 }
@@ -68,6 +72,18 @@ std::optional<std::string> Breaker::get(const std::string& key) {
 
 void Breaker::put(const std::string& key, const std::string& bytes) {
   tried([&] { store_->put(key, bytes); });
+}
+
+std::optional<std::string> Breaker::start_of(const std::string& key, std::size_t bytes) {
+  return tried([&] { return store_->start_of(key, bytes); });
+}
+
+void Breaker::list(const std::string& prefix, const std::function<void(const ObjectInfo&)>& visit) {
+  tried([&] { store_->list(prefix, visit); });
+}
+
+void Breaker::remove(const std::string& key) {
+  tried([&] { store_->remove(key); });
 }
 
 }  // namespace remeshd

@@ -24,6 +24,11 @@ class Breaker final : public ObjectStore {
   [[nodiscard]] bool has(const std::string& key, double within) override;
   [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
   void put(const std::string& key, const std::string& bytes) override;
+  [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
+                                                    std::size_t bytes) override;
+  void list(const std::string& prefix,
+            const std::function<void(const ObjectInfo&)>& visit) override;
+  void remove(const std::string& key) override;
 
  private:
   template <typename Work>

@@ -1,5 +1,6 @@
 #include "server/tier/folder_objects.h"
 
+#include <chrono>
 #include <utility>
 
 #include "server/limits.h"
@@ -45,6 +46,31 @@ void FolderObjects::put(const std::string& key, const std::string& bytes) {
     fs::create_directories(file.parent_path());
     write_durably(file, bytes, folder_ / "tmp");
   });
+}
+
+std::optional<std::string> FolderObjects::start_of(const std::string& key, std::size_t bytes) {
+  return as_tier([&]() -> std::optional<std::string> {
+    if (!fs::exists(folder_ / key)) return std::nullopt;
+    return read_start(folder_ / key, bytes);
+  });
+}
+
+void FolderObjects::list(const std::string& prefix,
+                         const std::function<void(const ObjectInfo&)>& visit) {
+  as_tier([&] {
+    if (!fs::exists(folder_ / prefix)) return;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / prefix)) {
+      if (!entry.is_regular_file()) continue;
+      const auto written = std::chrono::file_clock::to_sys(entry.last_write_time());
+      visit({.key = entry.path().lexically_relative(folder_).generic_string(),
+             .bytes = entry.file_size(),
+             .written_ns = std::chrono::nanoseconds(written.time_since_epoch()).count()});
+    }
+  });
+}
+
+void FolderObjects::remove(const std::string& key) {
+  as_tier([&] { remove_file(folder_ / key); });
 }
 
 }  // namespace remeshd

@@ -6,89 +6,16 @@
 #include <utility>
 
 #include "server/limits.h"
+#include "server/tier/http_listing.h"
+#include "server/tier/http_transfer.h"
 #include "server/tier/tier_error.h"
 
 namespace remeshd {
 namespace {
 
-constexpr long kConnectMs = 500;
-// A transfer that has fewer bytes a second for so many seconds has failed.
-constexpr long kLeastSpeed = 1024, kLeastSpeedSeconds = 2;
-constexpr long kTransferMs = 60'000;
-
-enum Status : long { kOk = 200, kFirstRefusal = 300, kNotFound = 404 };
-
-std::size_t append(char* data, std::size_t size, std::size_t count, void* to) {
-  auto& body = *static_cast<std::string*>(to);
-  if (body.size() + size * count > limits::kTierObjectBytes) return 0;  // curl fails then
-  body.append(data, size * count);
-  return size * count;
-}
+using Method = HttpTransfer::Method;
 
 }  // namespace
-
-/// One request after another, over a connection that stays open.
-class HttpObjects::Transfer {
- public:
-  explicit Transfer(const HttpAccess& access) : access_(access), curl_(curl_easy_init()) {
-    if (curl_ == nullptr) throw std::bad_alloc();
-    // No wait for a go-ahead before the body; and an object is no form.
-    for (const char* header : {"Expect:", "Content-Type: application/octet-stream"})
-      headers_ = curl_slist_append(headers_, header);
-  }
-  ~Transfer() {
-    curl_slist_free_all(headers_);
-    curl_easy_cleanup(curl_);
-  }
-  Transfer(const Transfer&) = delete;
-  Transfer& operator=(const Transfer&) = delete;
-
-  void begin(const std::string& key, long most_ms) {
-    curl_easy_reset(curl_);
-    body_.clear();
-    set(CURLOPT_URL, (access_.url + "/" + key).c_str());
-    set(CURLOPT_PROTOCOLS_STR, "http,https");
-    set(CURLOPT_NOSIGNAL, 1L);
-    set(CURLOPT_CONNECTTIMEOUT_MS, std::min(kConnectMs, most_ms));
-    set(CURLOPT_TIMEOUT_MS, most_ms);
-    set(CURLOPT_LOW_SPEED_LIMIT, kLeastSpeed);
-    set(CURLOPT_LOW_SPEED_TIME, kLeastSpeedSeconds);
-    set(CURLOPT_HTTPHEADER, headers_);
-    set(CURLOPT_WRITEFUNCTION, &append);
-    set(CURLOPT_WRITEDATA, &body_);
-    if (access_.region.empty()) return;
-    set(CURLOPT_AWS_SIGV4, ("aws:amz:" + access_.region + ":s3").c_str());
-    set(CURLOPT_USERNAME, access_.access_key.c_str());
-    set(CURLOPT_PASSWORD, access_.secret_key.c_str());
-  }
-
-  template <typename Value>
-  void set(CURLoption option, Value value) {
-    curl_easy_setopt(curl_, option, value);
-  }
-
-  /// The status, one of success or `kNotFound`. Throws Error(TIER_UNAVAILABLE).
-  long finish() {
-    const auto fail = [](const std::string& why) {
-      return error::tier_unavailable(why, limits::kTierRest.count());
-    };
-    const CURLcode result = curl_easy_perform(curl_);
-    if (result != CURLE_OK) throw fail(curl_easy_strerror(result));
-    long status = 0;
-    curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);
-    if (status != kNotFound && (status < kOk || status >= kFirstRefusal))
-      throw fail("it answers with status " + std::to_string(status));
-    return status;
-  }
-
-  std::string take_body() { return std::move(body_); }
-
- private:
-  const HttpAccess& access_;
-  CURL* const curl_;
-  curl_slist* headers_ = nullptr;
-  std::string body_;
-};
 
 /// A transfer of the idle ones, or a new one; idle again afterwards.
 class HttpObjects::Borrowed {
@@ -96,7 +23,7 @@ class HttpObjects::Borrowed {
   explicit Borrowed(HttpObjects& owner) : owner_(owner) {
     const std::scoped_lock lock(owner_.mutex_);
     if (owner_.idle_.empty()) {
-      transfer_ = std::make_unique<Transfer>(owner_.access_);
+      transfer_ = std::make_unique<HttpTransfer>(owner_.access_);
     } else {
       transfer_ = std::move(owner_.idle_.back());
       owner_.idle_.pop_back();
@@ -108,11 +35,11 @@ class HttpObjects::Borrowed {
   }
   Borrowed(const Borrowed&) = delete;
   Borrowed& operator=(const Borrowed&) = delete;
-  Transfer* operator->() const { return transfer_.get(); }
+  HttpTransfer* operator->() const { return transfer_.get(); }
 
  private:
   HttpObjects& owner_;
-  TransferPtr transfer_;
+  std::unique_ptr<HttpTransfer> transfer_;
 };
 
 HttpObjects::HttpObjects(HttpAccess access) : access_(std::move(access)) {
@@ -122,29 +49,73 @@ HttpObjects::HttpObjects(HttpAccess access) : access_(std::move(access)) {
 
 HttpObjects::~HttpObjects() = default;
 
+std::string HttpObjects::url_of(const std::string& key) const { return access_.url + "/" + key; }
+
 bool HttpObjects::has(const std::string& key, double within) {
-  const Borrowed transfer(*this);
-  transfer->begin(key, std::max(1L, static_cast<long>(within * 1e3)));
-  transfer->set(CURLOPT_NOBODY, 1L);
-  return transfer->finish() != kNotFound;
+  return Borrowed(*this)
+      ->ask({.method = Method::Head, .url = url_of(key), .seconds = within})
+      .found;
 }
 
-std::optional<std::string> HttpObjects::get(const std::string& key) {
-  const Borrowed transfer(*this);
-  transfer->begin(key, kTransferMs);
-  if (transfer->finish() == kNotFound) return std::nullopt;
-  return transfer->take_body();
-}
+std::optional<std::string> HttpObjects::get(const std::string& key) { return start_of(key, 0); }
 
 void HttpObjects::put(const std::string& key, const std::string& bytes) {
-  const Borrowed transfer(*this);
-  transfer->begin(key, kTransferMs);
-  // As a body that is there whole, of which curl can sign the digest.
-  transfer->set(CURLOPT_CUSTOMREQUEST, "PUT");
-  transfer->set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(bytes.size()));
-  transfer->set(CURLOPT_POSTFIELDS, bytes.data());
-  if (transfer->finish() == kNotFound)
+  if (!Borrowed(*this)->ask({.method = Method::Put, .url = url_of(key), .body = &bytes}).found)
     throw error::tier_unavailable("its folder or bucket is not there", limits::kTierRest.count());
+}
+
+std::optional<std::string> HttpObjects::start_of(const std::string& key, std::size_t bytes) {
+  auto answer = Borrowed(*this)->ask({.url = url_of(key), .most = bytes});
+  if (!answer.found) return std::nullopt;
+  return std::move(answer.body);
+}
+
+void HttpObjects::remove(const std::string& key) {
+  Borrowed(*this)->ask({.method = Method::Delete, .url = url_of(key)});
+}
+
+void HttpObjects::list(const std::string& prefix,
+                       const std::function<void(const ObjectInfo&)>& visit) {
+  if (access_.region.empty()) {
+    list_folder(prefix, visit);
+  } else {
+    list_bucket(prefix, visit);
+  }
+}
+
+void HttpObjects::list_folder(const std::string& folder,
+                              const std::function<void(const ObjectInfo&)>& visit) {
+  const auto answer = Borrowed(*this)->ask({.url = url_of(folder)});
+  if (!answer.found) return;
+  const auto listed = folder_in(answer.body);
+  if (!listed)
+    throw error::tier_unavailable("it does not list its folders as JSON (nginx: autoindex_format)",
+                                  limits::kTierRest.count());
+  for (ObjectInfo file : listed->files) {
+    file.key = folder + file.key;
+    visit(file);
+  }
+  for (const std::string& name : listed->folders) list_folder(folder + name + "/", visit);
+}
+
+void HttpObjects::list_bucket(const std::string& prefix,
+                              const std::function<void(const ObjectInfo&)>& visit) {
+  const BucketAddress bucket = bucket_address(access_.url);
+  std::string next;
+  do {
+    // By name, as they are signed.
+    std::string query = next.empty() ? "" : "continuation-token=" + query_escaped(next) + "&";
+    query += "list-type=2&prefix=" + query_escaped(bucket.prefix + prefix);
+    const auto answer = Borrowed(*this)->ask({.url = bucket.url + "?" + query});
+    const auto page = answer.found ? bucket_in(answer.body) : std::nullopt;
+    if (!page)
+      throw error::tier_unavailable("it does not list its objects", limits::kTierRest.count());
+    for (ObjectInfo object : page->objects) {
+      object.key = object.key.substr(bucket.prefix.size());
+      visit(object);
+    }
+    next = page->next;
+  } while (!next.empty());
 }
 
 }  // namespace remeshd

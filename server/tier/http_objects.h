@@ -10,6 +10,8 @@
 
 namespace remeshd {
 
+class HttpTransfer;
+
 struct HttpAccess {
   std::string url;  ///< `http://HOST:PORT/PREFIX`, to which keys are appended
   /// Of an S3 bucket: requests are signed (AWS signature, version 4). Empty region: they are not.
@@ -17,6 +19,8 @@ struct HttpAccess {
 };
 
 /// Objects over HTTP by GET, PUT and HEAD, as remote caches of builds use it, or of a bucket of S3.
+/// To be cleared up, a plain server has to answer DELETE, and GET of a folder with a list as nginx
+/// gives it as JSON.
 class HttpObjects final : public ObjectStore {
  public:
   explicit HttpObjects(HttpAccess access);
@@ -25,15 +29,22 @@ class HttpObjects final : public ObjectStore {
   [[nodiscard]] bool has(const std::string& key, double within) override;
   [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
   void put(const std::string& key, const std::string& bytes) override;
+  [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
+                                                    std::size_t bytes) override;
+  void list(const std::string& prefix,
+            const std::function<void(const ObjectInfo&)>& visit) override;
+  void remove(const std::string& key) override;
 
  private:
-  class Transfer;
   class Borrowed;
-  using TransferPtr = std::unique_ptr<Transfer>;
+
+  [[nodiscard]] std::string url_of(const std::string& key) const;
+  void list_folder(const std::string& folder, const std::function<void(const ObjectInfo&)>& visit);
+  void list_bucket(const std::string& prefix, const std::function<void(const ObjectInfo&)>& visit);
 
   const HttpAccess access_;
   std::mutex mutex_;
-  std::vector<TransferPtr> idle_;  ///< with connections that stay open
+  std::vector<std::unique_ptr<HttpTransfer>> idle_;  ///< with connections that stay open
 };
 
 }  // namespace remeshd

@@ -1,9 +1,19 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 namespace remeshd {
+
+/// What a store tells of an object without giving it.
+struct ObjectInfo {
+  std::string key;
+  std::uint64_t bytes = 0;
+  std::int64_t written_ns = 0;  ///< since 1970, UTC
+};
 
 /// Objects by key that several daemons share: a folder or a service over HTTP. Whoever writes an
 /// object last is right. For any thread.
@@ -21,8 +31,20 @@ class ObjectStore {
   [[nodiscard]] virtual bool has(const std::string& key, double within) = 0;
   /// Nothing where there is none.
   [[nodiscard]] virtual std::optional<std::string> get(const std::string& key) = 0;
-  /// Returns when the store has it.
+  /// Returns when the store has it. Throws Error(TIER_REFUSED) too, for an object that is too large
+  /// for it.
   virtual void put(const std::string& key, const std::string& bytes) = 0;
+
+  // For a store that is cleared up now and then; the daemon's work does without.
+
+  /// The first so many bytes of an object, or all of them, or more; nothing where there is none.
+  [[nodiscard]] virtual std::optional<std::string> start_of(const std::string& key,
+                                                            std::size_t bytes) = 0;
+  /// Calls `visit` with all objects whose keys begin with `prefix`, which ends with a slash.
+  virtual void list(const std::string& prefix,
+                    const std::function<void(const ObjectInfo&)>& visit) = 0;
+  /// No error where there is none.
+  virtual void remove(const std::string& key) = 0;
 };
 
 }  // namespace remeshd

@@ -14,6 +14,8 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
+// So many objects are on their way at a time: a bucket takes 50 to 100 ms for each.
+constexpr int kWriters = 4;
 // Between tries of what failed; the breaker spares the store more of them.
 constexpr std::chrono::milliseconds kPause(250);
 
@@ -26,12 +28,27 @@ Outbox::Outbox(fs::path folder, Again again, Write write)
   for (const auto& entry : fs::directory_iterator(folder_))
     found.emplace_back(entry.last_write_time(), entry.path().filename().string());
   std::ranges::sort(found);
-  for (auto& [time, name] : found)
-    if (waiting_.insert(name).second) order_.push_back(std::move(name));
-  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  for (const auto& [time, name] : found) list(name, next_place_++);
+  for (int i = 0; i < kWriters; ++i)
+    threads_.emplace_back([this](const std::stop_token& stop) { run(stop); });
 }
 
-Outbox::~Outbox() = default;
+Outbox::~Outbox() {
+  for (std::jthread& thread : threads_) thread.request_stop();
+}
+
+void Outbox::list(const std::string& name, std::uint64_t place) {
+  waiting_[name] = place;
+  order_[place] = name;
+}
+
+std::uint64_t Outbox::unlist(const std::string& name) {
+  const auto found = waiting_.find(name);
+  const std::uint64_t place = found->second;
+  waiting_.erase(found);
+  order_.erase(place);
+  return place;
+}
 
 void Outbox::add(const std::string& name) {
   const std::scoped_lock lock(mutex_);
@@ -41,34 +58,41 @@ void Outbox::add(const std::string& name) {
   } catch (const Error&) {
     // On a disk that is full it waits in memory alone.
   }
-  waiting_.insert(name);
-  order_.push_back(name);
+  list(name, next_place_++);
   changed_.notify_all();
 }
 
 void Outbox::write_now(const std::string& name) {
+  std::uint64_t place = 0;
   {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !writing_.contains(name); });
     if (!waiting_.contains(name)) return;
+    place = unlist(name);
     writing_.insert(name);
-    waiting_.erase(name);
   }
+  write_taken(name, place);
+}
+
+void Outbox::write_taken(const std::string& name, std::uint64_t place) {
   try {
     write_(name);
-  } catch (...) {
+  } catch (const Error& failure) {
+    if (failure.info().reason == "TIER_REFUSED") {
+      finish(name);
+      throw;
+    }
     const std::scoped_lock lock(mutex_);
     writing_.erase(name);
-    if (waiting_.insert(name).second)
-      order_.insert(again_ == Again::First ? order_.begin() : order_.end(), name);
+    if (!waiting_.contains(name)) list(name, again_ == Again::InPlace ? place : next_place_++);
     changed_.notify_all();
     throw;
   }
-  take_off(name);
+  finish(name);
 }
 
 /// Its mark goes, unless it is to be written once more.
-void Outbox::take_off(const std::string& name) {
+void Outbox::finish(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   writing_.erase(name);
   changed_.notify_all();
@@ -90,27 +114,28 @@ std::size_t Outbox::size() const {
   return waiting_.size() + writing_.size();
 }
 
-bool Outbox::write_one(const std::string& name) {
-  try {
-    write_now(name);
-    return true;
-  } catch (const std::exception&) {
-    return false;  // the breaker tells of it
-  }
-}
-
 void Outbox::run(const std::stop_token& stop) {
-  while (!stop.stop_requested()) {
+  const auto next = [this] {  // one that is not just being written
+    return std::ranges::find_if(order_,
+                                [&](const auto& e) { return !writing_.contains(e.second); });
+  };
+  for (;;) {
     std::string name;
+    std::uint64_t place = 0;
     {
       std::unique_lock lock(mutex_);
-      if (!changed_.wait(lock, stop, [&] { return !order_.empty(); })) return;
-      name = std::move(order_.front());
-      order_.pop_front();
+      if (!changed_.wait(lock, stop, [&] { return next() != order_.end(); })) return;
+      if (stop.stop_requested()) return;
+      name = next()->second;
+      place = unlist(name);
+      writing_.insert(name);
     }
-    if (write_one(name)) continue;
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, stop, kPause, [] { return false; });
+    try {
+      write_taken(name, place);
+    } catch (const std::exception&) {  // the breaker tells of it
+      std::unique_lock lock(mutex_);
+      changed_.wait_for(lock, stop, kPause, [] { return false; });
+    }
   }
 }
 

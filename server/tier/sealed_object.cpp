@@ -15,7 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kFormat = "remeshd-object-1";
-constexpr std::size_t kMostLine = 4096;
 
 /// 64 hexadecimal digits.
 std::string mac_of(std::string_view text, std::string_view farm_key) {
@@ -45,7 +44,7 @@ std::string sealed(std::string_view key, std::string_view bytes, std::string_vie
 }
 
 std::string unsealed(std::string_view key, std::string_view object, std::string_view farm_key) {
-  const std::size_t end = object.substr(0, kMostLine).find('\n');
+  const std::size_t end = object.substr(0, kMostSealBytes).find('\n');
   if (end == std::string_view::npos) throw WrongObject("it is no object of remeshd");
   const std::string_view line = object.substr(0, end), bytes = object.substr(end + 1);
   const std::size_t space = line.rfind(' ');
@@ -63,6 +62,11 @@ std::string unsealed(std::string_view key, std::string_view object, std::string_
   if (content.value("sha256", "") != sha256_hex(bytes))
     throw WrongObject("it has not the digest that it tells");
   return std::string(bytes);
+}
+
+std::string_view after_seal(std::string_view start) {
+  const std::size_t end = start.substr(0, kMostSealBytes).find('\n');
+  return end == std::string_view::npos ? std::string_view() : start.substr(end + 1);
 }
 
 }  // namespace remeshd

@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "server/designs/design_table.h"
+#include "server/designs/homes.h"
 #include "server/tier/object_store.h"
 
 namespace remeshd {
@@ -14,13 +16,15 @@ struct TierSecrets {
   std::string access_key, secret_key;  ///< of an S3 bucket
 };
 
-/// The shared tier, as the sessions of all tenants use it.
+/// What a daemon shares with others, as the sessions of all tenants use it.
 struct Sharing {
-  std::shared_ptr<ObjectStore> objects{};  ///< null: none
+  std::shared_ptr<ObjectStore> objects{};  ///< the shared tier; null: none
   std::string farm_key{};
   /// An edit is acknowledged when the tier has its recipe; else when the local store has it.
   bool acknowledge_in_tier = false;
   std::function<void(const std::string&)> tell{};  ///< hears lines for the log; may be empty
+  std::shared_ptr<DesignTable> designs{};          ///< null: designs are in the store alone
+  Homes homes{};                                   ///< of designs; where there is no table
 };
 
 /// Whether the place of a tier is that of an HTTP server, not a folder.

@@ -13,4 +13,13 @@ Error tier_unavailable(std::string_view why, double retry_after) {
                 .retry_after = retry_after});
 }
 
+Error tier_refused(std::size_t bytes, long status) {
+  return Error({.kind = ErrorKind::FailedPrecondition,
+                .reason = "TIER_REFUSED",
+                .message = "the shared tier refuses an object of " + std::to_string(bytes) +
+                           " bytes, with status " + std::to_string(status),
+                .stage = "store",
+                .hint = "raise the tier's limit on the size of objects"});
+}
+
 }  // namespace remeshd::error

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -30,12 +33,35 @@ class Shelf final : public ObjectStore {
   }
   void put(const std::string& key, const std::string& bytes) override {
     check();
+    if (before_put) before_put(key);
     const std::scoped_lock lock(mutex_);
     objects_[key] = bytes;
+    written_[key] =
+        std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+  }
+  /// Makes all objects older.
+  void age(double seconds) {
+    const std::scoped_lock lock(mutex_);
+    for (auto& [key, written] : written_) written -= static_cast<std::int64_t>(1e9 * seconds);
   }
 
-  void remove(const std::string& key) {
+  [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
+                                                    std::size_t bytes) override {
+    auto object = get(key);
+    if (object) object->resize(std::min(object->size(), bytes));
+    return object;
+  }
+  void list(const std::string& prefix,
+            const std::function<void(const ObjectInfo&)>& visit) override {
+    for (const std::string& key : keys(prefix)) {
+      const std::scoped_lock lock(mutex_);
+      visit({.key = key, .bytes = objects_[key].size(), .written_ns = written_[key]});
+    }
+  }
+  void remove(const std::string& key) override {
+    check();
     const std::scoped_lock lock(mutex_);
+    if (before_remove) before_remove(key);
     objects_.erase(key);
   }
   /// Keys that contain a text, sorted.
@@ -49,6 +75,7 @@ class Shelf final : public ObjectStore {
 
   std::atomic<bool> fails = false;
   std::atomic<int> asked = 0;
+  std::function<void(const std::string&key)> before_put, before_remove;  ///< may be empty
 
  private:
   void check() {
@@ -58,6 +85,7 @@ class Shelf final : public ObjectStore {
 
   mutable std::mutex mutex_;
   std::map<std::string, std::string> objects_;
+  std::map<std::string, std::int64_t> written_;  ///< ns since 1970
 };
 
 }  // namespace remeshd::test
