@@ -1,10 +1,12 @@
 #include "server/config/configuration.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "server/config/config_error.h"
 #include "server/config/config_file.h"
 #include "server/config/environment.h"
+#include "server/designs/postgres.h"
 #include "server/guard/tier_secrets.h"
 #include "server/guard/tls_files.h"
 #include "server/guard/tokens.h"
@@ -55,6 +57,25 @@ void check_tier(const Settings& settings) {
   read_tier_secrets(tier.key_file, tier.s3_credentials_file);
 }
 
+void check_designs(const Settings& settings) {
+  const DesignSettings& designs = settings.designs;
+  if (!designs.catalogue.empty() || !designs.replicas.empty()) {
+    if (settings.tier.place.empty())
+      throw ConfigError(std::string(designs.catalogue.empty() ? "replicas" : "catalogue") +
+                        ": needs a tier, from which the others have the revisions");
+    if (!designs.catalogue.empty() && !designs.replicas.empty())
+      throw ConfigError("replicas: with a catalogue, designs are at all of them");
+  }
+  if (const std::string fault = Postgres::fault_of(designs.catalogue);
+      !designs.catalogue.empty() && !fault.empty())
+    throw ConfigError("catalogue: " + fault);
+  if (designs.replicas.empty() != designs.replica.empty())
+    throw ConfigError("replicas and replica go together");
+  if (!designs.replica.empty() &&
+      std::ranges::find(designs.replicas, designs.replica) == designs.replicas.end())
+    throw ConfigError("replica: " + designs.replica + " is none of the replicas");
+}
+
 }  // namespace
 
 Configuration read_configuration(std::vector<std::string> arguments,
@@ -83,6 +104,7 @@ void check_settings(const Settings& settings) {
   if (!settings.metrics.empty()) check_metrics(settings);
   check_tls_files(settings.daemon.tls);
   if (!settings.tier.place.empty()) check_tier(settings);
+  check_designs(settings);
   if (!settings.token_file.empty()) Tokens::read(settings.token_file);
 }
 

@@ -233,6 +233,17 @@ std::vector<Option> tier_options() {
       text(
           "tier-s3-credentials-file", "FILE", [](S& s) { return &s.tier.s3_credentials_file; },
           "line `ACCESS_KEY SECRET_KEY` of the bucket"),
+      text(
+          "catalogue", "ADDRESS", [](S& s) { return &s.designs.catalogue; },
+          "PostgreSQL database that has names and heads of designs, for all daemons of a farm: "
+          "postgresql://USER@HOST/DATABASE?passfile=FILE; needs a tier"),
+      list(
+          "replicas", "ADDRESS", [](S& s) { return &s.designs.replicas; },
+          "without a catalogue: an address of the farm, by which clients reach a daemon of it; "
+          "each design's names are at one of them; to be given for each"),
+      text(
+          "replica", "ADDRESS", [](S& s) { return &s.designs.replica; },
+          "that of this daemon, one of `replicas`"),
   };
 }
 

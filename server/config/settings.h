@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "server/daemon.h"
 #include "server/observe/log.h"
@@ -16,6 +18,13 @@ struct TierSettings {
   std::filesystem::path s3_credentials_file;  ///< has `ACCESS_KEY SECRET_KEY`
 };
 
+/// Where names and heads of designs are, beyond the daemon's own store.
+struct DesignSettings {
+  std::string catalogue;              ///< a PostgreSQL database, as libpq takes it; empty: none
+  std::vector<std::string> replicas;  ///< addresses of all daemons of the farm; empty: it is alone
+  std::string replica;                ///< that of this one
+};
+
 /// All that can be configured, each by the option of its name (option_table.h).
 struct Settings {
   DaemonOptions daemon;
@@ -26,6 +35,7 @@ struct Settings {
   bool insecure_metrics = false;        ///< `metrics` may be reached from elsewhere
   std::filesystem::path token_file;     ///< of Doorman; empty: none
   TierSettings tier;
+  DesignSettings designs;
   bool behind_proxy = false;  ///< what may be reached from elsewhere need not have mutual TLS
   double grace = 10;          ///< s that requests may go on after a signal to end
 };

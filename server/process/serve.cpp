@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "server/designs/postgres_designs.h"
 #include "server/guard/doorman.h"
 #include "server/guard/tier_secrets.h"
 #include "server/limits.h"
@@ -67,14 +68,19 @@ void reload(Log& log, Doorman* doorman) {
   }
 }
 
-Sharing sharing_of(const TierSettings& tier, const std::shared_ptr<spdlog::logger>& logger) {
+Sharing sharing_of(const TierSettings& tier, const DesignSettings& designs,
+                   const std::shared_ptr<spdlog::logger>& logger) {
   if (tier.place.empty()) return {};
   const TierSecrets secrets = read_tier_secrets(tier.key_file, tier.s3_credentials_file);
   const auto tell = [logger](const std::string& line) { logger->warn("tier: {}", line); };
   return {.objects = open_objects(tier.place, tier.s3_region, secrets, tell),
           .farm_key = secrets.farm_key,
           .acknowledge_in_tier = tier.acknowledge == "tier",
-          .tell = tell};
+          .tell = tell,
+          .designs = designs.catalogue.empty()
+                         ? nullptr
+                         : std::make_shared<PostgresDesigns>(designs.catalogue),
+          .homes = {.replicas = designs.replicas, .own = designs.replica}};
 }
 
 }  // namespace
@@ -103,7 +109,7 @@ void serve(const Configuration& configuration, Engine engine) {
   DaemonOptions options = settings.daemon;
   options.log = logger;
   options.doorman = doorman;
-  options.sharing = sharing_of(settings.tier, logger);
+  options.sharing = sharing_of(settings.tier, settings.designs, logger);
   if (!settings.metrics.empty()) {
     options.metrics = std::make_shared<Metrics>(REMESHD_VERSION, engine.algorithm_version);
     options.metrics->set_source("log", [&log](MetricsReadings& out) {

@@ -22,14 +22,23 @@ using RawCacheMethods =
                Cache::WithRawCallbackMethod_CollectGarbage,
                Cache::WithRawCallbackMethod_VerifyCache, Cache::WithRawCallbackMethod_SetPin>::Type;
 
+double checked_seconds(double seconds, const char* field) {
+  constexpr double kMost = 1e9;  // 32 years
+  if (!(seconds >= 0 && seconds <= kMost))
+    throw error::option_invalid(field, "is not between 0 and 1e9");
+  return seconds;
+}
+
 GarbageOptions garbage_options(const v1::CollectGarbageRequest& request) {
   GarbageOptions out{.dry_run = request.dry_run()};
   if (request.has_disk_bytes()) out.disk_bytes = request.disk_bytes();
-  if (request.has_unused_seconds()) {
-    constexpr double kMost = 1e9;  // 32 years
-    if (!(request.unused_seconds() >= 0 && request.unused_seconds() <= kMost))
-      throw error::option_invalid("unused_seconds", "is not between 0 and 1e9");
-    out.unused_seconds = request.unused_seconds();
+  if (request.has_unused_seconds())
+    out.unused_seconds = checked_seconds(request.unused_seconds(), "unused_seconds");
+  if (request.has_recipes_unused_seconds()) {
+    if (!request.tier())
+      throw error::option_invalid("recipes_unused_seconds", "is for the shared tier alone");
+    out.recipes_unused_seconds =
+        checked_seconds(request.recipes_unused_seconds(), "recipes_unused_seconds");
   }
   return out;
 }
@@ -53,7 +62,9 @@ class RawCacheService final : public RawCacheMethods {
     return query<v1::CollectGarbageRequest>(
         "CollectGarbage", Lane::Preparation, context, in, out,
         [](Session& session, const auto& request) {
-          return encode(session.cache().collect_garbage(garbage_options(request)));
+          const GarbageOptions options = garbage_options(request);
+          return encode(request.tier() ? session.cache().collect_tier_garbage(options)
+                                       : session.cache().collect_garbage(options));
         });
   }
   grpc::ServerWriteReactor<Bytes>* VerifyCache(Context* context, const Bytes* in) override {

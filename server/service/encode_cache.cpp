@@ -80,6 +80,7 @@ v1::GetCacheStatsResponse encode(const CacheStats& stats) {
 
 v1::CollectGarbageResponse encode(const Collected& collected) {
   v1::CollectGarbageResponse out;
+  out.set_recipes(collected.recipes);
   out.set_meshes(collected.meshes);
   out.set_bytes_freed(collected.bytes_freed);
   out.set_disk_bytes(collected.disk_bytes);

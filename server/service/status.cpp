@@ -106,6 +106,7 @@ v1::Error to_message(const Error& error) {
   if (info.column) out.set_column(static_cast<std::uint32_t>(*info.column));
   if (info.retry_after) out.set_retry_after(*info.retry_after);
   put_fitting(info.attempts, *out.mutable_attempts(), kAllAttempts);
+  out.set_home(fitting(info.home, kShortText));
   if (info.warning) put_warning(*info.warning, *out.mutable_warning());
   return out;
 }

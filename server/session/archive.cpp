@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "server/admission/load_error.h"
-#include "server/session/clock.h"
+#include "server/session/changed_now.h"
 #include "server/session/fail_on.h"
 #include "server/session/head_decision.h"
 #include "server/session/session_error.h"
@@ -12,10 +12,6 @@
 
 namespace remeshd {
 namespace {
-
-AddDesign changed_now(const std::string& design) {
-  return {.name = design, .changed_ns = nanoseconds_now()};
-}
 
 /// `made`: the place of the revision that does not become the head.
 Warning head_kept(const PlaceRecord& made, std::uint32_t head) {
@@ -37,24 +33,15 @@ void set_not_durable(Filed& filed) {
   if (std::exchange(filed.durable, false)) filed.warnings.push_back(not_durable());
 }
 
-DesignRecord listed_design(Catalogue& catalogue, const std::string& name) {
-  auto found = catalogue.design(name);
-  if (!found) throw error::design_not_found(name);
-  return *std::move(found);
-}
-
-void check_expected(const DesignRecord& design, const std::string& expected) {
-  if (!expected.empty() && design.head != expected)
-    throw error::head_conflict(design.name, expected, design.head);
-}
-
 }  // namespace
 
 Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk,
-                 Metrics* metrics, std::unique_ptr<SharedRevisions> shared)
+                 Metrics* metrics, SharedParts shared)
     : engine_(engine),
       store_(store),
-      shared_(std::move(shared)),
+      shared_(std::move(shared.revisions)),
+      designs_(std::move(shared.designs)),
+      homes_(std::move(shared.homes)),
       memory_(memory),
       metrics_(metrics),
       held_(memory, store.persistent(), engine.memory_blocks,
@@ -82,6 +69,7 @@ Archive::~Archive() {
 
 Reference Archive::resolve(const std::string& text) {
   if (shared_ && is_full_id(text) && !is_known(text)) adopt(text);
+  look_at_named(text);
   return store_.read([&](Catalogue& catalogue) { return remeshd::resolve(catalogue, text); });
 }
 
@@ -98,16 +86,10 @@ void Archive::drop_unfiled(const std::string& id) {
   if (!store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); })) held_.erase(id);
 }
 
-/// What is to happen to the catalogue, and what becomes of the revision by it.
-struct Archive::Filing {
-  Filed filed;
-  bool add = false;  ///< the catalogue does not have it
-  Transaction changes;
-};
-
 Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord& record,
                                      const std::string& design, const HeadRule& rule,
                                      const std::vector<WarningCode>& fail_on) const {
+  homes_.check(design);
   Filing filing;
   Filed& filed = filing.filed;
   filed.durable = is_durable(record.id);
@@ -155,11 +137,13 @@ Archive::Filing Archive::plan_filing(Catalogue& catalogue, const RevisionRecord&
 
 void Archive::check_filing(const RevisionRecord& record, const std::string& design,
                            const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
+  look_at_design(design);
   store_.read([&](Catalogue& catalogue) { plan_filing(catalogue, record, design, rule, fail_on); });
 }
 
 Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
                     const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
+  if (designs_ && !design.empty()) return file_with_others(revision, design, rule, fail_on);
   const std::string& id = revision->record.id;
   const auto plan = [&](Catalogue& catalogue) {
     return plan_filing(catalogue, revision->record, design, rule, fail_on);
@@ -226,86 +210,6 @@ void Archive::forget(const std::string& id) {
   set_unsaved(id, false);
   const std::scoped_lock lock(notes_);
   used_.erase(id);
-}
-
-Archive::HeadSet Archive::set_head(const std::string& text, const std::string& design,
-                                   const std::string& expected) {
-  const std::scoped_lock lock(filing_);
-  HeadSet set;
-  store_.commit([&](Catalogue& catalogue) {
-    const Reference reference = remeshd::resolve(catalogue, text);
-    const std::string& name = design.empty() ? reference.design : design;
-    if (name.empty())
-      throw error::field_missing("design", "an id names no design; design@number does");
-    const DesignRecord now = listed_design(catalogue, name);
-    const auto places = catalogue.places(reference.id);
-    if (std::ranges::find(places, name, &PlaceRecord::design) == places.end())
-      throw error::revision_not_found(text, "the design `" + name + "` does not have it");
-    check_expected(now, expected);
-    set.previous = now.head;
-    set.design.name = name;
-    if (now.head == reference.id) return Transaction{};
-    return Transaction{SetHead{name, reference.id}, changed_now(name)};
-  });
-  set.design =
-      *store_.read([&](Catalogue& catalogue) { return catalogue.design(set.design.name); });
-  return set;
-}
-
-Archive::DesignRemoved Archive::remove_design(const std::string& design,
-                                              const std::string& expected) {
-  const std::scoped_lock lock(filing_);
-  DesignRemoved removed;
-  std::vector<std::string> gone;
-  const auto take_out = [&](Catalogue& catalogue) {
-    check_expected(listed_design(catalogue, design), expected);
-    Transaction changes{SetHead{design, ""}};
-    for (const PlaceRecord& place : catalogue.places_of(design)) {
-      changes.emplace_back(RemovePlace{design, place.number});
-      ++removed.revisions;
-      if (catalogue.places(place.id).size() > 1) continue;
-      changes.emplace_back(RemoveRevision{place.id});
-      gone.push_back(place.id);
-    }
-    AddDesign off_the_list = changed_now(design);
-    off_the_list.listed = false;
-    changes.emplace_back(off_the_list);
-    return changes;
-  };
-  store_.commit(take_out, Store::OnFullDisk::GoOn);
-  for (const std::string& id : gone) forget(id);
-  removed.meshes_deleted = static_cast<std::uint32_t>(gone.size());
-  return removed;
-}
-
-Archive::Removed Archive::remove(const std::string& text, bool allow_head) {
-  const std::scoped_lock lock(filing_);
-  Removed removed;
-  const auto take_out = [&](Catalogue& catalogue) {
-    const Reference reference = remeshd::resolve(catalogue, text);
-    removed.id = reference.id;
-    Transaction changes;
-    bool elsewhere = false;
-    for (const PlaceRecord& place : catalogue.places(reference.id)) {
-      if (!reference.design.empty() && place.design != reference.design) {
-        elsewhere = true;
-        continue;
-      }
-      if (place.head && !allow_head) throw error::head_protected(place.design, place.number);
-      removed.places.push_back(place);
-      changes.emplace_back(RemovePlace{place.design, place.number});
-      changes.emplace_back(changed_now(place.design));
-      if (!place.head) continue;
-      const auto last = catalogue.last_place(place.design, reference.id);
-      changes.emplace_back(SetHead{place.design, last ? last->id : ""});
-    }
-    removed.mesh_deleted = !elsewhere;
-    if (!elsewhere) changes.emplace_back(RemoveRevision{reference.id});
-    return changes;
-  };
-  store_.commit(take_out, Store::OnFullDisk::GoOn);
-  if (removed.mesh_deleted) forget(removed.id);
-  return removed;
 }
 
 }  // namespace remeshd

@@ -20,10 +20,18 @@
 #include "server/session/one_at_a_time.h"
 #include "server/session/recipe.h"
 #include "server/session/references.h"
+#include "server/session/shared_designs.h"
 #include "server/session/shared_revisions.h"
 #include "server/store/store.h"
 
 namespace remeshd {
+
+/// What a tenant's archive shares with those of other daemons, which takes a persistent store.
+struct SharedParts {
+  std::unique_ptr<SharedRevisions> revisions{};  ///< null: none
+  std::unique_ptr<SharedDesigns> designs{};      ///< null: they are its own
+  Homes homes{};                                 ///< of designs that are its own
+};
 
 /// A tenant's revisions: those in memory before the store, and the designs that they stand in.
 class Archive {
@@ -43,10 +51,8 @@ class Archive {
   };
 
   /// All of these must outlive the archive. `disk`: null for no limit; `metrics`: for none.
-  /// `shared`: null where the revisions are shared with no other daemon; else the store must be
-  /// persistent.
   Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr,
-          Metrics* metrics = nullptr, std::unique_ptr<SharedRevisions> shared = nullptr);
+          Metrics* metrics = nullptr, SharedParts shared = {});
   ~Archive();
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
@@ -56,6 +62,19 @@ class Archive {
   Reference resolve(const std::string& text);
   /// Whether there is a shared tier.
   [[nodiscard]] bool shares() const { return shared_ != nullptr; }
+  /// Whether the names of a design are here.
+  [[nodiscard]] bool is_home_of(const std::string& design) const {
+    return homes_.elsewhere(design).empty();
+  }
+  /// Throws Error(DESIGN_ELSEWHERE).
+  void check_home(const std::string& design) const { homes_.check(design); }
+  /// Before a design is read or changed: where others may change it too, it is brought up to date.
+  /// The first by name, the second by whatever names a revision; then the designs that a revision
+  /// stands in, and all. Throw Error: CATALOGUE_UNAVAILABLE, DESIGN_ELSEWHERE.
+  void look_at_design(const std::string& design);
+  void look_at_named(const std::string& text);
+  void look_at_places(const std::string& id);
+  void look_at_designs();
   /// A revision whose mesh the shared tier has, taken into the store; null where it seems not to
   /// have it, which it must tell at once. As `find` otherwise. Throws Error(TIER_UNAVAILABLE).
   HeldRevisionPtr find_shared(const std::string& id, const Run& run);
@@ -127,6 +146,9 @@ class Archive {
   /// Lets meshes go from the disk until no more is taken than asked for, else than the budget
   /// allows this tenant, as `meshes_to_drop` chooses.
   Collected collect_garbage(const GarbageOptions& options);
+  /// The same in the shared tier, which has no budget of its own. Throws
+  /// Error(OPTIONS_INVALID) where there is none.
+  Collected collect_tier_garbage(const GarbageOptions& options);
   /// Reads the stored mesh of a revision; what is wrong with it, if anything. That it is
   /// damaged is kept in mind: whoever files it next stores it again.
   std::optional<CacheFault> check_stored(const std::string& id);
@@ -142,9 +164,17 @@ class Archive {
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
  private:
-  struct Filing;
+  /// What is to happen to the catalogue, and what becomes of the revision by it.
+  struct Filing {
+    Filed filed;
+    bool add = false;  ///< the catalogue does not have it
+    Transaction changes;
+  };
   Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
                      const HeadRule& rule, const std::vector<WarningCode>& fail_on) const;
+  bool commit_designs(const SharedDesigns::Make& make, Store::OnFullDisk on_full_disk);
+  Filed file_with_others(const HeldRevisionPtr& revision, const std::string& design,
+                         const HeadRule& rule, const std::vector<WarningCode>& fail_on);
   void count(Metrics::CacheResult where) const;
   void count_use(const std::string& id, bool hit);
   HeldRevisionPtr look_up(const std::string& id, const Run& run);
@@ -154,6 +184,9 @@ class Archive {
     std::exception_ptr damage;
   };
   Reading read(const std::string& id, const Run& run);
+  /// Of a revision that is known from its design alone, that of the shared tier. Empty: there is
+  /// none.
+  std::string recipe_text(const std::string& id);
   /// What a mesh is made again of, if it can be. Throws Error(REVISION_OUTDATED).
   std::optional<Recipe> recipe_to_follow(const std::string& id);
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
@@ -173,6 +206,9 @@ class Archive {
   /// loading it is the caller's.
   HeldRevisionPtr bring(const std::string& id, const Run& run);
   void take_in(const SharedRevisions::Mesh& mesh);
+  /// A mesh that was stored may have come from another daemon: it is held against its recipe each
+  /// time that it is read. Throws Error(STORE_CORRUPTED).
+  void check_digests(const HeldRevision& held);
 
   struct Written;
   Written write(const HeldRevision& revision, const PlaceRecord& place, bool by_itself);
@@ -206,6 +242,8 @@ class Archive {
   const Engine& engine_;
   Store& store_;
   const std::unique_ptr<SharedRevisions> shared_;  ///< null: none
+  const std::unique_ptr<SharedDesigns> designs_;   ///< null: designs are in the store alone
+  const Homes homes_;
   MemoryBudget& memory_;
   Metrics* const metrics_;  ///< null: none
   HeldRevisions held_;

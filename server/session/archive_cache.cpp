@@ -214,6 +214,7 @@ std::optional<CacheFault> Archive::check_stored(const std::string& id) {
 }
 
 CacheEntry Archive::set_pin(const std::string& text, bool pinned) {
+  if (const std::string named = resolve(text).id; shared_) shared_->set_pin(named, pinned);
   const std::scoped_lock lock(filing_);
   std::string id;
   store_.commit([&](Catalogue& catalogue) {

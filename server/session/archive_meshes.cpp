@@ -102,6 +102,7 @@ HeldRevisionPtr Archive::load(const RevisionRecord& record, const Run& run) {
   try {
     const HeldRevisionPtr parent = held_.find(record.parent);
     auto held = restored(engine_, store_.get(record.id), record, parent.get(), run);
+    if (shared_) check_digests(*held);
     held_.insert(held);
     return held;
   } catch (const Error& failure) {
@@ -144,7 +145,7 @@ HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
 }
 
 std::optional<Recipe> Archive::recipe_to_follow(const std::string& id) {
-  const std::string text = store_.recipe(id);
+  const std::string text = recipe_text(id);
   if (text.empty()) return std::nullopt;
   Recipe recipe = read_recipe(text);
   if (recipe.algorithm_version != engine_.algorithm_version)
@@ -202,7 +203,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
 }
 
 Recipe Archive::recipe(const std::string& id) {
-  const std::string text = store_.recipe(id);
+  const std::string text = recipe_text(id);
   if (!text.empty()) return read_recipe(text);
   const HeldRevisionPtr held = held_.find(id);
   if (held && held->asked) return recipe_of(*held);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "server/limits.h"
 #include "server/session/archive.h"
 #include "server/session/session_error.h"
@@ -16,6 +18,18 @@ void Archive::adopt(const std::string& id) {
     if (catalogue.revision(id)) return Transaction{};
     return Transaction{AddRevision{known->record, known->packed_recipe}};
   });
+}
+
+std::string Archive::recipe_text(const std::string& id) {
+  std::string text = store_.recipe(id);
+  if (!text.empty() || !shared_) return text;
+  const auto known = shared_->find(id);
+  if (!known) return {};
+  store_.commit([&](Catalogue& catalogue) {
+    return Transaction{
+        AddRevision{catalogue.revision(id).value_or(known->record), known->packed_recipe}};
+  });
+  return store_.recipe(id);
 }
 
 HeldRevisionPtr Archive::look_up_shared(const std::string& id, const Run& run) {
@@ -42,25 +56,30 @@ HeldRevisionPtr Archive::bring(const std::string& id, const Run& run) {
   if (chain.empty()) return nullptr;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (!record || record->bytes == 0) return nullptr;
-  const auto refuse = [&](const std::string& why) -> HeldRevisionPtr {
-    shared_->put_away(chain.back(), why);
-    set_damaged(id, true);
-    held_.erase(id);
-    return nullptr;
-  };
   HeldRevisionPtr held;
   try {
     held = load(*record, run);
   } catch (const Error& failure) {
     if (failure.info().kind != ErrorKind::Internal) throw;
-    return refuse(failure.info().message);
+    shared_->put_away(chain.back(), failure.info().message);
+    return nullptr;
   }
-  // Its bytes are those of their digest; this is whether they are those of the recipe.
-  if (digests_of(*held) != chain.back().known.recipe.digests)
-    return refuse("its arrays have not the digests of its recipe");
   for (const SharedRevisions::Mesh& mesh : chain) shared_->mend(mesh.known.record.id);
   count(Metrics::CacheResult::Tier);
   return held;
+}
+
+void Archive::check_digests(const HeldRevision& held) {
+  const std::string& id = held.record.id;
+  const std::string text = store_.recipe(id);
+  if (text.empty()) return;
+  const auto digests = digests_of(held);
+  const auto is_told = [&](const Recipe::Digest& digest) {
+    return std::ranges::find(digests, digest) != digests.end();
+  };
+  if (std::ranges::all_of(read_recipe(text).digests, is_told)) return;
+  shared_->distrust(id);
+  throw error::store_corrupted(id, "its arrays have not the digests of its recipe");
 }
 
 void Archive::take_in(const SharedRevisions::Mesh& mesh) {
@@ -84,6 +103,11 @@ HeldRevisionPtr Archive::find_shared(const std::string& id, const Run& run) {
   const auto turn = loading_.take(id, run);
   if (auto held = held_.find(id)) return held;
   return bring(id, run);
+}
+
+Collected Archive::collect_tier_garbage(const GarbageOptions& options) {
+  if (!shared_) throw error::option_invalid("tier", "asks for a shared tier, and there is none");
+  return shared_->collect_garbage(options);
 }
 
 void Archive::publish(const std::string& id) {

@@ -39,12 +39,14 @@ struct GarbageOptions {
   std::optional<std::uint64_t> disk_bytes;  ///< at most afterwards; else the archive's budget
   std::optional<double> unused_seconds;     ///< also lets go what was not used for so long
   bool dry_run = false;
+  std::optional<double> recipes_unused_seconds;  ///< of the shared tier; else all stay
 };
 
 struct Collected {
   std::uint32_t meshes = 0;
   std::uint64_t bytes_freed = 0;
   std::uint64_t disk_bytes = 0;  ///< afterwards
+  std::uint32_t recipes = 0;     ///< of the shared tier
 };
 
 struct CacheFault {

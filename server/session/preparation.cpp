@@ -38,12 +38,14 @@ std::optional<EditBase> Preparation::base_of(const Command& command) const {
   EditBase base{.id = reference.id,
                 .design = edit->design.empty() ? reference.design : edit->design};
   if (base.design.empty()) {
+    archive_.look_at_places(base.id);
     const auto places =
         archive_.store().read([&](Catalogue& catalogue) { return catalogue.places(base.id); });
     if (!places.empty()) base.design = places.front().design;
   }
   if (!base.design.empty()) {
     check_design_name(base.design);
+    archive_.check_home(base.design);
   } else if (edit->head.file.value_or(false) || concerns_head(edit->head)) {
     throw error::field_missing("design", "the base is in none");
   }
@@ -70,10 +72,15 @@ Prepared Preparation::prepare(const Command& command, const std::optional<EditBa
 Prepared Preparation::prepare_create(const CreateCommand& command, const Run& run) const {
   Prepared prepared;
   prepared.options = first_options(command.options);
-  if (command.head.file.value_or(true)) {
-    prepared.design = command.design.empty() ? command.source.name : command.design;
-    if (prepared.design.empty()) prepared.design = "model";
-    check_design_name(prepared.design);
+  std::string design = command.design.empty() ? command.source.name : command.design;
+  if (design.empty()) design = "model";
+  // One that nobody named need not be filed where it cannot.
+  const bool file =
+      !command.design.empty() || concerns_head(command.head) || archive_.is_home_of(design);
+  if (command.head.file.value_or(file)) {
+    check_design_name(design);
+    archive_.check_home(design);
+    prepared.design = design;
   } else {
     check_unfiled(command.head, command.design);
   }

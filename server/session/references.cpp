@@ -17,6 +17,10 @@ bool all_hexadecimal(const std::string& text) {
                      [](unsigned char c) { return std::isxdigit(c) != 0; });
 }
 
+bool looks_like_id(const std::string& text) {
+  return text.size() >= kShortestPrefix && text.size() <= kIdDigits && all_hexadecimal(text);
+}
+
 Reference at_number(Catalogue& catalogue, const std::string& text, std::size_t at) {
   const std::string design = text.substr(0, at);
   std::uint32_t number = 0;
@@ -52,6 +56,12 @@ Reference resolve(Catalogue& catalogue, const std::string& text) {
   return {ids.front(), "", 0};
 }
 
+std::optional<std::string> design_named_by(const std::string& text) {
+  const std::string name = text.substr(0, text.rfind('@'));
+  if (name.empty() || looks_like_id(name)) return std::nullopt;
+  return name;
+}
+
 void check_design_name(const std::string& name) {
   if (name.empty()) throw error::design_name_invalid("is empty");
   if (name.size() > 128) throw error::design_name_invalid("is longer than 128 bytes");
@@ -60,8 +70,7 @@ void check_design_name(const std::string& name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       throw error::design_name_invalid("contains a control character");
   }
-  if (name.size() >= kShortestPrefix && name.size() <= kIdDigits && all_hexadecimal(name))
-    throw error::design_name_invalid("looks like a revision's id");
+  if (looks_like_id(name)) throw error::design_name_invalid("looks like a revision's id");
 }
 
 }  // namespace remeshd

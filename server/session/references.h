@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "server/store/catalogue.h"
@@ -17,6 +18,9 @@ struct Reference {
 /// one of at least 8 digits, in this order. Throws Error: NotFound, or InvalidArgument for an
 /// ambiguous prefix.
 Reference resolve(Catalogue& catalogue, const std::string& text);
+
+/// The design that a text would name, be there one or not; nothing for what looks like an id.
+std::optional<std::string> design_named_by(const std::string& text);
 
 /// Throws Error(InvalidArgument, `DESIGN_NAME_INVALID`), also for what looks like an id.
 void check_design_name(const std::string& name);

@@ -20,10 +20,12 @@ std::filesystem::path dumps_of(const std::string& tenant, const std::filesystem:
   return tenant.empty() || dumps.empty() ? dumps : dumps / "tenants" / tenant;
 }
 
-std::unique_ptr<SharedRevisions> shared_revisions(const Sharing& sharing, const std::string& tenant,
-                                                  Store& store) {
-  if (!sharing.objects) return nullptr;
-  return std::make_unique<SharedRevisions>(sharing, tenant, store);
+SharedParts shared_parts(const Sharing& sharing, const std::string& tenant, Store& store) {
+  SharedParts parts{.homes = sharing.homes};
+  if (sharing.objects) parts.revisions = std::make_unique<SharedRevisions>(sharing, tenant, store);
+  if (sharing.designs)
+    parts.designs = std::make_unique<SharedDesigns>(sharing.designs, tenant, store);
+  return parts;
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ Session::Session(Resources& resources, std::string tenant, std::unique_ptr<Store
       tenant_(std::move(tenant)),
       store_(std::move(store)),
       archive_(engine(), *store_, resources.memory(), &resources.disk(), resources.metrics(),
-               shared_revisions(sharing, tenant_, *store_)),
+               shared_parts(sharing, tenant_, *store_)),
       fetcher_(tenant_,
                {archive_, resources.lane(Lane::Preparation), resources.lane(Lane::Computation)}),
       scheduler_({engine(), archive_, fetcher_, resources.memory(),
@@ -98,6 +100,12 @@ Description Session::describe(const Reference& reference, const Run& run) {
     if (why.info().kind == ErrorKind::Cancelled || store_->recipe(reference.id).empty()) throw;
   }
   if (!description.revision) description.recipe = archive_.recipe(reference.id);
+  try {
+    archive_.look_at_places(reference.id);
+  } catch (const Error& failure) {
+    // What is named by its id is served all the same, with the places that were known.
+    if (failure.info().reason != "CATALOGUE_UNAVAILABLE") throw;
+  }
   store_->read([&](Catalogue& catalogue) {
     if (const auto record = catalogue.revision(reference.id)) description.record = *record;
     description.places = catalogue.places(reference.id);
@@ -160,6 +168,11 @@ Validated Session::validate_edit(const std::variant<std::string, ModelSource>& b
 }
 
 std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const RevisionPage& page) {
+  if (filter.design.empty()) {
+    archive_.look_at_designs();
+  } else {
+    archive_.look_at_design(filter.design);
+  }
   return store_->read([&](Catalogue& catalogue) {
     if (!filter.design.empty() && !catalogue.design(filter.design))
       throw error::design_not_found(filter.design);
@@ -168,6 +181,7 @@ std::vector<ListedRevision> Session::list(const RevisionFilter& filter, const Re
 }
 
 std::vector<DesignRecord> Session::designs(const DesignFilter& filter, const DesignPage& page) {
+  archive_.look_at_designs();
   return store_->read([&](Catalogue& catalogue) { return catalogue.designs(filter, page); });
 }
 

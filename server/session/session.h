@@ -157,6 +157,7 @@ class Session {
   }
   /// The first design that a revision stands in; empty for none.
   std::string design_of(const std::string& id) {
+    archive_.look_at_places(id);
     const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
     return places.empty() ? "" : places.front().design;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <future>
 #include <ranges>
 #include <utility>
 
@@ -16,59 +17,15 @@
 namespace remeshd {
 namespace {
 
-constexpr const char* kRecipe = "recipe";
-constexpr const char* kPack = "pack";
 // Longer chains are not written (packs.cpp).
 constexpr std::size_t kMostBases = 64;
 // Meshes that wait for a tier: the recipes of more are written all the same.
 constexpr std::size_t kMostWaiting = 100'000;
 
-std::uint64_t first_digits(const std::string& id) {
-  std::uint64_t digits = 0;
-  std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), digits, 16);
-  return digits;
-}
-
 /// Of a store, made if need be.
 std::filesystem::path outbox_folder(const Store& store, const char* name) {
   make_folder(store.folder() / "outbox");
   return store.folder() / "outbox" / name;
-}
-
-/// What a revision is, whatever store has it.
-std::string line_of(RevisionRecord record, const std::string& packed_recipe) {
-  record.bytes = 0;
-  record.base.clear();
-  record.pinned = false;
-  return write_journal_line({.transaction = {AddRevision{std::move(record), packed_recipe}}});
-}
-
-/// What a record and its recipe tell, of a revision of that id. Throws WrongObject.
-SharedRevisions::Known known_of(RevisionRecord record, std::string packed_recipe,
-                                const std::string& id) {
-  SharedRevisions::Known known{.record = std::move(record),
-                               .packed_recipe = std::move(packed_recipe)};
-  try {
-    known.recipe = read_recipe(unpacked(known.packed_recipe));
-  } catch (const Error& why) {
-    throw WrongObject("its recipe cannot be read: " + why.info().message);
-  }
-  const Recipe& recipe = known.recipe;
-  if (known.record.id != id || recipe.revision != id || known.record.parent != recipe.parent)
-    throw WrongObject("it tells of another revision");
-  if (revision_id(recipe.model, recipe.options, recipe.parent, recipe.algorithm_version) != id)
-    throw WrongObject("its recipe gives another revision");
-  return known;
-}
-
-/// The same of a line. Throws WrongObject.
-SharedRevisions::Known known_in(const std::string& line, const std::string& id) {
-  auto read = read_journal_line(line);
-  auto* added = read && read->transaction.size() == 1
-                    ? std::get_if<AddRevision>(&read->transaction.front())
-                    : nullptr;
-  if (added == nullptr) throw WrongObject("it tells of no revision");
-  return known_of(std::move(added->record), std::move(added->recipe.bytes), id);
 }
 
 }  // namespace
@@ -77,10 +34,16 @@ SharedRevisions::SharedRevisions(Sharing sharing, const std::string& tenant, Sto
     : sharing_(std::move(sharing)),
       prefix_(tenant.empty() ? "" : "tenants/" + tenant + "/"),
       store_(store),
-      recipes_(outbox_folder(store, "recipes"), Outbox::Again::First,
+      recipes_(outbox_folder(store, "recipes"), Outbox::Again::InPlace,
                [this](const std::string& id) { write_recipe(id); }),
       meshes_(outbox_folder(store, "meshes"), Outbox::Again::Last,
               [this](const std::string& id) { write_mesh(id); }) {}
+
+std::uint64_t SharedRevisions::first_digits(const std::string& id) {
+  std::uint64_t digits = 0;
+  std::from_chars(id.data(), id.data() + std::min<std::size_t>(id.size(), 16), digits, 16);
+  return digits;
+}
 
 std::string SharedRevisions::key_of(const std::string& kind, const std::string& id) const {
   return prefix_ + kind + "/" + id.substr(0, 2) + "/" + id;
@@ -115,19 +78,19 @@ std::optional<std::string> SharedRevisions::read(const std::string& key) {
   }
 }
 
-std::optional<SharedRevisions::Known> SharedRevisions::find(const std::string& id) {
+std::optional<SharedRecord> SharedRevisions::find(const std::string& id) {
   if (auto known = find_recipe(id)) return known;
   auto found = mesh(id);  // which tells its recipe too
   if (!found) return std::nullopt;
   return std::move(found->known);
 }
 
-std::optional<SharedRevisions::Known> SharedRevisions::find_recipe(const std::string& id) {
+std::optional<SharedRecord> SharedRevisions::find_recipe(const std::string& id) {
   const std::string key = key_of(kRecipe, id);
   const auto line = read(key);
   if (!line) return std::nullopt;
   try {
-    Known known = known_in(*line, id);
+    SharedRecord known = shared_record_in(*line, id);
     const std::scoped_lock lock(mutex_);
     published_.insert(first_digits(id));
     return known;
@@ -149,12 +112,7 @@ std::optional<SharedRevisions::Mesh> SharedRevisions::mesh(const std::string& id
   try {
     const auto head = Packs::head_in(*pack);
     if (!head || head->recipe.empty()) throw WrongObject("it is no pack of this version");
-    Known known = known_of(head->record, head->recipe, id);
-    if (auto told = find_recipe(id)) {  // when it was made, and how long that took
-      known.record.created_ns = told->record.created_ns;
-      known.record.seconds = std::move(told->record.seconds);
-    }
-    return Mesh{std::move(known), std::move(*pack)};
+    return Mesh{shared_record(head->record, head->recipe, id), std::move(*pack)};
   } catch (const WrongObject& why) {
     refuse(key, *pack, why.what());
     return std::nullopt;
@@ -173,19 +131,65 @@ std::vector<SharedRevisions::Mesh> SharedRevisions::meshes(const std::string& id
     chain.push_back(std::move(*found));
   }
   std::ranges::reverse(chain);
+  hold_against_recipes(chain);
   return chain;
+}
+
+/// Adds what recipes tell beside: when each was made, and how long that took. From the first whose
+/// recipe tells other digests on, the chain is none.
+void SharedRevisions::hold_against_recipes(std::vector<Mesh>& chain) {
+  std::vector<std::future<std::optional<SharedRecord>>> recipes;
+  for (const Mesh& mesh : chain)
+    recipes.push_back(
+        std::async(std::launch::async, [&, id = mesh.known.record.id] { return find_recipe(id); }));
+  for (std::size_t i = 0; i < recipes.size(); ++i) {
+    const auto told = recipes[i].get();
+    if (!told) continue;
+    SharedRecord& known = chain[i].known;
+    if (told->recipe.digests != known.recipe.digests) {
+      put_away(chain[i], "its recipe tells other digests");
+      chain.clear();
+      return;  // the rest is waited for
+    }
+    known.record.created_ns = told->record.created_ns;
+    known.record.seconds = told->record.seconds;
+  }
 }
 
 void SharedRevisions::put_away(const Mesh& mesh, std::string_view why) {
   refuse(key_of(kPack, mesh.known.record.id), mesh.pack, why);
 }
 
+void SharedRevisions::distrust(const std::string& id) {
+  const std::scoped_lock lock(mutex_);
+  wrong_.insert(key_of(kPack, id));
+}
+
+std::string SharedRevisions::parent_of(const std::string& id) const {
+  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
+  return record ? record->parent : std::string();
+}
+
+/// Those whose recipes are still to be written, the eldest first.
+std::vector<std::string> SharedRevisions::waiting_ancestors(const std::string& id) const {
+  std::vector<std::string> waiting;
+  for (std::string next = parent_of(id); recipes_.has(next); next = parent_of(next))
+    waiting.push_back(next);
+  std::ranges::reverse(waiting);
+  return waiting;
+}
+
 void SharedRevisions::publish(const std::string& id) {
-  const auto parent_of = [&](const std::string& each) {
-    const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(each); });
-    return record ? record->parent : std::string();
-  };
   std::vector<std::string> fresh;
+  {
+    // What was not asked for in so long may have been taken for garbage.
+    const std::scoped_lock lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - published_since_ > limits::kTierRefresh) {
+      published_.clear();
+      published_since_ = now;
+    }
+  }
   for (std::string next = id; !next.empty(); next = parent_of(next)) {
     const std::scoped_lock lock(mutex_);
     if (!published_.insert(first_digits(next)).second) break;
@@ -197,9 +201,8 @@ void SharedRevisions::publish(const std::string& id) {
     if (meshes_.size() < kMostWaiting) meshes_.add(each);
   }
   if (!sharing_.acknowledge_in_tier) return;
-  std::vector<std::string> waiting;
-  for (std::string next = id; recipes_.has(next); next = parent_of(next)) waiting.push_back(next);
-  for (const std::string& each : waiting | std::views::reverse) recipes_.write_now(each);
+  for (const std::string& each : waiting_ancestors(id)) recipes_.write_now(each);
+  recipes_.write_now(id);
 }
 
 void SharedRevisions::mend(const std::string& id) {
@@ -228,6 +231,8 @@ std::string where_whole(Read&& read) {
 }  // namespace
 
 void SharedRevisions::write_recipe(const std::string& id) {
+  // Several are written at a time.
+  for (const std::string& each : waiting_ancestors(id)) recipes_.write_now(each);
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   const std::string recipe = where_whole([&] { return store_.recipe(id); });
   if (record && !recipe.empty())

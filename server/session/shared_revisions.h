@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -9,7 +10,9 @@
 #include <unordered_set>
 #include <vector>
 
-#include "server/session/recipe.h"
+#include "server/session/cache_entry.h"
+#include "server/session/shared_record.h"
+#include "server/session/tier_garbage.h"
 #include "server/store/store.h"
 #include "server/tier/outbox.h"
 #include "server/tier/sharing.h"
@@ -23,14 +26,11 @@ namespace remeshd {
 /// revision has been made again. For any thread.
 class SharedRevisions {
  public:
-  /// What the tier knows of a revision without its mesh.
-  struct Known {
-    RevisionRecord record;
-    std::string packed_recipe;  ///< as Store::packed_recipe
-    Recipe recipe;
-  };
+  // Kinds of objects, with which their keys begin.
+  static constexpr const char *kRecipe = "recipe", *kPack = "pack", *kPin = "pin",
+                              *kDoomed = "doomed";
   struct Mesh {
-    Known known;
+    SharedRecord known;
     std::string pack;  ///< the file's bytes
   };
 
@@ -38,7 +38,7 @@ class SharedRevisions {
   SharedRevisions(Sharing sharing, const std::string& tenant, Store& store);
 
   /// Throws Error(TIER_UNAVAILABLE), as all that follow.
-  [[nodiscard]] std::optional<Known> find(const std::string& id);
+  [[nodiscard]] std::optional<SharedRecord> find(const std::string& id);
   /// Whether there seems to be a mesh of it; told within so many seconds.
   [[nodiscard]] bool has_mesh(const std::string& id, double within);
   /// The mesh of a revision with those that its bytes are differences to and the store has not,
@@ -46,6 +46,8 @@ class SharedRevisions {
   [[nodiscard]] std::vector<Mesh> meshes(const std::string& id);
   /// A mesh of `meshes` is not what its recipe tells.
   void put_away(const Mesh& mesh, std::string_view why);
+  /// The same of one that was taken in before: it is written over when it has been made again.
+  void distrust(const std::string& id);
 
   /// Has the revision and its ancestors written to the tier, as far as this process has not done
   /// so: soon, or, where an edit is acknowledged in the tier, their recipes now. Throws
@@ -55,27 +57,45 @@ class SharedRevisions {
   void mend(const std::string& id);
   /// The same, and its mesh written where the tier has none.
   void offer(const std::string& id);
+  /// Lets meshes and, where that is asked for, recipes go from the tier; none of which something
+  /// that stays is made, or told as differences to it.
+  Collected collect_garbage(const GarbageOptions& options);
+  /// Keeps a mesh in the tier whoever collects garbage there, or no longer.
+  void set_pin(const std::string& id, bool pinned);
   /// Objects that are still to be written.
   [[nodiscard]] std::size_t waiting() const { return recipes_.size() + meshes_.size(); }
 
  private:
+  static std::uint64_t first_digits(const std::string& id);
   [[nodiscard]] std::string key_of(const std::string& kind, const std::string& id) const;
   std::optional<std::string> read(const std::string& key);
   void refuse(const std::string& key, std::string_view object, std::string_view why);
-  std::optional<Known> find_recipe(const std::string& id);
+  std::optional<SharedRecord> find_recipe(const std::string& id);
   std::optional<Mesh> mesh(const std::string& id);
+  void hold_against_recipes(std::vector<Mesh>& chain);
+  [[nodiscard]] std::string parent_of(const std::string& id) const;
+  [[nodiscard]] std::vector<std::string> waiting_ancestors(const std::string& id) const;
   void write_recipe(const std::string& id);
   void write_mesh(const std::string& id);
   void put(const std::string& key, const std::string& content);
+  [[nodiscard]] std::vector<SharedObject> objects_of(const std::string& kind) const;
+  [[nodiscard]] std::string base_of(const std::string& id) const;
+  std::set<std::string> marked(const std::vector<SharedObject>& go, bool dry_run);
+  std::vector<SharedObject> recipes_to_drop(std::vector<SharedObject> recipes,
+                                            const std::set<std::string>& kept,
+                                            const GarbageOptions& options);
+  void remove(const std::string& kind, const std::vector<SharedObject>& objects);
   bool is_wrong(const std::string& key) const;
 
   const Sharing sharing_;
   const std::string prefix_;  ///< of keys
   Store& store_;
-  mutable std::mutex mutex_;                     ///< guards what follows
-  std::unordered_set<std::uint64_t> published_;  ///< by the first digits of the id
-  std::set<std::string> wrong_;                  ///< keys that are to be written over
-  Outbox recipes_, meshes_;                      ///< last: they use what stands before them
+  mutable std::mutex mutex_;  ///< guards what follows
+  /// Revisions whose recipes the tier has, by the first digits of their ids, since when.
+  std::unordered_set<std::uint64_t> published_;
+  std::chrono::steady_clock::time_point published_since_ = std::chrono::steady_clock::now();
+  std::set<std::string> wrong_;  ///< keys that are to be written over
+  Outbox recipes_, meshes_;      ///< last: they use what stands before them
 };
 
 }  // namespace remeshd

@@ -300,6 +300,13 @@ std::vector<std::string> Catalogue::children(const std::string& id, int limit) {
   return ids;
 }
 
+std::vector<std::string> Catalogue::design_names() {
+  auto row = database_.prepare("SELECT name FROM designs WHERE listed ORDER BY name");
+  std::vector<std::string> names;
+  while (row.step()) names.push_back(row.text(0));
+  return names;
+}
+
 KeptRecipe Catalogue::recipe(const std::string& id) {
   auto row = database_.prepare("SELECT recipe, line_start, line_length FROM recipes WHERE id = ?");
   row.bind(key_of(id));

@@ -48,6 +48,8 @@ class Catalogue {
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
   /// Designs without revisions too, but for those that were taken off the list.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
+  /// Of all that are on the list.
+  std::vector<std::string> design_names();
   std::vector<std::string> children(const std::string& id, int limit);
   /// Its recipe, be the revision deleted; empty where there is none.
   KeptRecipe recipe(const std::string& id);

@@ -202,7 +202,7 @@ Revision revision_of_fake(const StoredArrays& image) {
 struct FakeEngine::State {
   std::mutex mutex;
   std::condition_variable changed;
-  bool open = true;
+  bool open = true, wrong = false;
   int started = 0, at_gate = 0, made = 0, stopped = 0, loaded = 0, threads = 0;
   std::filesystem::path dumps;
 
@@ -267,7 +267,7 @@ struct FakeEngine::State {
     for (const ParameterSource& p : source.parameters)
       if (const auto* number = std::get_if<double>(&p.value))
         mix = mix * 31 + static_cast<std::uint64_t>(1e6 * (*number + 1000));
-    Random random(mix);
+    Random random(wrong ? mix + 1 : mix);
     OutputMesh& d = r.output;
     for (std::size_t i = 0; i < nodes; ++i) {
       d.mesh.nodes.push_back({random.uniform(), random.uniform(), random.uniform()});
@@ -363,6 +363,9 @@ Engine FakeEngine::engine() const {
       .memory_blocks = blocks_of_nodes};
 }
 
+void FakeEngine::go_wrong() {
+  state_->count([&] { state_->wrong = true; });
+}
 void FakeEngine::close_gate() {
   state_->count([&] { state_->open = false; });
 }

@@ -23,6 +23,8 @@ class FakeEngine {
   /// From now on computations wait at the gate, polling for their stop as the real ones do.
   void close_gate();
   void open_gate();
+  /// From now on it makes other meshes than it should, and than other engines do.
+  void go_wrong();
   /// Waits until this many computations stand at the gate; false after 10 s.
   bool wait_at_gate(int computations) const;
   /// Waits until a computation has ended by being stopped.

@@ -1,94 +1,19 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <filesystem>
-#include <memory>
+#include <atomic>
+#include <map>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
+#include "server/session/stored_form.h"
 #include "server/tier/sealed_object.h"
-#include "tests/server/fake_engine.h"
-#include "tests/server/session/answer.h"
-#include "tests/server/session/only_session.h"
-#include "tests/server/session/store_folder.h"
-#include "tests/server/tier/shelf.h"
-#include "tests/support/cases.h"
-#include "tests/support/run.h"
+#include "tests/server/session/farm.h"
 
 namespace remeshd::test {
 namespace {
 
-const std::string kFarmKey = "the key of this farm";
-
-/// Revisions in a tier that daemons share, each with a store of its own.
-class SharedTest : public testing::Test {
- protected:
-  /// A daemon of the farm.
-  struct Replica {
-    FakeEngine engine;
-    StoreFolder folder;
-    std::shared_ptr<Session> session;
-
-    Made make(Command command) const {
-      Answer answer;
-      session->make(std::move(command), answer.listener());
-      return answer.made();
-    }
-    ErrorInfo fail(Command command) const {
-      Answer answer;
-      session->make(std::move(command), answer.listener());
-      return answer.error();
-    }
-    /// Everything that is served of a revision: its recipe has the digests of every array.
-    [[nodiscard]] std::string served(const std::string& id) const {
-      const HeldRevisionPtr held = session->get(id, kRun);
-      HeldRevision known;
-      known.record = held->record;
-      known.revision = held->revision;
-      known.edit = held->edit;
-      known.asked = session->recipe(id).options;
-      return write_recipe(recipe_of(known));
-    }
-    /// Waits until the tier has all that it is to have.
-    void settle() const {
-      for (int i = 0; i < 1000 && session->cache().tier_waiting() > 0; ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      EXPECT_EQ(session->cache().tier_waiting(), 0U);
-    }
-  };
-
-  [[nodiscard]] Sharing sharing(bool acknowledge_in_tier = false) {
-    return {.objects = shelf_,
-            .farm_key = kFarmKey,
-            .acknowledge_in_tier = acknowledge_in_tier,
-            .tell = {}};
-  }
-  void open(Replica& replica, bool acknowledge_in_tier = false) {
-    replica.session.reset();  // which has the store
-    replica.session = only_session(replica.engine.engine(), replica.folder.open(), {},
-                                   sharing(acknowledge_in_tier));
-  }
-  static Command first() {
-    return CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
-                         .options = {.nodes = 100},
-                         .design = "plate"};
-  }
-  static Command edit_of(const std::string& base, double dx) {
-    return EditCommand{
-        .base = base, .edit = {{SetFeatureParameter{"plate", "dx", Scalar(dx)}}}, .document = "{}"};
-  }
-  /// A first mesh and three edits of it, one of the other.
-  std::vector<std::string> make_chain(const Replica& replica) {
-    std::vector<std::string> ids{replica.make(first()).filed.record.id};
-    for (int dx = 81; dx <= 83; ++dx)
-      ids.push_back(replica.make(edit_of(ids.back(), dx)).filed.record.id);
-    return ids;
-  }
-
-  std::shared_ptr<Shelf> shelf_ = std::make_shared<Shelf>();
-  Replica here_, there_;
-};
+using SharedTest = FarmTest;
 
 TEST_F(SharedTest, AnotherDaemonContinuesALoop) {
   open(here_);
@@ -193,13 +118,36 @@ TEST_F(SharedTest, WhatIsAcknowledgedDoesNotWantForItsAncestors) {
   EXPECT_EQ(shelf_->keys("recipe/").size(), 5U);
 }
 
+TEST_F(SharedTest, NoRecipeComesBeforeThoseThatItIsMadeOf) {
+  open(here_);
+  shelf_->fails = true;
+  std::map<std::string, std::string> parents;
+  std::string last = here_.make(first_mesh()).filed.record.id;
+  for (int dx = 100; dx < 130; ++dx) {
+    const std::string id = here_.make(edit_of(last, dx)).filed.record.id;
+    parents[id] = std::exchange(last, id);
+  }
+  std::atomic<int> orphans = 0;
+  shelf_->before_put = [&](const std::string& key) {
+    if (!key.starts_with("recipe/")) return;
+    const auto parent = parents.find(key.substr(key.rfind('/') + 1));
+    if (parent != parents.end() &&
+        shelf_->keys("recipe/" + parent->second.substr(0, 2) + "/" + parent->second).empty())
+      ++orphans;
+  };
+  shelf_->fails = false;
+  here_.settle();
+  EXPECT_EQ(orphans, 0);
+  EXPECT_EQ(shelf_->keys("recipe/").size(), 31U);
+}
+
 TEST_F(SharedTest, TakesWhatIsThereInPlaceOfComputing) {
   open(here_);
   const auto ids = make_chain(here_);
   here_.settle();
   open(there_);
   there_.engine.close_gate();
-  const Made made = there_.make(first());
+  const Made made = there_.make(first_mesh());
   EXPECT_EQ(made.filed.record.id, ids[0]);
   EXPECT_TRUE(made.cached);
   EXPECT_TRUE(there_.engine.wait_stopped(1));
@@ -266,6 +214,68 @@ TEST_F(WrongObjectTest, AnotherRevisionsRecipeIsNotUsed) {
   const std::string id = recipes[0].substr(recipes[0].rfind('/') + 1);
   EXPECT_EQ(there_.fail(edit_of(id, 90)).reason, "REVISION_NOT_FOUND");
   EXPECT_EQ(quarantined(), 1U);
+}
+
+/// A daemon of the farm whose engine or memory is faulty.
+class FaultyReplicaTest : public WrongObjectTest {
+ protected:
+  FaultyReplicaTest() {
+    faulty_.engine.go_wrong();
+    faulty_.session = only_session(faulty_.engine.engine(), faulty_.folder.open());
+    EXPECT_EQ(make_chain(faulty_), ids_);
+  }
+  void put_pack(const std::string& id, const std::string& pack) {
+    for (const std::string& key : shelf_->keys("pack/"))
+      if (key.find(id) != std::string::npos) shelf_->put(key, sealed(key, pack, kFarmKey));
+  }
+  /// Writes a pack of the arrays of one daemon with the recipe of another.
+  static std::string mixed(Store& scratch, const Replica& arrays_of, const Replica& recipe_of,
+                           const std::string& id, const Packs::Base* base = nullptr) {
+    const HeldRevisionPtr held = arrays_of.session->get(id, kRun);
+    RevisionRecord record = held->record;
+    scratch.put(record, {.id = id}, recipe_of.session->cache().store().recipe(id),
+                stored_form(arrays_of.engine.engine(), *held), base);
+    return scratch.pack(id);
+  }
+
+  Replica faulty_;
+  const StoreFolder scratch_folder_;
+};
+
+TEST_F(FaultyReplicaTest, ItsMeshesAreNotUsed) {
+  for (const std::string& id : ids_) put_pack(id, faulty_.session->cache().store().pack(id));
+  expect_right();
+  EXPECT_EQ(there_.engine.made(), 4);
+}
+
+TEST_F(FaultyReplicaTest, AMeshThatIsNotItsRecipesIsServedNeither) {
+  Store scratch(scratch_folder_.path());
+  put_pack(ids_[0], mixed(scratch, faulty_, here_, ids_[0]));
+  open(there_);
+  EXPECT_EQ(there_.served(ids_[0]), right_[0]);
+  EXPECT_EQ(there_.served(ids_[0]), right_[0]);
+  there_.settle();
+  expect_right();
+  EXPECT_EQ(there_.engine.made(), 1) << "the pack was written over";
+}
+
+TEST_F(FaultyReplicaTest, NorIsABaseThatIsNotItsRecipes) {
+  Store scratch(scratch_folder_.path());
+  const std::string pack = mixed(scratch, faulty_, here_, ids_[0]);
+  const HeldRevisionPtr wrong = faulty_.session->get(ids_[0], kRun);
+  const StoredArrays arrays = stored_form(faulty_.engine.engine(), *wrong);
+  const Packs::Base base{ids_[0], &arrays};
+  const std::string on_it = mixed(scratch, here_, here_, ids_[1], &base);
+  ASSERT_EQ(Packs::head_in(on_it)->record.base, ids_[0]);
+  put_pack(ids_[0], pack);
+  put_pack(ids_[1], on_it);
+  for (int process = 0; process < 2; ++process) {
+    open(there_);
+    EXPECT_EQ(there_.served(ids_[1]), right_[1]) << process;
+  }
+  open(there_);
+  EXPECT_EQ(there_.served(ids_[0]), right_[0]) << "its store has the wrong one";
+  expect_right();
 }
 
 TEST_F(WrongObjectTest, BitsThatChangeAreNeverServed) {

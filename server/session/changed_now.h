@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "server/session/clock.h"
+#include "server/store/records.h"
+
+namespace remeshd {
+
+/// That a design's head or list changes now.
+inline AddDesign changed_now(const std::string& design) {
+  return {.name = design, .changed_ns = nanoseconds_now()};
+}
+
+}  // namespace remeshd
