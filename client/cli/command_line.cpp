@@ -19,8 +19,10 @@ constexpr const char* kFooter =
     "stream not readable or writable, 130 interrupted.";
 
 void add_global_options(CLI::App& app, Line& line) {
-  app.add_option("--address", line.options.address,
-                 "Where the daemon listens [127.0.0.1:50051]; `local`: as --local")
+  app.add_option(
+         "--address", line.options.address,
+         "Where the daemon listens [127.0.0.1:50051]; of daemons that share a tier all, with "
+         "commas between: where one is not available the next takes over; `local`: as --local")
       ->envname("REMESH_ADDRESS")
       ->type_name("HOST:PORT");
   const auto file = [&app](const char* flag, const char* variable, std::filesystem::path& path,
@@ -39,6 +41,10 @@ void add_global_options(CLI::App& app, Line& line) {
       ->type_name("DIR");
   app.add_option("--timeout", line.options.timeout, "Give a call up after so many seconds")
       ->check(CLI::Range(0.001, 1e6))
+      ->type_name("S");
+  app.add_option("--patience", line.options.patience,
+                 "Try again for so many seconds where no daemon is available [30]")
+      ->check(CLI::Range(0.0, 1e6))
       ->type_name("S");
   auto* verbose = app.add_flag("-v,--verbose", line.verbose, "Say more, and progress in pipes too");
   app.add_flag("-q,--quiet", line.quiet, "Say nothing but errors")->excludes(verbose);

@@ -23,6 +23,7 @@ constexpr std::array kByReason{
     // The request names what it may not.
     ReasonExit{Error::HEAD_PROTECTED, kInvalid},
     ReasonExit{Error::REVISION_OUTDATED, kInvalid},
+    ReasonExit{Error::DESIGN_ELSEWHERE, kInvalid},
     ReasonExit{Error::DOCUMENT_UNREADABLE, kFileFailed},
     // The store of `--local`, or of the daemon.
     ReasonExit{Error::STORE_LOCKED, kBusy},

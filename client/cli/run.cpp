@@ -1,7 +1,9 @@
 #include "client/cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "client/cli/command_line.h"
 #include "client/cli/console.h"
@@ -12,11 +14,34 @@
 namespace remeshd::cli {
 namespace {
 
+/// An address that stands for `--local`.
+const std::string kLocal = "local";
+
+/// Those of a list with commas between.
+std::vector<std::string> addresses_in(const std::string& list) {
+  std::vector<std::string> addresses;
+  std::istringstream in(list);
+  for (std::string each; std::getline(in, each, ',');) {
+    std::erase(each, ' ');
+    addresses.push_back(each);
+  }
+  return addresses;
+}
+
 /// What options mean together.
 void settle(GlobalOptions& options) {
-  options.local = options.local || options.address == "local";
+  options.local = options.local || options.address == kLocal;
+  if (!options.local && std::ranges::count(addresses_in(options.address), kLocal) > 0)
+    throw UsageError("--address: `local` stands for this process, and cannot be one of several");
   if (!options.local && !options.store.empty())
     throw UsageError("--store is where --local keeps its revisions: without that it means nothing");
+}
+
+/// `a:1 or b:1`.
+std::string or_list(const std::string& list) {
+  std::string text;
+  for (const std::string& each : addresses_in(list)) text += (text.empty() ? "" : " or ") + each;
+  return text;
 }
 
 /// Says what went wrong and which exit code that is. `place`: in a file, else empty.
@@ -29,7 +54,7 @@ int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& 
     plain.clear_column();
   }
   if (exit_code(error) == kUnreachable && !options.local)
-    console.error("no answer from a daemon at " + options.address +
+    console.error("no answer from a daemon at " + or_list(options.address) +
                   "; start one (remeshd), say where it is (--address), or do without (--local)");
   console.error((place.empty() ? "" : place + ": ") + client::describe(plain));
   for (const std::string& attempt : error.attempts()) console.error("tried: " + attempt);

@@ -15,13 +15,15 @@ namespace remeshd::cli {
 
 /// Options that every command takes, before or after its name.
 struct GlobalOptions {
-  std::string address = "127.0.0.1:50051";  ///< of the daemon; environment REMESH_ADDRESS
+  /// Of the daemon, or of several, with commas between; environment REMESH_ADDRESS.
+  std::string address = "127.0.0.1:50051";
   /// PEM files for TLS: who signs the daemon's certificate, the own one and its key; empty: none.
   std::filesystem::path tls_ca, tls_cert, tls_key;
   std::filesystem::path token_file;  ///< holds the token to send; empty: none
   bool local = false;                ///< work in this process, without a daemon
   std::filesystem::path store;       ///< of `local`; empty: by the XDG cache rules
   std::optional<double> timeout;     ///< s, for each call
+  double patience = 30;              ///< s, where no daemon is available
 };
 
 /// What surrounds a command.

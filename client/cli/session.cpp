@@ -11,7 +11,7 @@ const client::Client& Session::client() {
 }
 
 client::CallOptions Session::call() const {
-  return {.stop = surroundings_.stop, .timeout = options_.timeout};
+  return {.stop = surroundings_.stop, .timeout = options_.timeout, .reconnect = options_.patience};
 }
 
 client::EditStream Session::stream() {

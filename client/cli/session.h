@@ -29,7 +29,8 @@ class Session {
   [[nodiscard]] Documents& documents() { return documents_; }
   /// Connects on first use.
   [[nodiscard]] const client::Client& client();
-  /// How calls are made here: they end with an interrupt or after --timeout.
+  /// How calls are made here: they end with an interrupt or after --timeout, and are made again for
+  /// --patience.
   [[nodiscard]] client::CallOptions call() const;
   /// A stream of edits that shows its progress.
   [[nodiscard]] client::EditStream stream();

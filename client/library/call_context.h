@@ -10,16 +10,19 @@
 #include <stop_token>
 #include <string>
 
+#include "client/library/farm.h"
+#include "client/library/routes.h"
 #include "remeshd/call_options.h"
 
 namespace remeshd::client {
 
-/// The context of one call: who calls, its deadline, and its cancellation by a stop request.
+/// The context of one call: who calls, its route, its deadline, and its cancellation by a stop
+/// request.
 class CallContext {
  public:
-  /// `token`: as ConnectOptions has it.
-  CallContext(const CallOptions& options, const std::string& token) {
-    if (!token.empty()) context_.AddMetadata("authorization", "Bearer " + token);
+  CallContext(const CallOptions& options, const Replica& replica, const std::string& route) {
+    if (!replica.token.empty()) context_.AddMetadata("authorization", "Bearer " + replica.token);
+    context_.AddMetadata("x-remesh-key", key_of(route));
     if (options.timeout)
       context_.set_deadline(std::chrono::system_clock::now() +
                             std::chrono::microseconds(std::llround(*options.timeout * 1e6)));

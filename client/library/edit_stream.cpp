@@ -8,6 +8,7 @@
 #include "client/library/edit_stream_impl.h"
 #include "client/library/mesh_selection.h"
 #include "client/library/resend.h"
+#include "client/library/routes.h"
 #include "client/library/status.h"
 
 namespace remeshd::client {
@@ -21,6 +22,12 @@ Error stream_ended() {
   error.set_reason(Error::STREAM_ENDED);
   error.set_message("the stream ended before this request was answered");
   return error;
+}
+
+/// An end that leaves requests unanswered is a break.
+grpc::Status broken_by(const grpc::Status& end) {
+  if (!end.ok()) return end;
+  return {grpc::StatusCode::UNAVAILABLE, stream_ended().message()};
 }
 
 Error not_sent_again() {
@@ -49,15 +56,8 @@ EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
 
 }  // namespace
 
-EditStream::Impl::Impl(std::shared_ptr<Stub> service, OnProgress listener,
-                       const CallOptions& call_options, std::string bearer_token, Answered answered)
-    : stub_(std::move(service)),
-      on_progress_(std::move(listener)),
-      token_(std::move(bearer_token)),
-      patience_(call_options, std::move(answered)),
-      call_(new_call()) {
-  reader_ = std::thread([this] { read(); });
-}
+EditStream::Impl::Impl(std::shared_ptr<Farm> farm, OnProgress listener, const CallOptions& call)
+    : farm_(std::move(farm)), on_progress_(std::move(listener)), options_(call) {}
 
 EditStream::Impl::~Impl() {
   if (!reader_.joinable()) return;
@@ -65,8 +65,34 @@ EditStream::Impl::~Impl() {
   reader_.join();
 }
 
-std::shared_ptr<EditStream::Impl::Call> EditStream::Impl::new_call() const {
-  return std::make_shared<Call>(*stub_, patience_.rest(), token_);
+CallOptions EditStream::Impl::rest() const {
+  CallOptions rest = options_;
+  if (rest.timeout)
+    *rest.timeout -=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  return rest;
+}
+
+/// May ask the daemon for the loop that a revision is of.
+std::string EditStream::Impl::route_of_first(const remesh::v1::EditStreamRequest& first) const {
+  if (options_.route) return *options_.route;
+  if (first.has_create()) return route_of(first.create());
+  const std::string& base = first.edit().base();
+  return looked_up_route(farm_, base.empty() ? first.edit().design() : base, rest());
+}
+
+/// Pre: under `writing_`.
+void EditStream::Impl::open(const remesh::v1::EditStreamRequest& first) {
+  {
+    const std::lock_guard lock(state_);
+    if (search_ || cancelled_ || closed_) return;
+  }
+  auto search = std::make_unique<Search>(farm_, route_of_first(first), rest());
+  const std::lock_guard lock(state_);
+  if (cancelled_) return;
+  search_ = std::move(search);
+  call_ = std::make_shared<Call>(*search_);
+  reader_ = std::thread([this] { read(); });
 }
 
 EditStream::Impl::Requests::iterator EditStream::Impl::find(const std::string& id) {
@@ -102,19 +128,21 @@ EditStream::Answers EditStream::Impl::create(remesh::v1::CreateRevisionRequest r
 EditStream::Answers EditStream::Impl::send(const std::string& id,
                                            remesh::v1::EditStreamRequest request,
                                            std::optional<MeshWanted> mesh) {
+  const std::lock_guard one_write(writing_);
   try {
     check_documents(request.edit());
     check_documents(request.create());
+    open(request);
   } catch (const CallError& e) {
     return failed(e.detail(), std::move(mesh));
   }
   if (mesh) *request.mutable_mesh() = to_message(*mesh);
-  const std::lock_guard one_write(writing_);
   Answers answers;
   {
     const std::lock_guard lock(state_);
     if (closed_) throw std::logic_error("EditStream: nothing can be sent after finish()");
     if (end_) return failed(*end_, std::move(mesh));
+    if (!call_) return failed(cancelled_unsent(), std::move(mesh));
     if (find(id) != unanswered_.end())
       throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
     unanswered_.push_back({id, std::move(request), OpenRequest(std::move(mesh))});
@@ -172,7 +200,21 @@ void EditStream::Impl::send_waiting() {
   }
 }
 
-void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
+/// Whether another replica is to be asked in place of an error: the whole stream moves, so that
+/// requests keep their order. The request was not done.
+bool EditStream::Impl::moves_on(Call& from, const remesh::v1::EditStreamResponse& response) {
+  if (!response.has_error()) return false;
+  {
+    const std::lock_guard lock(state_);
+    if (cancelled_ || unanswered_.empty() || unanswered_.front().id != response.request_id() ||
+        unanswered_.front().result)
+      return false;
+  }
+  return search_->goes_on(from.replica, response.error());
+}
+
+void EditStream::Impl::take(Call& from, const remesh::v1::EditStreamResponse& response) {
+  from.replica.reached = true;
   if (response.has_progress()) {
     if (on_progress_) on_progress_(response.request_id(), response.progress());
     return;
@@ -184,10 +226,14 @@ void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
     const auto entry = find(response.request_id());
     if (entry == unanswered_.end()) return;
     request = &entry->request;  // stays where it is until this thread takes it out
-    if (response.has_result()) entry->result = response.result();
+    if (response.has_result()) {
+      entry->result = response.result();
+      farm_->remember_route(response.result().revision().id(), search_->route());
+    }
     // Before its future is kept: who has the answer may use the id again.
     if (request->is_last(response)) {
       if (entry->result) last_ = entry->result;
+      search_->heard(from.replica);
       done.splice(done.begin(), unanswered_, entry);
     }
   }
@@ -206,21 +252,24 @@ void EditStream::Impl::take(const remesh::v1::EditStreamResponse& response) {
   send_waiting();
 }
 
-/// Opens the stream again where it broke on its way; false where it is at its end.
-bool EditStream::Impl::reopen(const grpc::Status& status) {
-  {
-    const std::lock_guard lock(state_);
-    if (cancelled_ || (closed_ && unanswered_.empty())) return false;
-  }
-  if (!patience_.tries_again(status)) return false;
+bool EditStream::Impl::is_over() {
+  const std::lock_guard lock(state_);
+  return cancelled_ || (closed_ && unanswered_.empty());
+}
+
+/// Opens the stream again, where `search_` says; false where it was cancelled. `refused`: the first
+/// request was answered: it was not done.
+bool EditStream::Impl::reopen(bool refused) {
   Requests lost;
   const std::lock_guard one_write(writing_);
   {
     const std::lock_guard lock(state_);
     if (cancelled_) return false;
+    const auto front = unanswered_.begin();
     for (auto entry = unanswered_.begin(); entry != unanswered_.end();) {
       const auto next = std::next(entry);
-      entry->sent_before = entry->sent_before || entry->sent;
+      const bool done_perhaps = entry->sent && !(refused && entry == front);
+      entry->sent_before = entry->sent_before || done_perhaps;
       entry->sent = false;
       entry->request.restart();
       if (entry->sent_before &&
@@ -228,7 +277,7 @@ bool EditStream::Impl::reopen(const grpc::Status& status) {
         lost.splice(lost.end(), unanswered_, entry);
       entry = next;
     }
-    call_ = new_call();
+    call_ = std::make_shared<Call>(*search_);
   }
   for (Unanswered& entry : lost) entry.request.fail(not_sent_again());
   send_waiting();
@@ -256,12 +305,16 @@ void EditStream::Impl::read() {
       from = call_;
     }
     remesh::v1::EditStreamResponse response;
-    while (from->stream->Read(&response)) {
-      patience_.heard();
-      take(response);
+    bool refused = false;
+    while (!refused && from->stream->Read(&response)) {
+      refused = moves_on(*from, response);
+      if (!refused) take(*from, response);
     }
+    if (refused) from->context.cancel();
     const grpc::Status status = from->stream->Finish();
-    if (!reopen(status)) return end_with(status);
+    const bool goes_on =
+        refused || (!is_over() && search_->goes_on(from->replica, broken_by(status)));
+    if (!goes_on || !reopen(refused)) return end_with(status);
   }
 }
 
@@ -273,7 +326,7 @@ void EditStream::Impl::cancel(const std::string& request_id) {
   std::shared_ptr<Call> to;
   {
     const std::lock_guard lock(state_);
-    if (closed_) return;
+    if (closed_ || !call_) return;
     to = call_;
     const auto entry = find(request_id);
     if (entry != unanswered_.end() && !entry->sent)
@@ -289,7 +342,8 @@ void EditStream::Impl::cancel(const std::string& request_id) {
 void EditStream::Impl::cancel_all() {
   const std::lock_guard lock(state_);
   cancelled_ = true;
-  patience_.stop();
+  if (!call_) return;
+  search_->stop();
   call_->context.cancel();
 }
 
@@ -299,6 +353,7 @@ void EditStream::Impl::finish() {
     {
       const std::lock_guard lock(state_);
       closed_ = true;
+      if (!call_) return;  // nothing was sent
     }
     send_waiting();
   }

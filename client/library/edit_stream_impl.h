@@ -3,6 +3,7 @@
 
 #include <grpcpp/support/sync_stream.h>
 
+#include <chrono>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -10,8 +11,9 @@
 #include <thread>
 
 #include "client/library/call_context.h"
+#include "client/library/farm.h"
 #include "client/library/open_request.h"
-#include "client/library/reconnecting.h"
+#include "client/library/search.h"
 #include "remesh/v1/remesh.grpc.pb.h"
 #include "remeshd/edit_stream.h"
 
@@ -21,11 +23,9 @@ namespace remeshd::client {
 ///
 /// Inv: every request sent and not yet answered is in `unanswered_`; the reading thread answers it,
 /// or, when the stream ends, gives all of them the stream's error. Only that thread takes one out.
+/// The first request opens the stream, for its route tells the replica.
 struct EditStream::Impl {
-  using Stub = remesh::v1::RemeshService::Stub;
-
-  Impl(std::shared_ptr<Stub> service, OnProgress listener, const CallOptions& call,
-       std::string bearer_token, Answered answered);
+  Impl(std::shared_ptr<Farm> farm, OnProgress listener, const CallOptions& call);
   ~Impl();
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
@@ -37,10 +37,14 @@ struct EditStream::Impl {
   void finish();
 
  private:
-  /// One call of EditStream; a stream that broke goes on in another one.
+  /// One call of EditStream; a stream that broke goes on in another one, perhaps of another
+  /// replica.
   struct Call {
-    Call(Stub& stub, const CallOptions& options, const std::string& token)
-        : context(options, token), stream(stub.EditStream(context.get())) {}
+    explicit Call(const Search& search)
+        : replica(search.replica()),
+          context(search.rest(), replica, search.route()),
+          stream(replica.service().EditStream(context.get())) {}
+    Replica& replica;
     CallContext context;
     std::unique_ptr<
         grpc::ClientReaderWriter<remesh::v1::EditStreamRequest, remesh::v1::EditStreamResponse>>
@@ -60,24 +64,30 @@ struct EditStream::Impl {
 
   Answers send(const std::string& id, remesh::v1::EditStreamRequest request,
                std::optional<MeshWanted> mesh);
+  void open(const remesh::v1::EditStreamRequest& first);
+  [[nodiscard]] std::string route_of_first(const remesh::v1::EditStreamRequest& first) const;
+  [[nodiscard]] CallOptions rest() const;
   std::string fresh_id();
   Requests::iterator find(const std::string& id);
   [[nodiscard]] std::optional<remesh::v1::EditStreamRequest> to_send(const Unanswered& next);
   void send_waiting();
   void read();
-  void take(const remesh::v1::EditStreamResponse& response);
-  bool reopen(const grpc::Status& status);
-  [[nodiscard]] std::shared_ptr<Call> new_call() const;
+  [[nodiscard]] bool moves_on(Call& from, const remesh::v1::EditStreamResponse& response);
+  void take(Call& from, const remesh::v1::EditStreamResponse& response);
+  [[nodiscard]] bool is_over();
+  bool reopen(bool refused);
   void end_with(const grpc::Status& status);
 
-  const std::shared_ptr<Stub> stub_;
+  const std::shared_ptr<Farm> farm_;
   const OnProgress on_progress_;
-  const std::string token_;
-  Reconnecting patience_;                  ///< of the reading thread, but for `rest` and `stop`
+  const CallOptions options_;
+  const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
   std::shared_ptr<const Mesh> last_mesh_;  ///< that the stream brought; of the reading thread
 
   std::mutex writing_;  ///< one write at a time; taken before `state_`
   std::mutex state_;    ///< guards what follows
+  /// Null before the first request; then of the reading thread, but for `rest` and `stop`.
+  std::unique_ptr<Search> search_;
   std::shared_ptr<Call> call_;
   Requests unanswered_;                             ///< in the order of their coming
   std::optional<remesh::v1::RevisionResult> last_;  ///< of a request that is done with

@@ -3,14 +3,14 @@
 
 #include <string>
 
+#include "client/library/routes.h"
+
 namespace remeshd::client {
 namespace {
 
 /// An id, its beginning, or a revision of a design by its number: never another one later.
 bool names_one_revision(const std::string& reference) {
-  if (reference.find('@') != std::string::npos) return true;
-  return reference.size() >= 8 &&
-         reference.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return reference.find('@') != std::string::npos || !is_name(reference);
 }
 
 }  // namespace

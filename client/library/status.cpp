@@ -49,6 +49,7 @@ std::string describe(const remesh::v1::Error& error) {
   if (!features.empty())
     add((features.size() == 1 ? "feature " : "features ") + joined(features, std::identity()));
   if (!error.parameter().empty() && !said(error.parameter())) add("parameter " + error.parameter());
+  if (!error.home().empty() && !said(error.home())) add("daemon " + error.home());
   const std::string point = joined(error.point(), short_number);
   if (!point.empty() && !said(point)) add("at (" + point + ")");
   std::string text = where.empty() ? "" : where + ": ";

@@ -31,6 +31,11 @@ class FakeService final : public remesh::v1::RemeshService::Service {
  public:
   /// The failure of every call that is not the stream.
   std::optional<remesh::v1::Error> failure;
+  /// What every call ends with before it answers anything, the stream at its first request: what a
+  /// daemon that is gone looks like.
+  std::optional<grpc::Status> gone;
+  /// What the stream answers to every request.
+  std::optional<remesh::v1::Error> stream_error;
   /// What the stream answers to the k-th request, from 0; where empty: a plain revision.
   std::map<int, remesh::v1::Error> stream_errors;
   /// What it answers after the result, in place of the mesh that was asked for.
@@ -51,6 +56,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   remesh::v1::Comparison comparison;
   std::vector<remesh::v1::RevisionInfo> revisions;
   std::uint32_t page = 1000;
+  std::optional<int> list_break;  ///< breaks every ListRevisions off after so many pages
   bool head_conflict = false;
   bool files_all = false;  ///< refuses HeadUpdate.file = false
   std::vector<remesh::v1::Warning> warnings;
@@ -59,6 +65,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::string stored_parent;
   std::map<std::string, std::string> parents;  ///< by name of a revision; else: `stored_parent`
   std::map<std::string, Mesh> meshes_by_name;  ///< else: `mesh`
+  std::map<std::string, remesh::v1::RevisionInfo> infos;  ///< by name of a revision
 
   // What came.
   std::vector<remesh::v1::EditStreamRequest> requests;
@@ -71,12 +78,20 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::vector<remesh::v1::RemakeRevisionRequest> remakes;
   std::vector<remesh::v1::GetMeshRequest> mesh_requests;
   std::vector<remesh::v1::GetMeshFileRequest> file_requests;
+  std::vector<std::string> looked_up;  ///< by GetRevision
+  std::vector<std::string> keys;       ///< `x-remesh-key` of each call
 
   grpc::Status EditStream(
       grpc::ServerContext* context,
       grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>*
           stream) override {
+    note(*context);
     if (stream_failure) return status_of(*stream_failure);
+    if (gone) {
+      remesh::v1::EditStreamRequest request;
+      stream->Read(&request);
+      return *gone;
+    }
     if (const auto answers = std::exchange(stream_break, std::nullopt))
       return break_off(*stream, *answers);
     std::mutex mutex;
@@ -118,18 +133,28 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status CreateRevision(grpc::ServerContext*,
+  grpc::Status CreateRevision(grpc::ServerContext* context,
                               const remesh::v1::CreateRevisionRequest* request,
                               remesh::v1::CreateRevisionResponse* response) override {
-    if (failure) return status_of(*failure);
+    if (const auto wrong = begin(*context)) return *wrong;
     *response->mutable_result() = revision(1, request->model().name(), "");
     return grpc::Status::OK;
   }
 
-  grpc::Status GetMesh(grpc::ServerContext*, const remesh::v1::GetMeshRequest* request,
+  grpc::Status EditRevision(grpc::ServerContext* context,
+                            const remesh::v1::EditRevisionRequest* request,
+                            remesh::v1::EditRevisionResponse* response) override {
+    requests.emplace_back();
+    *requests.back().mutable_edit() = *request;
+    if (const auto wrong = begin(*context)) return *wrong;
+    *response->mutable_result() = revision(2, "", request->base());
+    return grpc::Status::OK;
+  }
+
+  grpc::Status GetMesh(grpc::ServerContext* context, const remesh::v1::GetMeshRequest* request,
                        grpc::ServerWriter<remesh::v1::GetMeshResponse>* writer) override {
     mesh_requests.push_back(*request);
-    if (failure) return status_of(*failure);
+    if (const auto wrong = begin(*context)) return *wrong;
     const auto named = meshes_by_name.find(request->revision());
     auto messages = messages_of(named == meshes_by_name.end() ? mesh : named->second,
                                 request->selection(), nullptr);
@@ -145,10 +170,11 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status GetMeshFile(grpc::ServerContext*, const remesh::v1::GetMeshFileRequest* request,
+  grpc::Status GetMeshFile(grpc::ServerContext* context,
+                           const remesh::v1::GetMeshFileRequest* request,
                            grpc::ServerWriter<remesh::v1::GetMeshFileResponse>* writer) override {
     file_requests.push_back(*request);
-    if (failure) return status_of(*failure);
+    if (const auto wrong = begin(*context)) return *wrong;
     const auto stop = std::exchange(mesh_break, std::nullopt);
     int written = 0;
     for (const auto& message : file_messages) {
@@ -166,9 +192,12 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status ListRevisions(grpc::ServerContext*, const remesh::v1::ListRevisionsRequest* request,
+  grpc::Status ListRevisions(grpc::ServerContext* context,
+                             const remesh::v1::ListRevisionsRequest* request,
                              remesh::v1::ListRevisionsResponse* response) override {
-    if (failure) return status_of(*failure);
+    if (const auto wrong = begin(*context)) return *wrong;
+    if (list_break && (*list_break)-- <= 0)
+      return {grpc::StatusCode::UNAVAILABLE, "told by the test"};
     const std::string& design = request->filter().design();
     std::size_t at = request->page_token().empty() ? 0 : std::stoul(request->page_token());
     for (; at < revisions.size() && response->revisions_size() < static_cast<int>(page); ++at)
@@ -178,10 +207,16 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status GetRevision(grpc::ServerContext*, const remesh::v1::GetRevisionRequest* request,
+  grpc::Status GetRevision(grpc::ServerContext* context,
+                           const remesh::v1::GetRevisionRequest* request,
                            remesh::v1::GetRevisionResponse* response) override {
-    if (failure) return status_of(*failure);
+    looked_up.push_back(request->revision());
+    if (const auto wrong = begin(*context)) return *wrong;
     auto* info = response->mutable_revision();
+    if (const auto known = infos.find(request->revision()); known != infos.end()) {
+      *info = known->second;
+      return grpc::Status::OK;
+    }
     info->set_id("id-of-" + request->revision());
     info->set_design(request->revision());
     info->set_number(7);
@@ -199,10 +234,10 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     return grpc::Status::OK;
   }
 
-  grpc::Status SetHead(grpc::ServerContext*, const remesh::v1::SetHeadRequest* request,
+  grpc::Status SetHead(grpc::ServerContext* context, const remesh::v1::SetHeadRequest* request,
                        remesh::v1::SetHeadResponse* response) override {
     heads.push_back(*request);
-    if (failure) return status_of(*failure);
+    if (const auto wrong = begin(*context)) return *wrong;
     response->mutable_design()->set_name("d");
     response->mutable_design()->set_head("id-of-" + request->revision());
     response->mutable_design()->set_head_number(2);
@@ -274,6 +309,20 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   using Stream =
       grpc::ServerReaderWriter<remesh::v1::EditStreamResponse, remesh::v1::EditStreamRequest>;
 
+  void note(const grpc::ServerContext& context) {
+    const auto key = context.client_metadata().find("x-remesh-key");
+    keys.push_back(key == context.client_metadata().end()
+                       ? ""
+                       : std::string(key->second.data(), key->second.size()));
+  }
+  /// How the call ends, where it does.
+  std::optional<grpc::Status> begin(const grpc::ServerContext& context) {
+    note(context);
+    if (gone) return gone;
+    if (failure) return status_of(*failure);
+    return {};
+  }
+
   void fill(remesh::v1::ModelCheck& check) const {
     check.set_volume(258000);
     auto& forecast = *check.mutable_forecast();
@@ -339,6 +388,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
 
   [[nodiscard]] std::optional<remesh::v1::Error> error_of_request(
       int k, const remesh::v1::EditStreamRequest& request) const {
+    if (stream_error) return stream_error;
     if (const auto error = stream_errors.find(k); error != stream_errors.end())
       return error->second;
     const auto& head = request.has_edit() ? request.edit().head() : request.create().head();

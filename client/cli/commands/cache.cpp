@@ -98,8 +98,8 @@ void add_stat(CLI::App& cache, Action& action) {
 
 void add_gc(CLI::App& cache, Action& action) {
   struct Arguments {
-    std::optional<double> megabytes, unused_days;
-    bool dry_run = false;
+    std::optional<double> megabytes, unused_days, recipes_unused_days;
+    bool dry_run = false, tier = false;
   };
   auto* command = cache.add_subcommand(
       "gc",
@@ -113,6 +113,18 @@ void add_gc(CLI::App& cache, Action& action) {
   command->add_option("--unused", arguments->unused_days, "Also what was not used for so many days")
       ->check(CLI::Range(0.0, 10000.0))
       ->type_name("DAYS");
+  auto* tier = command->add_flag("--tier", arguments->tier,
+                                 "Meshes of the shared tier instead, those written longest ago "
+                                 "first; those that are pinned, or "
+                                 "that others stand on, stay");
+  command
+      ->add_option(
+          "--recipes-unused", arguments->recipes_unused_days,
+          "With --tier: also recipes that were not written for so many days, where nothing "
+          "that stays is made of them; each a week after the first run that found it")
+      ->check(CLI::Range(0.0, 10000.0))
+      ->type_name("DAYS")
+      ->needs(tier);
   command->add_flag("-n,--dry-run", arguments->dry_run, "Only tell what would go");
   command->callback([arguments, &action] {
     action = [arguments](Session& session) {
@@ -123,9 +135,14 @@ void add_gc(CLI::App& cache, Action& action) {
             static_cast<std::uint64_t>(std::llround(kMegabyte * *arguments->megabytes)));
       if (arguments->unused_days) request.set_unused_seconds(kDay * *arguments->unused_days);
       request.set_dry_run(arguments->dry_run);
+      request.set_tier(arguments->tier);
+      if (arguments->recipes_unused_days)
+        request.set_recipes_unused_seconds(kDay * *arguments->recipes_unused_days);
       const auto reply = session.client().collect_garbage(request, session.call());
-      session.out() << "meshes    " << reply.meshes() << "\nfreed MB  "
-                    << megabytes(reply.bytes_freed()) << "\ndisk MB   "
+      session.out() << "meshes    " << reply.meshes() << '\n';
+      if (arguments->tier) session.out() << "recipes   " << reply.recipes() << '\n';
+      session.out() << "freed MB  " << megabytes(reply.bytes_freed())
+                    << (arguments->tier ? "\ntier MB   " : "\ndisk MB   ")
                     << megabytes(reply.disk_bytes()) << '\n';
       return kFine;
     };

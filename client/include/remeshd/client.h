@@ -36,7 +36,14 @@ struct ConnectOptions {
 /// Part of a mesh transfer so far: bytes received and bytes in all.
 using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// A connection to a daemon `remeshd`. Cheap to copy; all functions may be called from any thread.
+/// A connection to a daemon `remeshd`, or to several that share a tier. Cheap to copy; all
+/// functions may be called from any thread.
+///
+/// Of several, each loop goes to one, by CallOptions::route, and to the next where that does not
+/// answer or is not available: what is asked twice is made once. What changes something is not
+/// asked again where it may have been done. A design that lives at another one (DESIGN_ELSEWHERE)
+/// is asked for there, if that is among them. Lists are those of one daemon, that of the design
+/// they are of.
 ///
 /// Every function throws CallError. Where a request names a revision it takes the name of a design
 /// (its head), `design@number`, an id or a unique prefix of at least 8 digits. Where one takes a
@@ -44,9 +51,13 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// sent: INVALID_ARGUMENT, DOCUMENT_TOO_LARGE.
 class Client {
  public:
-  /// Prepares a connection to `host:port` or `unix:/path`; the first call makes it.
-  /// INVALID_ARGUMENT for a token that others could read on its way.
-  static Client connect(const std::string& address, const ConnectOptions& options = {});
+  /// Prepares a connection to `host:port` or `unix:/path`, or several with commas between; the
+  /// first call makes it. INVALID_ARGUMENT for no address, and for a token that others could read
+  /// on its way.
+  static Client connect(const std::string& addresses, const ConnectOptions& options = {});
+  /// The same of a list.
+  static Client connect_any(const std::vector<std::string>& addresses,
+                            const ConnectOptions& options = {});
   /// Uses a channel of the caller's making: other credentials, or a server in the same process.
   explicit Client(std::shared_ptr<grpc::Channel> channel);
 
@@ -66,7 +77,8 @@ class Client {
                               const OnTransfer& on_transfer = {},
                               const MeshWanted& wanted = {}) const;
   /// The bytes of the mesh as the daemon writes it to a file, `vtu`, `msh` or `inp`, or of the
-  /// exact boundary of its model, `step`, as `info().capabilities().formats()` tells. Checked as `get_mesh` does.
+  /// exact boundary of its model, `step`, as `info().capabilities().formats()` tells. Checked as
+  /// `get_mesh` does.
   [[nodiscard]] std::string get_mesh_file(const std::string& revision, const std::string& format,
                                           const CallOptions& call = {},
                                           const OnTransfer& on_transfer = {}) const;
@@ -115,7 +127,7 @@ class Client {
   /// Version, capabilities, limits and load of the daemon.
   [[nodiscard]] remesh::v1::ServerInfo info(const CallOptions& call = {}) const;
 
-  // For operators: the meshes that the daemon holds.
+  // For operators: the meshes that one daemon holds. INVALID_ARGUMENT where there are several.
 
   /// All entries that pass the filter, in the order asked for.
   [[nodiscard]] std::vector<remesh::v1::CacheEntry> list_cache(

@@ -18,10 +18,11 @@ namespace remeshd::client {
 /// so a caller that computes between two edits keeps the connection alive. All functions may be
 /// called from any thread.
 ///
-/// Where the connection breaks, or the daemon starts anew, the stream is opened again and what is
-/// not answered is sent again, edits with the id of the last result for their base: what the daemon
-/// did already it answers from its cache, and no head moves twice. One request alone cannot be sent
-/// again: the first of a stream where its base is a design, whose head it may have moved.
+/// Where the connection breaks, or the daemon starts anew, the stream is opened again, of several
+/// daemons at the next in rank, and what is not answered is sent again, edits with the id of the
+/// last result for their base: what a daemon did already it answers from its cache, or the tier's,
+/// and no head moves twice. One request alone cannot be sent again: the first of a stream where its
+/// base is a design, whose head it may have moved. The first request tells which daemon it goes to.
 class EditStream {
  public:
   /// Called on the reading thread: the id of the request and how far it is. Must not block for

@@ -61,6 +61,9 @@ TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
       {"edit", kCases + "/simple-ab.edit.json", kCases + "/simple-ab.edit.json", "-o",
        file("m.vtu")},
       {"revisions", "--store", "/tmp/x"},
+      {"revisions", "--address", "127.0.0.1:1,local"},
+      {"revisions", "--address", "local,127.0.0.1:1"},
+      {"revisions", "--patience", "-1"},
       {"-q", "-v", "revisions"},
       {"log"}};
   for (const auto& arguments : wrong) {
@@ -172,8 +175,8 @@ TEST_P(CliFailure, OfTheStreamAndOfACallHasItsExitCode) {
   EXPECT_EQ(out_.str(), "");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "m.vtu"));
   service_.failure = error;
-  EXPECT_EQ(run({"diff", "a", "b"}), GetParam().exit);
-  EXPECT_EQ(run({"get", "a", "-o", file("m.vtu")}), GetParam().exit);
+  EXPECT_EQ(run({"--patience", "0", "diff", "a", "b"}), GetParam().exit);
+  EXPECT_EQ(run({"--patience", "0", "get", "a", "-o", file("m.vtu")}), GetParam().exit);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -185,6 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::DISCONNECTED_MODEL, 3},
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::NON_MANIFOLD_MODEL, 3},
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::HEAD_PROTECTED, 3},
+                    Failure{Error::CODE_FAILED_PRECONDITION, Error::DESIGN_ELSEWHERE, 3},
                     Failure{Error::CODE_INVALID_ARGUMENT, Error::DOCUMENT_TOO_LARGE, 3},
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::WARNING_IS_ERROR, 4},
                     Failure{Error::CODE_UNIMPLEMENTED, Error::UNSUPPORTED, 3},

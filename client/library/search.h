@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <grpcpp/support/status.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "client/library/farm.h"
+#include "remesh/v1/error.pb.h"
+#include "remeshd/call_options.h"
+
+namespace remeshd::client {
+
+/// Which daemon a request goes to, and where it goes when that one fails.
+///
+/// All requests of a loop have one route, and go to the replica that comes first for it by
+/// rendezvous hashing: it has the base in memory. Where it does not answer, the next in rank takes
+/// over, to whom the tier gives what it lacks; a request names all by id, so nothing is done twice.
+/// One daemon alone is a list of one. The client for Python ranks alike.
+///
+/// Of one thread, but for `stop`.
+class Search {
+ public:
+  Search(std::shared_ptr<Farm> farm, std::string route, const CallOptions& options);
+
+  [[nodiscard]] const std::string& route() const { return route_; }
+  /// The one to ask now.
+  [[nodiscard]] Replica& replica() const;
+  /// The options for a call from now on: what is left of the time.
+  [[nodiscard]] CallOptions rest() const;
+  /// Something came: the time for which it is tried again begins anew with the next failure, and so
+  /// do the ranks.
+  void heard(Replica& replica);
+  /// Whether `replica()` is to be asked after a call to this one ended so; waits where all are
+  /// away. False after a stop request; where all have been away for `reconnect` seconds, or will be
+  /// when the time of the call is up; where none ever answered, for the addresses may be wrong.
+  [[nodiscard]] bool goes_on(Replica& failed, const grpc::Status& status);
+  /// The same of an error that the replica answered a request of a stream with.
+  [[nodiscard]] bool goes_on(Replica& failed, const remesh::v1::Error& error);
+  /// Ends the waiting, and tries no more. May be called from another thread.
+  void stop() { stop_.request_stop(); }
+
+ private:
+  using Clock = Replica::Clock;
+
+  [[nodiscard]] bool goes_on(Replica& failed, const remesh::v1::Error& error, bool broken);
+  [[nodiscard]] bool goes_home(const std::string& address);
+  [[nodiscard]] bool waits();
+  void rank();
+
+  const std::shared_ptr<Farm> farm_;
+  const std::string route_;
+  const CallOptions options_;
+  const Clock::time_point begun_ = Clock::now();
+  std::vector<Replica*> ranked_;  ///< those that may be asked, the first foremost
+  bool sent_home_ = false;
+  std::optional<Clock::time_point> failed_since_;
+  std::stop_source stop_;
+};
+
+/// Whether the connection broke, so that nobody knows whether the request was done: the daemon is
+/// gone, or ended, or a balancer in between cut the call. What the daemon itself refused was not.
+bool is_broken(const grpc::Status& status);
+
+}  // namespace remeshd::client
