@@ -104,7 +104,8 @@ def client_lists(counts=(10, 100, 1000, 10000)):
 _LIST = """
 import os, sys, time
 from remesh_client._connection import Access
-from remesh_client._farm import Farm, Search
+from remesh_client._farm import Farm
+from remesh_client._search import Search
 from bench_tier import resident_bytes
 count = int(sys.argv[1])
 addresses = [f"10.{n >> 16}.{n >> 8 & 255}.{n & 255}:50051" for n in range(count)]

@@ -90,6 +90,20 @@ def test_what_hinders_the_start_is_told(tmp_path):
         rc.local(refusing)
 
 
+def test_a_socket_on_which_nobody_listens_yet_is_waited_for(tmp_path, remeshd):
+    slow = tmp_path / "slow"
+    slow.write_text(f"""#!{sys.executable}
+import os, socket, sys, time
+bound = socket.socket(socket.AF_UNIX)
+bound.bind(sys.argv[sys.argv.index("--listen") + 1].removeprefix("unix:"))
+time.sleep(.5)
+os.execv({os.path.abspath(remeshd)!r}, sys.argv)
+""")
+    slow.chmod(0o700)
+    with rc.local(slow) as daemon:
+        assert daemon.info().ready
+
+
 def test_an_option_that_is_not_known_is_told(remeshd):
     with pytest.raises(rc.Unavailable, match="did not start.*--wrokers"):
         rc.local(remeshd, "--wrokers", "2")

@@ -3,37 +3,36 @@
 from __future__ import annotations
 
 import asyncio
-import time
 from typing import Any, Callable
 
 import grpc
 import grpc.aio
 
-from remesh_client._exchange import (BETWEEN_TRIES, RECONNECT, Exchange, cancel_request,
-                                     is_broken, stream_ended)
+from remesh_client._exchange import (Exchange, cancel_request, is_broken, stream_ended,
+                                     was_answered)
 from remesh_client.errors import Error, made_here
 
 
 class EditStream:
-    """For one event loop."""
+    """For one event loop. What it leaves unanswered where it breaks fails, as `broken`, and is to
+    be sent again."""
 
-    def __init__(self, open_call: Callable[[], Any]) -> None:
-        """open_call: begins a call of EditStream."""
+    def __init__(self, open_call: Callable[[str], Any]) -> None:
+        """open_call: begins a call of EditStream, of the route of its first request."""
         self._open_call = open_call
         self._call: Any = None
         self._reader: asyncio.Task[None] | None = None
         self._unanswered: dict[str, Exchange] = {}  # in the order sent
         self._changed = asyncio.Condition()  # an answer has come
         self._writing = asyncio.Lock()
-        self._answered = False
-        self._broken_since: float | None = None
         self._raised: dict[str, BaseException] = {}  # by progress callbacks
 
     async def send(self, exchange: Exchange) -> None:
         async with self._writing:
-            if self._call is None:
-                self._call = self._open_call()
+            if self._call is None or not self._unanswered and self._call.done():
+                self._call = self._open_call(exchange.route)
             self._unanswered[exchange.id] = exchange
+            exchange.carrier = self
             if self._reader is None or self._reader.done():
                 self._reader = asyncio.create_task(self._read())
             await self._write(exchange.request)
@@ -67,8 +66,10 @@ class EditStream:
             await asyncio.gather(reader, return_exceptions=True)
         if call is not None:
             call.cancel()
-        await self._fail_all(lambda: made_here(Error.CODE_CANCELLED, "the request was cancelled",
-                                               Error.CANCELLED))
+        unanswered = list(self._unanswered.values())
+        self._unanswered.clear()
+        await self._fail(unanswered, lambda: made_here(
+            Error.CODE_CANCELLED, "the request was cancelled", Error.CANCELLED))
 
     async def _cancel(self, exchange: Exchange) -> None:
         if exchange.id in self._unanswered and self._call is not None:
@@ -92,7 +93,6 @@ class EditStream:
             except grpc.RpcError as failure:
                 await self._ended(failure)
                 continue
-            self._answered, self._broken_since = True, None
             await self._take(answer)
 
     async def _failure(self) -> grpc.aio.AioRpcError:
@@ -114,28 +114,18 @@ class EditStream:
             self._changed.notify_all()
 
     async def _ended(self, failure: grpc.RpcError | None) -> None:
-        """Sends all that is unanswered again in a new call, or tells why not."""
-        now = time.monotonic()
-        self._broken_since = self._broken_since or now
-        again = (failure is not None and is_broken(failure) and self._answered
-                 and now - self._broken_since <= RECONNECT
-                 and not all(exchange.overdue for exchange in self._unanswered.values()))
-        if not again:
+        """Tells all that is unanswered; the next request begins another call."""
+        async with self._writing:  # what is being written belongs to the call that ended
             self._call = None
-            self._broken_since = None
-            await self._fail_all(lambda: stream_ended(failure))
-            return
-        await asyncio.sleep(BETWEEN_TRIES)
-        async with self._writing:
-            self._call = self._open_call()
-            for exchange in list(self._unanswered.values()):
-                exchange.restart()
-                await self._write(exchange.request)
+            for exchange in self._unanswered.values():
+                exchange.broken = failure is None or is_broken(failure)
+                exchange.heard |= failure is None or was_answered(failure)
+            unanswered = list(self._unanswered.values())
+            self._unanswered.clear()
+        await self._fail(unanswered, lambda: stream_ended(failure))
 
-    async def _fail_all(self, why: Callable[[], Any]) -> None:
-        unanswered = list(self._unanswered.values())
-        self._unanswered.clear()
-        for exchange in unanswered:
+    async def _fail(self, exchanges: list[Exchange], why: Callable[[], Any]) -> None:
+        for exchange in exchanges:
             exchange.fail(why())
         async with self._changed:
             self._changed.notify_all()

@@ -77,16 +77,14 @@ def channel_options(address: str) -> list[tuple[str, Any]]:
 
 
 def addresses_or_default(address: str | Sequence[str] | None) -> list[str]:
-    """Those of a list or a text with commas; as `address_or_default` where none is given. Raises
-    ValueError where there is none in it."""
+    """Those of a list or a text with commas, each once; those of REMESH_ADDRESS where none is
+    given, else the one that a daemon has by default. Raises ValueError where there is none in it,
+    or `local` among others."""
     if address is None or isinstance(address, str):
-        address = address_or_default(address).split(",")
-    addresses = [each.strip() for each in address if each.strip()]
+        address = (address or os.environ.get("REMESH_ADDRESS") or DEFAULT_ADDRESS).split(",")
+    addresses = list(dict.fromkeys(each.strip() for each in address if each.strip()))
     if not addresses:
         raise ValueError("no address is given")
+    if "local" in addresses[1:] or addresses[0] == "local" and len(addresses) > 1:
+        raise ValueError("`local` stands for a daemon of its own: it cannot be one of several")
     return addresses
-
-
-def address_or_default(address: str | None) -> str:
-    """REMESH_ADDRESS where none is given, else the address that a daemon has by default."""
-    return address or os.environ.get("REMESH_ADDRESS") or DEFAULT_ADDRESS

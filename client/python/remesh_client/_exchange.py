@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING, Callable
+from typing import Any, Callable
 
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client.errors import (DeadlineExceeded, Error, RemeshError, error_of_rpc, from_error,
@@ -12,15 +12,9 @@ from remesh_client.v1 import revision_pb2, stream_pb2
 
 import grpc
 
-if TYPE_CHECKING:
-    from remesh_client._stream import EditStream
-
 Progress = stream_pb2.Progress
 OnProgress = Callable[[Progress], object]
 _ids = itertools.count(1)
-
-RECONNECT = 30.0  # s for which a broken stream is opened again
-BETWEEN_TRIES = 0.2  # s
 
 
 class Exchange:
@@ -41,11 +35,12 @@ class Exchange:
         self.mesh: Content | None = None
         self.error: RemeshError | None = None  # of the request
         self.mesh_error: RemeshError | None = None  # after the result
+        self.heard = False  # something was answered
         self.done = False
         self.overdue = False  # cancelled because its time was up
         self.broken = False  # what carried it broke
         self.route = route
-        self.carrier: EditStream | None = None  # that it was sent on
+        self.carrier: Any = None  # the EditStream that it was sent on
         self._document = document
         self._base = base
         self._on_progress = on_progress
@@ -59,6 +54,7 @@ class Exchange:
 
     def take(self, answer: stream_pb2.EditStreamResponse) -> None:
         """Takes one answer; what the progress callback raises goes through."""
+        self.heard = True
         what = answer.WhichOneof("answer")
         if what == "progress":
             if self._on_progress is not None:
@@ -88,11 +84,6 @@ class Exchange:
         """The same request, to be sent once more. Pre: it failed."""
         return Exchange(self.request, self._document, self._base, self._on_progress, self.route)
 
-    def restart(self) -> None:
-        """The stream broke: all answers will come again."""
-        self._assembler = None
-        self.mesh_error = None
-
     def _take_mesh(self, answer: stream_pb2.EditStreamResponse) -> None:
         if self.mesh_error is None:
             try:
@@ -114,12 +105,22 @@ class Exchange:
             self._on_progress = None
 
 
+# What gRPC says of calls that a balancer in between reset, cut, or answered itself.
+_CUT = ("RST_STREAM", "Stream removed", "http2 header with status: 5")
+
+
 def is_broken(failure: grpc.RpcError) -> bool:
-    """The connection broke, or the daemon ended: it cancels its calls then. A balancer in between
-    resets them, which gRPC takes for an internal error; the daemon's own come with details."""
-    if failure.code() == grpc.StatusCode.INTERNAL:
-        return "RST_STREAM" in (failure.details() or "")
+    """The connection broke, or the daemon ended: it cancels its calls then. What a balancer does to
+    a call whose daemon died gRPC takes for an internal error or one that it does not know; the
+    daemon's own say nothing of that kind."""
+    if failure.code() in (grpc.StatusCode.INTERNAL, grpc.StatusCode.UNKNOWN):
+        return any(cut in (failure.details() or "") for cut in _CUT)
     return failure.code() in (grpc.StatusCode.UNAVAILABLE, grpc.StatusCode.CANCELLED)
+
+
+def was_answered(failure: grpc.RpcError) -> bool:
+    """By the daemon, or by a balancer that says that there is none: somebody is there."""
+    return bool(failure.trailing_metadata() or failure.initial_metadata())
 
 
 def stream_ended(failure: grpc.RpcError | None) -> RemeshError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 from typing import Any, Callable, Mapping, Sequence
 
@@ -12,6 +13,7 @@ from remesh_client.edits import EditLike, Model, edit_document, model_document
 from remesh_client.options import mesh_options
 from remesh_client.v1 import (document_pb2, mesh_pb2, model_pb2, revision_pb2, stream_pb2)
 
+_UNNAMED = "model"  # the design of a model without a name
 FORMATS = {"vtu": "vtu", "msh": "msh", "inp": "inp", "step": "step", "stp": "step"}
 
 
@@ -32,17 +34,34 @@ def put_model(request: revision_pb2.CreateRevisionRequest | model_pb2.ValidateMo
 def first_mesh(model: Model, options: Mapping[str, Any], design: str, file: bool | None,
                with_mesh: bool, on_progress: OnProgress | None,
                route: str | None = None) -> Exchange:
-    """Meshes a model. route: default: the design where it joins one, else the request's own.
-    Raises what `model_document` and `mesh_options` raise."""
+    """Meshes a model. route: default: the design that it joins, in none the request's own. Raises
+    what `model_document` and `mesh_options` raise."""
     create = revision_pb2.CreateRevisionRequest(
         options=mesh_options(options), design=design, head=head_update(file),
         threads=options.get("threads", 0))
     source = put_model(create, model)
     mesh = mesh_pb2.MeshSelection() if with_mesh else None
     if route is None:
-        route = design or hashlib.sha256(create.SerializeToString(deterministic=True)).hexdigest()
+        route = design or (_name_of(create) if file is not False else "") or _digest(create)
     return Exchange(stream_pb2.EditStreamRequest(create=create, mesh=mesh), source,
                     on_progress=on_progress, route=route)
+
+
+def _name_of(create: revision_pb2.CreateRevisionRequest) -> str:
+    """Of its model, after which the design is called that it joins by default; empty where that
+    cannot be read, which the daemon will say."""
+    name: Any = create.model.name
+    if create.document:
+        try:
+            document = json.loads(create.document)
+        except ValueError:
+            return ""
+        name = document.get("name", "") if isinstance(document, dict) else ""
+    return name or _UNNAMED if isinstance(name, str) else ""
+
+
+def _digest(create: revision_pb2.CreateRevisionRequest) -> str:
+    return hashlib.sha256(create.SerializeToString(deterministic=True)).hexdigest()
 
 
 def edit_of(base: str, edits: Sequence[EditLike], parameters: Mapping[str, Any],

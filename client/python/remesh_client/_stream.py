@@ -10,8 +10,8 @@ from typing import Any, Callable, Iterator
 import grpc
 
 from remesh_client._answers import Answers
-from remesh_client._exchange import (BETWEEN_TRIES, RECONNECT, Exchange, cancel_request,
-                                     is_broken, stream_ended)
+from remesh_client._exchange import (Exchange, cancel_request, is_broken, stream_ended,
+                                     was_answered)
 from remesh_client.errors import Error, made_here
 from remesh_client.v1 import stream_pb2
 
@@ -20,7 +20,7 @@ OpenCall = Callable[[str, Iterator[Request]], Any]
 
 
 class _Call:
-    """One call of EditStream; a stream that broke goes on in another one."""
+    """One call of EditStream; after one that broke the next request begins another."""
 
     def __init__(self, open_call: OpenCall, route: str) -> None:
         self._requests: queue.SimpleQueue[Request | None] = queue.SimpleQueue()
@@ -41,20 +41,17 @@ class _Call:
 
 
 class EditStream:
-    """May be used by several threads. One of those that wait reads for all."""
+    """May be used by several threads. One of those that wait reads for all. What it leaves
+    unanswered where it breaks fails, as `broken`, and is to be sent again."""
 
-    def __init__(self, open_call: OpenCall, reconnects: bool = True) -> None:
+    def __init__(self, open_call: OpenCall) -> None:
         """open_call: begins a call of EditStream, of the route of the first request, with the
-        requests that it is given. reconnects: one that broke goes on; else what it left
-        unanswered fails, as `broken`."""
+        requests that it is given."""
         self._open_call = open_call
-        self._reconnects = reconnects
         self._call: _Call | None = None
         self._unanswered: dict[str, Exchange] = {}  # in the order sent
         self._state = threading.Lock()  # guards these
         self._reading = threading.RLock()  # one reads
-        self._answered = False  # this daemon has answered before
-        self._broken_since: float | None = None
 
     def send(self, exchange: Exchange) -> None:
         with self._state:
@@ -112,7 +109,7 @@ class EditStream:
         try:
             answer = next(call.answers)
         except grpc.RpcError as failure:
-            if call is self._call and not self._reopen(failure):
+            if call is self._call:
                 self._end(failure)
         except StopIteration:
             if call is self._call:
@@ -121,8 +118,6 @@ class EditStream:
             self._take(answer)
 
     def _take(self, answer: stream_pb2.EditStreamResponse) -> None:
-        self._answered = True
-        self._broken_since = None
         exchange = self._unanswered.get(answer.request_id)
         if exchange is None:
             return
@@ -131,36 +126,12 @@ class EditStream:
             with self._state:
                 self._unanswered.pop(exchange.id, None)
 
-    def _reopen(self, failure: grpc.RpcError) -> bool:
-        """Sends all that is unanswered again, in a new call; False where that is of no use.
-
-        Each request names its base by id, so nothing can be done twice.
-        """
-        if not self._reconnects:
-            return False
-        now = time.monotonic()
-        self._broken_since = self._broken_since or now
-        if not is_broken(failure) or not self._answered or now - self._broken_since > RECONNECT:
-            return False
-        if all(exchange.overdue for exchange in self._unanswered.values()):
-            return False
-        time.sleep(BETWEEN_TRIES)
-        with self._state:
-            if self._call is None:
-                return True
-            self._call.end()
-            self._call = _Call(self._open_call, next(iter(self._unanswered.values())).route)
-            for exchange in self._unanswered.values():
-                exchange.restart()
-                self._call.send(exchange.request)
-        return True
-
     def _end(self, failure: grpc.RpcError | None) -> None:
         with self._state:
             self._call = None
             unanswered = list(self._unanswered.values())
             self._unanswered.clear()
-        self._broken_since = None
         for exchange in unanswered:
             exchange.broken = failure is None or is_broken(failure)
+            exchange.heard |= failure is None or was_answered(failure)
             exchange.fail(stream_ended(failure))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import time
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Callable, Iterable, Iterator, Sequence, TypeVar
@@ -15,11 +16,12 @@ from remesh_client import _requests
 from remesh_client._answers import messages
 from remesh_client._assembler import Content, MeshAssembler
 from remesh_client._connection import Access, addresses_or_default
-from remesh_client._exchange import RECONNECT, Exchange, OnProgress, is_broken
-from remesh_client._farm import Farm, Replica, Search
+from remesh_client._exchange import Exchange, OnProgress, is_broken, was_answered
+from remesh_client._farm import Farm, Replica
 from remesh_client._files import FileAssembler, write_whole
 from remesh_client._motion import (Derivative, Horizon, Velocity, VelocityAssembler, gradient,
                                    horizons, seed_bytes)
+from remesh_client._search import PATIENCE, Search, route_of
 from remesh_client.edits import Model
 from remesh_client.errors import Error, from_rpc, made_here
 from remesh_client.local import LocalDaemon
@@ -37,7 +39,7 @@ class Daemon:
     """
 
     def __init__(self, addresses: Sequence[str], access: Access = Access(),
-                 local: LocalDaemon | None = None, patience: float = RECONNECT) -> None:
+                 local: LocalDaemon | None = None, patience: float = PATIENCE) -> None:
         self.address = ",".join(addresses)
         self._local = local
         self._farm = Farm(addresses, access, patience)
@@ -63,7 +65,8 @@ class Daemon:
     def open(self, revision: str) -> Part:
         """A revision that is there: a design (its head), `design@number`, an id or 8 digits of
         it. Raises NotFound."""
-        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision))
+        reply = self._ask("GetRevision", revision_pb2.GetRevisionRequest(revision=revision),
+                          route_of(revision))
         return Part(self, reply.revision, reply.report, durable=reply.durable)
 
     def validate(self, model: Model, **options: Any) -> model_pb2.ModelCheck:
@@ -79,7 +82,7 @@ class Daemon:
             filter=revision_pb2.RevisionFilter(design=design))
         found: list[revision_pb2.RevisionInfo] = []
         while True:
-            page = self._ask("ListRevisions", request)
+            page = self._ask("ListRevisions", request, design)
             found += page.revisions
             if not page.next_page_token:
                 return found
@@ -126,13 +129,14 @@ class Daemon:
             left = None if timeout is None else timeout - search.seconds()
             replica.stream.send(exchange)
             replica.stream.wait(exchange, lambda sent: sent.has_result, left)
-            error = exchange.error
-            if error is None:
-                replica.reached = True
+            replica.reached |= exchange.heard
+            if exchange.error is None:
                 return exchange
-            # One daemon alone is waited for by its stream.
-            if not self._farm.several or not search.goes_on(replica, error, exchange.broken):
+            wait = search.delay(replica, exchange.error, exchange.broken)
+            if wait is None or exchange.overdue or (
+                    timeout is not None and search.seconds() + wait > timeout):
                 return exchange
+            time.sleep(wait)
             exchange = exchange.again()
 
     def _ask(self, method: str, request: Any, route: str = "") -> Any:
@@ -204,14 +208,17 @@ class Daemon:
                 answer = call(replica)
             except grpc.RpcError as failure:
                 error = from_rpc(failure)
-                if not search.goes_on(replica, error, is_broken(failure)):
+                replica.reached |= was_answered(failure)
+                wait = search.delay(replica, error, is_broken(failure))
+                if wait is None:
                     raise error from None
+                time.sleep(wait)
             else:
                 replica.reached = True
                 return answer
 
 
-def connect(address: str | Sequence[str] | None = None, *, patience: float = RECONNECT,
+def connect(address: str | Sequence[str] | None = None, *, patience: float = PATIENCE,
             tls_ca: os.PathLike[str] | str | None = None,
             tls_cert: os.PathLike[str] | str | None = None,
             tls_key: os.PathLike[str] | str | None = None,
@@ -224,7 +231,7 @@ def connect(address: str | Sequence[str] | None = None, *, patience: float = REC
     127.0.0.1:50051. patience: s for which a request is sent again where none is available. The
     others are PEM files of TLS, and a file with a token. Raises OSError where a file cannot be
     read, InvalidRequest for a token that would go in the clear to another machine, ValueError for
-    no address.
+    no address, and for `local` among others.
     """
     addresses = addresses_or_default(address)
     if addresses == ["local"]:

@@ -28,6 +28,7 @@ class RemeshError(Exception):
         line, column: place in the document, from 1; None where there is none.
         retry_after: seconds after which the same request may go well; None: waiting does not help.
         attempts: what was tried for a mesh, in order, each with its reason.
+        home: address of the daemon to ask instead, where this one has not the design; may be empty.
     """
 
     def __init__(self, error: Error, document: str = "") -> None:
@@ -44,6 +45,7 @@ class RemeshError(Exception):
         self.column: int | None = _optional(error, "column")
         self.retry_after: float | None = _optional(error, "retry_after")
         self.attempts: tuple[str, ...] = tuple(error.attempts)
+        self.home: str = error.home
         self.document = document  # the file that the request was read from
         super().__init__(self._text())
 
@@ -54,6 +56,8 @@ class RemeshError(Exception):
         told: list[str] = [f"feature {name}" for name in self.features if name not in text]
         if self.parameter and self.parameter not in text:
             told.append(f"parameter {self.parameter}")
+        if self.home and self.home not in text:
+            told.append(f"daemon {self.home}")
         for x, y, z in self.points:
             told.append(f"at ({x:.9g}, {y:.9g}, {z:.9g})")
         where = f" [{', '.join(told)}]" if told else ""

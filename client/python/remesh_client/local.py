@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -48,8 +49,8 @@ class LocalDaemon:
     def __init__(self, program: os.PathLike[str] | str | None, options: Sequence[str]) -> None:
         found = find_program(program)
         self._folder = Path(tempfile.mkdtemp(prefix="remesh-"))
-        socket = self._folder / "socket"
-        self.address = f"unix:{socket}"
+        path = self._folder / "socket"
+        self.address = f"unix:{path}"
         line = [found, "--listen", self.address, "--store", str(self._folder / "store"),
                 "--grace", "1", *options]
         with open(self._folder / "log", "wb") as log:
@@ -59,7 +60,7 @@ class LocalDaemon:
                 stdin=subprocess.PIPE, stdout=log, stderr=log, start_new_session=True)
         atexit.register(self.stop)
         try:
-            self._wait_for(socket)
+            self._wait_for(path)
         except BaseException:
             self.stop()
             raise
@@ -76,9 +77,9 @@ class LocalDaemon:
             self._guard.wait()
         shutil.rmtree(self._folder, ignore_errors=True)
 
-    def _wait_for(self, socket: Path) -> None:
+    def _wait_for(self, path: Path) -> None:
         last = time.monotonic() + _START
-        while not socket.exists():
+        while not _listens(path):
             if self._guard.poll() is not None:
                 raise _not_started("remeshd did not start", self._said())
             if time.monotonic() > last:
@@ -91,6 +92,12 @@ class LocalDaemon:
         except OSError:
             return ""
         return "; ".join(lines[-5:])
+
+
+def _listens(path: Path) -> bool:
+    """Whether somebody does: between bind and listen the socket is there, and refuses."""
+    with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+        return probe.connect_ex(str(path)) == 0
 
 
 def _not_started(message: str, hint: str = "") -> RemeshError:
