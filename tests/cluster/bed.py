@@ -1,12 +1,11 @@
 """A farm on this machine: replicas of remeshd, and the tier that they share."""
 import collections
-import http.client
+import hashlib
 import os
 import re
 import secrets
 import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import threading
@@ -15,15 +14,11 @@ import urllib.request
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
+from ports import free_port, wait_for_port
+from swift_tier import SwiftTier
 
 NGINX = shutil.which("nginx") or "/usr/sbin/nginx"  # which is not in every user's path
 BALANCER = Path(__file__).parent.parent.parent / "deploy/cluster/nginx.conf"
-
-
-def free_port():
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return free.getsockname()[1]
 
 
 class FaultyTier:
@@ -33,7 +28,9 @@ class FaultyTier:
     body, then the end; `silent`: takes requests and never answers; `down`: nobody listens.
     """
 
-    def __init__(self, host="127.0.0.1"):
+    options = ()
+
+    def __init__(self, _folder=None, host="127.0.0.1"):
         self._host = host
         self.objects = {}
         self._mode = "well"
@@ -107,6 +104,16 @@ class FaultyTier:
         self._server.server_close()
         self._server = None
 
+    def list(self):
+        return {path[len("/objects/"):]: hashlib.sha256(body).hexdigest()
+                for path, body in sorted(self.objects.items())}
+
+    def get(self, key):
+        return self.objects[f"/objects/{key}"]
+
+    def put(self, key, body):
+        self.objects[f"/objects/{key}"] = body
+
     def clear(self):
         self.objects.clear()
 
@@ -161,6 +168,8 @@ class Balancer(Nginx):
 class NginxTier(Nginx):
     """A folder behind nginx by WebDAV."""
 
+    options = ()
+
     def __init__(self, folder):
         port = free_port()
         self.url = f"http://127.0.0.1:{port}"
@@ -169,26 +178,35 @@ class NginxTier(Nginx):
   server {{
     listen 127.0.0.1:{port};
     location / {{
-      root {folder}/objects; dav_methods PUT; create_full_put_path on;
+      root {folder}/objects; dav_methods PUT DELETE; create_full_put_path on;
+      autoindex on; autoindex_format json;
     }}
   }}""")
-        (self._folder / "objects").mkdir()
+        self._objects = self._folder / "objects"
+        self._objects.mkdir()
+
+    def list(self):
+        return {str(path.relative_to(self._objects)): hashlib.sha256(path.read_bytes()).hexdigest()
+                for path in self._objects.rglob("*") if path.is_file()}
+
+    def get(self, key):
+        return (self._objects / key).read_bytes()
+
+    def put(self, key, body):
+        (self._objects / key).write_bytes(body)
 
     def clear(self):
-        for entry in (self._folder / "objects").iterdir():
+        for entry in self._objects.iterdir():
             shutil.rmtree(entry)
 
 
-def wait_for_port(port):
-    for _ in range(500):
-        try:
-            connection = http.client.HTTPConnection("127.0.0.1", port, timeout=1)
-            connection.connect()
-            connection.close()
-            return
-        except OSError:
-            time.sleep(.02)
-    raise TimeoutError(f"nobody listens on port {port}")
+TIERS = {"faulty": FaultyTier, "nginx": NginxTier, "swift": SwiftTier}
+
+
+def add_tier_option(parser, *names):
+    """--tier, of some of TIERS, the first by default."""
+    parser.add_argument("--tier", choices=names, default=names[0],
+                        help="swift: Debian's, by its S3 interface (default: %(default)s)")
 
 
 class Replica:
@@ -201,7 +219,7 @@ class Replica:
         if metrics:
             self._options = [*options, "--metrics", self.metrics_address]
         self._folder.mkdir(parents=True)
-        self.address, self._within = address, within
+        self.address, self._within = address or f"127.0.0.1:{free_port()}", within
         self.process = None
         self.start()
 
@@ -209,10 +227,10 @@ class Replica:
         port_file = self._folder / "port"
         port_file.unlink(missing_ok=True)
         self.process = subprocess.Popen(
-            [*self._within, self._program, "--listen", self.address or "127.0.0.1:0", "--store",
+            [*self._within, self._program, "--listen", self.address, "--store",
              self._folder / "store", "--port-file", port_file, "--log-file", self._folder / "log",
              *self._options])
-        for _ in range(1000):
+        for _ in range(6000):
             if port_file.exists() and port_file.read_text().strip():
                 break
             if self.process.poll() is not None:
@@ -245,7 +263,11 @@ class Replica:
 
 
 class Bed:
-    """Replicas over a tier; a context manager."""
+    """Replicas over a tier; a context manager.
+
+    tier: makes one, given a folder that is not there yet. It has `url`, `options` of the daemon, `list`
+    of keys with digests, `get`, `put`, `clear`, `stop`; some have a `mode`.
+    """
 
     def __init__(self, program, tier, replicas=3, acknowledge="tier", options=(),
                  metrics=False):
@@ -253,17 +275,17 @@ class Bed:
         key = self.folder / "key"
         key.write_text(secrets.token_hex(16))
         key.chmod(0o600)
-        self.tier = tier(self.folder / "tier") if tier is NginxTier else tier()
-        self._options = ["--tier", self.tier.url, "--tier-key-file", key, "--tier-ack",
+        self.tier = tier(self.folder / "tier")
+        self.options = ["--tier", self.tier.url, *self.tier.options, "--tier-key-file", key, "--tier-ack",
                          acknowledge, "--workers", "1", "--grace", "2", *options]
         self._program, self._metrics = program, metrics
         self.replicas, self._balancer = [], None
         for _ in range(replicas):
             self.add()
 
-    def add(self):
+    def add(self, address="", options=()):
         self.replicas.append(Replica(self._program, self.folder / f"replica{len(self.replicas)}",
-                                     self._options, self._metrics))
+                                     [*self.options, *options], self._metrics, address))
         return self.replicas[-1]
 
     @property

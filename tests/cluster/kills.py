@@ -14,7 +14,7 @@ import random
 import sys
 import time
 
-from bed import Bed, FaultyTier, NginxTier
+from bed import TIERS, Bed, add_tier_option
 from loops import Loop, differences, reference, run_all
 
 
@@ -25,17 +25,18 @@ def main():
     parser.add_argument("--loops", type=int, default=3)
     parser.add_argument("--edits", type=int, default=40)
     parser.add_argument("--nodes", type=int, default=2000)
-    parser.add_argument("--nginx", action="store_true", help="the tier is nginx")
+    add_tier_option(parser, "faulty", "nginx", "swift")
     parser.add_argument("--balancer", action="store_true",
                         help="clients know the address of a balancer alone")
     parser.add_argument("--lose-stores", action="store_true")
+    parser.add_argument("--asyncio", action="store_true", help="loops are tasks that share a client")
     arguments = parser.parse_args()
     size = (arguments.loops, arguments.edits, arguments.nodes)
     right = reference(arguments.remeshd, *size)
     chance, kills, rounds, wrong = random.Random(1), 0, 0, []
     begun = time.monotonic()
     came = collections.Counter()
-    with Bed(arguments.remeshd, NginxTier if arguments.nginx else FaultyTier, metrics=True) as bed:
+    with Bed(arguments.remeshd, TIERS[arguments.tier], metrics=True) as bed:
         balancer = bed.balance() if arguments.balancer else None
         while kills < arguments.kills and not wrong:
             rounds += 1
@@ -48,7 +49,8 @@ def main():
                 for replica in bed.replicas:
                     replica.start()
             loops = [Loop(number, *size[1:]) for number in range(arguments.loops)]
-            threads = run_all(loops, balancer.address if balancer else bed.addresses)
+            threads = run_all(loops, balancer.address if balancer else bed.addresses,
+                              tasks=arguments.asyncio)
             while any(thread.is_alive() for thread in threads):
                 time.sleep(chance.uniform(.05, .8))
                 if kills >= arguments.kills or not any(t.is_alive() for t in threads):

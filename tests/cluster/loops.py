@@ -1,4 +1,5 @@
 """Loops of edits, and what each revision of theirs has to be."""
+import asyncio
 import hashlib
 import random
 import threading
@@ -6,6 +7,7 @@ import time
 from pathlib import Path
 
 import remesh_client as rc
+from remesh_client import aio
 
 MODEL = Path(__file__).parent.parent / "cases/tool1-a.json"
 
@@ -38,6 +40,16 @@ class Loop:
             self.longest = max(self.longest, time.monotonic() - begun)
             after_each()
 
+    async def run_async(self, daemon):
+        """The same by the client for asyncio."""
+        part = await daemon.mesh(MODEL, nodes=self.nodes, seed=self.number + 1, file=False)
+        self.made.append((part.revision, digest(await part.mesh())))
+        for radius in self.radii:
+            begun = time.monotonic()
+            part = await part.edit(pin_radius=radius, file=False)
+            self.made.append((part.revision, digest(await part.mesh())))
+            self.longest = max(self.longest, time.monotonic() - begun)
+
     def _note(self, part):
         self.made.append((part.revision, digest(part.mesh())))
 
@@ -51,8 +63,11 @@ def reference(program, count, edits, nodes):
         return loops
 
 
-def run_all(loops, addresses, patience=60.0, after_each=lambda: None):
-    """Side by side, each with a client of its own; an error of one stands in it."""
+def run_all(loops, addresses, patience=60.0, after_each=lambda: None, tasks=False):
+    """Side by side, each with a client of its own, or as tasks that share one of asyncio; an error
+    of one stands in it."""
+    if tasks:
+        return _run_tasks(loops, addresses, patience)
     def run(loop):
         try:
             with rc.connect(addresses, patience=patience) as daemon:
@@ -63,6 +78,21 @@ def run_all(loops, addresses, patience=60.0, after_each=lambda: None):
     for thread in threads:
         thread.start()
     return threads
+
+
+def _run_tasks(loops, addresses, patience):
+    async def run(loop, daemon):
+        try:
+            await loop.run_async(daemon)
+        except Exception as why:  # pylint: disable=broad-except
+            loop.error = why
+
+    async def main():
+        async with aio.connect(addresses, patience=patience) as daemon:
+            await asyncio.gather(*(run(loop, daemon) for loop in loops))
+    thread = threading.Thread(target=lambda: asyncio.run(main()))
+    thread.start()
+    return [thread]
 
 
 def differences(loops, references):

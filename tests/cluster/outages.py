@@ -14,7 +14,7 @@ import sys
 import time
 
 import remesh_client as rc
-from bed import Bed, FaultyTier
+from bed import TIERS, Bed, add_tier_option
 from loops import MODEL, Loop, differences, reference, run_all
 
 
@@ -37,11 +37,12 @@ def main():
     parser.add_argument("--loops", type=int, default=3)
     parser.add_argument("--edits", type=int, default=40)
     parser.add_argument("--nodes", type=int, default=2000)
+    add_tier_option(parser, "faulty", "swift")
     arguments = parser.parse_args()
     size = (arguments.loops, arguments.edits, arguments.nodes)
     right = reference(arguments.remeshd, *size)
     chance, outages, wrong = random.Random(1), 0, []
-    with Bed(arguments.remeshd, FaultyTier) as bed:
+    with Bed(arguments.remeshd, TIERS[arguments.tier]) as bed:
         while outages < arguments.outages and not wrong:
             bed.tier.clear()
             for replica in bed.replicas:
@@ -50,10 +51,13 @@ def main():
                 replica.start()
             loops = [Loop(number, *size[1:]) for number in range(arguments.loops)]
             threads = run_all(loops, bed.addresses, patience=120)
+            before = 0
             while any(thread.is_alive() for thread in threads):
                 time.sleep(chance.uniform(.5, 1.5))
                 if outages >= arguments.outages or not any(t.is_alive() for t in threads):
                     continue
+                if sum(len(loop.made) for loop in loops) < before + len(loops):
+                    continue  # the last one is not over: a tier that is back is left alone at first
                 bed.tier.mode = "down"
                 victim, other = chance.sample(bed.replicas, 2)
                 victim.kill()
@@ -61,6 +65,7 @@ def main():
                 time.sleep(chance.uniform(0, 4))
                 bed.tier.mode = "well"
                 victim.start()
+                before = sum(len(loop.made) for loop in loops)
                 outages += 1
             wrong += differences(loops, right)
             print(f"{outages} outages so far, longest edit "

@@ -71,13 +71,14 @@ class BedElsewhere(Bed):
 
     def __init__(self, network, program, acknowledge):
         self._network = network
-        super().__init__(program, lambda: FaultyTier(TIER), replicas=len(network.names),
+        super().__init__(program, lambda _: FaultyTier(host=TIER), replicas=len(network.names),
                          acknowledge=acknowledge)
 
-    def add(self):
+    def add(self, address="", options=()):
+        """In a network of its own, whatever the address."""
         number = len(self.replicas)
         self.replicas.append(Replica(
-            self._program, self.folder / f"replica{number}", ["--behind-proxy", *self._options],
+            self._program, self.folder / f"replica{number}", ["--behind-proxy", *self.options, *options],
             address=f"{self._network.address(number)}:50051",
             within=["ip", "netns", "exec", self._network.names[number]]))
         return self.replicas[-1]

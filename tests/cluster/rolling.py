@@ -16,7 +16,7 @@ import threading
 import time
 
 import remesh_client as rc
-from bed import Bed, FaultyTier
+from bed import TIERS, Bed, add_tier_option
 from loops import Loop, differences, reference
 
 MOVED_SHARE = .95
@@ -58,10 +58,11 @@ def main():
     parser.add_argument("--loops", type=int, default=3)
     parser.add_argument("--edits", type=int, default=40)
     parser.add_argument("--nodes", type=int, default=2000)
+    add_tier_option(parser, "faulty", "nginx", "swift")
     arguments = parser.parse_args()
     right = reference(arguments.remeshd, arguments.loops, arguments.edits, arguments.nodes)
     totals = collections.Counter()
-    with Bed(arguments.remeshd, FaultyTier, replicas=2, metrics=True) as bed:
+    with Bed(arguments.remeshd, TIERS[arguments.tier], replicas=2, metrics=True) as bed:
         load = Load(right, bed.addresses)
         for restart in range(arguments.restarts):
             time.sleep(1.5)

@@ -14,7 +14,7 @@ import sys
 import time
 
 import remesh_client as rc
-from bed import Bed, FaultyTier
+from bed import TIERS, Bed, add_tier_option
 from loops import Loop, differences, reference
 
 MODES = ("down", "silent", "full", "failing", "cutting")
@@ -25,18 +25,18 @@ def settled(bed, ids, seconds=40):
     """Whether the tier gets the recipes and meshes of all of them."""
     until = time.monotonic() + seconds
     while time.monotonic() < until:
-        paths = set(bed.tier.objects)
-        if all(any(path.startswith(f"/objects/{kind}/") and path.endswith(each) for path in paths)
+        keys = bed.tier.list()
+        if all(any(key.startswith(f"{kind}/") and key.endswith(each) for key in keys)
                for each in ids for kind in ("recipe", "pack")):
             return True
         time.sleep(.1)
     return False
 
 
-def try_mode(mode, program, right, edits, nodes):
+def try_mode(mode, tier, program, right, edits, nodes):
     """What is wrong, a line each, and the seconds that an edit takes more."""
     wrong, seconds = [], {"well": [], mode: []}
-    with Bed(program, FaultyTier, replicas=2, acknowledge="local") as bed:
+    with Bed(program, TIERS[tier], replicas=2, acknowledge="local") as bed:
         loop, times = Loop(0, edits, nodes), []
         here, there = bed.addresses
         with rc.connect(here) as daemon:
@@ -72,11 +72,13 @@ def main():
     parser.add_argument("--nodes", type=int, default=2000)
     parser.add_argument("--modes", nargs="+", choices=MODES, default=MODES)
     parser.add_argument("--untimed", action="store_true", help="other work runs beside it")
+    add_tier_option(parser, "faulty", "swift")
     arguments = parser.parse_args()
     right, = reference(arguments.remeshd, 1, arguments.edits, arguments.nodes)
     failed = False
     for mode in arguments.modes:
-        wrong, added = try_mode(mode, arguments.remeshd, right, arguments.edits, arguments.nodes)
+        wrong, added = try_mode(mode, arguments.tier, arguments.remeshd, right, arguments.edits,
+                                arguments.nodes)
         if added > MOST_ADDED and not arguments.untimed:
             wrong.append("edits take longer")
         print(f"{mode}: {1e3 * added:+.0f} ms an edit, {len(wrong)} wrong", *wrong, sep="\n  ",

@@ -9,28 +9,27 @@ quarantine, and written over: another replica finds nothing wrong any more. Then
 objects under another's key, and with those of another farm.
 """
 import argparse
-import hashlib
 import random
 import sys
 import time
 
 import remesh_client as rc
-from bed import Bed, FaultyTier
+from bed import TIERS, Bed, FaultyTier, add_tier_option
 from loops import Loop, digest
 
 
-def flip(tier, path, chance):
-    changed = bytearray(tier.objects[path])
+def flip(tier, key, chance):
+    changed = bytearray(tier.get(key))
     bit = chance.randrange(8 * len(changed))
     changed[bit // 8] ^= 1 << bit % 8
-    tier.objects[path] = bytes(changed)
+    tier.put(key, bytes(changed))
 
 
-def exchange(tier, paths):
+def exchange(tier, keys):
     """Each object under the next one's key."""
-    bodies = [tier.objects[path] for path in paths]
-    for path, body in zip(paths, bodies[1:] + bodies[:1]):
-        tier.objects[path] = body
+    bodies = [tier.get(key) for key in keys]
+    for key, body in zip(keys, bodies[1:] + bodies[:1]):
+        tier.put(key, body)
 
 
 def afresh(replica):
@@ -59,8 +58,7 @@ def quarantined(replica):
 def settle(tier):
     """Waits until nothing is written any more."""
     before = None
-    while before != (before := hashlib.sha256(b"".join(
-            tier.objects[path] for path in sorted(tier.objects))).hexdigest()):
+    while before != (before := tier.list()):
         time.sleep(1)
 
 
@@ -70,16 +68,17 @@ def main():
     parser.add_argument("--flips", type=int, default=1000)
     parser.add_argument("--edits", type=int, default=40)
     parser.add_argument("--nodes", type=int, default=1000)
+    add_tier_option(parser, "faulty", "nginx", "swift")
     arguments = parser.parse_args()
     chance, wrong, flips = random.Random(1), [], 0
-    with Bed(arguments.remeshd, FaultyTier, replicas=3) as bed:
+    with Bed(arguments.remeshd, TIERS[arguments.tier], replicas=3) as bed:
         loop = Loop(0, arguments.edits, arguments.nodes)
         with rc.connect(bed.replicas[0].address) as daemon:
             loop.run(daemon)
         settle(bed.tier)
-        paths = {each: {kind: next(path for path in bed.tier.objects
-                                   if path.endswith(each) and f"/{kind}/" in path)
-                        for kind in ("recipe", "pack")} for each, _ in loop.made}
+        keys = {each: {kind: next(key for key in bed.tier.list()
+                                  if key.endswith(each) and key.startswith(f"{kind}/"))
+                       for kind in ("recipe", "pack")} for each, _ in loop.made}
 
         def serve(what, changed):
             """By one that has nothing; then by another, which is to find nothing wrong."""
@@ -100,17 +99,17 @@ def main():
 
         while flips < arguments.flips and not wrong:
             for each, _ in loop.made:
-                flip(bed.tier, paths[each][chance.choice(("recipe", "pack"))], chance)
+                flip(bed.tier, keys[each][chance.choice(("recipe", "pack"))], chance)
             flips += len(loop.made)
             serve(f"{flips} flips", len(loop.made))
-        exchange(bed.tier, [paths[each]["pack"] for each, _ in loop.made])
+        exchange(bed.tier, [keys[each]["pack"] for each, _ in loop.made])
         serve("another's meshes", len(loop.made))
         with Bed(arguments.remeshd, FaultyTier, replicas=1) as stranger:
             with rc.connect(stranger.addresses) as daemon:
                 Loop(0, arguments.edits, arguments.nodes).run(daemon)
             settle(stranger.tier)
             for each, _ in loop.made:
-                bed.tier.objects[paths[each]["pack"]] = stranger.tier.objects[paths[each]["pack"]]
+                bed.tier.put(keys[each]["pack"], stranger.tier.get(keys[each]["pack"]))
         serve("another farm's meshes", len(loop.made))
     print(f"{flips} flips: {len(wrong)} wrong", *wrong, sep="\n  ")
     return 1 if wrong else 0
