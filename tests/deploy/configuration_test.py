@@ -46,8 +46,35 @@ class ConfigurationTest(unittest.TestCase):
 
     def test_of_kubernetes(self):
         config = self.tls / "remeshd.toml"
-        config.write_text(self.moved((DEPLOY / "kubernetes/remeshd.toml").read_text()))
+        config.write_text(self.moved((DEPLOY / "kubernetes/base/remeshd.toml").read_text()))
         self.assertEqual(check(["--config", config]), "OK\n")
+
+    def make_secrets(self):
+        for name, text in (("farm.key", "0123456789abcdef\n"), ("s3-credentials", "ACCESS SECRET\n"),
+                           ("pgpass", "postgres:5432:remeshd:remeshd:secret\n")):
+            (self.tls / name).write_text(text)
+            (self.tls / name).chmod(0o600)
+
+    def test_of_a_farm_on_kubernetes(self):
+        config = self.tls / "remeshd.toml"
+        config.write_text(self.moved((DEPLOY / "kubernetes/base/remeshd.toml").read_text()))
+        text = (DEPLOY / "kubernetes/overlays/replicas/sharing.env").read_text()
+        variables = dict(re.findall(r"^(REMESHD_\w+)=(.*)$", text, flags=re.M))
+        self.assertIn("REMESHD_TIER", variables)
+        self.assertEqual(self.check_of_farm(["--config", config], variables), "OK\n")
+
+    def test_of_a_farm_by_compose(self):
+        text = (DEPLOY / "cluster/compose.yaml").read_text()
+        service = yaml.safe_load(text)["services"]["replica-1"]
+        self.assertEqual(self.check_of_farm(["--config", DEPLOY / "container.toml"],
+                                            service["environment"]), "OK\n")
+
+    def check_of_farm(self, arguments, variables):
+        """With the secrets of a farm where this test has them."""
+        self.make_secrets()
+        moved = {name: re.sub("/etc/remeshd-(farm|catalogue)|/run/secrets", str(self.tls), value)
+                 for name, value in variables.items()}
+        return check(arguments, moved)
 
     def test_of_compose(self):
         service = yaml.safe_load((DEPLOY / "compose.yaml").read_text())["services"]["remeshd"]

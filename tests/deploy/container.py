@@ -14,6 +14,15 @@ LOCKED = ["--read-only", "--cap-drop", "all", "--security-opt", "no-new-privileg
           "--network", "none"]
 
 
+def ledge():
+    """A model that only TetGen's mesh of the whole can follow, at 3,000 nodes and even sizes: tool2-c
+    with a ledge far narrower than an edge."""
+    model = json.loads((CASES / "tool2-c.json").read_text())
+    [base] = [each for each in model["features"] if each["id"] == "base"]
+    base["parameters"]["dx"] = 119.98
+    return json.dumps(model)
+
+
 def environment():
     """What podman is to run with."""
     return {**os.environ, "CONTAINERS_CONF": str(SETTINGS)}

@@ -12,7 +12,7 @@ import unittest
 import uuid
 from pathlib import Path
 
-from container import CASES, USER, Container, environment, podman, start
+from container import CASES, USER, Container, environment, ledge, podman, start
 
 DEPLOY = Path(__file__).resolve().parents[2] / "deploy"
 IMAGE = "remeshd"
@@ -140,9 +140,9 @@ class ContainerTest(unittest.TestCase):
         self.assertEqual((self.out / "again.vtu").read_bytes(), (self.out / "ac.vtu").read_bytes())
 
     def test_6_finds_the_tetgen_helper(self):
-        # A model with details far finer than the edge length of 60 nodes.
-        self.container.remesh("mesh", "/cases/fig6-a.json", "--nodes", "60", "-o", "/out/t.vtu",
-                              "--json", "/out/t.json")
+        (self.out / "ledge.json").write_text(ledge())
+        self.container.remesh("mesh", "/out/ledge.json", "--nodes", "3000", "--even",
+                              "-o", "/out/t.vtu", "--json", "/out/t.json")
         self.assertEqual(json.loads((self.out / "t.json").read_text())["way"], "WAY_TETGEN")
 
     def test_7_does_a_job_of_the_farm(self):

@@ -1,25 +1,31 @@
 """Facts about deploy/kubernetes, as kubectl renders it."""
+import copy
 import tomllib
 import unittest
 from pathlib import Path
 
+import kubernetes_schema
 import manifests
 from programs import run
 
 TOP = Path(__file__).resolve().parents[2]
+BASE = {"Namespace", "ConfigMap remeshd-config", "Service", "StatefulSet", "PodDisruptionBudget",
+        "NetworkPolicy"}
 
 
-class KubernetesTest(unittest.TestCase):
+class OfEveryOverlay:
+    """What holds for `overlay`."""
+
     @classmethod
     def setUpClass(cls):
-        cls.objects = manifests.rendered()
+        cls.objects = manifests.rendered(cls.overlay)
         cls.set = cls.objects["StatefulSet"]["spec"]
         cls.pod = cls.set["template"]["spec"]
         cls.container = manifests.container(cls.objects)
 
-    def test_has_what_a_daemon_with_a_store_needs_and_no_more(self):
-        self.assertEqual(set(self.objects), {"Namespace", "ConfigMap", "Service", "StatefulSet",
-                                             "PodDisruptionBudget", "NetworkPolicy"})
+    def test_kubernetes_knows_every_field(self):
+        for kind, each in self.objects.items():
+            self.assertEqual(kubernetes_schema.problems(each), [], kind)
 
     def test_all_of_it_lies_in_its_namespace(self):
         for kind, each in self.objects.items():
@@ -47,7 +53,6 @@ class KubernetesTest(unittest.TestCase):
     def test_metrics_are_read_by_the_namespace_for_it_alone(self):
         policy = self.objects["NetworkPolicy"]["spec"]
         self.assertEqual(policy["policyTypes"], ["Ingress", "Egress"])
-        self.assertFalse(policy.get("egress"))
         senders = {rule["ports"][0]["port"]: rule.get("from") for rule in policy["ingress"]}
         self.assertEqual(senders.keys(), {port["name"] for port in self.container["ports"]})
         self.assertTrue(senders["metrics"])
@@ -87,7 +92,7 @@ class KubernetesTest(unittest.TestCase):
                          self.container["resources"]["limits"]["memory"])
 
     def test_the_configuration_fits_the_limits(self):
-        config = tomllib.loads(self.objects["ConfigMap"]["data"]["remeshd.toml"])
+        config = tomllib.loads(self.objects["ConfigMap remeshd-config"]["data"]["remeshd.toml"])
         limits = self.container["resources"]["limits"]
         self.assertEqual(config["workers"], int(limits["cpu"]))
         self.assertRegex(limits["memory"], "^[0-9]+Gi$")
@@ -107,7 +112,7 @@ class KubernetesTest(unittest.TestCase):
         self.assertEqual({mount["name"] for mount in self.container["volumeMounts"]}, volumes)
 
     def test_the_configuration_s_digest_is_in_its_name(self):
-        name = self.objects["ConfigMap"]["metadata"]["name"]
+        name = self.objects["ConfigMap remeshd-config"]["metadata"]["name"]
         self.assertRegex(name, "^remeshd-config-[0-9a-z]{10}$")
         self.assertIn(name, [volume.get("configMap", {}).get("name")
                              for volume in self.pod["volumes"]])
@@ -116,9 +121,107 @@ class KubernetesTest(unittest.TestCase):
         version = (TOP / "CMakeLists.txt").read_text().split("project(remeshd VERSION ")[1].split()[0]
         self.assertEqual(self.container["image"].rsplit(":", 1)[1], version)
 
-    def test_rendering_tells_what_is_wrong(self):
+
+class SingleTest(OfEveryOverlay, unittest.TestCase):
+    overlay = "single"
+
+    def test_has_what_a_daemon_with_a_store_needs_and_no_more(self):
+        self.assertEqual(set(self.objects), BASE)
+        self.assertEqual(self.set["replicas"], 1)
+
+    def test_calls_nobody(self):
+        self.assertEqual(self.objects["NetworkPolicy"]["spec"]["egress"], [])
+
+    def test_is_what_the_folder_itself_renders(self):
+        self.assertEqual(run("kubectl", "kustomize", manifests.FOLDER),
+                         run("kubectl", "kustomize", manifests.FOLDER / "overlays/single"))
+
+
+class FarmTest(OfEveryOverlay, unittest.TestCase):
+    overlay = "replicas"
+
+    def test_has_an_autoscaler_and_what_the_replicas_share_beside(self):
+        self.assertEqual(set(self.objects),
+                         BASE | {"ConfigMap remeshd-farm", "HorizontalPodAutoscaler"})
+
+    def test_there_are_three_replicas_or_more_and_none_but_the_autoscaler_says_so(self):
+        scaler = self.objects["HorizontalPodAutoscaler"]["spec"]
+        self.assertEqual(scaler["minReplicas"], 3)
+        self.assertGreater(scaler["maxReplicas"], 3)
+        target = scaler["scaleTargetRef"]
+        scaled = self.objects[target["kind"]]
+        self.assertEqual(target["name"], scaled["metadata"]["name"])
+        self.assertEqual(target["apiVersion"], scaled["apiVersion"])
+        self.assertNotIn("replicas", self.set)  # applied again, it would undo the autoscaler's
+
+    def test_replicas_come_quickly_and_go_slowly(self):
+        behaviour = self.objects["HorizontalPodAutoscaler"]["spec"]["behavior"]
+        self.assertLessEqual(behaviour["scaleUp"]["stabilizationWindowSeconds"], 60)
+        self.assertGreaterEqual(behaviour["scaleDown"]["stabilizationWindowSeconds"], 1800)
+        [least] = behaviour["scaleDown"]["policies"]
+        self.assertEqual((least["type"], least["value"]), ("Pods", 1))
+
+    def test_the_processors_hold_replicas_where_nothing_waits(self):
+        kinds = [each["type"] for each in
+                 self.objects["HorizontalPodAutoscaler"]["spec"]["metrics"]]
+        self.assertEqual(kinds, ["Pods", "Resource"])
+
+    def test_an_acknowledged_edit_is_in_the_tier(self):
+        shared = self.objects["ConfigMap remeshd-farm"]["data"]
+        self.assertEqual(shared["REMESHD_TIER_ACK"], "tier")
+        for name in ("REMESHD_TIER", "REMESHD_TIER_KEY_FILE", "REMESHD_CATALOGUE"):
+            self.assertTrue(shared[name], name)
+
+    def test_no_secret_stands_in_the_manifests(self):
+        shared = self.objects["ConfigMap remeshd-farm"]["data"]
+        self.assertNotRegex(shared["REMESHD_CATALOGUE"], "//[^/@]*:[^/@]*@|password=")
+        [password] = self.container["env"]
+        self.assertEqual(password["name"], "PGPASSWORD")
+        self.assertIn("secretKeyRef", password["valueFrom"])
+
+    def test_every_file_that_is_named_lies_in_a_volume(self):
+        mounts = {each["mountPath"] for each in self.container["volumeMounts"]}
+        shared = self.objects["ConfigMap remeshd-farm"]["data"]
+        files = [shared["REMESHD_TIER_KEY_FILE"], shared["REMESHD_TIER_S3_CREDENTIALS_FILE"],
+                 shared["REMESHD_CATALOGUE"].split("sslrootcert=")[1]]
+        for file in files:
+            self.assertIn(str(Path(file).parent), mounts, file)
+
+    def test_the_shared_options_reach_the_container(self):
+        [source] = self.container["envFrom"]
+        self.assertEqual(source["configMapRef"]["name"],
+                         self.objects["ConfigMap remeshd-farm"]["metadata"]["name"])
+
+    def test_replicas_lie_apart_where_they_can(self):
+        keys = {each["topologyKey"] for each in self.pod["topologySpreadConstraints"]}
+        self.assertEqual(keys, {"topology.kubernetes.io/zone", "kubernetes.io/hostname"})
+        labels = self.set["template"]["metadata"]["labels"]
+        for each in self.pod["topologySpreadConstraints"]:
+            self.assertLessEqual(each["labelSelector"]["matchLabels"].items(), labels.items())
+
+    def test_calls_names_tier_and_catalogue_alone(self):
+        rules = self.objects["NetworkPolicy"]["spec"]["egress"]
+        ports = [sorted((each["protocol"], each["port"]) for each in rule["ports"])
+                 for rule in rules]
+        self.assertEqual(ports, [[("TCP", 53), ("UDP", 53)], [("TCP", 443)], [("TCP", 5432)]])
+        for rule in rules:
+            self.assertTrue(rule["to"], rule)  # none: anybody
+
+
+class RenderingTest(unittest.TestCase):
+    def test_tells_what_is_wrong(self):
         with self.assertRaisesRegex(AssertionError, "kubectl kustomize"):
             run("kubectl", "kustomize", TOP / "deploy/grafana")  # has no kustomization
+
+    def test_what_kubernetes_does_not_know_is_told(self):
+        right = manifests.rendered("replicas")["HorizontalPodAutoscaler"]
+        for change, told in ((lambda spec: spec.update(minimum=3), "has no field minimum"),
+                             (lambda spec: spec.update(minReplicas="3"), "'3' is no int"),
+                             (lambda spec: spec.pop("scaleTargetRef"), "scale_target_ref"),
+                             (lambda spec: spec["metrics"][0].pop("type"), "type")):
+            wrong = copy.deepcopy(right)
+            change(wrong["spec"])
+            self.assertRegex("\n".join(kubernetes_schema.problems(wrong)), told)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ class PodTest(unittest.TestCase):
                        check=True)
         subprocess.run(["chown", "-R", f"{USER}:{USER}", cls.folder], check=True)
         cls.yaml = cls.folder / "pod.yaml"
-        cls.yaml.write_text(pod.pod(IMAGE, cls.name, certificates))
+        cls.yaml.write_text(pod.pod(IMAGE, cls.name, {"remeshd-tls": certificates}))
         cls.container = Container(f"{cls.name}-remeshd")
         try:
             cls.play()
@@ -48,13 +48,13 @@ class PodTest(unittest.TestCase):
     def end(cls):
         """Ends the pod. The volume that podman made of the ConfigMap goes too; the store stays."""
         podman("play", "kube", "--down", cls.yaml, check=False)
-        podman("volume", "rm", "--force", manifests.rendered()["ConfigMap"]["metadata"]["name"],
+        podman("volume", "rm", "--force", manifests.rendered()["ConfigMap remeshd-config"]["metadata"]["name"],
                check=False)
 
     @classmethod
     def tearDownClass(cls):
         cls.end()
-        podman("volume", "rm", "--force", f"{cls.name}-store", check=False)
+        podman("volume", "rm", "--force", f"{cls.name}-store", f"{cls.name}-run", check=False)
         shutil.rmtree(cls.folder)
 
     def remesh(self, *arguments, tls=(*TLS, *CLIENT)):

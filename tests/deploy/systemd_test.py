@@ -13,7 +13,7 @@ import unittest
 import uuid
 from pathlib import Path
 
-from container import CASES, environment, podman
+from container import CASES, environment, ledge, podman
 
 IMAGE = "remeshd"
 BASE = "localhost/remeshd-base"  # deploy/image.sh --bootstrap-only
@@ -89,8 +89,9 @@ class SystemdTest(unittest.TestCase):
                     check=True)
 
     def test_4_starts_the_tetgen_helper(self):
-        self.run_in("remesh", "mesh", "/cases/fig6-a.json", "--nodes", "60", "-o", "/tmp/t.vtu",
-                    "--json", "/tmp/t.json", check=True)
+        self.run_in("sh", "-c", f"cat >/tmp/ledge.json <<'END'\n{ledge()}\nEND", check=True)
+        self.run_in("remesh", "mesh", "/tmp/ledge.json", "--nodes", "3000", "--even",
+                    "-o", "/tmp/t.vtu", "--json", "/tmp/t.json", check=True)
         self.assertEqual(json.loads(self.run_in("cat", "/tmp/t.json"))["way"], "WAY_TETGEN")
 
     def test_5_reload_ends_nothing(self):
