@@ -12,7 +12,10 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 tools=$PWD/../build/tools
-found() { command -v "$1" >/dev/null || [ -x "$tools/usr/bin/$1" ]; }
+found() {
+  command -v "$1" >/dev/null ||
+    [ -n "$(ls -d {,"$tools"}/usr/{bin,lib/postgresql/*/bin}/"$1" 2>/dev/null)" ]
+}
 installed() { dpkg-query -W -f '${db:Status-Status} ${Package}\n' | sed -n 's/^installed //p' | sort; }
 
 mapfile -t entries < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' packages.txt "$@" | sort -u)
