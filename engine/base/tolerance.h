@@ -16,6 +16,9 @@ inline constexpr double kSameDirection = 1e-9;
 inline constexpr double kSameMeasure = 1e-6;
 /// An edge that bends by less is straight, x its length.
 inline constexpr double kStraight = 1e-10;
+/// A motion by less need not be in a mesh that is made anew beside it, x the model's diagonal: steps
+/// and slits that narrow hold no tets of any shape.
+inline constexpr double kTinyMotion = 5e-7;
 /// What rounding alone may do to a number, relative.
 inline constexpr double kRounding = 1e-12;
 

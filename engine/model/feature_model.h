@@ -137,6 +137,25 @@ ModelSource apply(const ModelSource& source, const ModelEdit& edit);
 /// features in the same order; infinite between others.
 double motion_bound(const FeatureModel& a, const FeatureModel& b);
 
+/// The same of one feature; infinite between features of other natures or types.
+double motion_bound(const Feature& a, const Feature& b);
+
+/// A document with some features where they were.
+struct TinyMotions {
+  ModelSource source;
+  std::vector<std::string> features;  ///< ids of those, in history order
+};
+
+/// The document with features that `meshed` has too, and whose surfaces have moved from there by
+/// more than rounding and at most `tolerance::kTinyMotion` x the diagonal, as they are there, in
+/// numbers. With `meshed` put in the place of what this gives, it gives the same again.
+///
+/// Throws what `evaluate` does.
+TinyMotions without_tiny_motions(const ModelSource& source, const ModelSource& meshed);
+
+/// Round all additive features.
+Box additive_bounds(const FeatureModel& model);
+
 /// Whether no surface of any feature moves by more than 1e-12 x the diagonal between the two
 /// models, and ids, natures and order are the same.
 bool same_geometry(const FeatureModel& a, const FeatureModel& b);

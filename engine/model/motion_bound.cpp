@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/tolerance.h"
 #include "engine/model/feature_model.h"
 #include "engine/model/solid.h"
 
@@ -60,7 +61,10 @@ struct ShapeGap {
   }
 };
 
-double motion(const Feature& a, const Feature& b) {
+}  // namespace
+
+double motion_bound(const Feature& a, const Feature& b) {
+  if (a.nature != b.nature) return HUGE_VAL;
   Box local = local_bounds(a.shape);
   local.add(local_bounds(b.shape));
   double placed = 0;
@@ -72,25 +76,27 @@ double motion(const Feature& a, const Feature& b) {
   return placed + std::visit(ShapeGap{extent}, a.shape, b.shape);
 }
 
-}  // namespace
-
 double motion_bound(const FeatureModel& a, const FeatureModel& b) {
   if (a.features.size() != b.features.size()) return HUGE_VAL;
   double largest = 0;
   for (std::size_t k = 0; k < a.features.size(); ++k) {
     const Feature& f = a.features[k];
     const Feature& g = b.features[k];
-    if (f.id != g.id || f.nature != g.nature) return HUGE_VAL;
-    largest = std::max(largest, motion(f, g));
+    if (f.id != g.id) return HUGE_VAL;
+    largest = std::max(largest, motion_bound(f, g));
   }
   return largest;
 }
 
-bool same_geometry(const FeatureModel& a, const FeatureModel& b) {
+Box additive_bounds(const FeatureModel& model) {
   Box box;
-  for (const Feature& feature : a.features)
+  for (const Feature& feature : model.features)
     if (feature.nature == Nature::Additive) box.add(world_bounds(feature));
-  return motion_bound(a, b) <= 1e-12 * box.diagonal();
+  return box;
+}
+
+bool same_geometry(const FeatureModel& a, const FeatureModel& b) {
+  return motion_bound(a, b) <= tolerance::kRounding * additive_bounds(a).diagonal();
 }
 
 }  // namespace remeshd

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/slits.h"
 #include "engine/delivery/group_outcomes.h"
 #include "engine/local_fuse/local_fuse.h"
 #include "engine/model/selection/selection_error.h"
@@ -14,45 +16,113 @@
 
 namespace remeshd {
 
-Revision make_revision(const Revision& parent, const ModelSource& document,
-                       const MeshOptions& options, const Run& run) {
-  Stopwatch watch;
-  Revision revision;
+namespace {
+
+constexpr double kWidestSlit = 4;  // x the largest tiny motion: two features may move
+
+/// The cellular model (Sect. 4.1) of the revision's model, of which all is kept that no changed
+/// feature touches.
+void build_geometry(const Revision& parent, Revision& revision, const Run& run) {
+  const Stopwatch watch;
   Report& report = revision.report;
-  revision.source = revision.meshed_source = document;
-  revision.model = revision.meshed_model = evaluate(document);
-  revision.options = options;
-  run.report("cells", 0);
-  // The cellular model (Sect. 4.1), of which all is kept that no changed feature touches.
   revision.cells = build_cells(revision.model, parent.model, parent.cells, run);
   report.geometry = revision.cells.parts->geometry;
-  report.geometry_seconds = watch.total();
+  double on_attempts = 0;
   for (const GeometryAttempt& attempt : revision.cells.geometry_attempts) {
     report.geometry_attempts.push_back({attempt.route, attempt.reason, attempt.seconds});
-    report.geometry_seconds -= attempt.seconds;
+    on_attempts += attempt.seconds;
   }
-  // Groups and their policies, which no mesh is needed for.
-  report.figures = groups_before_meshing(revision.model, revision.cells.boundary, run);
-  check_areas(parent, revision.model, report.figures);
-  const std::vector<std::string> empty =
-      groups_of_nothing(revision.model, revision.cells.boundary, run);
+  report.geometry_seconds += watch.total() - on_attempts;
+}
+
+/// Groups and their policies, which no mesh is needed for.
+void check_groups(const Revision& parent, Revision& revision, const Run& run) {
+  const BoundaryModel& boundary = revision.cells.boundary;
+  revision.report.figures = groups_before_meshing(revision.model, boundary, run);
+  check_areas(parent, revision.model, revision.report.figures);
+  const std::vector<std::string> empty = groups_of_nothing(revision.model, boundary, run);
   if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
   check_emptied(revision.model, empty);
+}
+
+/// Meshes the model by the first of the strategies that is taken. Returns false where none is.
+bool mesh_by(std::span<const Strategy> strategies, const Revision& parent, Revision& revision,
+             const Run& run, Stopwatch& watch) {
+  Report& report = revision.report;
   // Density of new nodes: the parent's edge length, or what the options ask for (Sect. 7).
-  const Density density = resolve_density(parent, options, revision.model, revision.cells, run);
+  const Density density =
+      resolve_density(parent, revision.options, revision.model, revision.cells, run);
   revision.edge_length = report.edge_length = density.sizes.base();
   revision.rules_weakening = density.weakening;
   revision.sizes = density.sizes;
   revision.dense_places = density.dense_places;
-  report.warnings = density.warnings;
+  const std::vector<Warning> before = report.warnings;
+  report.warnings.insert(report.warnings.end(), density.warnings.begin(), density.warnings.end());
   watch.lap(report.seconds.setup);
 
   run.report("difference", 0.06);
   const Problem problem(parent, revision, density, run);
   // Strategies in turn. Before the first that makes nodes the plan is made: copycells, newcells,
   // order of the sources (Sects. 4.2, 4.3, 6.2, 6.3; step 1 of Sect. 5).
-  Attempt taken = first_taken(problem, report);
-  complete(std::move(taken), problem, revision, watch);
+  std::optional<Attempt> taken = first_taken(problem, report, strategies);
+  if (!taken) {
+    report.warnings = before;
+    return false;
+  }
+  complete(*std::move(taken), problem, revision, watch);
+  return true;
+}
+
+/// Whether there is anything as narrow as tiny motions leave it between two features.
+bool has_tiny_slits(const BoundaryModel& boundary) {
+  return has_slits(boundary, kWidestSlit * tolerance::kTinyMotion * boundary.bounds.diagonal());
+}
+
+Warning left_out(const std::vector<std::string>& features) {
+  return {.code = WarningCode::DetailNotResolved,
+          .message = features.front() +
+                     (features.size() > 1
+                          ? " and " + std::to_string(features.size() - 1) + " more features"
+                          : "") +
+                     " moved by next to nothing, which the mesh leaves out",
+          .features = features};
+}
+
+/// Meshes the model with features where they were that have moved by next to nothing, and would
+/// leave steps and slits beside others that no tets fit. Figures stay the exact model's.
+void mesh_without(const TinyMotions& tiny, const Revision& parent, Revision& revision,
+                  const Run& run, Stopwatch& watch) {
+  Report& report = revision.report;
+  const double exact_volume = revision.cells.volume;
+  revision.meshed_source = tiny.source;
+  revision.model = revision.meshed_model = evaluate(tiny.source);
+  build_geometry(parent, revision, run);
+  report.warnings.push_back(left_out(tiny.features));
+  run.warn({&report.warnings.back(), 1});
+  mesh_by(strategies(), parent, revision, run, watch);
+  report.exact_volume = exact_volume;
+}
+
+}  // namespace
+
+Revision make_revision(const Revision& parent, const ModelSource& document,
+                       const MeshOptions& options, const Run& run) {
+  Stopwatch watch;
+  Revision revision;
+  revision.source = revision.meshed_source = document;
+  revision.model = revision.meshed_model = evaluate(document);
+  revision.options = options;
+  run.report("cells", 0);
+  build_geometry(parent, revision, run);
+  check_groups(parent, revision, run);
+  const bool first = parent.model.features.empty();
+  const TinyMotions tiny = first || options.sizing.even
+                               ? TinyMotions{}
+                               : without_tiny_motions(document, parent.meshed_source);
+  if (tiny.features.empty() || !has_tiny_slits(revision.cells.boundary))
+    mesh_by(strategies(), parent, revision, run, watch);
+  else if (!mesh_by(tet_keeping_strategies(), parent, revision, run, watch))
+    mesh_without(tiny, parent, revision, run, watch);
   return revision;
 }
 

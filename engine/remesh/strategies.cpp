@@ -213,7 +213,14 @@ Error refusal(const Attempt& one, const Attempt& other, const Report& report) {
 
 std::span<const Strategy> strategies() { return kStrategies; }
 
-Attempt first_taken(const Problem& problem, Report& report, std::span<const Strategy> of) {
+std::span<const Strategy> tet_keeping_strategies() {
+  const auto first_other = std::ranges::find_if(
+      kStrategies, [](const Strategy& how) { return how.reuse != Reuse::Mesh; });
+  return {kStrategies.begin(), first_other};
+}
+
+std::optional<Attempt> first_taken(const Problem& problem, Report& report,
+                                   std::span<const Strategy> of) {
   std::optional<Attempt> failed;
   bool made_nodes = false;
   for (const Strategy& how : of) {
@@ -252,7 +259,7 @@ Attempt first_taken(const Problem& problem, Report& report, std::span<const Stra
     else if (attempt.serves)
       failed = std::move(attempt);
   }
-  return *std::move(failed);  // not reached: the last strategy makes a mesh or throws
+  return std::nullopt;
 }
 
 Attempt regular_mesh(const Problem& problem) { return timed(kRenewed, problem, nullptr); }

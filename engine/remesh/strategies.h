@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "engine/remesh/attempt.h"
@@ -38,17 +39,19 @@ Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt*
 
 /// All strategies but the renewing of a drifted mesh, in the order in which they are tried.
 std::span<const Strategy> strategies();
+/// The first ones of them, which keep all tets of the parent.
+std::span<const Strategy> tet_keeping_strategies();
 
 /// Tries one strategy after the other until an attempt is taken; the report gets what was tried
 /// before, with the reasons, and everyone's seconds and lasting warnings. `run.on_warnings` hears
 /// of names that will be lost before there are nodes, and of each fault that another strategy is to
 /// make good.
 ///
-/// Pre: one of them is taken or throws. Throws Error(BOUNDARY_NOT_RECOVERED) where an attempt shows
-/// that others are in vain, or where the last one, TetGen, fails too; an Error tells all that was
-/// tried.
-Attempt first_taken(const Problem& problem, Report& report,
-                    std::span<const Strategy> of = strategies());
+/// Returns nothing where none is taken, which is never so of all strategies. Throws
+/// Error(BOUNDARY_NOT_RECOVERED) where an attempt shows that others are in vain, or where the last
+/// one, TetGen, fails too; an Error tells all that was tried.
+std::optional<Attempt> first_taken(const Problem& problem, Report& report,
+                                   std::span<const Strategy> of = strategies());
 
 /// A regular mesh in the place of the one taken (`MeshStrategy::Renewed`); maybe not a valid one.
 Attempt regular_mesh(const Problem& problem);

@@ -39,9 +39,11 @@ struct Revision {
   static const Revision& none();
 
   ModelSource source;  ///< as asked for
-  FeatureModel model;  ///< evaluated
-  /// What the mesh was made for: `source` and `model` but for rounding and spelling, so that steps
-  /// too small to count cannot add up unseen.
+  /// That of the cells: `source` evaluated, but where motions of features from `meshed_source` are
+  /// so tiny that the mesh leaves them out (`without_tiny_motions`).
+  FeatureModel model;
+  /// What the mesh was made for: the same but for rounding and spelling, so that steps too small to
+  /// count cannot add up unseen.
   ModelSource meshed_source;
   FeatureModel meshed_model;
   MeshOptions options;             ///< as resolved; an edit inherits these

@@ -343,7 +343,7 @@ Revision revision_of(const StoredArrays& image, const Revision* alike, const Run
   if (documents.anchored)
     revision.anchor = read_anchor(read, alike ? alike->anchor.get() : nullptr,
                                   std::move(documents.anchor_source));
-  revision.model = evaluate(revision.source);
+  revision.model = evaluate(without_tiny_motions(revision.source, revision.meshed_source).source);
   revision.meshed_model = evaluate(revision.meshed_source);
   check_parts(documents.parts, revision.model);
   revision.cells = restore_cells(revision.model, std::move(documents.parts));

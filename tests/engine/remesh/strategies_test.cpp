@@ -115,7 +115,7 @@ TEST_F(FirstTaken, WarningsOfAMeshThatIsThrownAwayAreToldByNobody) {
   Report report;
   const std::array of{Strategy{MeshStrategy::Local, "near", always, rejected, Reuse::Nodes},
                       Strategy{MeshStrategy::Fresh, "anew", always, taken}};
-  const Attempt attempt = first_taken(problem_, report, of);
+  const Attempt attempt = first_taken(problem_, report, of).value();
   EXPECT_EQ(attempt.name, "anew");
   EXPECT_THAT(messages(attempt.warnings), ElementsAre("of anew"));
   EXPECT_THAT(report.warnings, IsEmpty());
@@ -209,7 +209,7 @@ TEST_F(FirstTaken, TwoHopelessAttemptsInARowEndIt) {
       Strategy{MeshStrategy::Local, "finer", always, rejected, Reuse::Nodes},
       Strategy{MeshStrategy::Local, "everywhere", always, hopeless, Reuse::Nodes},
       Strategy{MeshStrategy::Fresh, "anew", always, taken}};
-  EXPECT_EQ(first_taken(problem_, report, with_another).name, "anew");
+  EXPECT_EQ(first_taken(problem_, report, with_another).value().name, "anew");
 }
 
 /// An attempt given up before there was a mesh to find a fault with.
