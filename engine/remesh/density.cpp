@@ -106,6 +106,7 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
     density.sizes = std::move(budgeted.sizes);
     density.weakening = budgeted.weakening;
+    density.start = std::move(budgeted.start);
   } else {
     density.weakening = parent.rules_weakening;
     density.sizes = rules.field(edge_length, density.weakening);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,14 +15,15 @@ namespace remeshd {
 
 /// Target edge lengths and density of new nodes, as the options ask for and the original gives.
 struct Density {
-  SizeField sizes{0};                   ///< h: spacing of samples, reach of searches
-  double weakening = 1;                 ///< of the rules (`size_field`)
-  double nodes_per_volume = 0;          ///< in newcells
-  std::optional<std::uint32_t> count;   ///< of a first mesh asked for by number of nodes
-  std::vector<int> fewest_links;        ///< of each model edge; empty where it is even
-  bool inherited = false;               ///< an edit keeps its base's density
-  std::vector<SizedBall> dense_places;  ///< `Revision::dense_places`
-  std::vector<Warning> warnings;        ///< details that it does not resolve
+  SizeField sizes{0};                              ///< h: spacing of samples, reach of searches
+  double weakening = 1;                            ///< of the rules (`size_field`)
+  double nodes_per_volume = 0;                     ///< in newcells
+  std::optional<std::uint32_t> count;              ///< of a first mesh asked for by number of nodes
+  std::vector<int> fewest_links;                   ///< of each model edge; empty where it is even
+  bool inherited = false;                          ///< an edit keeps its base's density
+  std::vector<SizedBall> dense_places;             ///< `Revision::dense_places`
+  std::vector<Warning> warnings;                   ///< details that it does not resolve
+  std::shared_ptr<const std::vector<Vec3>> start;  ///< `Budgeted::start`
 };
 
 /// Throws Error(InvalidArgument): `OPTIONS_INVALID`; `MESH_TOO_LARGE` where a mesh of this density

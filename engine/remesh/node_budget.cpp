@@ -22,26 +22,28 @@ struct BudgetLimits {
   double fewest_edges = 7.2;  ///< asked for on a circle, of which 6 are certain: no fewer
   double beside = 0.1;        ///< of a bracket: no try is nearer to its ends
   int bisections = 50;
-  int recounts = 6;         ///< of the nodes that would do
-  double recounted = 0.01;  ///< of them: as near to the last count they are not counted again
+  int recounts = 6;            ///< of the nodes that would do
+  double recounted = 0.02;     ///< of them: as near to the last count they are not counted again
+  std::size_t sampled = 2500;  ///< nodes of a start that are asked what they stand for
 };
 constexpr BudgetLimits kBudgetLimits;
 
-/// A start with some field, and what the field asks for at its nodes and at the sides of walls and
-/// gaps. Each node stands for a volume that holds more or fewer nodes as its edge length changes.
+/// A start with some field, and what the field asks for at a sample of its nodes and at the sides
+/// of walls and gaps. Each node stands for a volume that holds more or fewer nodes as its edge
+/// length changes.
 class Start {
  public:
   /// `longest`: it matters nowhere by how much more is asked for.
-  Start(SizeField field, const std::vector<Vec3>& nodes, const std::vector<ThinSide>& sides,
+  Start(SizeField field, std::vector<Vec3> nodes, const std::vector<ThinSide>& sides,
         double longest)
-      : field_(std::move(field)) {
-    asked_.reserve(nodes.size());
-    for (const Vec3& p : nodes) asked_.push_back(field_.asked_for(p, longest));
-    sides_.reserve(sides.size());
-    for (const ThinSide& side : sides)
-      sides_.push_back({side, field_.asked_for(side.middle, longest)});
+      : field_(std::move(field)), nodes_(std::move(nodes)) {
+    const std::size_t step = 1 + nodes_.size() / kBudgetLimits.sampled;
+    for (std::size_t n = 0; n < nodes_.size(); n += step)
+      asked_.push_back(field_.asked_for(nodes_[n], longest));
+    sample(sides, longest);
   }
   [[nodiscard]] const SizeField& field() const { return field_; }
+  [[nodiscard]] const std::vector<Vec3>& places() const { return nodes_; }
   /// Nodes that a mesh with the field has.
   [[nodiscard]] double nodes() const { return expected(field_.base(), 1); }
   /// Nodes with another base size and with rules that ask for `longer` times longer edges.
@@ -51,17 +53,34 @@ class Start {
       const double finer = std::fmin(field_.base(), asked) / std::fmin(base, longer * asked);
       sum += finer * finer * finer;
     }
-    for (const auto& [side, asked] : sides_) sum += side.nodes(std::fmin(base, longer * asked));
+    if (!asked_.empty())
+      sum *= static_cast<double>(nodes_.size()) / static_cast<double>(asked_.size());
+    for (const auto& [side, weight, asked] : sides_)
+      sum += weight * side.nodes(std::fmin(base, longer * asked));
     return sum;
   }
 
  private:
   struct AskedSide {
     ThinSide side;
-    double asked;
+    double weight, asked;
   };
+
+  /// Of the sides one for each of many equal parts of their area, which it stands for.
+  void sample(const std::vector<ThinSide>& sides, double longest) {
+    double area = 0, passed = 0;
+    for (const ThinSide& side : sides) area += side.area;
+    const double part = area / static_cast<double>(kBudgetLimits.sampled);
+    for (const ThinSide& side : sides) {
+      const double parts = std::floor((passed + side.area) / part) - std::floor(passed / part);
+      passed += side.area;
+      if (parts > 0)
+        sides_.push_back({side, parts * part / side.area, field_.asked_for(side.middle, longest)});
+    }
+  }
   SizeField field_;
-  std::vector<double> asked_;  ///< by node
+  std::vector<Vec3> nodes_;
+  std::vector<double> asked_;  ///< by node of the sample
   std::vector<AskedSide> sides_;
 };
 
@@ -88,7 +107,9 @@ class CoarsenessSearch {
     const double off = std::fabs(count / nodes_ - 1);
     if (off < least_off_) {
       least_off_ = off;
-      best_ = {start.field(), now().weakening};
+      best_ = {.sizes = start.field(),
+               .weakening = now().weakening,
+               .start = std::make_shared<const std::vector<Vec3>>(start.places())};
     }
     if (off < kBudgetLimits.close || ++tries_ == kBudgetLimits.tries) return false;
     (count > nodes_ ? fine_ : coarse_) = {now_, std::log(count / nodes_)};
@@ -157,8 +178,8 @@ class Starts {
   [[nodiscard]] Start of(const Coarseness& c) const {
     SizeField field = rules_.field(c.base, c.weakening);
     const auto inside = [&](const Vec3& p) { return membership_.inside(p); };
-    const std::vector<Vec3> nodes = fill_graded({bounds_}, inside, field, options_.seed, run_);
-    return Start(std::move(field), nodes, sides_, longest_);
+    std::vector<Vec3> nodes = fill_graded({bounds_}, inside, field, options_.seed, run_);
+    return Start(std::move(field), std::move(nodes), sides_, longest_);
   }
 
  private:
@@ -196,7 +217,7 @@ Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const Mes
   const Starts starts(rules, options, model, cells.boundary.bounds,
                       weakest * coarsest_base(cells, nodes), run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
-  if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {std::move(sizes)};
+  if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {.sizes = std::move(sizes)};
   CoarsenessSearch search(nodes, guess, weakest);
   while (search.goes_on(starts.of(search.now()))) {
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 #include "engine/base/run.h"
 #include "engine/cellular/cellular_model.h"
@@ -15,6 +17,9 @@ struct Budgeted {
   SizeField sizes{0};
   double weakening = 1;   ///< of the rules, which ask for edges so many times longer
   double satisfying = 0;  ///< where they are weakened: nodes that would satisfy them
+  /// Nodes that a first mesh with the options' seed starts from, where they were made to be
+  /// counted.
+  std::shared_ptr<const std::vector<Vec3>> start;
 };
 
 /// The size field with which a mesh of the model comes out with about `nodes` nodes: the base size
