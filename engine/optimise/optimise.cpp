@@ -10,7 +10,6 @@
 #include "engine/optimise/live_mesh.h"
 #include "engine/optimise/node_lengths.h"
 #include "engine/optimise/pull.h"
-#include "engine/optimise/recover.h"
 #include "engine/optimise/relocate.h"
 
 namespace remeshd {
@@ -120,11 +119,9 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   }
   thaw_boundary(nodes);
   pull_now();
-  recover_edges(nodes, boundary, live,
-                {.sizes = options.sizes,
-                 .wanted = active_edges(samples, active),
-                 .fewest_links = options.fewest_links});
+  live.follow(nodes);
   result.mesh = live.mesh();
+  result.active_edges = active_edges(samples, active);
   std::ranges::replace(nodes.state, NodeState::Frozen, NodeState::Free);
   result.samples_active = active.active_count();
   return result;

@@ -23,8 +23,7 @@ struct OptimiseOptions {
   /// Whether voids between the nodes that a remesh starts with get nodes
   /// (`insert_at_circumcentres`).
   bool insert_at_circumcentres = false;
-  std::vector<int> fewest_links;  ///< see RecoverOptions
-  bool rebuild = false;           ///< see LiveMesh
+  bool rebuild = false;  ///< see LiveMesh
 };
 
 /// The Delaunay mesh to start from: that of some of the fixed nodes.
@@ -36,7 +35,8 @@ struct StartMesh {
 struct OptimiseResult {
   DelaunayMesh mesh;  ///< of all nodes
   std::vector<std::uint32_t> free_per_iteration;
-  std::uint32_t samples_active = 0;  ///< at the end
+  std::uint32_t samples_active = 0;        ///< at the end
+  std::vector<std::int32_t> active_edges;  ///< model edges with such samples, ascending
 };
 
 /// The optimisation loop (Sect. 3.3 and 8): the boundary procedure with the active samples,

@@ -17,6 +17,7 @@
 #include "engine/nodes/fill/fill.h"
 #include "engine/nodes/place_supports.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/remesh/finish/insert_nodes.h"
 #include "engine/remesh/node_limit.h"
 #include "engine/revision/delaunay_state.h"
 
@@ -145,6 +146,8 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
   const CopyPlan& plan = task.plan;
   const Density& density = task.density;
   const auto is_new = [&](const Vec3& p) { return plan(p) == CopyPlan::kNew; };
+  if (density.start && task.seed == task.options.seed && task.refined_at.empty())
+    return *density.start;
   if (!density.sizes.even()) {
     std::vector<Vec3> nodes =
         fill_graded(plan.changed(), is_new, density.sizes, task.seed, task.run);
@@ -296,9 +299,13 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                {.sizes = task.density.sizes,
                 .iterations = task.options.iterations,
                 .insert_at_circumcentres = !task.all_free && task.density.inherited,
-                .fewest_links = task.density.fewest_links,
                 .rebuild = task.options.rebuild},
                task.run);
+  insert_in_segments(nodes, loop.mesh, nodes.size(), boundary,
+                     {.sizes = task.density.sizes,
+                      .wanted = loop.active_edges,
+                      .fewest_links = task.density.fewest_links},
+                     task.run);
   Counts& counts = attempt.counts;
   counts.free_at_end = nodes.count(NodeState::Free);
   counts.free_per_iteration = loop.free_per_iteration;

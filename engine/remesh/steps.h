@@ -54,8 +54,8 @@ struct SampledBoundary {
 /// on. Throws what ControlMesh::build throws.
 SampledBoundary sample(const MeshingTask& task, PatchNodes& nodes, Attempt& attempt);
 
-/// The optimisation loop (Sect. 8), from the Delaunay mesh of the fixed nodes that stayed in place.
-/// Throws PatchTooSmall.
+/// The optimisation loop (Sect. 8), from the Delaunay mesh of the fixed nodes that stayed in place,
+/// and nodes in missing segments of model edges. Throws PatchTooSmall.
 OptimiseResult optimise(const MeshingTask& task, PatchNodes& nodes, const SampledBoundary& boundary,
                         Attempt& attempt);
 

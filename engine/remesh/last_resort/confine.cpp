@@ -13,7 +13,7 @@
 #include "engine/improve/improve.h"
 #include "engine/optimise/live_mesh.h"
 #include "engine/remesh/finish/patch_mesh.h"
-#include "engine/remesh/finish/repair.h"
+#include "engine/remesh/finish/faults.h"
 #include "engine/remesh/last_resort/refill.h"
 #include "engine/sizing/size_rules.h"
 

@@ -18,7 +18,7 @@
 #include "engine/mesh/quality.h"
 #include "engine/nodes/density.h"
 #include "engine/remesh/attempt.h"
-#include "engine/remesh/finish/repair.h"
+#include "engine/remesh/finish/faults.h"
 
 namespace remeshd {
 

@@ -1,16 +1,55 @@
-#include "engine/remesh/finish/repair.h"
+#include "engine/remesh/finish/insert_nodes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+
 #include "engine/cellular/cellular_model.h"
-#include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
+#include "tests/support/solid_fixture.h"
 
 namespace remeshd {
 namespace {
 
 using test::kRun;
+
+/// A cylinder of radius 10, its boundary alone.
+class Circles : public testing::Test {
+ protected:
+  std::ptrdiff_t nodes_on(int edge) const {
+    return std::ranges::count(nodes_.supports, Support{Support::Kind::Edge, edge});
+  }
+  void recover() {
+    Box bounds;
+    bounds.add(boundary_.bounds.lo);
+    bounds.add(boundary_.bounds.hi);
+    DelaunayMesh mesh(bounds);
+    insert_in_segments(nodes_, mesh, 0, boundary_, {.sizes = 20}, kRun);
+  }
+
+  const BoundaryModel boundary_ = test::make_cylinder(10, 8, 12, 1).boundary;
+  NodeSet nodes_;
+};
+
+TEST_F(Circles, GetThreeNodesWhereTheyHaveNone) {
+  nodes_.add_new({0, 0, 4});
+  recover();
+  EXPECT_GE(nodes_on(0), 3);
+  EXPECT_GE(nodes_on(1), 3);
+}
+
+TEST_F(Circles, GetAThirdNodeWhereTheyHaveTwo) {
+  for (const double z : {0.0, 8.0})
+    for (const double x : {10.0, -10.0}) nodes_.add_new({x, 0, z}, {Support::Kind::Edge, z > 4});
+  // Beside the two, so that the straight line between them is an edge of the mesh.
+  for (const double y : {3.0, -3.0}) nodes_.add_new({0, y, 4});
+  recover();
+  EXPECT_GE(nodes_on(0), 3);
+  EXPECT_GE(nodes_on(1), 3);
+}
+
 constexpr double kEdgeLength = 5;
 
 /// A straight model edge of simple-a with nodes at two places of it, and a chain broken there.
@@ -63,43 +102,6 @@ TEST_F(BrokenLink, IsLeftAloneWhereNothingIsMissing) {
 TEST_F(BrokenLink, IsLeftAloneWhereThePartHasNoNodes) {
   nodes_.resize(0);
   EXPECT_EQ(insert(), 0);
-}
-
-TEST(Repair, OfAPartThatNothingIsInGoesOnInALargerOne) {
-  // A corner of the block stands out of the ring beside the post, by so little that no sample finds
-  // it: no node is freed.
-  FeatureSource ring =
-      test::feature("ring", "revolution",
-                    {test::point(0.69, 0.0), test::point(3.1, 0.0), test::point(3.1, 1.1),
-                     test::point(1.5, 1.1), test::point(1.5, 2.8), test::point(0.69, 2.8)},
-                    {{"angle", 360.0}});
-  const FeatureSource post = test::placed(test::cylinder("post", 0.38, 1.5), -0.87, -2.1, 0.69);
-  FeatureSource block =
-      test::turned(test::placed(test::block("block", 0.71, 0.45, 0.22), -0.87, -2.1, 0.95),
-                   {-0.0517814985816592, -0.13907971379375925, 0.9889264429752517},
-                   {-0.34505289105670045, -0.9267761390913646, -0.1484065038477639});
-  block.reference = ReferenceKind::Centre;
-  const ModelSource model = test::model_of({ring, post});
-  const Revision base = make_revision(Revision::none(), model, {.nodes = 300, .seed = 53}, kRun);
-  const Revision edited =
-      make_revision(base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
-  EXPECT_FALSE(edited.output.mesh.tets.empty());
-}
-
-TEST(Repair, IsFollowedByTheCleanUp) {
-  // So coarse that the boundary is not all there at first.
-  int repaired = 0;
-  for (const std::uint32_t nodes : {60U, 80U, 150U, 200U}) {
-    const Report report =
-        make_revision(Revision::none(), test::case_model("tool1-a"),
-                      {.nodes = nodes, .iterations = 4, .start = MeshOptions::Start::Random}, kRun)
-            .report;
-    ASSERT_EQ(report.strategy, MeshStrategy::Local) << nodes;
-    repaired += report.counts.nodes_inserted > 0 ? 1 : 0;
-    EXPECT_LT(report.quality_before.volume_length_min, 0.1) << nodes << ": slivers before";
-    EXPECT_GT(report.quality.volume_length_min, 0.2) << nodes;
-  }
-  EXPECT_GE(repaired, 2);
 }
 
 }  // namespace

@@ -1,0 +1,114 @@
+#include "engine/remesh/finish/conform.h"
+
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "engine/remesh/finish/faults.h"
+#include "engine/remesh/finish/insert_nodes.h"
+#include "engine/remesh/finish/patch_mesh.h"
+
+namespace remeshd {
+namespace {
+
+struct ConformLimits {
+  int rounds = 8;      ///< of nodes near facets, and of nodes where verification finds faults
+  double fewer = 0.7;  ///< of the faults before a round, for the next to be made
+  double few_inserted = 200, most_inserted = 0.2;
+};
+constexpr ConformLimits kConformLimits;
+
+/// A mesh on its way to one that has all of the boundary.
+class Conforming {
+ public:
+  Conforming(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+             const SampledBoundary& boundary)
+      : c_(c),
+        task_(task),
+        patch_(patch),
+        boundary_(boundary),
+        sized_(!task.options.sizing.even),
+        most_(static_cast<std::uint32_t>(
+            few_more_nodes(static_cast<double>(c.nodes.size() + c.nodes.elsewhere)))) {}
+
+  std::uint32_t conform() {
+    for (int rounds = 0;; ++rounds) {
+      insert_at_facets();
+      finish(rounds > 0);
+      if (rounds == kConformLimits.rounds || !is_worth_another_round()) break;
+      if (!insert_at(c_.verification.failures)) break;
+    }
+    return inserted_;
+  }
+
+ private:
+  /// Nodes near facets that lie on no face, which no clean-up brings onto one.
+  void insert_at_facets() {
+    for (; facet_rounds_ < kConformLimits.rounds && !c_.delaunay.nonconforming.empty();
+         ++facet_rounds_)
+      if (!insert_at(nonconforming_facets(c_.delaunay))) return;
+  }
+
+  /// Nodes where the boundary is not all there, and the mesh extracted anew. Returns false where
+  /// there is no room for any, or the boundary takes too many.
+  bool insert_at(std::span<const MeshDefect> defects) {
+    const BoundaryModel& boundary = task_.cells.boundary;
+    const SizeField& sizes = task_.density.sizes;
+    const std::int32_t first = c_.nodes.size();
+    if (c_.too_fine ||
+        insert_where_missing(c_.nodes, defects, boundary, boundary_.samples, sizes) == 0)
+      return false;
+    insert_in_segments(c_.nodes, c_.loop.mesh, first, boundary, {.sizes = sizes}, task_.run);
+    inserted_ += c_.nodes.size() - first;
+    const double verified = c_.verify_seconds;
+    c_ = extract(std::move(c_.nodes), std::move(c_.loop), task_, patch_, boundary_.inside);
+    c_.verify_seconds = verified;
+    c_.too_fine = inserted_ > most_;
+    return true;
+  }
+
+  /// `again`: a mesh with nodes inserted where another was wrong. What lacks a part of the boundary
+  /// is not cleaned up.
+  void finish(bool again) {
+    const bool clean_up = task_.options.clean_up;
+    const bool draft_first = again || (sized_ && inserted_ > 0);
+    put_back(!draft_first && clean_up);
+    if (draft_first && clean_up && boundary_is_complete(c_.verification)) put_back(true);
+  }
+  void put_back(bool clean_up) {
+    remeshd::put_back(c_, cleaned_up(c_, task_, patch_, clean_up), task_, patch_);
+  }
+
+  /// Whether the mesh is not valid, and the last round helped.
+  bool is_worth_another_round() {
+    if (c_.verification.valid) return false;
+    const auto& counts = c_.verification.counts;
+    const double faults = std::accumulate(counts.begin(), counts.end(), 0.0);
+    const double before = std::exchange(faults_, faults);
+    return !sized_ || faults <= kConformLimits.fewer * before;
+  }
+
+  Candidate& c_;
+  const MeshingTask& task_;
+  const MeshPatch& patch_;
+  const SampledBoundary& boundary_;
+  bool sized_;  ///< even meshes are what they always were
+  std::uint32_t most_;
+  std::uint32_t inserted_ = 0;
+  int facet_rounds_ = 0;
+  double faults_ = HUGE_VAL;  ///< of the mesh before
+};
+
+}  // namespace
+
+double few_more_nodes(double nodes) {
+  return kConformLimits.few_inserted + kConformLimits.most_inserted * nodes;
+}
+
+std::uint32_t conform(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
+                      const SampledBoundary& boundary) {
+  return Conforming(c, task, patch, boundary).conform();
+}
+
+}  // namespace remeshd

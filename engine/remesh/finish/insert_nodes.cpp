@@ -1,0 +1,224 @@
+#include "engine/remesh/finish/insert_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "engine/boundary/edge_chains.h"
+#include "engine/mesh/grouping.h"
+#include "engine/nodes/nearest.h"
+#include "engine/optimise/live_mesh.h"
+
+namespace remeshd {
+
+namespace {
+
+struct RoomLimits {
+  double around = 1.0;   ///< x edge length: how far from a defect samples are looked at
+  double closest = 0.2;  ///< x edge length: no new node is nearer than this to another
+};
+constexpr RoomLimits kRoomLimits;
+
+using Link = std::pair<std::int32_t, std::int32_t>;
+
+/// Where to split the link from a to b: in the middle, or on the shell nearest to it round the one
+/// end that is a model vertex.
+double split_at(const NodeSet& nodes, const NodeOnEdge& a, const NodeOnEdge& b,
+                const SizeField& sizes) {
+  const double length = b.at - a.at;
+  const bool from_a = nodes.supports[a.node].kind == Support::Kind::Vertex;
+  const bool from_b = nodes.supports[b.node].kind == Support::Kind::Vertex;
+  if (from_a == from_b) return a.at + 0.5 * length;
+  const double edge_length = sizes(nodes.positions[from_a ? a.node : b.node]);
+  const double shell = edge_length * std::exp2(std::round(std::log2(0.5 * length / edge_length)));
+  return from_a ? a.at + shell : b.at - shell;
+}
+
+std::vector<Link> links_between_edge_nodes(const NodeSet& nodes, const DelaunayMesh& mesh) {
+  std::vector<Link> links;
+  const auto on_edge = [&](std::int32_t n) {
+    return nodes.supports[n].kind >= Support::Kind::Edge;
+  };
+  mesh.for_each_tet([&](const DelaunayMesh::Corners& t) {
+    for (int i = 0; i < 4; ++i) {
+      if (!on_edge(t[i])) continue;
+      for (int j = i + 1; j < 4; ++j)
+        if (on_edge(t[j])) links.emplace_back(std::min(t[i], t[j]), std::max(t[i], t[j]));
+    }
+  });
+  sort_unique(links);
+  return links;
+}
+
+int fewest(const SegmentOptions& options, int edge) {
+  return options.fewest_links.empty() ? 0 : options.fewest_links[edge];
+}
+
+/// As many of the longest links as a chain lacks, all of them at most, by the number of their
+/// second node.
+std::vector<std::size_t> longest_links(const std::vector<NodeOnEdge>& chain, int fewest) {
+  if (chain.empty()) return {};
+  const auto lacking = static_cast<std::ptrdiff_t>(fewest) - std::ssize(chain) + 1;
+  if (lacking <= 0) return {};
+  std::vector<std::size_t> links(chain.size() - 1);
+  std::iota(links.begin(), links.end(), 1);
+  std::ranges::stable_sort(links, std::ranges::greater(),
+                           [&](std::size_t k) { return chain[k].at - chain[k - 1].at; });
+  links.resize(std::min(links.size(), static_cast<std::size_t>(lacking)));
+  return links;
+}
+
+/// The same with a mesh that follows the nodes.
+int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& boundary,
+                         const SegmentOptions& options) {
+  const int most = 200 + static_cast<int>(options.most * nodes.size());
+  int inserted = 0;
+  for (int round = 0; round < options.rounds; ++round) {
+    live.follow(nodes);
+    const std::vector<Link> links = links_between_edge_nodes(nodes, live.mesh());
+    const std::vector<std::vector<NodeOnEdge>> chain =
+        edge_chains(boundary, nodes.supports, nodes.positions);
+    const int before = inserted;
+    for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
+      const BoundaryEdge& edge = boundary.edges[e];
+      const double length = polyline_length(edge);
+      const auto insert = [&](double at) {
+        const double wrapped = at > length ? at - length : at;
+        nodes.add_new(project(boundary, edge, point_at(edge, wrapped)), {Support::Kind::Edge, e});
+        ++inserted;
+      };
+      // A closed edge needs three nodes to be a chain at all.
+      const std::size_t nodes_on = chain[e].size() - (chain[e].empty() ? 0 : 1);
+      // Between two interface nodes there may be others that are not in the patch.
+      const auto at_rim = [&](const NodeOnEdge& on) { return on.node < nodes.interface_nodes; };
+      const bool elsewhere =
+          chain[e].empty() ? nodes.elsewhere > 0 && !std::ranges::binary_search(options.wanted, e)
+                           : std::ranges::any_of(chain[e], at_rim);
+      if (edge.closed() && nodes_on < 3 && !elsewhere) {
+        const double from = chain[e].empty() ? 0 : chain[e].front().at;
+        for (int k = chain[e].empty() ? 0 : 1; k < 3; ++k) insert(from + k * length / 3);
+        continue;
+      }
+      const auto longest = longest_links(chain[e], elsewhere ? 0 : fewest(options, e));
+      for (const std::size_t k : longest) insert(0.5 * (chain[e][k - 1].at + chain[e][k].at));
+      if (!longest.empty()) continue;
+      for (std::size_t k = 1; k < chain[e].size(); ++k) {
+        const NodeOnEdge &a = chain[e][k - 1], &b = chain[e][k];
+        if (at_rim(a) && at_rim(b)) continue;
+        if (!std::binary_search(links.begin(), links.end(),
+                                Link(std::min(a.node, b.node), std::max(a.node, b.node))))
+          insert(split_at(nodes, a, b, options.sizes));
+      }
+    }
+    if (inserted == before) return inserted;
+    if (inserted > most) break;
+  }
+  live.follow(nodes);
+  return inserted;
+}
+
+/// Places on the boundary that are not too near to a node or to each other.
+class RoomForNodes {
+ public:
+  RoomForNodes(const NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,
+               const SizeField& sizes)
+      : nodes_(nodes),
+        boundary_(boundary),
+        samples_(samples),
+        sizes_(sizes),
+        cell_(kGridCell * sizes.grid_length()),
+        grid_of_nodes_(nodes.positions, cell_),
+        grid_of_samples_(samples.positions(), cell_),
+        grid_of_taken_(places_, cell_),
+        sample_to_node2_(samples.points.size(), -1) {}
+
+  /// The middle of a missing segment; else the sample near the defect that is farthest from any
+  /// node. Takes none where there is no room.
+  void take_place_for(const MeshDefect& defect) {
+    const double edge_length = sizes_(defect.place);
+    const double closest2 = kRoomLimits.closest * kRoomLimits.closest * edge_length * edge_length;
+    if (defect.kind == MeshFailure::MissingSegment) {
+      const Support edge{Support::Kind::Edge, defect.entity};
+      const Vec3 middle = project(boundary_, edge, defect.place);
+      if (to_taken2(middle, to_node2(middle)) > closest2) return take({middle, 0, edge});
+    }
+    std::vector<std::int32_t> near;
+    grid_of_samples_.for_each_within(defect.place, kRoomLimits.around * edge_length,
+                                     [&](std::int32_t s, double) { near.push_back(s); });
+    std::ranges::sort(near);
+    std::int32_t best = -1;
+    double farthest = closest2;
+    for (const std::int32_t s : near) {
+      const double d = room2(s, farthest);
+      if (d <= farthest) continue;
+      farthest = d;
+      best = s;
+    }
+    if (best >= 0) take(samples_.points[best]);
+  }
+
+  [[nodiscard]] const std::vector<Sample>& taken() const { return taken_; }
+
+ private:
+  /// Square of the distance of a sample to what is nearest to it, where that is more than `enough`.
+  double room2(std::int32_t sample, double enough) {
+    const Vec3& p = samples_.points[sample].position;
+    double& of_nodes = sample_to_node2_[sample];
+    if (of_nodes < 0) of_nodes = to_node2(p);
+    return of_nodes <= enough ? of_nodes : to_taken2(p, of_nodes);
+  }
+  [[nodiscard]] double to_node2(const Vec3& p) const {
+    return norm2(p - nodes_.positions[grid_of_nodes_.nearest(p)]);
+  }
+  /// To what was taken, but at most `most2`.
+  [[nodiscard]] double to_taken2(const Vec3& p, double most2) const {
+    const std::int32_t other = grid_of_taken_.nearest(p);
+    return other < 0 ? most2 : std::fmin(most2, norm2(p - places_[other]));
+  }
+
+  void take(const Sample& sample) {
+    taken_.push_back(sample);
+    places_.push_back(sample.position);
+    const auto last = static_cast<std::int32_t>(places_.size()) - 1;
+    grid_of_taken_.follow(places_, {&last, 1});
+  }
+
+  const NodeSet& nodes_;
+  const BoundaryModel& boundary_;
+  const Samples& samples_;
+  const SizeField& sizes_;
+  std::vector<Sample> taken_;
+  std::vector<Vec3> places_;  ///< of those
+  double cell_;
+  const NearestNode grid_of_nodes_, grid_of_samples_;
+  NearestNode grid_of_taken_;
+  std::vector<double> sample_to_node2_;  ///< once asked; -1 before
+};
+
+}  // namespace
+
+int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
+                       const BoundaryModel& boundary, const SegmentOptions& options,
+                       const Run& run) {
+  std::vector<std::uint8_t> holds(nodes.positions.size(), 0);
+  std::fill_n(holds.begin(), in_mesh, 1);
+  LiveMesh live(std::move(mesh), std::move(holds), false, run);
+  const int inserted = insert_until_present(nodes, live, boundary, options);
+  mesh = live.mesh();
+  return inserted;
+}
+
+int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
+                         const BoundaryModel& boundary, const Samples& samples,
+                         const SizeField& sizes) {
+  if (nodes.positions.empty()) return 0;  // a patch that nothing is in
+  RoomForNodes room(nodes, boundary, samples, sizes);
+  for (const MeshDefect& defect : defects) room.take_place_for(defect);
+  for (const Sample& s : room.taken()) nodes.add_new(s.position, s.support);
+  return static_cast<int>(room.taken().size());
+}
+
+}  // namespace remeshd

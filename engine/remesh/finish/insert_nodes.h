@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/boundary/samples.h"
+#include "engine/delaunay/delaunay_mesh.h"
+#include "engine/nodes/node_set.h"
+#include "engine/sizing/size_field.h"
+#include "engine/verify/verify.h"
+
+/// Where a Delaunay mesh gets nodes to have the boundary: in segments of model edges that are
+/// missing, then beside facets that are.
+namespace remeshd {
+
+struct SegmentOptions {
+  SizeField sizes{0};  ///< target edge lengths
+  int rounds = 12;     ///< at most
+  /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
+  /// nearer to each other than the edge length would split each other into pieces as short as that.
+  double most = 0.2;
+  /// Edges that have to have nodes, ascending. In a patch of a mesh others may have theirs
+  /// elsewhere.
+  std::vector<std::int32_t> wanted;
+  /// By model edge: links that it has to have; empty: any number does.
+  std::vector<int> fewest_links;
+};
+
+/// Makes model edges present that are missing: a model edge has to be a chain of mesh edges between
+/// its nodes (Sect. 3.4), and where one link is not in the Delaunay mesh, a node is inserted into
+/// it; where there are too few links, the longest are halved. Near a model vertex the insertion
+/// keeps to shells of radius l / 2^k round it, so that edges meeting at a sharp angle do not split
+/// each other for ever (Ruppert 1995).
+///
+/// `mesh`: of the first `in_mesh` nodes. Post: of all nodes; links are still missing where `rounds`
+/// or `most` did not do. Returns the number of nodes inserted. Throws PatchTooSmall.
+int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
+                       const BoundaryModel& boundary, const SegmentOptions& options,
+                       const Run& run);
+
+/// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
+/// that is no boundary edge is halved; near the other defects a node goes to the sample that is
+/// farthest from any. That is where the boundary is too thinly occupied for its facets to be
+/// Delaunay.
+///
+/// Returns the number of nodes inserted; 0 where everything near the defects has its node.
+int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
+                         const BoundaryModel& boundary, const Samples& samples,
+                         const SizeField& sizes);
+
+}  // namespace remeshd

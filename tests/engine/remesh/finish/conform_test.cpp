@@ -1,0 +1,51 @@
+// Nodes inserted until the boundary is all there, as whole meshes show it.
+#include <gtest/gtest.h>
+
+#include "engine/remesh/remesh.h"
+#include "tests/support/cases.h"
+#include "tests/support/run.h"
+
+namespace remeshd {
+namespace {
+
+using test::kRun;
+
+TEST(Conforming, OfAPartThatNothingIsInGoesOnInALargerOne) {
+  // A corner of the block stands out of the ring beside the post, by so little that no sample finds
+  // it: no node is freed.
+  FeatureSource ring =
+      test::feature("ring", "revolution",
+                    {test::point(0.69, 0.0), test::point(3.1, 0.0), test::point(3.1, 1.1),
+                     test::point(1.5, 1.1), test::point(1.5, 2.8), test::point(0.69, 2.8)},
+                    {{"angle", 360.0}});
+  const FeatureSource post = test::placed(test::cylinder("post", 0.38, 1.5), -0.87, -2.1, 0.69);
+  FeatureSource block =
+      test::turned(test::placed(test::block("block", 0.71, 0.45, 0.22), -0.87, -2.1, 0.95),
+                   {-0.0517814985816592, -0.13907971379375925, 0.9889264429752517},
+                   {-0.34505289105670045, -0.9267761390913646, -0.1484065038477639});
+  block.reference = ReferenceKind::Centre;
+  const ModelSource model = test::model_of({ring, post});
+  const Revision base = make_revision(Revision::none(), model, {.nodes = 300, .seed = 53}, kRun);
+  const Revision edited =
+      make_revision(base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
+  EXPECT_FALSE(edited.output.mesh.tets.empty());
+}
+
+TEST(Conforming, IsFollowedByTheCleanUp) {
+  // So coarse that the boundary is not all there at first.
+  int repaired = 0;
+  for (const std::uint32_t nodes : {60U, 80U, 150U, 200U}) {
+    const Report report =
+        make_revision(Revision::none(), test::case_model("tool1-a"),
+                      {.nodes = nodes, .iterations = 4, .start = MeshOptions::Start::Random}, kRun)
+            .report;
+    ASSERT_EQ(report.strategy, MeshStrategy::Local) << nodes;
+    repaired += report.counts.nodes_inserted > 0 ? 1 : 0;
+    EXPECT_LT(report.quality_before.volume_length_min, 0.1) << nodes << ": slivers before";
+    EXPECT_GT(report.quality.volume_length_min, 0.2) << nodes;
+  }
+  EXPECT_GE(repaired, 2);
+}
+
+}  // namespace
+}  // namespace remeshd
