@@ -1,6 +1,7 @@
 #include "engine/improve/aggressive_improvement.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/mesh/grouping.h"
 
@@ -72,11 +73,15 @@ bool AggressiveImprovement::descend(std::int32_t t) {
   std::vector<std::int32_t> tets = tets_at(nodes);
   const Rank before = rank(tets);
   Rank after = before;
+  // Which nodes may move, and their facets, is the same in every round.
+  std::vector<std::pair<std::int32_t, std::vector<Triangle>>> movable;
+  for (const std::int32_t node : nodes)
+    if (rules_.facets_at(node, facets_)) movable.emplace_back(node, facets_);
   mesh_.begin_trial();
   for (int round = 0; round < kAggressiveLimits.descent_rounds && after.deficit > 0; ++round) {
-    for (const std::int32_t node : nodes) {
+    for (const auto& [node, facets] : movable) {
       Vec3 position;
-      if (smoother_.energy_descent_step(node, position)) mesh_.move(node, position);
+      if (smoother_.energy_descent_step(node, facets, position)) mesh_.move(node, position);
     }
     after = rank(tets);
   }

@@ -126,14 +126,15 @@ double Smoother::energy(const Vec3& p, double limit) const {
   return sum;
 }
 
-bool Smoother::energy_descent_step(std::int32_t node, Vec3& position) {
-  if (!rules_.facets_at(node, facets_)) return false;
+bool Smoother::energy_descent_step(std::int32_t node, std::span<const Triangle> facets,
+                                   Vec3& position) {
   gather(node);
   if (!(slopes(mesh_.node(node)) > kNearlyFlat)) return false;
   Vec3 direction;
   for (const Slope& s : slopes_) direction += std::pow(s.quality, -9) * s.gradient;
   const auto by_measure = [&](const Vec3& x, double limit) { return energy(x, limit); };
-  return step_down(node, direction, energy(mesh_.node(node), HUGE_VAL), by_measure, position);
+  return step_down(node, facets, direction, energy(mesh_.node(node), HUGE_VAL), by_measure,
+                   position);
 }
 
 bool Smoother::energy_descent_step(std::int32_t node, const Score& score, int steepness,
@@ -154,12 +155,13 @@ bool Smoother::energy_descent_step(std::int32_t node, const Score& score, int st
   const double h = kSmoothingLimits.difference * length_;
   const auto fall = [&](const Vec3& by) { return now - energy(p + by, HUGE_VAL); };
   const Vec3 direction{fall({h, 0, 0}), fall({0, h, 0}), fall({0, 0, h})};
-  return std::isfinite(norm2(direction)) && step_down(node, direction, now, energy, position);
+  return std::isfinite(norm2(direction)) &&
+         step_down(node, facets_, direction, now, energy, position);
 }
 
 template <class Energy>
-bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const Energy& energy,
-                         Vec3& position) const {
+bool Smoother::step_down(std::int32_t node, std::span<const Triangle> facets, Vec3 direction,
+                         double now, const Energy& energy, Vec3& position) const {
   const Vec3& p = mesh_.node(node);
   const bool slides = !rules_.interior(node);
   if (!(norm2(direction) > 0) || (slides && !slide(node, p, direction))) return false;
@@ -168,7 +170,7 @@ bool Smoother::step_down(std::int32_t node, Vec3 direction, double now, const En
   for (int halving = 0; halving < kSmoothingLimits.halvings; ++halving, reach *= 0.5) {
     const Vec3 candidate = slides ? rules_.settle(node, p + reach * unit) : p + reach * unit;
     if (!(energy(candidate, now) < now)) continue;
-    if (slides && !rules_.may_move(node, candidate, facets_)) continue;
+    if (slides && !rules_.may_move(node, candidate, facets)) continue;
     position = candidate;
     return true;
   }

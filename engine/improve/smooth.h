@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/improve/boundary_rules.h"
@@ -23,8 +24,9 @@ class Smoother {
   /// One step down the sum of measure^-8 over the node's tets. Where several nodes hold each other
   /// in place because each has a tet that is worst, rounds of such steps over all of them still get
   /// on; the worst tet of a single node may get worse on the way.
+  /// `facets`: those that a node that may move has (BoundaryRules::facets_at).
   /// Post: true with the new place in `position` where the sum gets less; no tet is inverted.
-  bool energy_descent_step(std::int32_t node, Vec3& position);
+  bool energy_descent_step(std::int32_t node, std::span<const Triangle> facets, Vec3& position);
 
   /// The same down the energy of the node's tets by a score (Score::energy), angles counted.
   bool energy_descent_step(std::int32_t node, const Score& score, int steepness, Vec3& position);
@@ -54,8 +56,8 @@ class Smoother {
   /// One easing step along a direction, down from the energy that is there `now`. Energy is called
   /// with a place and a limit, and may stop adding up once it has reached that.
   template <class Energy>
-  bool step_down(std::int32_t node, Vec3 direction, double now, const Energy& energy,
-                 Vec3& position) const;
+  bool step_down(std::int32_t node, std::span<const Triangle> facets, Vec3 direction, double now,
+                 const Energy& energy, Vec3& position) const;
 
   const LocalMesh& mesh_;
   const BoundaryRules& rules_;
