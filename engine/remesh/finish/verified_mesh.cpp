@@ -10,6 +10,7 @@
 #include "engine/remesh/steps.h"
 
 namespace remeshd {
+
 Candidate extract_verified(const MeshingTask& task, PatchNodes local, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt) {
   Stopwatch watch;
