@@ -126,6 +126,13 @@ double cone_gap(const Surface& a, const Surface& b, const Box& where) {
   return gap;
 }
 
+/// Of the circle's bend, at a point of a surface of revolution: along the normal as far as the axis
+/// (Meusnier).
+double radius_round_axis(const Foot& foot) {
+  const double outward = std::hypot(foot.normal.x, foot.normal.y);
+  return outward == 0 ? HUGE_VAL : std::hypot(foot.point.x, foot.point.y) / outward;
+}
+
 }  // namespace
 
 Vec3 project(const Surface& surface, const Vec3& p) {
@@ -148,10 +155,10 @@ double radius_of_curvature(const Surface& surface, const Vec3& p) {
     case Surface::Kind::Sphere:
       return surface.r1;
     case Surface::Kind::Torus:
-      return surface.r2;
+      return std::fmin(surface.r2, radius_round_axis(local_foot(surface, p)));
     case Surface::Kind::Cone: {
       const Vec3 axis = axis_of(surface), from = p - origin_of(surface);
-      return norm(from - dot(from, axis) * axis);
+      return std::sqrt(1 + surface.r2 * surface.r2) * norm(from - dot(from, axis) * axis);
     }
   }
   return HUGE_VAL;

@@ -20,10 +20,13 @@ struct SurfaceMeshing {
 };
 constexpr SurfaceMeshing kMesh;
 
-/// Smallest radius of curvature; of a cone at least `least`, for at its apex there is none.
+/// Smallest radius of curvature; of a cone or torus at least `least`, for at its apex there is
+/// none.
 double radius_of(const Surface& surface, const Vec3& p, double least) {
+  using Kind = Surface::Kind;
   const double radius = radius_of_curvature(surface, p);
-  return surface.kind == Surface::Kind::Cone ? std::max(least, radius) : radius;
+  return surface.kind == Kind::Cone || surface.kind == Kind::Torus ? std::max(least, radius)
+                                                                   : radius;
 }
 
 /// How long sides may be for the curvature of what a node stands on.

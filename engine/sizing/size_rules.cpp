@@ -22,13 +22,80 @@ constexpr double kInVolume = 1.41;  // to a cube of it
 
 constexpr double kRounding = 1e-9;  // of a number of edges
 
+struct CircleSteps {
+  double share = 0.5;    ///< of what is asked for, from one circle of a torus to the next
+  double widest = 0.35;  ///< rad
+  double most = 1e4;     ///< to a face
+};
+constexpr CircleSteps kCircles;
+
 /// A circle as the torus round it that has no tube.
-Surface circle(const Curve& curve) {
-  const Vec3 x = any_perpendicular(curve.direction);
-  return {Surface::Kind::Torus,
-          Transform::frame(x, cross(curve.direction, x), curve.direction, curve.origin),
-          curve.radius, 0};
+Surface circle(const Vec3& centre, const Vec3& axis, double radius) {
+  const Vec3 x = any_perpendicular(axis);
+  return {Surface::Kind::Torus, Transform::frame(x, cross(axis, x), axis, centre), radius, 0};
 }
+
+Vec3 axis_of(const Surface& surface) { return surface.frame.rotate({0, 0, 1}); }
+
+/// The point of a surface's axis that is nearest to p.
+Vec3 foot_on_axis(const Surface& surface, const Vec3& p) {
+  const Vec3 origin = surface.frame.apply({}), axis = axis_of(surface);
+  return origin + dot(axis, p - origin) * axis;
+}
+
+/// The circle round a surface's axis that p is on.
+Surface circle_through(const Surface& surface, const Vec3& p) {
+  const Vec3 centre = foot_on_axis(surface, p);
+  return circle(centre, axis_of(surface), distance(p, centre));
+}
+
+/// The point of a face that is nearest to the axis of its surface.
+Vec3 nearest_to_axis(const BoundaryFace& face) {
+  return *std::ranges::min_element(
+      face.points, {}, [&](const Vec3& p) { return distance(p, foot_on_axis(face.surface, p)); });
+}
+
+/// The circles round the axis of a torus along which it bends more than along its tube: inside of a
+/// ring, round a barrel.
+class TightCircles {
+ public:
+  explicit TightCircles(const Surface& torus)
+      : torus_(torus),
+        centre_(torus.frame.apply({})),
+        axis_(axis_of(torus)),
+        side_(torus.r1 > 0 ? -1.0 : 1.0) {}
+
+  /// From where it bends most, the angle at which a point is, rad.
+  [[nodiscard]] double angle_of(const Vec3& p) const {
+    const double z = dot(axis_, p - centre_);
+    return std::atan2(z, side_ * (norm(p - centre_ - z * axis_) - torus_.r1));
+  }
+  [[nodiscard]] double radius(double angle) const {
+    return std::fmax(0, torus_.r1 + side_ * torus_.r2 * std::cos(angle));
+  }
+  [[nodiscard]] double radius_of_curvature(double angle) const {
+    return radius(angle) / std::cos(angle);
+  }
+  [[nodiscard]] Surface at(double angle) const {
+    return circle(centre_of(angle), axis_, radius(angle));
+  }
+  [[nodiscard]] Box box(double angle) const {
+    const auto reach = [&](double along) {
+      return radius(angle) * std::sqrt(std::fmax(0, 1 - along * along));
+    };
+    const Vec3 reaches{reach(axis_.x), reach(axis_.y), reach(axis_.z)};
+    return {centre_of(angle) - reaches, centre_of(angle) + reaches};
+  }
+
+ private:
+  [[nodiscard]] Vec3 centre_of(double angle) const {
+    return centre_ + torus_.r2 * std::sin(angle) * axis_;
+  }
+
+  const Surface& torus_;
+  Vec3 centre_, axis_;
+  double side_;  ///< -1: nearer to the axis than the tube's middle
+};
 
 }  // namespace
 
@@ -36,25 +103,69 @@ double least_size(const Sizing& sizing, double base) {
   return std::fmin(base, sizing.min_size.value_or(kLeastShare * base));
 }
 
-std::vector<SizeRules::Detail> SizeRules::circles_of(const BoundaryModel& boundary,
-                                                     double per_radius, double slope) {
-  std::vector<Detail> circles;
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f) {
+std::vector<SizeRules::Detail> SizeRules::round_details_of(const BoundaryModel& boundary,
+                                                           double per_radius, double slope,
+                                                           double least) {
+  using Kind = Surface::Kind;
+  std::vector<Detail> details;
+  for (int f = 0; f < std::ssize(boundary.faces); ++f) {
     const BoundaryFace& face = boundary.faces[f];
     const Surface& surface = face.surface;
-    if (surface.kind == Surface::Kind::Plane) continue;
-    // Of a steep cone edges may not grow as fast as its circles do.
-    const double size = surface.kind == Surface::Kind::Cone
-                            ? std::fmin(per_radius, slope / std::fabs(surface.r2))
-                            : per_radius * radius_of_curvature(surface, face.points.front());
-    circles.push_back({static_cast<int>(f), {surface, box_of(face.points), size}});
+    const Box box = box_of(face.points);
+    switch (surface.kind) {
+      case Kind::Plane:
+        break;
+      case Kind::Cone:
+        // Where circles grow faster than edges may, the smallest is what counts.
+        if (per_radius * std::fabs(surface.r2) > slope) {
+          const Vec3 p = nearest_to_axis(face);
+          const double size = per_radius * radius_of_curvature(surface, p);
+          details.push_back({f, {circle_through(surface, p), box, size}, true});
+        } else {
+          details.push_back({f, {surface, box, per_radius}, true});
+        }
+        break;
+      case Kind::Cylinder:
+      case Kind::Sphere:
+        details.push_back({f, {surface, box, per_radius * surface.r1}});
+        break;
+      case Kind::Torus:
+        details.push_back({f, {surface, box, per_radius * surface.r2}});
+        add_circles_of(face, f, per_radius, least, details);
+    }
   }
   for (const BoundaryEdge& edge : boundary.edges)
-    if (edge.curve.kind == Curve::Kind::Circle)
-      circles.push_back(
+    if (const Curve& c = edge.curve; c.kind == Curve::Kind::Circle)
+      details.push_back(
           {edge.faces.front(),
-           {circle(edge.curve), box_of(edge.points), per_radius * edge.curve.radius}});
-  return circles;
+           {circle(c.origin, c.direction, c.radius), box_of(edge.points), per_radius * c.radius}});
+  return details;
+}
+
+void SizeRules::add_circles_of(const BoundaryFace& face, int index, double per_radius, double least,
+                               std::vector<Detail>& details) {
+  const Surface& torus = face.surface;
+  const TightCircles circles(torus);
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
+  const auto is_tight = [&](double angle) {
+    return std::fabs(angle) < 0.25 * kTurn && circles.radius_of_curvature(angle) < torus.r2;
+  };
+  for (const Vec3& p : face.points)
+    if (const double angle = circles.angle_of(p); is_tight(angle)) {
+      lowest = std::fmin(lowest, angle);
+      highest = std::fmax(highest, angle);
+    }
+  const Box of_face = box_of(face.points);
+  const bool tapers = std::fabs(torus.r1) < torus.r2;
+  for (double angle = lowest; angle <= highest;) {
+    const double size = per_radius * circles.radius_of_curvature(angle);
+    const Box box = intersection(circles.box(angle), of_face);
+    // Between the tips of an apple there is nothing.
+    if (circles.radius(angle) > 0 && is_tight(angle) && !box.empty())
+      details.push_back({index, {circles.at(angle), box, size}, tapers});
+    const double step = kCircles.share * std::fmax(size, least) / torus.r2;
+    angle += std::fmin(kCircles.widest, std::fmax(step, (highest - lowest) / kCircles.most));
+  }
 }
 
 std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& boundary, double film,
@@ -75,11 +186,12 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const 
     : sizing_(sizing), bounds_(boundary.bounds) {
   if (sizing.even) return;
   asked_ = std::move(asked);
-  if (sizing.edges_per_circle > 0)
-    details_ = circles_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope());
-  if (sizing.layers == 0) return;
   const double most = bases.greatest;
   const double least = least_size(sizing, bases.expected), film = kFilm * least;
+  if (sizing.edges_per_circle > 0)
+    details_ =
+        round_details_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope(), least);
+  if (sizing.layers == 0) return;
   const auto edges = short_edges_of(boundary, film, most);
   details_.insert(details_.end(), edges.begin(), edges.end());
   thin_places_ = thin_places(boundary,
@@ -105,7 +217,7 @@ SizeField SizeRules::field(double base, double weakening) const {
 std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {
   std::vector<AskedOnFace> asked;
   for (const Detail& detail : details_)
-    if (!detail.source.varies()) asked.push_back({detail.face, weakening * detail.source.size});
+    if (!detail.tapers) asked.push_back({detail.face, weakening * detail.source.size});
   for (const ThinPlace& place : thin_places_)
     asked.push_back({place.face, weakening * size_of(place)});
   return asked;

@@ -68,9 +68,14 @@ class SizeRules {
   struct Detail {
     int face;
     SizeSource source;
+    bool tapers = false;  ///< to a point, near which any edge is too long
   };
-  static std::vector<Detail> circles_of(const BoundaryModel& boundary, double per_radius,
-                                        double slope);
+  /// What is round: faces, and edges that are circles.
+  static std::vector<Detail> round_details_of(const BoundaryModel& boundary, double per_radius,
+                                              double slope, double least);
+  /// Of a face of a torus.
+  static void add_circles_of(const BoundaryFace& face, int index, double per_radius, double least,
+                             std::vector<Detail>& details);
   /// Edges from `film` to `most` long.
   static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double film,
                                             double most);

@@ -169,6 +169,22 @@ TEST(Surface, ConeEndsAtItsApex) {
   EXPECT_LT(normal(cone, {2, 0, 0}).z, 0);
 }
 
+TEST(Surface, BendsAsTheSharperOfItsTwoCircles) {
+  const Transform at{};
+  EXPECT_EQ(radius_of_curvature({Kind::Plane, at, 0, 0}, {1, 2, 3}), HUGE_VAL);
+  EXPECT_EQ(radius_of_curvature({Kind::Cylinder, at, 3, 0}, {3, 0, 1}), 3);
+  EXPECT_EQ(radius_of_curvature({Kind::Sphere, at, 3, 0}, {0, 3, 0}), 3);
+  EXPECT_DOUBLE_EQ(radius_of_curvature({Kind::Cone, at, 2, 0}, {2, 0, 0}), 2);
+  EXPECT_DOUBLE_EQ(radius_of_curvature({Kind::Cone, at, 5, -0.75}, {2, 0, 4}), 2.5);
+  // Next to flat it hardly bends: it was taken for as round as its rim.
+  EXPECT_NEAR(radius_of_curvature({Kind::Cone, at, 5, -1000}, {5, 0, 0}), 5000, 0.01);
+  const Surface ring{Kind::Torus, at, 6, 5}, lemon{Kind::Torus, at, -90, 100};
+  EXPECT_DOUBLE_EQ(radius_of_curvature(ring, {11, 0, 0}), 5);
+  EXPECT_DOUBLE_EQ(radius_of_curvature(ring, {1, 0, 0}), 1);
+  EXPECT_DOUBLE_EQ(radius_of_curvature(ring, {6, 0, 5}), 5);
+  EXPECT_DOUBLE_EQ(radius_of_curvature(lemon, {10, 0, 0}), 10);
+}
+
 const Box kBox{{-20, -20, -20}, {20, 20, 20}};
 
 TEST(SameSurface, HoldsForAnotherFrameOfTheSamePointSet) {

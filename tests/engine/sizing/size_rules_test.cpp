@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
@@ -28,6 +30,63 @@ TEST(SizeRules, CirclesAskForTheirEdgesAndWallsForTheirLayers) {
   EXPECT_NEAR(two({25, 25, 0}), 1.5, 1e-9);
   const SizeField none = SizeRules(boundary, {.even = false, .layers = 0}, 8, kRun).field(8, 1);
   EXPECT_NEAR(none({29, 29, 0}), 8, 1e-9);
+}
+
+BoundaryModel revolved(std::vector<ProfileEntry> profile) {
+  return build_cells(evaluate(test::model_of({test::feature(
+                         "turned", "revolution", std::move(profile), {{"angle", 360.0}})})),
+                     kRun)
+      .boundary;
+}
+
+TEST(SizeRules, AConeNextToFlatAsksForNoMoreThanAPlane) {
+  // A flange 30 wide that rises by .1: each point of it asked for a thousandth of its radius.
+  using test::point;
+  const BoundaryModel flange =
+      revolved({point(8.0, 0.0), point(30.0, 0.0), point(30.0, 6.0), point(8.0, 6.1)});
+  const SizeRules rules(flange, {.even = false, .layers = 0}, 4, kRun);
+  const SizeField field = rules.field(4, 1);
+  for (const double r : {12.0, 20.0, 29.0}) EXPECT_EQ(field({r, 0, 6}), 4) << r;
+  EXPECT_TRUE(rules.unresolved(4, 1).empty());
+}
+
+TEST(SizeRules, AFaceThatBendsRoundItsAxisAsksForEdgesOnThoseCircles) {
+  using test::arc;
+  using test::point;
+  // Arcs of radius 226 and 60 from end to end: the faces bend as circles of radius 12 and 2.
+  const BoundaryModel barrel =
+      revolved({point(0.0, 0.0), point(10.0, 0.0), arc(10.0, 60.0, 12.0, 30.0), point(0.0, 60.0)});
+  const BoundaryModel waist =
+      revolved({point(0.0, 0.0), point(10.0, 0.0), arc(10.0, 60.0, 2.0, 30.0), point(0.0, 60.0)});
+  const double edge = 6.2832 / 12 / 1.2;
+  const SizeRules of_barrel(barrel, {.even = false, .layers = 0}, 9, kRun);
+  const SizeRules of_waist(waist, {.even = false, .layers = 0}, 9, kRun);
+  EXPECT_NEAR(of_barrel.field(9, 1)({12, 0, 30}), 12 * edge, 0.5);
+  EXPECT_NEAR(of_waist.field(9, 1)({2, 0, 30}), 2 * edge, 0.1);
+  EXPECT_TRUE(of_barrel.unresolved(9, 1).empty());
+  EXPECT_EQ(of_waist.unresolved(20, 1).size(), 1U) << "the waist";
+  // At its tips a lemon bends as sharply as one likes, which is no detail.
+  const BoundaryModel lemon = revolved({point(0.0, 0.0), arc(0.0, 60.0, 12.0, 30.0)});
+  const SizeRules of_lemon(lemon, {.even = false, .layers = 0}, 9, kRun);
+  EXPECT_NEAR(of_lemon.field(9, 1)({12, 0, 30}), 12 * edge, 0.5);
+  EXPECT_LT(of_lemon.field(9, 1)({0.5, 0, 0.6}), 2);
+  EXPECT_TRUE(of_lemon.unresolved(9, 1).empty());
+  // And between the tips of an apple, 4.6 from its middle, there is no face.
+  const BoundaryModel apple =
+      revolved({point(0.0, -std::sqrt(21.0)), arc(0.0, std::sqrt(21.0), 7.0, 0.0)});
+  const SizeRules of_apple(apple, {.even = false, .layers = 0}, 2, kRun);
+  EXPECT_LT(of_apple.field(2, 1)({0, 0, 4.5}), 0.4);
+  EXPECT_NEAR(of_apple.field(2, 1)({0, 0, 0}), 0.2 + 0.3 * 4.58, 0.1);
+}
+
+TEST(SizeRules, OfAFilletOnTheOutsideTheInnerCirclesDoNotCount) {
+  // The outer half of a ring whose inner half would be a hole of radius .1.
+  using test::arc;
+  using test::point;
+  const BoundaryModel half =
+      revolved({point(0.0, 0.0), point(5.1, 0.0), arc(5.1, 10.0, 10.1, 5.0), point(0.0, 10.0)});
+  const SizeField field = SizeRules(half, {.even = false, .layers = 0}, 9, kRun).field(9, 1);
+  EXPECT_GT(field({0.1, 0, 5}), 2);
 }
 
 TEST(SizeRules, ShortEdgesAskForNoLongerOnesAndTheShortestForNothing) {
