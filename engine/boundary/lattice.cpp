@@ -18,6 +18,15 @@ struct Margins {
 };
 constexpr Margins kMargins;
 
+/// Where there are so many rows round a turn, only those that may be seen are looked at, of which
+/// each has random numbers of its own. Others draw on from what the rows before have left.
+constexpr std::int64_t kManyRows = 2000;
+
+/// The numbers of a row's own.
+Random of_row(std::uint64_t stream, std::int64_t row) {
+  return Random(stream ^ (static_cast<std::uint64_t>(row + 1) * 0xD1B54A32D192ED03ULL));
+}
+
 struct Range {
   double lo = 0, hi = 0;
 
@@ -155,7 +164,7 @@ class Lattice {
 
   void sphere(double radius) {
     const Range angles = angles_of(seen_z_, seen_rho_);
-    visit_rows({0, std::numbers::pi * radius}, spacing_, random_, [&](double s) {
+    const auto row_at = [&](double s) {
       // The last row may lie beyond the pole, with its points on the other side of the axis.
       const double from_pole = std::numbers::pi - std::fabs(std::numbers::pi - s / radius);
       const bool seen = angles.holds(from_pole);
@@ -165,7 +174,17 @@ class Lattice {
              const double a = (s + wobble) / radius;
              emit(radius * std::sin(a) * c, radius * std::sin(a) * sn, radius * std::cos(a));
            });
-    });
+    };
+    const double half_turn = std::numbers::pi * radius;
+    const auto rows = static_cast<std::int64_t>(std::ceil(half_turn / spacing_)) + 1;
+    if (rows <= kManyRows) return visit_rows({0, half_turn}, spacing_, random_, row_at);
+    const double phase = random_.uniform();
+    const auto row_of = [&](double angle) { return angle * radius / spacing_ + phase - 1; };
+    const auto first = static_cast<std::int64_t>(std::floor(row_of(angles.lo)));
+    const auto last = static_cast<std::int64_t>(std::ceil(row_of(angles.hi)));
+    visit_some(
+        {{std::clamp<std::int64_t>(first, 0, rows), std::clamp<std::int64_t>(last + 1, 0, rows)}},
+        [&](std::int64_t k) { row_at((static_cast<double>(k + 1) - phase) * spacing_); });
   }
 
   void torus(double major, double minor) {
@@ -174,17 +193,31 @@ class Lattice {
     const double phase = random_.uniform();
     const auto seen =
         steps_seen(angles_of(seen_rho_.shifted(-major), seen_z_), rows, phase, jitter_);
-    for (std::int64_t k = 0; k < rows; ++k) {
+    const auto row_at = [&](std::int64_t k, bool in) {
       const double a = kTurn * (static_cast<double>(k) + phase) / static_cast<double>(rows);
-      const bool in = std::ranges::any_of(
-          seen, [&](const Steps& steps) { return k >= steps.begin && k < steps.end; });
       ring(std::fabs(major + minor * std::cos(a)), in, seen_,
            [&](double c, double s, double wobble) {
              const double b = a + wobble / minor;
              const double r = major + minor * std::cos(b);
              if (r >= 0) emit(r * c, r * s, minor * std::sin(b));
            });
-    }
+    };
+    if (rows > kManyRows) return visit_some(seen, [&](std::int64_t k) { row_at(k, true); });
+    for (std::int64_t k = 0; k < rows; ++k)
+      row_at(k, std::ranges::any_of(
+                    seen, [&](const Steps& steps) { return k >= steps.begin && k < steps.end; }));
+  }
+
+  /// Some of many rows.
+  template <class Row>
+  void visit_some(const std::array<Steps, 2>& rows, Row&& row) {
+    const std::uint64_t stream = random_.next();
+    for (const Steps& steps : rows)
+      for (std::int64_t k = steps.begin; k < steps.end; ++k) {
+        random_ = of_row(stream, k);
+        row(k);
+      }
+    random_ = Random(stream);
   }
 
   /// A row round the axis: calls place(cosine, sine, wobble) for what has the angles.

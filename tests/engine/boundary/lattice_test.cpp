@@ -61,9 +61,16 @@ TEST(Lattice, CostsWhatIsInTheBoxHoweverLargeTheRadius) {
 
 TEST(Lattice, APartOfTheBoxGetsThePointsOfTheWhole) {
   const Transform tilted = Transform::frame({0.6, 0, 0.8}, {0, 1, 0}, {-0.8, 0, 0.6}, {1, 2, 3});
+  // What is 1,000 along its x axis is nearly the plane y = z, which is in all of the patches.
+  const double half = std::sqrt(0.5);
+  const Transform far = Transform::frame({0, half, -half}, {0, half, half}, {1, 0, 0},
+                                         {0, -1000 * half, 1000 * half});
   const std::vector<Named> surfaces{{"sphere", {Kind::Sphere, tilted, 7, 0}},
                                     {"torus", {Kind::Torus, tilted, 6, 2}},
-                                    {"apple", {Kind::Torus, tilted, 2, 5}}};
+                                    {"apple", {Kind::Torus, tilted, 2, 5}},
+                                    // Of so many rows that only some are looked at.
+                                    {"large sphere", {Kind::Sphere, far, 1000, 0}},
+                                    {"large torus", {Kind::Torus, far, 400, 600}}};
   const Box whole{{-12, -12, -12}, {14, 14, 14}};
   for (const auto& [name, surface] : surfaces)
     for (const Box& patch : {Box{{3, 3, 3}, {14, 14, 14}}, Box{{-12, -12, -12}, {-2, 1, 3}},
