@@ -73,6 +73,9 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
   const Support support{Support::Kind::Face, index};
   const double probe = tolerance::kProbe * boundary.bounds.diagonal();
   const Box box = box_of(face.points);
+  std::vector<Box> boxes_of_others;
+  boxes_of_others.reserve(others.size());
+  for (const int other : others) boxes_of_others.push_back(box_of(boundary.faces[other].points));
   const std::size_t begin = out.size();
   const auto relative_area = [&](double length) {
     return (length / sizes.base()) * (length / sizes.base());
@@ -92,10 +95,11 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
             const Vec3 outward = outward_normal(face, p);
             if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
               return;
-            if (!others.empty()) {
-              const double own = face_distance2(face, p);
-              for (const int other : others)
-                if (face_distance2(boundary.faces[other], p) < own) return;
+            double own = -1;  // before it is asked
+            for (std::size_t k = 0; k < others.size(); ++k) {
+              if (!boxes_of_others[k].contains(p, spacing)) continue;
+              if (own < 0) own = face_distance2(face, p);
+              if (face_distance2(boundary.faces[others[k]], p) < own) return;
             }
             out.push_back({p, relative_area(even.length), support});
           });
