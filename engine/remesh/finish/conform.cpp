@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace {
 struct ConformLimits {
   int rounds = 8;      ///< of nodes near facets, and of nodes where verification finds faults
   double fewer = 0.7;  ///< of the faults before a round, for the next to be made
+  double few = 12;     ///< faults that are worth all rounds
   double few_inserted = 200, most_inserted = 0.2;
 };
 constexpr ConformLimits kConformLimits;
@@ -39,6 +41,7 @@ class Conforming {
       if (rounds == kConformLimits.rounds || !is_worth_another_round()) break;
       if (!insert_at(c_.verification.failures)) break;
     }
+    if (stalled_ && !c_.verification.valid) take_back();
     return inserted_;
   }
 
@@ -80,14 +83,32 @@ class Conforming {
     remeshd::put_back(c_, cleaned_up(c_, task_, patch_, clean_up), task_, patch_);
   }
 
-  /// Whether the mesh is not valid, and the last round helped.
+  /// Whether the mesh is not valid, and the last round helped or few faults are left.
   bool is_worth_another_round() {
     if (c_.verification.valid) return false;
     const auto& counts = c_.verification.counts;
     const double faults = std::accumulate(counts.begin(), counts.end(), 0.0);
     const double before = std::exchange(faults_, faults);
-    return !sized_ || faults <= kConformLimits.fewer * before;
+    if (!sized_) return true;
+    if (faults <= kConformLimits.fewer * before) {
+      stalled_.reset();
+      return true;
+    }
+    if (faults > kConformLimits.few) return false;
+    if (!stalled_) stalled_ = Stalled{c_, inserted_};
+    return true;
   }
+  /// What was inserted since rounds stopped helping would be in the way of what comes after.
+  void take_back() {
+    stalled_->mesh.verify_seconds = c_.verify_seconds;
+    c_ = std::move(stalled_->mesh);
+    inserted_ = stalled_->inserted;
+  }
+
+  struct Stalled {
+    Candidate mesh;
+    std::uint32_t inserted;
+  };
 
   Candidate& c_;
   const MeshingTask& task_;
@@ -97,7 +118,8 @@ class Conforming {
   std::uint32_t most_;
   std::uint32_t inserted_ = 0;
   int facet_rounds_ = 0;
-  double faults_ = HUGE_VAL;  ///< of the mesh before
+  double faults_ = HUGE_VAL;        ///< of the mesh before
+  std::optional<Stalled> stalled_;  ///< before the first of the rounds that did not help
 };
 
 }  // namespace

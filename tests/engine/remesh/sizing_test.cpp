@@ -89,6 +89,39 @@ TEST(Sizing, AGrooveInARimStaysOpen) {
   EXPECT_GE(r.report.quality.dihedral_min, 20);
 }
 
+TEST(Sizing, AFaceThatIsTiltedALittleIsMeshedAsBefore) {
+  // A turned flange whose upper side becomes a cone that rises by .1 over 15: it had 45 times as
+  // many nodes.
+  const auto flange = [](double rise) {
+    using test::point;
+    return test::model_of(
+        {test::feature("flange", "revolution",
+                       {point(0.0, 0.0), point(28.0, 0.0), point(28.0, 7.5),
+                        point(12.0, 7.5 - rise), point(12.0, 18.0), point(0.0, 18.0)},
+                       {{"angle", 360.0}})});
+  };
+  const Revision base = make_revision(Revision::none(), flange(0), graded(2000), kRun);
+  MeshOptions inherited = graded(2000);
+  inherited.nodes.reset();
+  const Revision edited = make_revision(base, flange(0.1), inherited, kRun);
+  EXPECT_NEAR(edited.report.counts.nodes, base.report.counts.nodes, 50);
+  const Revision first = make_revision(Revision::none(), flange(0.1), graded(2000), kRun);
+  EXPECT_NEAR(first.report.counts.nodes, 2000, 100);
+}
+
+TEST(Sizing, AFewFaultsAreMendedByNodesAndNotFilled) {
+  // Where a round of insertion left as many faults as before, two, TetGen filled their place.
+  for (const auto& [major, minor] : {std::pair{10.0, 6.0}, std::pair{6.0, 5.0}}) {
+    const Revision ring = make_revision(
+        Revision::none(),
+        test::model_of(
+            {test::feature("ring", "torus", {{"major_radius", major}, {"minor_radius", minor}})}),
+        graded(5000), kRun);
+    EXPECT_EQ(ring.report.last_resort_share, 0) << major;
+    EXPECT_GE(ring.report.quality.dihedral_min, 24) << major;
+  }
+}
+
 TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
   ModelSource pins = test::model_of({test::block("plate", 60, 60, 8)});
   for (int k = 0; k < 9; ++k)
