@@ -93,6 +93,11 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
   revision.reference = now;
 }
 
+/// Whether the tets of the parent were kept, wherever their nodes went.
+bool keeps_tets(MeshStrategy strategy) {
+  return strategy == MeshStrategy::Unchanged || strategy == MeshStrategy::Morphed;
+}
+
 /// Tets that an edit keeps are as likely of a last resort as those of its parent.
 double last_resort_share(const Revision& parent, const Report& report, double made) {
   if (report.strategy == MeshStrategy::TetGen) return 1;
@@ -127,7 +132,9 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
       !problem.density.inherited || report.strategy == MeshStrategy::Fresh || resorted;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
   if (renewable) renew_if_drifted(problem, seconds, name, revision);
-  revision.output.node_sizes = made_for(parent, revision, problem.run);
+  const bool same_tets = keeps_tets(report.strategy);
+  revision.output.node_sizes =
+      made_for(parent, revision, same_tets ? nullptr : &problem.plan(), problem.run);
   revision.output.mids = {.next_id = parent.output.mids.next_id};
   if (revision.options.order == 2) add_mid_nodes(parent, revision, problem.run);
   complete_groups(parent, revision);

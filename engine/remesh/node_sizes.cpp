@@ -34,28 +34,61 @@ double made_for(const Revision& parent, std::int32_t node) {
   return parent.options.sizing.even ? parent.edge_length : parent.output.node_sizes[node];
 }
 
-/// Whether the tets of the parent were kept, wherever their nodes went.
-bool keeps_tets(const Revision& revision) {
-  const MeshStrategy strategy = revision.report.strategy;
-  return strategy == MeshStrategy::Unchanged || strategy == MeshStrategy::Morphed;
+/// Whether two size fields follow by the same rules from their boundaries: they differ near what
+/// changed of these alone. How thin a wall is told by pieces of faces, which lie otherwise wherever
+/// a face has changed, so that elsewhere lengths may differ all the same.
+bool same_rules(const Revision& parent, const Revision& wanted) {
+  return parent.options.sizing == wanted.options.sizing &&
+         parent.edge_length == wanted.edge_length &&
+         parent.rules_weakening == wanted.rules_weakening &&
+         parent.model.sizes == wanted.model.sizes && parent.dense_places == wanted.dense_places;
 }
+
+/// How far from a change edge lengths may follow from it.
+class Reach {
+ public:
+  Reach(const CopyPlan& plan, const Revision& parent, const Revision& wanted, double least)
+      : plan_(plan),
+        sizing_(wanted.options.sizing),
+        least_(least),
+        everywhere_(!same_rules(parent, wanted)) {}
+
+  /// Whether a change may be why the length at a place is `now` and was `before`: it asks for the
+  /// least length or more, which grows from there, or is across a wall.
+  [[nodiscard]] bool holds(const Vec3& p, double before, double now) const {
+    if (everywhere_) return true;
+    const double longer = std::fmax(before, now);
+    const double grown = (longer - least_) / (sizing_.growth - 1);
+    return plan_.in_changed(p, std::fmax(grown, sizing_.layers * longer));
+  }
+
+ private:
+  const CopyPlan& plan_;
+  const Sizing& sizing_;
+  double least_;  ///< of the edge lengths
+  bool everywhere_;
+};
 
 }  // namespace
 
-CowVector<double> made_for(const Revision& parent, const Revision& revision, const Run& run) {
+CowVector<double> made_for(const Revision& parent, const Revision& revision, const CopyPlan* plan,
+                           const Run& run) {
   if (revision.options.sizing.even) return {};
   const OutputMesh& output = revision.output;
   const SizeField& sizes = *revision.sizes;
   const CowVector<Vec3>& positions = revision.delaunay_state->positions();  // as it is asked later
-  const bool known = is_known(parent), same_tets = keeps_tets(revision);
+  const bool known = is_known(parent), same_tets = plan == nullptr;
+  std::optional<Reach> reach;
+  if (plan != nullptr) reach.emplace(*plan, parent, revision, sizes.least());
   std::vector<double> all(output.mesh.nodes.size());
   in_blocks(all.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const bool kept = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept);
       const double was = kept ? made_for(parent, output.map.original_node[n]) : 0;
+      const double now = kept && same_tets ? was : sizes(positions[n]);
       // What was off has been looked at: a node that stays is right for the length there.
-      const bool as_before = kept && (same_tets || !differ(was, sizes(positions[n])));
-      all[n] = as_before ? was : sizes(positions[n]);
+      const auto off = [&] { return differ(was, now) && reach->holds(positions[n], was, now); };
+      all[n] = kept && !same_tets && !off() ? was : now;
     }
   });
   return {std::span<const double>(all), parent.output.node_sizes};
@@ -66,10 +99,13 @@ std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
   if (wanted.options.sizing.even && parent.options.sizing.even) return {};
   if (!is_known(parent) || plan.identity() < 0 || !plan.copies()) return {};
   const std::vector<Vec3> nodes = parent.delaunay_state->positions().flat();
+  const Reach reach(plan, parent, wanted, sizes.least());
   std::vector<std::uint8_t> off(nodes.size());
   in_blocks(nodes.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n)
-      off[n] = differ(made_for(parent, static_cast<std::int32_t>(n)), sizes(nodes[n])) ? 1 : 0;
+    for (std::size_t n = begin; n < end; ++n) {
+      const double was = made_for(parent, static_cast<std::int32_t>(n)), now = sizes(nodes[n]);
+      off[n] = differ(was, now) && reach.holds(nodes[n], was, now) ? 1 : 0;
+    }
   });
   std::vector<Vec3> places;
   double longest = 0;

@@ -80,11 +80,43 @@ TEST(NodeSizes, WhatStaysWhereSizesChangedIsRightForTheLengthThere) {
   Revision next = edited(base, SetFeatureParameter{"hole", "radius", 4.5});
   ASSERT_EQ(next.report.strategy, MeshStrategy::Local);
   ASSERT_GT(next.report.counts.nodes_kept, 0U);
+  const CopyPlan plan(base.delaunay_model(), next.model, copy_lengths(4, false), kRun);
+  next.rules_weakening = 2;  // so that lengths may differ anywhere
   next.sizes = SizeField(2);
-  for (const double length : made_for(base, next, kRun).flat()) EXPECT_EQ(length, 2);
+  for (const double length : made_for(base, next, &plan, kRun).flat()) EXPECT_EQ(length, 2);
   next.sizes = SizeField(3.5);  // not far off
-  for (const double length : made_for(base, next, kRun).flat())
+  for (const double length : made_for(base, next, &plan, kRun).flat())
     EXPECT_TRUE(length == 4 || length == 3.5) << length;
+}
+
+TEST(NodeSizes, FurtherFromAChangeThanLengthsGrowNothingIsMadeAnew) {
+  // Walls were measured by other pieces of a face that a change elsewhere had triangulated anew.
+  const Revision base = make_revision(Revision::none(), plate_with_hole(), sized_edit(4), kRun);
+  Revision next = edited(base, SetFeatureParameter{"hole", "radius", 4.5});
+  ASSERT_EQ(next.report.strategy, MeshStrategy::Local);
+  const CopyPlan plan(base.delaunay_model(), next.model, copy_lengths(4, false), kRun);
+  next.sizes = SizeField(2);
+  const std::vector<double> lengths = made_for(base, next, &plan, kRun).flat();
+  const double reach = (4 - 2) / 0.3;
+  int near = 0, far = 0;
+  for (std::size_t n = 0; n < lengths.size(); ++n) {
+    const Vec3& p = next.output.mesh.nodes[n];
+    const double beside = std::fmax(std::fabs(p.x), std::fabs(p.y)) - 4.5;
+    if (next.output.map.node_origin[n] != NodeOrigin::Kept) continue;
+    if (beside > 1.01 * reach) {
+      ++far;
+      EXPECT_EQ(lengths[n], 4);
+    } else if (beside < 0.99 * reach) {
+      ++near;
+      EXPECT_EQ(lengths[n], 2);
+    }
+  }
+  EXPECT_GT(near, 0);
+  EXPECT_GT(far, near);
+  const std::optional<CopyPlan> anew = resized(plan, base, next, *next.sizes, kRun);
+  ASSERT_TRUE(anew);
+  EXPECT_EQ((*anew)({25, 25, 4}), plan.identity());
+  EXPECT_EQ((*anew)({8, 0, 4}), CopyPlan::kNew);
 }
 
 TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
