@@ -22,8 +22,6 @@ struct BudgetLimits {
   double fewest_edges = 7.2;  ///< asked for on a circle, of which 6 are certain: no fewer
   double beside = 0.1;        ///< of a bracket: no try is nearer to its ends
   int bisections = 50;
-  int recounts = 6;            ///< of the nodes that would do
-  double recounted = 0.02;     ///< of them: as near to the last count they are not counted again
   std::size_t sampled = 2500;  ///< nodes of a start that are asked what they stand for
 };
 constexpr BudgetLimits kBudgetLimits;
@@ -193,16 +191,16 @@ class Starts {
 };
 
 /// Nodes that make the rules hold without weakening: so many that a start with the coarsest base
-/// size for them has as many.
-double satisfying(double nodes, const CellularModel& cells, const Starts& starts) {
-  for (int k = 0; k < kBudgetLimits.recounts; ++k) {
-    const Start start = starts.of({coarsest_base(cells, nodes), 1});
-    const double before = nodes;
+/// size for them has as many. Counts jump where films get edges; of two the larger does.
+/// @param start  any of the unweakened rules
+double satisfying(const Start& start, const CellularModel& cells, const Starts& starts) {
+  const auto told_by = [&](const Start& s, double nodes) {
     for (int i = 0; i < kBudgetLimits.bisections; ++i)
-      nodes = start.expected(coarsest_base(cells, nodes), 1);
-    if (std::fabs(nodes / before - 1) < kBudgetLimits.recounted) break;
-  }
-  return nodes;
+      nodes = s.expected(coarsest_base(cells, nodes), 1);
+    return nodes;
+  };
+  const double guess = told_by(start, start.nodes());
+  return std::fmax(guess, told_by(starts.of({coarsest_base(cells, guess), 1}), guess));
 }
 
 }  // namespace
@@ -219,10 +217,12 @@ Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const Mes
   const double guess = edge_length_for(cells.volume, cells.area, nodes);
   if (SizeField sizes = rules.field(guess, 1); sizes.even()) return {.sizes = std::move(sizes)};
   CoarsenessSearch search(nodes, guess, weakest);
-  while (search.goes_on(starts.of(search.now()))) {
-  }
+  const Start first = starts.of(search.now());
+  if (search.goes_on(first))
+    while (search.goes_on(starts.of(search.now()))) {
+    }
   Budgeted made = std::move(search).best();
-  if (made.weakening > 1) made.satisfying = satisfying(nodes, cells, starts);
+  if (made.weakening > 1) made.satisfying = satisfying(first, cells, starts);
   return made;
 }
 
