@@ -111,6 +111,7 @@ PeerSession::PeerSession(fs::path folder, const std::string& name, const std::st
   const json made = ask(beside_this_program("remesh-peer-gmsh"),
                         {"geometry", model_file, geometry_}, limit_seconds_);
   made.at("faces").get_to(faces_);
+  made.at("cpu").get_to(seconds_);
   const double volume = made.at("volume").get<double>();
   if (!(std::fabs(volume - exact_volume) <= 1e-6 * exact_volume))
     throw std::runtime_error("the peers' geometry of " + name + " has a volume of " +
@@ -127,6 +128,7 @@ Sample PeerSession::run(const Peer& peer, std::uint32_t nodes, double start) {
       write_sizes();
     }
     Sample sample = mesh(peer, sizes_.at(key).size);
+    sample.geometry = seconds_;
     // HXT's differ by some from run to run.
     if (std::fabs(sample.nodes / static_cast<double>(sizes_.at(key).nodes) - 1) > kSameNodes)
       throw std::runtime_error("another number of nodes than before: remove " +

@@ -63,6 +63,7 @@ class PeerSession {
   std::string name_;
   std::string geometry_;  ///< file
   std::size_t faces_ = 0;
+  double seconds_ = 0;  ///< of processor time that making the geometry took
   bool sized_;
   double limit_seconds_;
   std::map<std::string, Size> sizes_;  ///< by peer, geometry and nodes asked for

@@ -36,6 +36,11 @@ std::optional<double> Group::ratio(const std::string& a, const std::string& b) c
   return pairwise_ratio(rounds(a, cpu), rounds(b, cpu));
 }
 
+std::optional<double> Group::ratio_from_model(const std::string& a, const std::string& b) const {
+  const auto all = [](const Sample& s) { return s.geometry + s.cpu; };
+  return pairwise_ratio(rounds(a, all), rounds(b, all));
+}
+
 std::optional<double> Group::ratio_per_node(const std::string& a, const std::string& b) const {
   const auto cpu = [](const Sample& s) { return s.cpu / s.nodes; };
   return pairwise_ratio(rounds(a, cpu), rounds(b, cpu));

@@ -43,6 +43,9 @@ struct Group {
   [[nodiscard]] std::optional<double> seconds(const std::string& name_of_series) const;
   /// Median of the pairwise ratios of processor time.
   [[nodiscard]] std::optional<double> ratio(const std::string& a, const std::string& b) const;
+  /// The same from the model on: with the time for making the geometry.
+  [[nodiscard]] std::optional<double> ratio_from_model(const std::string& a,
+                                                       const std::string& b) const;
   /// The same of processor time a node.
   [[nodiscard]] std::optional<double> ratio_per_node(const std::string& a,
                                                      const std::string& b) const;

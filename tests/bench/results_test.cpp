@@ -28,6 +28,7 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   ours.quality.dihedral_min = 25.3;
   Sample peer = sample_of(0.6);
   peer.import = 0.001;
+  peer.geometry = 0.3;
   const Results results{
       .machine = "a machine",
       .date = "2009-08-13",
@@ -48,6 +49,7 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   EXPECT_EQ(again.retained_bytes, 9e6);
   EXPECT_EQ(group->series.at("remesh auto").at(1).failure, "signal 11: ");
   EXPECT_EQ(group->series.at("hxt").at(0).import, 0.001);
+  EXPECT_EQ(group->series.at("hxt").at(0).geometry, 0.3);
 }
 
 TEST(Results, AreFoundByCaseAndNodes) {

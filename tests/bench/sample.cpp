@@ -48,6 +48,7 @@ json write_sample(const Sample& s) {
            {"dihedral_max", q.dihedral_max},
            {"volume", q.volume}}}};
   if (s.import > 0) j["import"] = s.import;
+  if (s.geometry > 0) j["geometry"] = s.geometry;
   if (s.surface > 0) j["surface"] = s.surface;
   if (s.retained_bytes > 0) j["retained_bytes"] = s.retained_bytes;
   if (s.strategy.empty()) return j;
@@ -84,6 +85,7 @@ Sample read_sample(const json& j) {
   q.at("dihedral_max").get_to(s.quality.dihedral_max);
   q.at("volume").get_to(s.quality.volume);
   s.import = j.value("import", 0.0);
+  s.geometry = j.value("geometry", 0.0);
   s.surface = j.value("surface", 0.0);
   s.retained_bytes = j.value("retained_bytes", 0.0);
   s.strategy = j.value("way", std::string());

@@ -26,6 +26,7 @@ struct Sample {
   double wall = 0;      ///< s
   double surface = 0;   ///< of `cpu`, what a peer took for edges and faces
   double import = 0;    ///< s of processor time that a peer took to read the geometry
+  double geometry = 0;  ///< s that making it took, once for all runs; of ours `cpu` has it
   Phases phases;        ///< ours
   std::uint32_t nodes = 0, tets = 0;
   std::uint32_t iterations = 0;  ///< ours, as many as it took

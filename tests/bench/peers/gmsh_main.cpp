@@ -68,15 +68,13 @@ int make_geometry(const std::string& model_file, const std::string& out) {
   const FeatureModel model = evaluate(test::read_model(json::parse(in)));
   const double before = processor_seconds();
   const int volume = build_merged_solid(model);
+  const double seconds = processor_seconds() - before;
   double mass = 0;
   gmsh::model::occ::getMass(3, volume, mass);
   gmsh::vectorpair faces;
   gmsh::model::getEntities(faces, 2);
   gmsh::write(out);
-  std::cout << json{{"volume", mass},
-                    {"faces", faces.size()},
-                    {"cpu", processor_seconds() - before}}
-                   .dump()
+  std::cout << json{{"volume", mass}, {"faces", faces.size()}, {"cpu", seconds}}.dump()
             << std::endl;
   return 0;
 }
