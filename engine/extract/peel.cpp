@@ -23,15 +23,22 @@ int face_of(const NodeSet& nodes, const FacesOf& faces,
   return faces.common(supports);
 }
 
+// Of the way from the middle of an edge to the centroid of its tet.
+constexpr double kOffTheEdge = 1e-6;
+
 /// Whether an edge of the tet between nodes of different faces leaves the model, as does one from
-/// side to side of a gap.
+/// side to side of a gap. Its middle is asked for a little within the tet: it may lie where two
+/// features touch, and by rounding in neither.
 bool reaches_out(const NodeSet& nodes, const FacesOf& faces, const InsideTest& inside,
                  const Tet& t) {
+  const Vec3 within = centroid(nodes.positions, t);
   for (int i = 1; i < 4; ++i)
-    for (int j = 0; j < i; ++j)
+    for (int j = 0; j < i; ++j) {
+      const Vec3 middle = 0.5 * (nodes.positions[t[i]] + nodes.positions[t[j]]);
       if (face_of<2>(nodes, faces, {t[i], t[j]}) < 0 &&
-          !inside(0.5 * (nodes.positions[t[i]] + nodes.positions[t[j]])))
+          !inside(middle + kOffTheEdge * (within - middle)))
         return true;
+    }
   return false;
 }
 
