@@ -106,7 +106,7 @@ class Peeling {
     gather(in_model);
     gone_.assign(mesh_.tets.size(), 0);
     for (std::size_t k = 0; k < mesh_.tets.size(); ++k)
-      if (shows_two(k)) queue_.push_back(static_cast<std::int32_t>(k));
+      if (is_exposed(k)) queue_.push_back(static_cast<std::int32_t>(k));
     work_off();
     // Those that were peeled before go one by one, so that others show two facets in between.
     for (std::size_t k = 0; k < mesh_.tets.size(); ++k) {
@@ -145,9 +145,12 @@ class Peeling {
       }
   }
 
-  [[nodiscard]] bool shows_two(std::size_t k) const {
-    return std::count(neighbours_[k].begin(), neighbours_[k].end(), -1) == 2 &&
-           known_of(mesh_.slots[k]) == Known::No;
+  /// One that was outside may show three by now: those that were peeled after it are beyond the
+  /// patch, and out already.
+  [[nodiscard]] bool is_exposed(std::size_t k) const {
+    const auto shown = std::count(neighbours_[k].begin(), neighbours_[k].end(), -1);
+    const Known known = known_of(mesh_.slots[k]);
+    return (shown == 2 && known == Known::No) || (shown >= 2 && known == Known::WasOutside);
   }
   [[nodiscard]] bool is_flat(const Tet& t) const {
     return face_of(nodes_, faces_, t) >= 0 && volume_length(nodes_.positions, t) < options_.flat;
@@ -157,12 +160,13 @@ class Peeling {
     for (const std::int32_t n : neighbours_[k]) {
       if (n < 0 || n == kBeyond) continue;
       std::ranges::replace(neighbours_[n], static_cast<std::int32_t>(k), -1);
-      if (shows_two(n)) queue_.push_back(n);
+      if (is_exposed(n)) queue_.push_back(n);
     }
   }
   void work_off() {
     for (; next_ < queue_.size(); ++next_)
-      if (const std::int32_t k = queue_[next_]; !gone_[k] && shows_two(k) && is_flat(mesh_.tets[k]))
+      if (const std::int32_t k = queue_[next_];
+          !gone_[k] && is_exposed(k) && is_flat(mesh_.tets[k]))
         peel_off(k);
   }
 

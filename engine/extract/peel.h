@@ -21,7 +21,12 @@ struct PeelOptions {
 
 /// What is known of a mesh's tets from before.
 struct KnownClassification {
-  enum class Known : std::uint8_t { No, Inside, Outside };
+  enum class Known : std::uint8_t {
+    No,
+    Inside,
+    Outside,
+    WasOutside,  ///< in a model that may have been another there
+  };
   /// Nothing; `exterior`: of a patch.
   static KnownClassification nothing(const DelaunayMesh& mesh,
                                      std::vector<std::uint8_t> exterior = {}) {

@@ -50,7 +50,8 @@ class PatchClassifier {
     return then >= 0 && nodes_.positions[node] == patch_.positions[then] ? then : -1;
   }
 
-  /// The tets that are as they were and meet no changed box; notes the others as gone.
+  /// The tets that are as they were, and whether they meet a changed box; notes the others as
+  /// gone.
   void find_unchanged() {
     // A mesh that began anew has other slots, and may have fewer.
     const auto then_slots = static_cast<std::int32_t>(patch_.mesh.slots());
@@ -58,9 +59,10 @@ class PatchClassifier {
       if (!patch_.mesh.in_use(s)) continue;
       const Tet then = patch_.mesh.corners(s);
       if (is_now(s, then)) {
-        if (!plan_.meets_changed(mesh_.corners(s), nodes_.positions))
-          known_.tets[s] = patch_.inside[s] != 0 ? KnownClassification::Known::Inside
-                                                 : KnownClassification::Known::Outside;
+        if (patch_.inside[s] == 0)
+          known_.tets[s] = outside_before(s);
+        else if (!meets_changed(s))
+          known_.tets[s] = KnownClassification::Known::Inside;
       } else if (std::ranges::min(then) >= 0) {
         for (int i = 0; i < 4; ++i) gone_.emplace_back(facet_of(then, i), patch_.inside[s]);
       }
@@ -74,24 +76,32 @@ class PatchClassifier {
     });
   }
 
-  /// Other tets of nodes that stayed, where nothing changed, in the place of tets outside of the
-  /// model: a node that moves outside of a round face, however far, lets tets go whose balls it was
-  /// in, and what comes instead may lie against the face, inside of it.
+  /// Of a tet whose place was outside of the model.
+  [[nodiscard]] KnownClassification::Known outside_before(std::int32_t slot) const {
+    using enum KnownClassification::Known;
+    return meets_changed(slot) ? WasOutside : Outside;
+  }
+  [[nodiscard]] bool meets_changed(std::int32_t slot) const {
+    return plan_.meets_changed(mesh_.corners(slot), nodes_.positions);
+  }
+
+  /// Other tets of nodes that stayed, in the place of tets outside of the model: a node that moves
+  /// outside of a round face, however far, lets tets go whose balls it was in, and what comes
+  /// instead may lie against the face, inside of it.
   void find_outside_still() {
     std::ranges::sort(gone_);
     for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh_.slots()); ++s) {
       if (!mesh_.in_use(s) || known_.tets[s] != KnownClassification::Known::No) continue;
       Tet then = mesh_.corners(s);
       for (std::int32_t& n : then) n = before(n);
-      if (std::ranges::min(then) < 0 || plan_.meets_changed(mesh_.corners(s), nodes_.positions))
-        continue;
+      if (std::ranges::min(then) < 0) continue;
       int outside = 0, inside = 0;
       for (int i = 0; i < 4; ++i) {
         const Facet facet = facet_of(then, i);
         const auto was = std::ranges::lower_bound(gone_, facet, {}, &Gone::first);
         if (was != gone_.end() && was->first == facet) ++(was->second != 0 ? inside : outside);
       }
-      if (outside > 0 && inside == 0) known_.tets[s] = KnownClassification::Known::Outside;
+      if (outside > 0 && inside == 0) known_.tets[s] = outside_before(s);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -50,6 +51,13 @@ TEST(Peel, TellsWhereABoundaryFacetIsOnNoFace) {
               2 / std::sqrt(3.0), 1e-9);
 }
 
+/// The face that a point lies on.
+int face_at(const BoundaryModel& boundary, const Vec3& p) {
+  const auto found = std::ranges::min_element(
+      boundary.faces, {}, [&](const BoundaryFace& face) { return face_distance2(face, p); });
+  return static_cast<int>(found - boundary.faces.begin());
+}
+
 /// The mesh of one tet between the two sides of a slot, its centroid in the upper one.
 PeeledMesh peeled_across_a_slot(const PeelOptions& options) {
   const FeatureModel model = evaluate(
@@ -57,14 +65,9 @@ PeeledMesh peeled_across_a_slot(const PeelOptions& options) {
                       test::placed(test::block("slot", 6, 20, 2), 5, 0, 4, Nature::Subtractive)}));
   const CellularModel cells = build_cells(model, kRun);
   const Membership membership(model);
-  const auto face_at = [&](const Vec3& p) {
-    for (std::size_t f = 0; f < cells.boundary.faces.size(); ++f)
-      if (face_distance2(cells.boundary.faces[f], p) < 1e-18) return static_cast<int>(f);
-    return -1;
-  };
   NodeSet nodes;
   for (const Vec3& p : {Vec3{5, 0, 9}, Vec3{5, 3, 7}, Vec3{3, 3, 6}, Vec3{5, 1, 3.9}})
-    nodes.add_new(p, {Support::Kind::Face, face_at(p)});
+    nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
   DelaunayMesh delaunay(cells.boundary.bounds);
   const std::vector<std::int32_t> all{0, 1, 2, 3};
   delaunay.insert(nodes.positions, all, kRun);
@@ -108,6 +111,48 @@ PeeledMesh peeled_torus(const PeelOptions& options) {
 TEST(Peel, AFlatTetOnACurvedFaceGoesWhereItIsOfLowQuality) {
   EXPECT_EQ(peeled_torus({.flat = 0.3}).tets.size(), 2U);
   EXPECT_EQ(peeled_torus({.flat = 0}).tets.size(), 3U);
+}
+
+TEST(Peel, AnEdgeAlongWhereTwoFeaturesTouchStaysInTheModel) {
+  // By rounding a point of the plane between two features may be in neither: z = 5 here.
+  const FeatureModel model = evaluate(test::one_feature(test::block("b", 10, 10, 10)));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  NodeSet nodes;
+  for (const Vec3& p : {Vec3{-5, 0, 5}, Vec3{5, 0, 5}, Vec3{0, 5, 3}, Vec3{0, -5, 8}})
+    nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3};
+  delaunay.insert(nodes.positions, all, kRun);
+  const PeeledMesh mesh = peel(
+      nodes, delaunay, cells.boundary,
+      [&](const Vec3& p) { return p.z != 5 && membership.inside(p); },
+      KnownClassification::nothing(delaunay), {.edges_too = true}, kRun);
+  EXPECT_EQ(mesh.tets.size(), 1U);
+}
+
+TEST(Peel, AFlatTetThatWasOutsideGoesThoughAllRoundItIsOutAlready) {
+  // Those that were peeled after it are beyond the patch.
+  const FeatureModel model = evaluate(test::one_feature(test::cylinder("c", 5, 30)));
+  const CellularModel cells = build_cells(model, kRun);
+  NodeSet nodes;
+  for (const auto& [angle, z] :
+       {std::pair{-0.1, 10.0}, std::pair{0.1, 10.1}, std::pair{0.0, 9.5}, std::pair{0.02, 10.6}}) {
+    const Vec3 p{5 * std::cos(angle), 5 * std::sin(angle), z};
+    nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
+  }
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3};
+  delaunay.insert(nodes.positions, all, kRun);
+  const auto tets_left = [&](KnownClassification::Known known) {
+    KnownClassification before = KnownClassification::nothing(delaunay);
+    std::ranges::fill(before.tets, known);
+    return peel(
+               nodes, delaunay, cells.boundary, [](const Vec3&) { return true; }, before, {}, kRun)
+        .tets.size();
+  };
+  EXPECT_EQ(tets_left(KnownClassification::Known::No), 1U);
+  EXPECT_EQ(tets_left(KnownClassification::Known::WasOutside), 0U);
 }
 
 }  // namespace

@@ -42,5 +42,33 @@ TEST(PatchMesh, HasNoTetsWhereThereWereNoneAndNothingChanged) {
   EXPECT_EQ(kept, there);
 }
 
+/// A turned shaft with a collar and a fillet between them.
+ModelSource shaft(double collar, double fillet) {
+  using test::arc, test::point;
+  const double between = fillet * (1 - std::sqrt(0.5));
+  return test::one_feature(test::feature(
+      "shaft", "revolution",
+      {point(0.0, 0.0), point(collar, 0.0), point(collar, 5.0), point(5 + fillet, 5.0),
+       arc(5.0, 5 + fillet, 5 + between, 5 + between), point(5.0, 30.0), point(0.0, 30.0)},
+      {{"angle", 360.0}}));
+}
+
+TEST(PatchMesh, OfAFeatureThatChangesShapeKeepsWhatTheShapesShare) {
+  // Flat tets against the side of the shaft are outside, and the fillet changes in the balls of
+  // some. They were taken in where others on top of them, left out before, were beyond the patch:
+  // all of the shaft was made anew, in twice the time of its first mesh.
+  MeshOptions options{.nodes = 5000};
+  options.sizing.even = false;
+  const Revision base = make_revision(Revision::none(), shaft(10, 2), options, kRun);
+  options.nodes.reset();
+  // With a smaller collar other tets come in the place of those that were outside.
+  for (const ModelSource& other : {shaft(10, 2.1), shaft(9.5, 2)}) {
+    const Revision edited = make_revision(base, other, options, kRun);
+    EXPECT_TRUE(edited.report.attempts.empty()) << edited.report.attempts.front().reason;
+    EXPECT_GE(edited.report.counts.nodes_kept, 0.75 * base.report.counts.nodes);
+    EXPECT_GE(edited.report.quality.dihedral_min, 25);
+  }
+}
+
 }  // namespace
 }  // namespace remeshd
