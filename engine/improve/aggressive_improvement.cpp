@@ -74,14 +74,24 @@ bool AggressiveImprovement::descend(std::int32_t t) {
   const Rank before = rank(tets);
   Rank after = before;
   // Which nodes may move, and their facets, is the same in every round.
-  std::vector<std::pair<std::int32_t, std::vector<Triangle>>> movable;
+  struct Movable {
+    std::int32_t node;
+    std::vector<Triangle> facets;
+    std::uint32_t vain_star;  ///< LocalMesh::star_stamp when a step last failed
+  };
+  std::vector<Movable> movable;
   for (const std::int32_t node : nodes)
-    if (rules_.facets_at(node, facets_)) movable.emplace_back(node, facets_);
+    if (rules_.facets_at(node, facets_))
+      movable.push_back({node, facets_, mesh_.star_stamp(node) - 1});
   mesh_.begin_trial();
   for (int round = 0; round < kAggressiveLimits.descent_rounds && after.deficit > 0; ++round) {
-    for (const auto& [node, facets] : movable) {
+    for (auto& [node, facets, vain_star] : movable) {
+      if (mesh_.star_stamp(node) == vain_star) continue;
       Vec3 position;
-      if (smoother_.energy_descent_step(node, facets, position)) mesh_.move(node, position);
+      if (smoother_.energy_descent_step(node, facets, position))
+        mesh_.move(node, position);
+      else
+        vain_star = mesh_.star_stamp(node);
     }
     after = rank(tets);
   }

@@ -16,6 +16,22 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
   return a < b ? std::pair{a, b} : std::pair{b, a};
 }
 
+/// Of the facets at a node of all its tets leaves those that one tet alone has.
+void keep_facets_of_one_tet(std::int32_t node, std::vector<Triangle>& facets) {
+  const auto far_edge = [node](const Triangle& facet) {
+    const int i = facet[0] == node ? 0 : facet[1] == node ? 1 : 2;
+    return ordered(facet[(i + 1) % 3], facet[(i + 2) % 3]);
+  };
+  std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+  edges.reserve(facets.size());
+  for (const Triangle& facet : facets) edges.push_back(far_edge(facet));
+  std::sort(edges.begin(), edges.end());
+  std::erase_if(facets, [&](const Triangle& facet) {
+    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), far_edge(facet));
+    return last - first > 1;
+  });
+}
+
 }  // namespace
 
 BoundaryRules::BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,
@@ -95,13 +111,11 @@ bool BoundaryRules::facets_at(std::int32_t node, std::vector<Triangle>& out) con
     for (int i = 0; i < 4; ++i) {
       if (tet[i] == node) continue;
       const Triangle facet{tet[kTetFacets[i][0]], tet[kTetFacets[i][1]], tet[kTetFacets[i][2]]};
-      if (interior(facet[0]) || interior(facet[1]) || interior(facet[2])) continue;
-      if (mesh_.across(t, facet[0], facet[1], facet[2]) >= 0) continue;
-      if (face_of(facet) < 0) return false;
-      out.push_back(facet);
+      if (!interior(facet[0]) && !interior(facet[1]) && !interior(facet[2])) out.push_back(facet);
     }
   }
-  return true;
+  keep_facets_of_one_tet(node, out);
+  return std::ranges::none_of(out, [&](const Triangle& facet) { return face_of(facet) < 0; });
 }
 
 bool BoundaryRules::may_move(std::int32_t node, const Vec3& position,

@@ -67,7 +67,8 @@ class CleanUp {
         max_ring_(std::clamp(options.max_ring, 3, EdgeRing::kMaxTets)),
         score_(options.threshold, options.min_dihedral),
         aggressive_(mesh_, rules_, smoother_, score_, max_ring_),
-        work_(mesh.tets.size(), Work::Same) {
+        work_(mesh.tets.size(), Work::Same),
+        smoothed_in_vain_(mesh.nodes.size()) {
     for (std::size_t t = 0; t < dirty.size(); ++t) {
       if (dirty[t] == 0) continue;
       work_[t] = Work::Changed;
@@ -256,12 +257,26 @@ class CleanUp {
   }
 
   bool smooth_node(std::int32_t node, double enough) {
+    // What failed fails again, and where less is enough all the more: bad tets come in clusters.
+    SmoothedInVain& vain = smoothed_in_vain_[node];
+    const std::uint32_t star = mesh_.star_stamp(node);
+    if (vain.star == star && enough <= vain.enough) return false;
     Vec3 position;
-    if (!smoother_.smooth(node, enough, kLeastGain, position)) return false;
+    if (!smoother_.smooth(node, enough, kLeastGain, position)) {
+      vain = {star, enough};
+      return false;
+    }
     mesh_.move(node, position);
     touch(mesh_.tets_of(node));
     return true;
   }
+
+  /// The star of a node (LocalMesh::star_stamp) when smoothing it last failed, and what would have
+  /// been enough.
+  struct SmoothedInVain {
+    std::uint32_t star = 0;
+    double enough = -1;
+  };
 
   void touch(std::span<const std::int32_t> tets) {
     work_.resize(static_cast<std::size_t>(mesh_.slots()), Work::Changed);
@@ -282,7 +297,8 @@ class CleanUp {
   int max_ring_;
   Score score_;
   AggressiveImprovement aggressive_;
-  std::vector<Work> work_;              ///< by tet
+  std::vector<Work> work_;                        ///< by tet
+  std::vector<SmoothedInVain> smoothed_in_vain_;  ///< by node
   std::vector<std::uint8_t> at_dirty_;  ///< by node: 1 at a dirty tet of the input, if confined
   std::priority_queue<Job, std::vector<Job>, BetterFirst> jobs_;
 };

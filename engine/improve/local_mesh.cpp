@@ -39,6 +39,7 @@ LocalMesh::LocalMesh(const TetMesh& mesh, std::int32_t locked, const Run& run)
       tets_(mesh.tets),
       qualities_(mesh.tets.size(), kUnknown),
       stamps_(mesh.tets.size(), 0),
+      star_stamps_(mesh.nodes.size(), 0),
       lists_(mesh.nodes.size()) {
   Polling poll(run);
   for (const Tet& tet : tets_) {
@@ -201,12 +202,13 @@ void LocalMesh::take_back(const Change& change) {
   }
 }
 
-/// Every tet at the node grows by so many stamps.
+/// Every tet at the node grows by so many stamps, and so do the stars of its nodes.
 void LocalMesh::set_position(std::int32_t node, const Vec3& position, std::int32_t stamps) {
   nodes_[node] = position;
   for (const std::int32_t t : tets_of(node)) {
     qualities_[t] = kUnknown;
     stamps_[t] += stamps;
+    for (const std::int32_t n : tets_[t]) star_stamps_[n] += stamps;
   }
 }
 
@@ -220,6 +222,7 @@ TetMesh LocalMesh::result() const {
 }
 
 void LocalMesh::link(std::int32_t node, std::int32_t t) {
+  ++star_stamps_[node];
   List& list = lists_[node];
   if (list.size == list.capacity) {
     const auto moved = static_cast<std::int32_t>(pool_.size());
@@ -232,6 +235,7 @@ void LocalMesh::link(std::int32_t node, std::int32_t t) {
 }
 
 void LocalMesh::unlink(std::int32_t node, std::int32_t t) {
+  ++star_stamps_[node];
   List& list = lists_[node];
   const auto begin = pool_.begin() + list.begin;
   const auto it = std::find(begin, begin + list.size, t);

@@ -44,6 +44,9 @@ class LocalMesh {
   [[nodiscard]] double quality(std::int32_t t) const;
   /// Grows whenever the slot's tet or one of its nodes' positions changes.
   [[nodiscard]] std::uint32_t stamp(std::int32_t t) const { return stamps_[t]; }
+  /// Grows whenever a tet at the node is made, goes or changes. A trial that is taken back takes
+  /// moves' growth back as well, so what is remembered of a node by it must not be from a trial.
+  [[nodiscard]] std::uint32_t star_stamp(std::int32_t node) const { return star_stamps_[node]; }
   [[nodiscard]] std::span<const std::int32_t> tets_of(std::int32_t node) const {
     return {pool_.data() + lists_[node].begin, static_cast<std::size_t>(lists_[node].size)};
   }
@@ -92,7 +95,7 @@ class LocalMesh {
   std::vector<Vec3> nodes_;
   std::vector<Tet> tets_;  ///< an empty slot has -1 in its first place
   mutable std::vector<double> qualities_;
-  std::vector<std::uint32_t> stamps_;
+  std::vector<std::uint32_t> stamps_, star_stamps_;
   std::vector<List> lists_;
   std::vector<std::int32_t> pool_;
   std::vector<std::int32_t> gaps_;
