@@ -29,16 +29,25 @@ constexpr PlaceLimits kPlaceLimits;
 
 using Corners = std::array<Vec3, 3>;
 
+/// A corner of triangles of a face.
+struct Corner {
+  Vec3 at;
+  mutable double to_others = -1;  ///< distance to the faces that are no neighbours, once asked for
+};
+
 /// A triangle of a face, with a ball round it.
 struct Patch {
   int face;
-  Corners corners;
+  std::array<const Corner*, 3> corners;  ///< not owned
   Vec3 middle;
   double radius;
 
-  Patch(int of_face, const Corners& c)
-      : face(of_face), corners(c), middle((1.0 / 3) * (c[0] + c[1] + c[2])), radius(0) {
-    for (const Vec3& corner : c) radius = std::max(radius, distance(middle, corner));
+  Patch(int of_face, const std::array<const Corner*, 3>& c)
+      : face(of_face), corners(c), middle((1.0 / 3) * (c[0]->at + c[1]->at + c[2]->at)), radius(0) {
+    for (const Corner* corner : c) radius = std::max(radius, distance(middle, corner->at));
+  }
+  [[nodiscard]] Corners triangle() const {
+    return {corners[0]->at, corners[1]->at, corners[2]->at};
   }
 };
 
@@ -85,9 +94,10 @@ class Search {
     for (const int f : neighbours) neighbours_[f] = 1;
     others_[face] = 0;
     const BoundaryFace& searched = boundary_.faces[face];
+    std::vector<Corner> corners;
+    for (const Vec3& p : searched.points) corners.push_back({p});
     for (const auto& t : searched.triangles)
-      visit({face, {searched.points[t[0]], searched.points[t[1]], searched.points[t[2]]}},
-            HUGE_VAL);
+      visit({face, {&corners[t[0]], &corners[t[1]], &corners[t[2]]}}, HUGE_VAL);
     for (const int f : neighbours) neighbours_[f] = 0;
     others_[face] = 1;
   }
@@ -111,8 +121,8 @@ class Search {
     if (!nearest.found) return std::nullopt;
     if (patch.radius > kPlaceLimits.largest * most_) return visit_halves(patch, nearest.at);
     double least = nearest.distance, greatest = nearest.distance;
-    for (const Vec3& corner : patch.corners) {
-      const double d = distance_to_others(corner, nearest.at);
+    for (const Corner* corner : patch.corners) {
+      const double d = distance_to_others(*corner, nearest.at);
       least = std::min(least, d);
       greatest = std::max(greatest, d);
     }
@@ -130,12 +140,15 @@ class Search {
   /// `on_other`: a point that is no neighbour's.
   std::optional<Thickness> visit_halves(const Patch& patch, const Vec3& on_other) {
     const std::size_t before = places_.size();
-    const auto visit_half = [&](const Corners& corners) {
-      const Patch half(patch.face, corners);
+    const auto visit_half = [&](const Corner* a, const Corner* b, const Corner* c) {
+      const Patch half(patch.face, {a, b, c});
       return visit(half, kPlaceLimits.rounding * distance(half.middle, on_other));
     };
-    const auto halves = halves_of(patch.corners);
-    const auto one = visit_half(halves[0]), other = visit_half(halves[1]);
+    const int k = opposite_longest_side(patch.triangle());
+    const Corner *a = patch.corners[k], *b = patch.corners[(k + 1) % 3],
+                 *c = patch.corners[(k + 2) % 3];
+    const Corner between{0.5 * (b->at + c->at)};
+    const auto one = visit_half(a, b, &between), other = visit_half(a, &between, c);
     if (!one || !other || one->film != other->film) return std::nullopt;
     const Thickness both{std::min(one->least, other->least),
                          std::max(one->greatest, other->greatest), one->film};
@@ -145,26 +158,26 @@ class Search {
   }
 
   Thickness add(const Patch& patch, const Thickness& thickness) {
-    places_.push_back({patch.face, patch.corners, thickness.least});
+    places_.push_back({patch.face, patch.triangle(), thickness.least});
     return thickness;
   }
 
-  /// Of a point to the faces that are not neighbours. `on_one`: a point of one of them.
-  [[nodiscard]] double distance_to_others(const Vec3& p, const Vec3& on_one) const {
-    return tree_.nearest(p, distance(p, on_one), neighbours_).distance;
+  /// `on_one`: a point of a face that is no neighbour.
+  [[nodiscard]] double distance_to_others(const Corner& corner, const Vec3& on_one) const {
+    if (corner.to_others < 0)
+      corner.to_others =
+          tree_.nearest(corner.at, distance(corner.at, on_one), neighbours_).distance;
+    return corner.to_others;
   }
 
-  /// Cut across the longest side.
-  static std::array<Corners, 2> halves_of(const Corners& c) {
-    int at = 0;  // opposite the longest
+  static int opposite_longest_side(const Corners& c) {
+    int at = 0;
     double longest = -1;
     for (int k = 0; k < 3; ++k) {
       const double side = distance(c[(k + 1) % 3], c[(k + 2) % 3]);
       if (side > longest) longest = side, at = k;
     }
-    const Vec3 &a = c[at], &b = c[(at + 1) % 3], &d = c[(at + 2) % 3];
-    const Vec3 between = 0.5 * (b + d);
-    return {Corners{a, b, between}, Corners{a, between, d}};
+    return at;
   }
 
   const BoundaryModel& boundary_;
