@@ -44,6 +44,11 @@ bool same_shape(const Feature& a, const Feature& b) {
   return same_geometry(ma, mb);
 }
 
+double volume_of(const Box& box) {
+  const Vec3 extent = box.hi - box.lo;
+  return extent.x * extent.y * extent.z;
+}
+
 }  // namespace
 
 CopyPlan::CopyPlan(const FeatureModel& original, const FeatureModel& modified,
@@ -157,6 +162,26 @@ bool CopyPlan::in_changed(const Vec3& p, double margin) const {
 bool CopyPlan::meets_changed(const Box& box) const {
   return std::ranges::any_of(
       changed_, [&](const Box& changed) { return !intersection(box, changed).empty(); });
+}
+
+std::vector<Box> CopyPlan::changed_within(const Box& bounds) const {
+  std::vector<Box> boxes;
+  for (const Box& changed : changed_) {
+    Box box = intersection(changed, bounds);
+    if (box.empty()) continue;
+    const auto joins = [&](const Box& other) {
+      Box both = box;
+      both.add(other);
+      return volume_of(both) <= volume_of(box) + volume_of(other);
+    };
+    for (auto other = std::ranges::find_if(boxes, joins); other != boxes.end();
+         other = std::ranges::find_if(boxes, joins)) {
+      box.add(*other);
+      boxes.erase(other);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
 }
 
 std::int32_t CopyPlan::operator()(const Vec3& p) const {

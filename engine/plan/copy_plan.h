@@ -86,6 +86,10 @@ class CopyPlan {
   }
   [[nodiscard]] bool meets_changed(const Box& box) const;
 
+  /// Boxes that hold what of the changed ones is within some bounds: few, for of two that take no
+  /// more room together there is one, as of a feature before and after a small change.
+  [[nodiscard]] std::vector<Box> changed_within(const Box& bounds) const;
+
   [[nodiscard]] const Membership& modified() const { return modified_; }
   [[nodiscard]] const Membership& original() const { return original_; }
   /// Whether the original model has features, which may supply nodes.

@@ -149,8 +149,9 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
   if (density.start && task.seed == task.options.seed && task.refined_at.empty())
     return *density.start;
   if (!density.sizes.even()) {
+    const Box bounds = grown(task.cells.boundary.bounds, density.sizes.base());
     std::vector<Vec3> nodes =
-        fill_graded(plan.changed(), is_new, density.sizes, task.seed, task.run);
+        fill_graded(plan.changed_within(bounds), is_new, density.sizes, task.seed, task.run);
     if (task.refined_at.empty()) check_new_nodes(nodes.size(), task.run);
     return nodes;
   }

@@ -53,6 +53,32 @@ TEST(CopyPlan, WhatMovesByLittleIsCopiedWhereItIsIfAskedFor) {
   EXPECT_EQ(transform_at_top(2.5, 4), Transform::translation({2.5, 0, 0}));
 }
 
+TEST(CopyPlan, TellsWhatChangedWithinTheModelInFewBoxes) {
+  // What is cut away is a small part of a large block, in two boxes: as it was, and as it is.
+  const auto cut = [](double height) {
+    return evaluate(test::model_of(
+        {test::block("body", 10, 10, 10),
+         test::placed(test::block("cutter", 100, 100, 100), 0, 0, height, Nature::Subtractive)}));
+  };
+  const CopyPlan source(cut(5), cut(4.9), {kEdge}, kRun);
+  EXPECT_EQ(source.changed().size(), 2U);
+  const Box body{{-5, -5, 0}, {5, 5, 10}};
+  const std::vector<Box> within = source.changed_within(body);
+  ASSERT_EQ(within.size(), 1U);
+  EXPECT_NEAR(within[0].lo.z, 4.9, 1e-3);
+  EXPECT_EQ(within[0].hi, body.hi);
+  EXPECT_TRUE(source.changed_within({{-5, -5, 0}, {5, 5, 4}}).empty());
+  // Two that are apart stay two.
+  const auto pins = [](double height) {
+    return evaluate(test::model_of({test::block("body", 10, 10, 1),
+                                    test::placed(test::cylinder("a", 1, height), -3, 0, 1),
+                                    test::placed(test::cylinder("b", 1, height), 3, 0, 1)}));
+  };
+  EXPECT_EQ(
+      CopyPlan(pins(2), pins(3), {kEdge}, kRun).changed_within({{-9, -9, 0}, {9, 9, 9}}).size(),
+      2U);
+}
+
 TEST(CopyPlan, TheFeatureWithMostToCopyComesFirst) {
   const FeatureModel original = test::case_features("tool2-a");
   const CopyPlan source(original, edited("tool2-a", "tool2-ab"), {kEdge}, kRun);
