@@ -16,7 +16,9 @@ namespace remeshd {
 
 namespace {
 
-constexpr std::uint32_t kFillAt = 3;  // iteration: by then what is no void has closed
+constexpr std::uint32_t kFillAt = 3;    // iteration: by then what is no void has closed
+constexpr std::uint32_t kAtFirst = 2;   // iterations, where there are thin walls
+constexpr double kReachAtFirst = 0.55;  // x edge length: how far the boundary pulls in these
 
 /// `07-optimise-04`.
 std::string dump_name(std::uint32_t iteration) {
@@ -81,15 +83,17 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   OptimiseResult result;
   const Adjacency adjacency(boundary);
   const PullOptions pull{.sizes = options.sizes};
+  PullOptions pull_at_first = pull;
+  if (options.thin_walls) pull_at_first.reach = kReachAtFirst;
   const bool all_free = nodes.count(NodeState::Free) == nodes.positions.size();
   NearestToPoints nearest(samples.positions(), kGridCell * options.sizes.grid_length());
   ActiveSamples active =
       all_free ? ActiveSamples(samples) : ActiveSamples(nodes, options.sizes, nearest, run);
   NodeLengths lengths(options.sizes);
   LiveMesh live(std::move(start.mesh), std::move(start.holds), options.rebuild, run);
-  const auto pull_now = [&] {
+  const auto pull_in = [&](const PullOptions& how) {
     active.promote(pull_boundary(nodes, boundary, adjacency, samples, active.participants(),
-                                 nearest, pull, run));
+                                 nearest, how, run));
   };
 
   const std::uint32_t last = options.iterations ? options.iterations : options.auto_max;
@@ -97,7 +101,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
   for (std::uint32_t k = 1; k <= last; ++k) {
     run.report("optimise", 0.15 + 0.6 * (k - 1) / last, static_cast<int>(k));
     const std::vector<Vec3> before = nodes.positions;
-    pull_now();
+    pull_in(k <= kAtFirst ? pull_at_first : pull);
     live.follow(nodes);
     result.free_per_iteration.push_back(nodes.count(NodeState::Free) +
                                         nodes.count(NodeState::Frozen));
@@ -118,7 +122,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
     quality = filled ? 0 : now;  // nodes that are new spoil the mesh before they better it
   }
   thaw_boundary(nodes);
-  pull_now();
+  pull_in(pull);
   live.follow(nodes);
   result.mesh = live.mesh();
   result.active_edges = active_edges(samples, active);

@@ -41,12 +41,19 @@ struct Pull {
 /// Sums up the pulls of the active samples in [begin, end) by node and entity, in that order.
 std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
                          std::span<const std::uint32_t> active, NearestToPoints& nearest,
-                         std::vector<std::uint32_t>& pulling, const Run& run) {
+                         const PullOptions& options, std::vector<std::uint32_t>& pulling,
+                         const Run& run) {
   const std::vector<std::int32_t> nearest_node = nearest.nearest(active, run);
   const auto pulls_on = [&](std::int32_t node) { return node >= 0 && nodes.is_free(node); };
+  const auto reaches = [&](std::uint32_t sample, std::int32_t node) {
+    const Vec3& p = samples.points[sample].position;
+    return options.reach == HUGE_VAL ||
+           distance(p, nodes.positions[node]) <= options.reach * options.sizes(p);
+  };
   const auto samples_at = grouped<std::uint32_t>(nodes.positions.size(), [&](const auto& visit) {
     for (std::size_t k = 0; k < active.size(); ++k)
-      if (pulls_on(nearest_node[k])) visit(nearest_node[k], active[k]);
+      if (pulls_on(nearest_node[k]) && reaches(active[k], nearest_node[k]))
+        visit(nearest_node[k], active[k]);
   });
   for (std::size_t k = 0; k < active.size(); ++k)
     if (pulls_on(nearest_node[k])) pulling.push_back(active[k]);
@@ -181,7 +188,7 @@ std::vector<std::uint32_t> pull_boundary(NodeSet& nodes, const BoundaryModel& bo
     if (nodes.is_free(n)) nodes.supports[n] = {};
   const auto pull = [&](Support::Kind kind, std::span<const std::uint32_t> of) {
     nearest.follow(nodes.positions);
-    const auto pulls = gather(nodes, samples, of, nearest, pulling, run);
+    const auto pulls = gather(nodes, samples, of, nearest, options, pulling, run);
     reposition(nodes, boundary, adjacency, kind, pulls, options);
   };
   pull(Support::Kind::Face, {active.begin(), edges});

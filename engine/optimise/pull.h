@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,6 +37,8 @@ struct PullOptions {
   /// one.
   double vertex_reach = 0.75;
   bool split = true;  ///< whether nodes may be added at all
+  /// Share of the edge length beyond which samples of faces and edges pull on no node.
+  double reach = HUGE_VAL;
 };
 
 /// The boundary procedure of one iteration (Sect. 3.3): faces pull first, then edges, then

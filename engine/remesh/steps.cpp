@@ -29,6 +29,7 @@ constexpr double kNearChange = 2;       // x edge length: further from the chang
 constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
 constexpr double kMostRefined = 4;      // x nodes of an even mesh: more new ones are hopeless
 constexpr int kSampledSteps = 4;        // cubes to the reach
+constexpr double kThin = 2;             // x edge length: mean thickness of a thin part
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
 /// edge lengths of them. `everything`: all nodes.
@@ -123,6 +124,15 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
     if (n >= 0) start.holds[n] = 1;
   start.mesh = std::move(mesh);
   return start;
+}
+
+/// Whether there may be walls of one to two edge lengths: where a rule or wish makes edges shorter
+/// anywhere, or the part is thin as a whole. Of others a mesh is the same as with one edge length.
+bool may_have_thin_walls(const MeshingTask& task) {
+  const CellularModel& cells = task.cells;
+  const SizeField& sizes = task.density.sizes;
+  return !task.options.sizing.even &&
+         (!sizes.even() || 2 * cells.volume / cells.area < kThin * sizes.base());
 }
 
 double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
@@ -300,6 +310,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                {.sizes = task.density.sizes,
                 .iterations = task.options.iterations,
                 .insert_at_circumcentres = !task.all_free && task.density.inherited,
+                .thin_walls = may_have_thin_walls(task),
                 .rebuild = task.options.rebuild},
                task.run);
   insert_in_segments(nodes, loop.mesh, nodes.size(), boundary,

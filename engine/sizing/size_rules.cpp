@@ -17,7 +17,7 @@ constexpr double kReserve = 1.2;
 /// x least size: walls and gaps thinner and model edges shorter than that get no edges for it,
 /// which would do no good.
 constexpr double kFilm = 0.25;
-constexpr double kOnFace = 0.92;    // nodes to a square of an edge length
+constexpr double kOnFace = 0.82;    // nodes to a square of an edge length
 constexpr double kInVolume = 1.41;  // to a cube of it
 
 constexpr double kRounding = 1e-9;  // of a number of edges

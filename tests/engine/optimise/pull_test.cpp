@@ -62,6 +62,23 @@ TEST(PullBoundary, EveryVertexGetsANode) {
   for (const int count : at) EXPECT_EQ(count, 1);
 }
 
+TEST(PullBoundary, NodesBeyondItsReachStayWhereTheyAre) {
+  const Scene s("simple-a", 4);
+  const auto moved_by_most = [&](double reach) {
+    NodeSet nodes = s.random_nodes(400, 4);
+    const NodeSet before = nodes;
+    pull(nodes, s.cells.boundary, s.samples, s.everything,
+         {.sizes = 4, .split = false, .reach = reach});
+    double most = 0;
+    for (std::int32_t n = 0; n < before.size(); ++n)
+      if (nodes.supports[n].kind != Support::Kind::Vertex)
+        most = std::max(most, distance(nodes.positions[n], before.positions[n]));
+    return most;
+  };
+  EXPECT_GT(moved_by_most(HUGE_VAL), 2.5);
+  EXPECT_LT(moved_by_most(0.3), 0.3 * 4 * 2);  // faces first, then edges
+}
+
 TEST(PullBoundary, PulledNodesStandOnTheirEntityAndTheOthersAreInterior) {
   const Scene s("tool1-a", 5);
   NodeSet nodes = s.random_nodes(1200, 5);

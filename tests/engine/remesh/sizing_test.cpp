@@ -109,6 +109,19 @@ TEST(Sizing, AFaceThatIsTiltedALittleIsMeshedAsBefore) {
   EXPECT_NEAR(first.report.counts.nodes, 2000, 100);
 }
 
+TEST(Sizing, AWallOfOneAndAHalfEdgeLengthsHasNodesInItsMiddle) {
+  // All of them went to its sides, with flat tets between: a mean of .68 and .72.
+  for (const auto& [thickness, mean] : {std::pair{2.25, 0.73}, std::pair{2.5, 0.78}}) {
+    MeshOptions options{.size = 1.5};
+    options.sizing.even = false;
+    const Revision r =
+        make_revision(Revision::none(), test::one_feature(test::block("plate", 40, 40, thickness)),
+                      options, kRun);
+    EXPECT_GE(r.report.quality.volume_length_mean, mean) << thickness;
+    EXPECT_GE(r.report.quality.dihedral_min, 24.5) << thickness;
+  }
+}
+
 TEST(Sizing, AFewFaultsAreMendedByNodesAndNotFilled) {
   // Where a round of insertion left as many faults as before, two, TetGen filled their place.
   for (const auto& [major, minor] : {std::pair{10.0, 6.0}, std::pair{6.0, 5.0}}) {

@@ -150,7 +150,7 @@ TEST(SizeRules, BothSidesOfAThinWallTakeNodes) {
     nodes += side.nodes(rules.field(8, 1)(side.middle));
     with_fine_edges += side.nodes(0.5);
   }
-  EXPECT_NEAR(nodes, 2 * 3600 / 9.0 * (0.92 - 0.5 * 1.41), 20);
+  EXPECT_NEAR(nodes, 2 * 3600 / 9.0 * (0.82 - 0.5 * 1.41), 20);
   EXPECT_EQ(with_fine_edges, 0);
 }
 
