@@ -46,14 +46,17 @@ std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
   const std::vector<std::int32_t> nearest_node = nearest.nearest(active, run);
   const auto pulls_on = [&](std::int32_t node) { return node >= 0 && nodes.is_free(node); };
   const auto reaches = [&](std::uint32_t sample, std::int32_t node) {
+    if (options.reach == HUGE_VAL) return true;
     const Vec3& p = samples.points[sample].position;
-    return options.reach == HUGE_VAL ||
-           distance(p, nodes.positions[node]) <= options.reach * options.sizes(p);
+    const double least_size = distance(p, nodes.positions[node]) / options.reach;
+    return least_size <= options.sizes.least() || !options.sizes.is_below(p, least_size);
   };
+  std::vector<std::uint8_t> pulls_at(active.size());
+  for (std::size_t k = 0; k < active.size(); ++k)
+    pulls_at[k] = pulls_on(nearest_node[k]) && reaches(active[k], nearest_node[k]) ? 1 : 0;
   const auto samples_at = grouped<std::uint32_t>(nodes.positions.size(), [&](const auto& visit) {
     for (std::size_t k = 0; k < active.size(); ++k)
-      if (pulls_on(nearest_node[k]) && reaches(active[k], nearest_node[k]))
-        visit(nearest_node[k], active[k]);
+      if (pulls_at[k] != 0) visit(nearest_node[k], active[k]);
   });
   for (std::size_t k = 0; k < active.size(); ++k)
     if (pulls_on(nearest_node[k])) pulling.push_back(active[k]);
