@@ -47,7 +47,7 @@ struct PeeledMesh {
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
 /// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
-/// they show two facets and are of low quality.
+/// they show two facets, or, of those that were outside, more, and are of low quality.
 ///
 /// `known`: of all slots.
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,

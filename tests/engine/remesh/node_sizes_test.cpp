@@ -144,6 +144,10 @@ TEST(NodeSizes, ASmallChangeOfASizeKeepsTheMeshAndManyDoNotCreep) {
   }
   EXPECT_LT(first, 0.7 * size);
   EXPECT_GT(edges_near(r, kCorner, 3), size);
+  // No node was made for a length that is off by more than a quarter, though no step was.
+  for (std::size_t n = 0; n < r.output.mesh.nodes.size(); ++n)
+    EXPECT_GE(1.25 * (1 + 1e-9) * r.output.node_sizes[n],
+              (*r.sizes)(r.delaunay_state->positions()[n]));
 }
 
 TEST(NodeSizes, AreKeptWithTheRevision) {
