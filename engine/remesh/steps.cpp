@@ -24,12 +24,14 @@
 namespace remeshd {
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;  // a factor that leaves nothing out for rounding
-constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
-constexpr double kSampledBeyond = 0.5;  // x edge length: from a node to what it is nearest to
-constexpr double kMostRefined = 4;      // x nodes of an even mesh: more new ones are hopeless
-constexpr int kSampledSteps = 4;        // cubes to the reach
-constexpr double kThin = 2;             // x edge length: mean thickness of a thin part
+constexpr double kRounding = 1 + 1e-9;   // a factor that leaves nothing out for rounding
+constexpr double kNearChange = 2;        // x edge length: further from the changed boxes nodes stay
+constexpr double kSampledBeyond = 0.5;   // x edge length: from a node to what it is nearest to
+constexpr double kMostRefined = 4;       // x nodes of an even mesh: more new ones are hopeless
+constexpr int kSampledSteps = 4;         // cubes to the reach
+constexpr double kThin = 2;              // x edge length: mean thickness of a thin part
+constexpr double kSizedThin = 3.25;      // the same, where edge lengths differ
+constexpr double kSamplesToNodes = 5.4;  // on a square of one edge length, in a cube of it
 
 /// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
 /// edge lengths of them. `everything`: all nodes.
@@ -126,13 +128,14 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
   return start;
 }
 
-/// Whether there may be walls of one to two edge lengths: where a rule or wish makes edges shorter
-/// anywhere, or the part is thin as a whole. Of others a mesh is the same as with one edge length.
-bool may_have_thin_walls(const MeshingTask& task) {
+/// Whether walls of one to two edge lengths are much of what is meshed, told by its mean thickness.
+/// Of a part with one edge length, which is thick, a mesh is the same as an even one.
+bool has_thin_walls(const MeshingTask& task, const NodeSet& nodes, const Samples& samples) {
   const CellularModel& cells = task.cells;
   const SizeField& sizes = task.density.sizes;
-  return !task.options.sizing.even &&
-         (!sizes.even() || 2 * cells.volume / cells.area < kThin * sizes.base());
+  if (task.options.sizing.even) return false;
+  if (sizes.even()) return 2 * cells.volume / cells.area < kThin * sizes.base();
+  return 2 * kSamplesToNodes * nodes.size() < kSizedThin * static_cast<double>(samples.edges_begin);
 }
 
 double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
@@ -310,7 +313,7 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
                {.sizes = task.density.sizes,
                 .iterations = task.options.iterations,
                 .insert_at_circumcentres = !task.all_free && task.density.inherited,
-                .thin_walls = may_have_thin_walls(task),
+                .thin_walls = has_thin_walls(task, nodes, sampled.samples),
                 .rebuild = task.options.rebuild},
                task.run);
   insert_in_segments(nodes, loop.mesh, nodes.size(), boundary,
