@@ -319,7 +319,8 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& local, const Sample
   insert_in_segments(nodes, loop.mesh, nodes.size(), boundary,
                      {.sizes = task.density.sizes,
                       .wanted = loop.active_edges,
-                      .fewest_links = task.density.fewest_links},
+                      .fewest_links = task.density.fewest_links,
+                      .make_room = !task.options.sizing.even},
                      task.run);
   Counts& counts = attempt.counts;
   counts.free_at_end = nodes.count(NodeState::Free);

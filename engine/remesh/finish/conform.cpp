@@ -60,9 +60,10 @@ class Conforming {
     const SizeField& sizes = task_.density.sizes;
     const std::int32_t first = c_.nodes.size();
     if (c_.too_fine ||
-        insert_where_missing(c_.nodes, defects, boundary, boundary_.samples, sizes) == 0)
+        insert_where_missing(c_.nodes, defects, boundary, boundary_.samples, sizes, sized_) == 0)
       return false;
-    insert_in_segments(c_.nodes, c_.loop.mesh, first, boundary, {.sizes = sizes}, task_.run);
+    insert_in_segments(c_.nodes, c_.loop.mesh, first, boundary,
+                       {.sizes = sizes, .make_room = sized_}, task_.run);
     inserted_ += c_.nodes.size() - first;
     const double verified = c_.verify_seconds;
     c_ = extract(std::move(c_.nodes), std::move(c_.loop), task_, patch_, boundary_.inside);

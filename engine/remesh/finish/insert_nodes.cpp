@@ -11,6 +11,7 @@
 #include "engine/mesh/grouping.h"
 #include "engine/nodes/nearest.h"
 #include "engine/optimise/live_mesh.h"
+#include "engine/remesh/finish/crowded_links.h"
 
 namespace remeshd {
 
@@ -82,6 +83,7 @@ int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& bo
     const std::vector<std::vector<NodeOnEdge>> chain =
         edge_chains(boundary, nodes.supports, nodes.positions);
     const int before = inserted;
+    std::optional<CrowdedLinks> crowded;
     for (int e = 0; e < static_cast<int>(chain.size()); ++e) {
       const BoundaryEdge& edge = boundary.edges[e];
       const double length = polyline_length(edge);
@@ -108,8 +110,13 @@ int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& bo
       for (std::size_t k = 1; k < chain[e].size(); ++k) {
         const NodeOnEdge &a = chain[e][k - 1], &b = chain[e][k];
         if (at_rim(a) && at_rim(b)) continue;
-        if (!std::binary_search(links.begin(), links.end(),
-                                Link(std::min(a.node, b.node), std::max(a.node, b.node))))
+        if (std::binary_search(links.begin(), links.end(),
+                               Link(std::min(a.node, b.node), std::max(a.node, b.node))))
+          continue;
+        if (options.make_room && !crowded) crowded.emplace(nodes, boundary, options.sizes);
+        if (crowded && crowded->clear(e, a.node, b.node))
+          ++inserted;
+        else
           insert(split_at(nodes, a, b, options.sizes));
       }
     }
@@ -135,22 +142,24 @@ class RoomForNodes {
         grid_of_taken_(places_, cell_),
         sample_to_node2_(samples.points.size(), -1) {}
 
+  /// Whether there is room in the middle of a missing segment.
+  [[nodiscard]] bool has_room_in_middle(const MeshDefect& missing) const {
+    const Vec3 middle = middle_of(missing);
+    return to_taken2(middle, to_node2(middle)) > closest2(missing.place);
+  }
+
   /// The middle of a missing segment; else the sample near the defect that is farthest from any
   /// node. Takes none where there is no room.
   void take_place_for(const MeshDefect& defect) {
+    if (defect.kind == MeshFailure::MissingSegment && has_room_in_middle(defect))
+      return take({middle_of(defect), 0, {Support::Kind::Edge, defect.entity}});
     const double edge_length = sizes_(defect.place);
-    const double closest2 = kRoomLimits.closest * kRoomLimits.closest * edge_length * edge_length;
-    if (defect.kind == MeshFailure::MissingSegment) {
-      const Support edge{Support::Kind::Edge, defect.entity};
-      const Vec3 middle = project(boundary_, edge, defect.place);
-      if (to_taken2(middle, to_node2(middle)) > closest2) return take({middle, 0, edge});
-    }
     std::vector<std::int32_t> near;
     grid_of_samples_.for_each_within(defect.place, kRoomLimits.around * edge_length,
                                      [&](std::int32_t s, double) { near.push_back(s); });
     std::ranges::sort(near);
     std::int32_t best = -1;
-    double farthest = closest2;
+    double farthest = closest2(defect.place);
     for (const std::int32_t s : near) {
       const double d = room2(s, farthest);
       if (d <= farthest) continue;
@@ -163,6 +172,15 @@ class RoomForNodes {
   [[nodiscard]] const std::vector<Sample>& taken() const { return taken_; }
 
  private:
+  [[nodiscard]] Vec3 middle_of(const MeshDefect& missing) const {
+    return project(boundary_, {Support::Kind::Edge, missing.entity}, missing.place);
+  }
+  /// Square of the least distance between nodes at a place.
+  [[nodiscard]] double closest2(const Vec3& place) const {
+    const double closest = kRoomLimits.closest * sizes_(place);
+    return closest * closest;
+  }
+
   /// Square of the distance of a sample to what is nearest to it, where that is more than `enough`.
   double room2(std::int32_t sample, double enough) {
     const Vec3& p = samples_.points[sample].position;
@@ -213,12 +231,26 @@ int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
 
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
-                         const SizeField& sizes) {
+                         const SizeField& sizes, bool make_room) {
   if (nodes.positions.empty()) return 0;  // a patch that nothing is in
   RoomForNodes room(nodes, boundary, samples, sizes);
-  for (const MeshDefect& defect : defects) room.take_place_for(defect);
+  std::vector<MeshDefect> crowded;
+  for (const MeshDefect& defect : defects)
+    if (make_room && defect.kind == MeshFailure::MissingSegment && !room.has_room_in_middle(defect))
+      crowded.push_back(defect);
+    else
+      room.take_place_for(defect);
+  int changed = 0;
+  if (!crowded.empty()) {
+    CrowdedLinks links(nodes, boundary, sizes);
+    for (const MeshDefect& defect : crowded)
+      if (links.clear(defect))
+        ++changed;
+      else
+        room.take_place_for(defect);
+  }
   for (const Sample& s : room.taken()) nodes.add_new(s.position, s.support);
-  return static_cast<int>(room.taken().size());
+  return changed + static_cast<int>(room.taken().size());
 }
 
 }  // namespace remeshd

@@ -26,6 +26,7 @@ struct SegmentOptions {
   std::vector<std::int32_t> wanted;
   /// By model edge: links that it has to have; empty: any number does.
   std::vector<int> fewest_links;
+  bool make_room = false;  ///< whether what is in the way of a link moves or gets a node opposite
 };
 
 /// Makes model edges present that are missing: a model edge has to be a chain of mesh edges between
@@ -43,11 +44,13 @@ int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
 /// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
 /// that is no boundary edge is halved; near the other defects a node goes to the sample that is
 /// farthest from any. That is where the boundary is too thinly occupied for its facets to be
-/// Delaunay.
+/// Delaunay. `make_room`: what is in the way of a link without room moves or gets a node opposite
+/// (`CrowdedLinks`).
 ///
-/// Returns the number of nodes inserted; 0 where everything near the defects has its node.
+/// Returns the number of nodes inserted and moved; 0 where everything near the defects has its
+/// node.
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
-                         const SizeField& sizes);
+                         const SizeField& sizes, bool make_room = false);
 
 }  // namespace remeshd

@@ -1,6 +1,8 @@
 // Nodes inserted until the boundary is all there, as whole meshes show it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
@@ -29,6 +31,36 @@ TEST(Conforming, OfAPartThatNothingIsInGoesOnInALargerOne) {
   const Revision edited =
       make_revision(base, apply(model, ModelEdit{{AddFeature{block, ""}}}), {.seed = 53}, kRun);
   EXPECT_FALSE(edited.output.mesh.tets.empty());
+}
+
+/// Two blocks whose upper sides are `step` apart: edges of the step run side by side.
+ModelSource blocks_next_to_flush(double step) {
+  return test::model_of(
+      {test::block("plate", 40, 40, 10),
+       test::turned(test::placed(test::block("tongue", 30, 16, 10 - step), 25, 2, 0), {0, 0, 1},
+                    {std::cos(0.035), std::sin(0.035), 0})});
+}
+
+const MeshOptions kSized{.nodes = 3000, .iterations = 10, .sizing = {.even = false}};
+
+TEST(Conforming, OfAStepMuchLowerThanEdgesAreLongTakesNoLastResort) {
+  for (const double step : {0.005, 0.02}) {
+    const Report report =
+        make_revision(Revision::none(), blocks_next_to_flush(step), kSized, kRun).report;
+    EXPECT_EQ(report.strategy, MeshStrategy::Local) << step;
+    EXPECT_EQ(report.last_resort_share, 0) << step;
+  }
+}
+
+TEST(Conforming, OfABlockThatDriftsThroughTheHeightOfAnotherKeepsMostNodes) {
+  Revision revision = make_revision(Revision::none(), blocks_next_to_flush(0.1), kSized, kRun);
+  for (const double step : {0.02, 0.005, 0.0, -0.005}) {
+    revision = make_revision(revision, blocks_next_to_flush(step), kSized, kRun);
+    const Report& report = revision.report;
+    EXPECT_EQ(report.strategy, MeshStrategy::Local) << step;
+    EXPECT_LT(report.last_resort_share, 0.1) << step;
+    EXPECT_GT(report.counts.nodes_kept, 0.6 * report.counts.nodes) << step;
+  }
 }
 
 TEST(Conforming, IsFollowedByTheCleanUp) {
