@@ -12,8 +12,8 @@
 #include "engine/base/stopwatch.h"
 #include "engine/improve/improve.h"
 #include "engine/optimise/live_mesh.h"
-#include "engine/remesh/finish/patch_mesh.h"
 #include "engine/remesh/finish/faults.h"
+#include "engine/remesh/finish/patch_mesh.h"
 #include "engine/remesh/last_resort/refill.h"
 #include "engine/sizing/size_rules.h"
 
@@ -70,12 +70,19 @@ std::vector<std::uint8_t> round_faulty_tets(const Candidate& c, const TetMesh& m
   return dirty;
 }
 
+/// A candidate with a part of its patch refilled.
+struct Refilled {
+  Candidate candidate;
+  std::ptrdiff_t filling = 0;    ///< tets of the refill, before clean-up
+  std::ptrdiff_t made_anew = 0;  ///< tets of it, and others that were cleaned up
+};
+
 /// The mesh with a part of the patch refilled, its new nodes in the Delaunay mesh too, cleaned up
-/// and verified. `made_anew`: of its tets, those that are new. Throws PatchTooSmall.
-Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh refilled,
-                        const MeshingTask& task, const MeshPatch& patch, const InsideTest& inside,
-                        std::ptrdiff_t& made_anew) {
-  Candidate next;
+/// and verified. Throws PatchTooSmall.
+Refilled with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh refilled,
+                       const MeshingTask& task, const MeshPatch& patch, const InsideTest& inside) {
+  Refilled result;
+  Candidate& next = result.candidate;
   next.loop = c.loop;
   next.nodes = c.nodes;
   next.verify_seconds = c.verify_seconds;
@@ -97,7 +104,7 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
   ReusedMesh made{std::move(refilled.mesh), {}, {{}, looked_up(mesh.same.output, refilled.was)}};
   std::vector<std::int32_t> was = refilled.was;
   put_back(next, made, task, patch, kConfineLimits.all_failures);
-  made_anew = std::ranges::count(was, -1);
+  result.filling = result.made_anew = std::ranges::count(was, -1);
   const auto improve_some = [&](const std::vector<std::uint8_t>& dirty) {
     ImproveResult improved = improve(
         made.mesh, next.nodes.supports, task.cells.boundary, dirty,
@@ -105,9 +112,9 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
     was = looked_up(was, improved.was);
     made = {std::move(improved.mesh), {}, {{}, looked_up(mesh.same.output, was)}};
     put_back(next, made, task, patch, kConfineLimits.all_failures);
-    made_anew = std::ranges::count(was, -1);
+    result.made_anew = std::ranges::count(was, -1);
   };
-  if (!task.options.clean_up || is_hopeless(next, made_anew)) return next;
+  if (!task.options.clean_up || is_hopeless(next, result.made_anew)) return result;
   // What is wrong first: where that cannot be mended, it is in vain to improve the rest.
   if (!next.verification.valid && only_tets_are_wrong(next.verification) &&
       can_be_improved(made.mesh, next.verification))
@@ -115,7 +122,7 @@ Candidate with_refilled(const Candidate& c, const ReusedMesh& mesh, RefilledMesh
   if (next.verification.valid)
     improve_some(worth_improving(made.mesh, was, mesh, next.nodes.supports, task.cells.boundary,
                                  least_size(task.options.sizing, task.density.sizes.base())));
-  return next;
+  return result;
 }
 
 }  // namespace
@@ -154,17 +161,16 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
       continue;
     }
     try {
-      std::ptrdiff_t made_anew = 0;
-      Candidate next = with_refilled(c, mesh, std::get<RefilledMesh>(std::move(made)), task, patch,
-                                     inside, made_anew);
+      auto [next, filling, made_anew] =
+          with_refilled(c, mesh, std::get<RefilledMesh>(std::move(made)), task, patch, inside);
       if (next.verification.valid) {
         const MeshDefect& defect = c.verification.failures.front();
         attempt.warnings.push_back({.code = WarningCode::Fallback,
                                     .message = defect.what + "; TetGen filled the place",
                                     .point = defect.place});
         c = std::move(next);
-        attempt.last_resort_share =
-            static_cast<double>(made_anew) / static_cast<double>(c.whole.mesh.tets.size());
+        attempt.last_resort_share = static_cast<double>(std::min(filling, made_anew)) /
+                                    static_cast<double>(c.whole.mesh.tets.size());
         return;
       }
       give_up(next.verification.failures.front().what);
