@@ -15,7 +15,7 @@ class ALinkBesideOthers : public testing::Test {
  protected:
   ALinkBesideOthers() {
     for (const Vec3& p :
-         {Vec3{}, Vec3{10, 0, 0}, 10.0 * kOther, Vec3{0, 0, kStrip}, Vec3{10, 0, kStrip}}) {
+         {Vec3{}, Vec3{10, 0, 0}, 10.0 * other_, Vec3{0, 0, kStrip}, Vec3{10, 0, kStrip}}) {
       boundary_.vertices.emplace_back();
       boundary_.vertices.back().position = p;
     }
@@ -29,10 +29,10 @@ class ALinkBesideOthers : public testing::Test {
     nodes_.add_new(p, support);
     return nodes_.size() - 1;
   }
-  bool clear() { return CrowdedLinks(nodes_, boundary_, kSizes).clear(0, a_, b_); }
+  bool clear() { return CrowdedLinks(nodes_, boundary_, sizes_).clear(0, a_, b_); }
   bool clear_missing() {
     const Vec3 middle = 0.5 * (nodes_.positions[a_] + nodes_.positions[b_]);
-    return CrowdedLinks(nodes_, boundary_, kSizes)
+    return CrowdedLinks(nodes_, boundary_, sizes_)
         .clear({MeshFailure::MissingSegment, 0, middle, "broken"});
   }
   void expect_last(const Vec3& place, int edge) const {
@@ -42,8 +42,8 @@ class ALinkBesideOthers : public testing::Test {
 
   static constexpr double kAngle = std::numbers::pi / 18;
   static constexpr double kStrip = 0.2;
-  const Vec3 kOther{std::cos(kAngle), std::sin(kAngle), 0};
-  const SizeField kSizes{2};
+  const Vec3 other_{std::cos(kAngle), std::sin(kAngle), 0};
+  const SizeField sizes_{2};
   BoundaryModel boundary_;
   NodeSet nodes_;
   std::int32_t a_, b_;
@@ -64,8 +64,8 @@ TEST_F(ALinkBesideOthers, GetsSuchANodeNoNearerToItsEndsThanAQuarterOfIt) {
 
 TEST_F(ALinkBesideOthers, GetsANodeAsFarFromTheCornerAsThatOfTheOtherEdge) {
   add({}, {Support::Kind::Vertex, 0});
-  add(10.0 * kOther, {Support::Kind::Vertex, 2});
-  add(2.7 * kOther, {Support::Kind::Edge, 1});
+  add(10.0 * other_, {Support::Kind::Vertex, 2});
+  add(2.7 * other_, {Support::Kind::Edge, 1});
   EXPECT_TRUE(clear());
   EXPECT_EQ(nodes_.size(), 6);
   expect_last({2.7, 0, 0}, 0);
