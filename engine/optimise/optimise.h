@@ -23,8 +23,8 @@ struct OptimiseOptions {
   /// Whether voids between the nodes that a remesh starts with get nodes
   /// (`insert_at_circumcentres`).
   bool insert_at_circumcentres = false;
-  /// Whether the model may have walls of one to two edge lengths. In the first iterations the
-  /// boundary pulls in only what is near then, so that some nodes stay in the middle of such a
+  /// Whether walls of one to two edge lengths are much of what is meshed. In the first iterations
+  /// the boundary pulls in only what is near then, so that some nodes stay in the middle of such a
   /// wall; else all of them go to its sides, with flat tets between.
   bool thin_walls = false;
   bool rebuild = false;  ///< see LiveMesh
