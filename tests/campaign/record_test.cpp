@@ -6,11 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/cases.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::campaign {
 namespace {
-
-namespace fs = std::filesystem;
 
 WorkedCase some_case() {
   WorkedCase worked;
@@ -27,12 +26,8 @@ WorkedCase some_case() {
 }
 
 struct RecordTest : testing::Test {
-  // Of its own for each test: tests run beside each other.
-  const fs::path file = fs::path(testing::TempDir()) /
-                        (std::string("record_test-") +
-                         testing::UnitTest::GetInstance()->current_test_info()->name() + ".jsonl");
-  void SetUp() override { fs::remove(file); }
-  void TearDown() override { fs::remove(file); }
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "record.jsonl";
 };
 
 TEST_F(RecordTest, GivesBackWhatWasAddedToEarlierOnes) {
@@ -70,7 +65,7 @@ TEST_F(RecordTest, PassesOverLinesOfOtherBuildsAndAnEndThatIsMissing) {
 }
 
 TEST_F(RecordTest, OfNoFileRemembersNothing) {
-  const Record record{fs::path()};
+  const Record record{std::filesystem::path()};
   record.add({3, 14}, some_case());
   EXPECT_FALSE(record.find({3, 14}));
 }

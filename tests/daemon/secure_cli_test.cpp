@@ -7,8 +7,8 @@
 #include "client/cli/exit_code.h"
 #include "server/daemon.h"
 #include "server/guard/doorman.h"
-#include "tests/client/temporary_folder.h"
 #include "tests/server/guard/certificates.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::cli {
 namespace {

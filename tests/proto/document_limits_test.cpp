@@ -5,6 +5,7 @@
 
 #include "proto/document.h"
 #include "tests/proto/refusal.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd {
 namespace {
@@ -37,11 +38,11 @@ TEST(Document, FortyLevelsAreTakenAndFortyOneAreNot) {
 }
 
 TEST(Document, AHundredMegabytesAreRefusedUnread) {
-  const auto file = std::filesystem::temp_directory_path() / "remeshd_document_test_large.json";
+  const TemporaryFolder folder;
+  const auto file = folder / "large.json";
   std::ofstream(file).put('{');
   std::filesystem::resize_file(file, 100'000'000);
   const auto info = refusal([&] { read_document(file); });
-  std::filesystem::remove(file);
   EXPECT_EQ(info.reason, "DOCUMENT_TOO_LARGE");
   EXPECT_THAT(info.message, HasSubstr("100000000"));
   EXPECT_EQ(model_refusal(std::string((std::size_t{4} << 20) + 1, ' ')).reason,

@@ -11,7 +11,7 @@
 #include "client/cli/exit_code.h"
 #include "client/cli/run.h"
 #include "tests/client/fake_daemon.h"
-#include "tests/client/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::cli {
 

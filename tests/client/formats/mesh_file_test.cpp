@@ -15,7 +15,7 @@
 #include "client/formats/scanner.h"
 #include "tests/client/formats/raw_arrays.h"
 #include "tests/client/sample_mesh.h"
-#include "tests/client/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::client {
 namespace {

@@ -8,7 +8,7 @@
 #include "remeshd/mesh_file.h"
 #include "tests/client/formats/raw_arrays.h"
 #include "tests/client/sample_mesh.h"
-#include "tests/client/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::client {
 namespace {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "engine/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd {
 namespace {
@@ -30,8 +31,8 @@ NodeSet one_copied_and_one_new_node() {
 }
 
 TEST(Dump, WritesNodesWithWhatTheyAre) {
-  const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / "dump_test" / "run";
+  const TemporaryFolder temporary;
+  const std::filesystem::path folder = temporary / "run";
   dump_nodes(dumping_to(folder), "05-nodes", one_copied_and_one_new_node(), 2.5);
 
   std::ifstream in(folder / "05-nodes.vtu");
@@ -42,7 +43,6 @@ TEST(Dump, WritesNodesWithWhatTheyAre) {
   EXPECT_THAT(text,
               HasSubstr("Name=\"size\" NumberOfComponents=\"1\" format=\"ascii\">\n2.5\n2.5\n"));
   EXPECT_THAT(text, HasSubstr("0.10000000000000001 0 0\n0 1 0\n")) << "coordinates keep their bits";
-  std::filesystem::remove_all(folder.parent_path());
 }
 
 TEST(Dump, DoesNothingWithoutAFolder) {
@@ -51,7 +51,8 @@ TEST(Dump, DoesNothingWithoutAFolder) {
 }
 
 TEST(Dump, SaysWhereItCannotWrite) {
-  EXPECT_THROW(dump_nodes(dumping_to(testing::TempDir()), "no-such-folder/05-nodes",
+  const TemporaryFolder folder;
+  EXPECT_THROW(dump_nodes(dumping_to(folder.path()), "no-such-folder/05-nodes",
                           one_copied_and_one_new_node(), 2.5),
                Error);
 }

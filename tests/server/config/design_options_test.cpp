@@ -4,6 +4,7 @@
 
 #include "server/config/config_error.h"
 #include "server/config/configuration.h"
+#include "tests/support/temporary_folder.h"
 
 namespace remeshd::test {
 namespace {
@@ -21,7 +22,6 @@ class DesignOptionsTest : public testing::Test {
     std::ofstream(key_) << "0123456789abcdef\n";
     std::filesystem::permissions(key_, std::filesystem::perms::owner_read);
   }
-  ~DesignOptionsTest() override { std::filesystem::remove(key_); }
   [[nodiscard]] std::string wrong() const {
     try {
       check_settings(settings_);
@@ -31,7 +31,8 @@ class DesignOptionsTest : public testing::Test {
     }
   }
 
-  const std::filesystem::path key_ = std::filesystem::path(testing::TempDir()) / "designs-key";
+  const TemporaryFolder folder_;
+  const std::filesystem::path key_ = folder_ / "designs-key";
   Settings settings_;
 };
 
