@@ -53,15 +53,18 @@ Changes find_changes(const FeatureModel& base, const FeatureModel& model,
   }
   keep_ascending(out.kept);
   const double margin = kMargin * membership.bounds_of_all().diagonal();
+  const auto add = [&](const Feature& feature) {
+    for (const Box& box : boxes_round(feature)) out.boxes.push_back(grown(box, margin));
+  };
   std::vector<char> kept(model.features.size(), 0);
   for (std::size_t f = 0; f < base.features.size(); ++f) {
     if (out.kept[f] >= 0)
       kept[out.kept[f]] = 1;
     else
-      out.boxes.push_back(grown(world_bounds(base.features[f]), margin));
+      add(base.features[f]);
   }
   for (std::size_t f = 0; f < model.features.size(); ++f)
-    if (!kept[f]) out.boxes.push_back(grown(membership.solids()[f].bounds(), margin));
+    if (!kept[f]) add(model.features[f]);
   return out;
 }
 

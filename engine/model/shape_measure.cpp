@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "engine/model/profile.h"
 #include "engine/model/solid.h"
@@ -70,12 +71,55 @@ struct Volume {
   }
 };
 
+/// A region between two radii and two heights, of so many rad about the z axis from the x axis on.
+struct Ring {
+  double inner, outer, low, high, angle;
+};
+
+/// That a shape lies in; none where the shape comes near its axis.
+std::optional<Ring> ring_of(const Shape& shape) {
+  if (const auto* s = std::get_if<Torus>(&shape))
+    return Ring{s->major_radius - s->minor_radius, s->major_radius + s->minor_radius,
+                -s->minor_radius, s->minor_radius, 2 * kPi};
+  if (const auto* s = std::get_if<Revolution>(&shape)) {
+    const Box2 outline = profile_bounds(s->profile);
+    if (outline.lo[0] > 0)
+      return Ring{outline.lo[0], outline.hi[0], outline.lo[1], outline.hi[1], s->angle};
+  }
+  return std::nullopt;
+}
+
+// Of a whole turn. Where a ring runs at 45 degrees to the axes, a sector's box then reaches a
+// twentieth of the radius into the hole.
+constexpr int kSectors = 64;
+
 }  // namespace
 
 Box local_bounds(const Shape& shape) { return std::visit(LocalBounds{}, shape); }
 
 Box world_bounds(const Feature& feature) {
   return moved(local_bounds(feature.shape), feature.placement);
+}
+
+std::vector<Box> boxes_round(const Feature& feature) {
+  const auto ring = ring_of(feature.shape);
+  if (!ring) return {world_bounds(feature)};
+  const int count = static_cast<int>(std::ceil(kSectors * ring->angle / (2 * kPi)));
+  const double step = ring->angle / count;
+  std::vector<Box> boxes(count);
+  for (int i = 0; i < count; ++i) {
+    const auto add = [&](double angle, double radius) {
+      for (const double z : {ring->low, ring->high})
+        boxes[i].add(
+            feature.placement.apply({radius * std::cos(angle), radius * std::sin(angle), z}));
+    };
+    for (const double end : {i * step, (i + 1) * step}) {
+      add(end, ring->inner);
+      add(end, ring->outer);
+    }
+    add((i + 0.5) * step, ring->outer / std::cos(step / 2));  // where tangents at the ends meet
+  }
+  return boxes;
 }
 
 double volume_of(const Shape& shape) { return std::visit(Volume{}, shape); }

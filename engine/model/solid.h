@@ -67,6 +67,11 @@ Box local_bounds(const Shape& shape);
 /// The box of a feature in the world, as `Solid::bounds`.
 Box world_bounds(const Feature& feature);
 
+/// Boxes in the world that hold a feature together: of a ring round an axis, a torus or a
+/// revolution that stays away from its axis, one for each of its sectors, for its own box is mostly
+/// hole; of other features `world_bounds` alone.
+std::vector<Box> boxes_round(const Feature& feature);
+
 /// Exact volume of a shape.
 double volume_of(const Shape& shape);
 

@@ -17,23 +17,24 @@ namespace {
 constexpr double kFarReference = 8;  // diagonals: beyond, volumes lose digits
 
 /// The features, by index in the edited model, that decide inside of the boxes.
-std::vector<int> features_to_fuse(const Membership& membership, const BoundaryParts& base,
+std::vector<int> features_to_fuse(const FeatureModel& model, const BoundaryParts& base,
                                   const TouchedParts& touched, const std::vector<Box>& boxes) {
   const double margin = kernel_tolerance(base.brep);
-  const auto near = [&](const Box& bounds) {
-    const std::vector<Box> feature{grown(bounds, margin)};
-    if (touch(boxes, feature.front())) return true;
+  const auto near = [&](const Feature& feature) {
+    std::vector<Box> round = boxes_round(feature);
+    for (Box& box : round) box = grown(box, margin);
+    if (std::ranges::any_of(round, [&](const Box& box) { return touch(boxes, box); })) return true;
     for (std::size_t f = 0; f < base.pieces.size(); ++f)
-      if (touched.faces[f] && !is_plane(base.pieces[f]) && touch(feature, base.pieces[f].box) &&
-          touches(feature, base.brep, base.brep.faces[f], base.pieces[f].surface))
+      if (touched.faces[f] && !is_plane(base.pieces[f]) && touch(round, base.pieces[f].box) &&
+          touches(round, base.brep, base.brep.faces[f], base.pieces[f].surface))
         return true;
     for (std::size_t e = 0; e < base.brep.edges.size(); ++e)
-      if (touched.edges[e] && touches(feature, base.brep.edges[e])) return true;
+      if (touched.edges[e] && touches(round, base.brep.edges[e])) return true;
     return false;
   };
   std::vector<int> features;
-  for (int f = 0; f < static_cast<int>(membership.solids().size()); ++f)
-    if (near(membership.solids()[f].bounds())) features.push_back(f);
+  for (int f = 0; f < static_cast<int>(model.features.size()); ++f)
+    if (near(model.features[f])) features.push_back(f);
   return features;
 }
 
@@ -73,7 +74,7 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
   const Changes changes = find_changes(base.model, edited.model, edited.membership);
   const TouchedParts touched(base.parts, changes.boxes);
   const std::vector<int> features =
-      features_to_fuse(edited.membership, base.parts, touched, changes.boxes);
+      features_to_fuse(edited.model, base.parts, touched, changes.boxes);
   const Box& bounds = edited.membership.bounds();
   const bool far_reference =
       distance(base.parts.brep.reference, bounds.lo) > kFarReference * bounds.diagonal();

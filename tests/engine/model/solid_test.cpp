@@ -174,6 +174,39 @@ TEST(Solid, BoundsOfUnrotatedFeaturesAreTight) {
   }
 }
 
+TEST(Solid, BoxesRoundAFeatureHoldAllOfIt) {
+  Random random(31);
+  for (const Sample& s : samples())
+    for (const PlacementSource& placement : placements()) {
+      const Feature feature = evaluated_at(s.source, placement);
+      const Solid solid(feature);
+      const std::vector<Box> boxes = boxes_round(feature);
+      for (int k = 0; k < 5000; ++k) {
+        const Vec3 p = random_in(solid.bounds(), random);
+        if (!solid.contains(p)) continue;
+        EXPECT_TRUE(std::ranges::any_of(boxes, [&](const Box& box) { return box.contains(p); }))
+            << s.source.id;
+      }
+    }
+}
+
+TEST(Solid, BoxesRoundARingLeaveItsHoleFree) {
+  const Feature ring = evaluated_at(
+      feature("ring", "torus", {{"major_radius", 50.0}, {"minor_radius", 2.0}}), placements()[2]);
+  const Vec3 centre = ring.placement.apply({0, 0, 0});
+  for (const Box& box : boxes_round(ring))
+    EXPECT_FALSE(touch(box, grown({centre, centre}, 23)));  // corners 40 from the centre
+  const Feature quarter =
+      evaluated_at(feature("quarter", "revolution",
+                           {point(48.0, 0.0), point(52.0, 0.0), point(52.0, 4.0), point(48.0, 4.0)},
+                           {{"angle", 90.0}}),
+                   {});
+  for (const Box& box : boxes_round(quarter)) {
+    EXPECT_FALSE(touch(box, Box{{0, 0, 0}, {30, 30, 4}}));
+    EXPECT_GE(std::min(box.lo.x, box.lo.y), -1e-9) << "nothing beyond its ends";
+  }
+}
+
 TEST(Solid, FacesAreThoseOfTheTable) {
   for (const Sample& s : samples()) {
     std::vector<std::string> names;

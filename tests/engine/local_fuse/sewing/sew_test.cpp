@@ -235,6 +235,23 @@ TEST(StitchTest, TellsHowPartsCameAboutAndWhyNotOtherwise) {
                           "fused in part: sew: every feature is near the change", "none"));
 }
 
+TEST(StitchTest, WhatARingGoesAroundIsNotNearIt) {
+  const auto with_groove = [](double depth, double pins_at) {
+    std::vector<FeatureSource> all{cylinder("disc", 50, 10)};
+    for (int k = 0; k < 6; ++k)
+      all.push_back(placed(cylinder("pin" + std::to_string(k), 3, 14), 8.0 * k - 20, pins_at, 2));
+    all.push_back(
+        placed(test::feature("groove", "torus", {{"major_radius", 50.0}, {"minor_radius", depth}}),
+               0, 0, 5, Nature::Subtractive));
+    return test::model_of(all);
+  };
+  const ModelSource base = with_groove(2, 0);
+  EXPECT_EQ(told(with_groove(2.5, 0), base).back(), "fused in part") << "the disc and the groove";
+  EXPECT_EQ(told(with_groove(2, 1), base).back(), "swept") << "pins within a ring that stays";
+  expect_same_both_ways(base, with_groove(2.5, 0), "a groove round pins");
+  expect_same_both_ways(base, with_groove(2, 1), "pins in a grooved disc");
+}
+
 TEST(StitchTest, FarFromTheBasesPointOfReferenceAllIsFused) {
   const auto block_at = [](double x) {
     return test::model_of({placed(block("b", 1, 1, 1), x, 0, 0)});
