@@ -54,8 +54,8 @@ using EdgeChains = std::vector<std::vector<EdgeNode>>;  ///< by edge, from start
 std::vector<int> mesh_faces(Brep& brep, EdgeChains& chains, const Run& run);
 
 /// Triangulates faces anew, from the polylines of their edges and nodes of its own inside. Where
-/// polylines cross, at edges that nearly touch, their segments are split, and all faces at them
-/// triangulated anew. Kernel units.
+/// polylines cross, at edges that nearly touch, their segments are split opposite of each other's
+/// nodes, else in the middle, and all faces at them triangulated anew. Kernel units.
 ///
 /// Returns false, with the Brep's triangles of no use, where that leads to nothing.
 bool mend_faces(Brep& brep, EdgeChains& chains, const std::vector<int>& bad);

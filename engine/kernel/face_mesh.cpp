@@ -3,7 +3,9 @@
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "engine/kernel/border_mesh.h"
 #include "engine/kernel/brep_shapes.h"
@@ -35,10 +38,13 @@ constexpr FaceMeshLimits kFaceMeshLimits;
 
 Point2 point2(const std::array<double, 2>& p) { return {p[0], p[1]}; }
 
-/// A segment of an edge's polyline.
+/// A segment of an edge's polyline and where it is split.
 struct Cut {
   int edge, index;
-  friend auto operator<=>(const Cut&, const Cut&) = default;
+  double parameter;  ///< of the edge's curve
+  friend bool operator<(const Cut& a, const Cut& b) {
+    return std::tie(a.edge, a.index, a.parameter) < std::tie(b.edge, b.index, b.parameter);
+  }
 };
 
 class FaceMesher {
@@ -62,6 +68,8 @@ class FaceMesher {
 
   bool mend(const std::vector<int>& bad) {
     std::set<int> faces(bad.begin(), bad.end());
+    for (const int f : faces)
+      for (const int e : brep_.faces[f].edges) put_on_curve(e);
     for (int round = 0;; ++round) {
       std::set<Cut> cuts;
       for (const int f : faces)
@@ -105,11 +113,19 @@ class FaceMesher {
     return std::max(2, static_cast<int>(edge.points.size()) - 1);
   }
 
+  /// Moves the inner nodes of an edge's polyline onto its curve: where edges come nearer than it
+  /// can tell apart, the CAD kernel's triangulation has the nodes of one on the other.
+  void put_on_curve(int e) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, e)));
+    for (std::size_t i = 1; i + 1 < chains_[e].size(); ++i)
+      brep_.points[chains_[e][i].node] = vec(curve.Value(chains_[e][i].parameter));
+  }
+
   void split(const Cut& cut) {
     std::vector<EdgeNode>& chain = chains_[cut.edge];
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, cut.edge)));
-    const double t = 0.5 * (chain[cut.index].parameter + chain[cut.index + 1].parameter);
-    chain.insert(chain.begin() + cut.index + 1, {add_point(brep_, curve.Value(t)), t});
+    chain.insert(chain.begin() + cut.index + 1,
+                 {add_point(brep_, curve.Value(cut.parameter)), cut.parameter});
   }
 
   /// Maps lengths along a face's parameters to about those in space.
@@ -241,16 +257,48 @@ class FaceMesher {
            length(s) > kFaceMeshLimits.shortest;
   }
 
-  /// Adds what must be split so that the border does not cross itself: of two segments the longer,
-  /// because the chords of two touching circles part only where the wider circle's are no longer
-  /// than the other's. False where splitting does not help.
+  /// Adds where a segment's curve comes nearest to the ends of another, away from its own ends.
+  /// Returns whether there is such a place.
+  bool find_opposite(const Border::Segment& s, const Border::Segment& other,
+                     std::set<Cut>& cuts) const {
+    if (!can_split(s) || other.edge < 0) return false;
+    const EdgeNode &from = chains_[s.edge][s.index], &to = chains_[s.edge][s.index + 1];
+    double first = 0, last = 0;
+    const Handle(Geom_Curve) curve =
+        BRep_Tool::Curve(TopoDS::Edge(shape_of(brep_, Element::Edge, s.edge)), first, last);
+    bool any = false;
+    for (const int k : {0, 1}) {
+      const Vec3& p = brep_.points[chains_[other.edge][other.index + k].node];
+      const GeomAPI_ProjectPointOnCurve nearest({p.x, p.y, p.z}, curve,
+                                                std::min(from.parameter, to.parameter),
+                                                std::max(from.parameter, to.parameter));
+      if (nearest.NbPoints() == 0) continue;
+      const Vec3 there = vec(nearest.NearestPoint());
+      if (std::min(distance(there, brep_.points[from.node]),
+                   distance(there, brep_.points[to.node])) < kFaceMeshLimits.shortest)
+        continue;
+      cuts.insert({s.edge, s.index, nearest.LowerDistanceParameter()});
+      any = true;
+    }
+    return any;
+  }
+
+  /// Adds what must be split so that the border does not cross itself. Two polylines with their
+  /// nodes opposite of each other do not cross, however near to each other their curves are. Where
+  /// they have them the longer segment is halved, because the chords of two touching circles part
+  /// only where the wider circle's are no longer than the other's. False where splitting does not
+  /// help.
   bool find_cuts(const Border& border, std::set<Cut>& cuts) const {
     for (const auto& [i, j] : crossing_segments(border)) {
       const Border::Segment &s = border.segments[i], &t = border.segments[j];
+      const bool opposite_t = find_opposite(s, t, cuts), opposite_s = find_opposite(t, s, cuts);
+      if (opposite_t || opposite_s) continue;
       const bool first = can_split(s) && (!can_split(t) || length(s) >= length(t));
       const Border::Segment& longer = first ? s : t;
       if (!can_split(longer)) return false;
-      cuts.insert({longer.edge, longer.index});
+      const std::vector<EdgeNode>& chain = chains_[longer.edge];
+      cuts.insert({longer.edge, longer.index,
+                   0.5 * (chain[longer.index].parameter + chain[longer.index + 1].parameter)});
     }
     return true;
   }

@@ -116,6 +116,23 @@ TEST(BrepTest, VolumesBehindCurvesOfIntersectionAreExact) {
   EXPECT_NEAR(volume_with(fusion, {1}) + volume_with(fusion, {0, 1}), 180 * pi, 1e-8);
 }
 
+TEST(BrepTest, ARingThatIsNarrowerThanItsChordsStandOffIsTriangulated) {
+  // Of two cylinders on one axis, as a small change of a radius leaves them: halving rims until
+  // their chords are clear of each other takes tens of thousands of nodes.
+  const double scale = unit_scale(22), radius = 1.3345446984408427;
+  const Brep below = make_cone(radius + 4.66912e-8, radius + 4.66912e-8, 1.85, scale);
+  const Brep above = make_cone(radius, radius, 1.85, scale);
+  for (const double turn : {0.0, 0.05}) {
+    const Transform on_top = Transform::frame({std::cos(turn), std::sin(turn), 0},
+                                              {-std::sin(turn), std::cos(turn), 0}, {0, 0, 1},
+                                              {0, 0, 1.85});
+    const Fusion fusion =
+        general_fuse(std::array{Part{&below, {0}, {}}, Part{&above, {0}, on_top}}, kRun);
+    EXPECT_EQ(fusion.brep.cells.size(), 2u);
+    EXPECT_LT(fusion.brep.points.size(), 1000u) << turn;
+  }
+}
+
 TEST(BrepTest, ScaleIsAPowerOfTwoThatBringsADiagonalTo128To256) {
   for (const double diagonal : {1e-6, 0.3, 1.0, 127.9, 128.0, 146.0, 1e7}) {
     const double scale = unit_scale(diagonal);
