@@ -8,7 +8,9 @@
 
 #include "engine/remesh/finish/faults.h"
 #include "engine/remesh/finish/insert_nodes.h"
+#include "engine/remesh/finish/opposite_nodes.h"
 #include "engine/remesh/finish/patch_mesh.h"
+#include "engine/remesh/finish/stranded_nodes.h"
 
 namespace remeshd {
 namespace {
@@ -53,15 +55,28 @@ class Conforming {
       if (!insert_at(nonconforming_facets(c_.delaunay))) return;
   }
 
-  /// Nodes where the boundary is not all there, and the mesh extracted anew. Returns false where
-  /// there is no room for any, or the boundary takes too many.
+  /// Gives nodes on faces their supports, and makes nodes on both sides of what is thin mirror
+  /// images of each other. Returns whether any were not.
+  bool set_right(std::span<const MeshDefect> defects) {
+    if (!sized_) return false;
+    const BoundaryModel& boundary = task_.cells.boundary;
+    const SizeField& sizes = task_.density.sizes;
+    const int stranded = support_stranded_nodes(c_.nodes, defects, boundary, sizes);
+    return stranded + OppositeNodes(c_.nodes, boundary, sizes).set(defects) > 0;
+  }
+
+  /// Nodes where the boundary is not all there, on both sides of what is thin, and the mesh
+  /// extracted anew. Returns false where there is no room for any, or the boundary takes too many.
   bool insert_at(std::span<const MeshDefect> defects) {
     const BoundaryModel& boundary = task_.cells.boundary;
     const SizeField& sizes = task_.density.sizes;
     const std::int32_t first = c_.nodes.size();
-    if (c_.too_fine ||
-        insert_where_missing(c_.nodes, defects, boundary, boundary_.samples, sizes, sized_) == 0)
-      return false;
+    if (c_.too_fine) return false;
+    if (!set_right(defects)) {
+      if (insert_where_missing(c_.nodes, defects, boundary, boundary_.samples, sizes, sized_) == 0)
+        return false;
+      set_right(defects);
+    }
     insert_in_segments(c_.nodes, c_.loop.mesh, first, boundary,
                        {.sizes = sizes, .make_room = sized_}, task_.run);
     inserted_ += c_.nodes.size() - first;

@@ -123,9 +123,9 @@ TEST(BrepTest, ARingThatIsNarrowerThanItsChordsStandOffIsTriangulated) {
   const Brep below = make_cone(radius + 4.66912e-8, radius + 4.66912e-8, 1.85, scale);
   const Brep above = make_cone(radius, radius, 1.85, scale);
   for (const double turn : {0.0, 0.05}) {
-    const Transform on_top = Transform::frame({std::cos(turn), std::sin(turn), 0},
-                                              {-std::sin(turn), std::cos(turn), 0}, {0, 0, 1},
-                                              {0, 0, 1.85});
+    const Transform on_top =
+        Transform::frame({std::cos(turn), std::sin(turn), 0}, {-std::sin(turn), std::cos(turn), 0},
+                         {0, 0, 1}, {0, 0, 1.85});
     const Fusion fusion =
         general_fuse(std::array{Part{&below, {0}, {}}, Part{&above, {0}, on_top}}, kRun);
     EXPECT_EQ(fusion.brep.cells.size(), 2u);

@@ -63,6 +63,30 @@ TEST(Conforming, OfABlockThatDriftsThroughTheHeightOfAnotherKeepsMostNodes) {
   }
 }
 
+TEST(Conforming, OfAWedgeBetweenTwoPinsThatMeetTakesNoLastResort) {
+  const auto pin = [](const char* id, double x) {
+    return test::placed(test::cylinder(id, 1.5, 4), x, 0, 1.5);
+  };
+  for (const double overlap : {0.01, 0.03}) {
+    const ModelSource model =
+        test::model_of({test::placed(test::block("plate", 12, 8, 2), -6, -4, 0),
+                        pin("left", -1.5 + overlap / 2), pin("right", 1.5 - overlap / 2)});
+    const Report report = make_revision(Revision::none(), model, kSized, kRun).report;
+    EXPECT_EQ(report.strategy, MeshStrategy::Local) << overlap;
+    EXPECT_EQ(report.last_resort_share, 0) << overlap;
+  }
+}
+
+TEST(Conforming, OfAWallBesideAHoleMuchThinnerThanEdgesAreLongTakesNoLastResort) {
+  const double wall = 0.01;
+  const ModelSource model = test::model_of(
+      {test::block("plate", 12, 8, 4),
+       test::placed(test::cylinder("hole", 1.5, 6), 4.5 - wall, 0, 0, Nature::Subtractive)});
+  const Report report = make_revision(Revision::none(), model, kSized, kRun).report;
+  EXPECT_EQ(report.strategy, MeshStrategy::Local);
+  EXPECT_EQ(report.last_resort_share, 0);
+}
+
 TEST(Conforming, IsFollowedByTheCleanUp) {
   // So coarse that the boundary is not all there at first.
   int repaired = 0;
