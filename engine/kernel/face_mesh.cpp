@@ -124,8 +124,10 @@ class FaceMesher {
   void split(const Cut& cut) {
     std::vector<EdgeNode>& chain = chains_[cut.edge];
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, cut.edge)));
-    chain.insert(chain.begin() + cut.index + 1,
-                 {add_point(brep_, curve.Value(cut.parameter)), cut.parameter});
+    const gp_Pnt place = curve.Value(cut.parameter);
+    const int next = chain[cut.index + 1].node;  // perhaps of another cut of this segment
+    if (distance(vec(place), brep_.points[next]) < 0.5 * kFaceMeshLimits.shortest) return;
+    chain.insert(chain.begin() + cut.index + 1, {add_point(brep_, place), cut.parameter});
   }
 
   /// Maps lengths along a face's parameters to about those in space.

@@ -118,7 +118,7 @@ TEST(BrepTest, VolumesBehindCurvesOfIntersectionAreExact) {
 
 TEST(BrepTest, ARingThatIsNarrowerThanItsChordsStandOffIsTriangulated) {
   // Of two cylinders on one axis, as a small change of a radius leaves them: halving rims until
-  // their chords are clear of each other takes tens of thousands of nodes.
+  // their chords are clear of each other takes thousands of nodes.
   const double scale = unit_scale(22), radius = 1.3345446984408427;
   const Brep below = make_cone(radius + 4.66912e-8, radius + 4.66912e-8, 1.85, scale);
   const Brep above = make_cone(radius, radius, 1.85, scale);
