@@ -5,6 +5,7 @@
 
 #include "engine/base/parallel.h"
 #include "engine/boundary/facet_faces.h"
+#include "engine/extract/facet_side.h"
 #include "engine/mesh/quality.h"
 
 namespace remeshd {
@@ -70,6 +71,8 @@ class TetsAcrossRims {
       return dot(normals[edge[0]], normals[edge[1]]) > kShallow;
     });
   }
+  /// Of what lies on one face.
+  [[nodiscard]] const FacesOf& faces() const { return faces_; }
   /// Of what lies on one surface, rims or not.
   [[nodiscard]] const FacesOf& sheets() const { return across_rims_; }
 
@@ -81,15 +84,19 @@ class TetsAcrossRims {
 };
 
 bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const TetsAcrossRims& rims,
-                 const InsideTest& inside, const Tet& t, bool edges_too) {
+                 const InsideTest& inside, const Tet& t, bool by_centroid_only) {
   for (const std::int32_t n : t)
     if (nodes.supports[n].kind == Support::Kind::Interior) return true;
   if (rims.has(t)) return false;
   const FacesOf& faces = rims.sheets();
   const int face = face_of(nodes, faces, t);
   if (face >= 0 && boundary.faces[face].surface.kind == Surface::Kind::Plane) return false;
-  return inside(centroid(nodes.positions, t)) &&
-         !(edges_too && reaches_out(nodes, faces, inside, t));
+  if (by_centroid_only) return inside(centroid(nodes.positions, t));
+  if (face < 0)
+    if (const BoundarySide side = side_by_facets(nodes, boundary, rims.faces(), t);
+        side != BoundarySide::Unknown)
+      return side == BoundarySide::Inside;
+  return inside(centroid(nodes.positions, t)) && !reaches_out(nodes, faces, inside, t);
 }
 
 /// Takes flat tets off the tets that are in the model, and those that were taken off before.
@@ -218,10 +225,11 @@ PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const Bounda
          ++slot) {
       const Tet t = delaunay.corners(slot);
       if (!delaunay.in_use(slot) || std::ranges::min(t) < 0) continue;
-      in_model[slot] = peeling.known_of(slot) == KnownClassification::Known::Inside ||
-                               contributes(nodes, boundary, rims, inside, t, options.edges_too)
-                           ? 1
-                           : 0;
+      in_model[slot] =
+          peeling.known_of(slot) == KnownClassification::Known::Inside ||
+                  contributes(nodes, boundary, rims, inside, t, options.by_centroid_only)
+              ? 1
+              : 0;
     }
   });
   return peeling.peel(in_model);

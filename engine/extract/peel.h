@@ -13,9 +13,10 @@
 namespace remeshd {
 
 struct PeelOptions {
-  /// Whether a tet of boundary nodes alone is outside, too, where an edge of it between nodes of
-  /// different faces is, as from side to side of a gap.
-  bool edges_too = false;
+  /// Whether tets of boundary nodes alone are inside or outside by their centroids only. Else those
+  /// that are thin against a curved face are by their facets on it, and others are outside, too,
+  /// where an edge between nodes of different faces is, as from side to side of a gap.
+  bool by_centroid_only = true;
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 

@@ -178,7 +178,8 @@ PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& 
                   const InsideTest& inside) {
   return peel(c.nodes, c.loop.mesh, task.cells.boundary, inside,
               PatchClassifier(c.nodes, c.loop.mesh, patch, task.plan).known(),
-              {.edges_too = !task.options.sizing.even || !task.density.sizes.even()}, task.run);
+              {.by_centroid_only = task.options.sizing.even && task.density.sizes.even()},
+              task.run);
 }
 
 Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,

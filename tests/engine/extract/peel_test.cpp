@@ -78,7 +78,31 @@ PeeledMesh peeled_across_a_slot(const PeelOptions& options) {
 
 TEST(Peel, LeavesOutATetAcrossAGapWhereEdgesAreAsked) {
   EXPECT_EQ(peeled_across_a_slot({}).tets.size(), 1U);
-  EXPECT_TRUE(peeled_across_a_slot({.edges_too = true}).tets.empty());
+  EXPECT_TRUE(peeled_across_a_slot({.by_centroid_only = false}).tets.empty());
+}
+
+TEST(Peel, KeepsATetBehindAChordOfAHoleThoughItsCentroidIsInTheHole) {
+  const FeatureModel model = evaluate(
+      test::model_of({test::block("plate", 30, 30, 4),
+                      test::placed(test::cylinder("hole", 5, 10), 0, 0, -5, Nature::Subtractive)}));
+  const CellularModel cells = build_cells(model, kRun);
+  const Membership membership(model);
+  NodeSet nodes;
+  for (const Vec3& p :
+       {Vec3{5 * std::cos(0.2), -5 * std::sin(0.2), 3},
+        Vec3{5 * std::cos(0.2), 5 * std::sin(0.2), 3}, Vec3{5, 0, 1}, Vec3{5.02, 0, 4}})
+    nodes.add_new(p, {Support::Kind::Face, face_at(cells.boundary, p)});
+  DelaunayMesh delaunay(cells.boundary.bounds);
+  const std::vector<std::int32_t> all{0, 1, 2, 3};
+  delaunay.insert(nodes.positions, all, kRun);
+  const auto tets_left = [&](bool by_centroid_only) {
+    return peel(
+               nodes, delaunay, cells.boundary, [&](const Vec3& p) { return membership.inside(p); },
+               KnownClassification::nothing(delaunay), {.by_centroid_only = by_centroid_only}, kRun)
+        .tets.size();
+  };
+  EXPECT_EQ(tets_left(true), 0U);
+  EXPECT_EQ(tets_left(false), 1U);
 }
 
 /// Two nodes along and two across on a torus's outermost circle, nearly in one plane, and one
@@ -127,7 +151,7 @@ TEST(Peel, AnEdgeAlongWhereTwoFeaturesTouchStaysInTheModel) {
   const PeeledMesh mesh = peel(
       nodes, delaunay, cells.boundary,
       [&](const Vec3& p) { return p.z != 5 && membership.inside(p); },
-      KnownClassification::nothing(delaunay), {.edges_too = true}, kRun);
+      KnownClassification::nothing(delaunay), {.by_centroid_only = false}, kRun);
   EXPECT_EQ(mesh.tets.size(), 1U);
 }
 
