@@ -13,6 +13,7 @@
 #include "engine/base/error.h"
 #include "tests/bench/statistics.h"
 #include "tests/support/cases.h"
+#include "tests/support/changed_places.h"
 #include "tests/support/child_process.h"
 #include "tests/support/circle_edges.h"
 #include "tests/support/documents.h"
@@ -22,6 +23,8 @@ namespace remeshd::bench {
 namespace {
 
 using nlohmann::json;
+
+constexpr double kFarLengths = 4;  // from a change: nodes beyond are to be kept
 
 NLOHMANN_JSON_SERIALIZE_ENUM(RunKind, {{RunKind::Regular, "regular"},
                                        {RunKind::Remesh, "remesh"},
@@ -130,7 +133,13 @@ Samples run_remesh(const EngineRun& run) {
   Samples samples;
   const MeshOptions options = mesh_options(run);
   const Revision base = workshop.make(Revision::none(), original, options, samples["first"]);
-  workshop.make(base, modified, inherited(options), samples["remesh"]);
+  Sample& edit = samples["remesh"];
+  const Revision edited = workshop.make(base, modified, inherited(options), edit);
+  if (run.sized) {
+    const test::KeptShares shares = test::kept_shares(base, edited, kFarLengths);
+    edit.base_kept = shares.kept;
+    edit.base_far = shares.far;
+  }
   return samples;
 }
 

@@ -20,6 +20,8 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   ours.strategy = "local";
   ours.iterations = 7;
   ours.free_share = 0.164;
+  ours.base_kept = 0.75;
+  ours.base_far = 0.5;
   ours.phases = {.setup = 1, .optimise = 2, .extract = 3, .difference = 4, .copy = 5};
   ours.tets = 72493;
   ours.peak_bytes = 31e6;
@@ -46,6 +48,8 @@ TEST(Results, ComeBackFromJsonAsTheyWere) {
   const Sample& again = group->series.at("remesh auto").at(0);
   EXPECT_EQ(again.phases.copy, 5);
   EXPECT_EQ(again.free_share, 0.164);
+  EXPECT_EQ(again.base_kept, 0.75);
+  EXPECT_EQ(again.base_far, 0.5);
   EXPECT_EQ(again.retained_bytes, 9e6);
   EXPECT_EQ(group->series.at("remesh auto").at(1).failure, "signal 11: ");
   EXPECT_EQ(group->series.at("hxt").at(0).import, 0.001);

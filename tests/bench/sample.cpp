@@ -56,6 +56,8 @@ json write_sample(const Sample& s) {
   j["iterations"] = s.iterations;
   j["free_share"] = s.free_share;
   j["kept"] = s.kept;
+  if (s.base_kept > 0 || s.base_far > 0)
+    j["of_base"] = {{"kept", s.base_kept}, {"far", s.base_far}};
   j["circle_edges"] = s.circle_edges;
   j["away"] = {{"mean", s.away_mean}, {"angle", s.away_angle}};
   j["phases"] = {{"setup", s.phases.setup},
@@ -92,6 +94,10 @@ Sample read_sample(const json& j) {
   s.iterations = j.value("iterations", 0U);
   s.free_share = j.value("free_share", 0.0);
   s.kept = j.value("kept", 0.0);
+  if (j.contains("of_base")) {
+    j.at("of_base").at("kept").get_to(s.base_kept);
+    j.at("of_base").at("far").get_to(s.base_far);
+  }
   s.circle_edges = j.value("circle_edges", 0.0);
   if (j.contains("away")) {
     j.at("away").at("mean").get_to(s.away_mean);

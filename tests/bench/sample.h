@@ -35,7 +35,10 @@ struct Sample {
   double peak_bytes = 0;      ///< most resident memory, above the process before it read anything
   double retained_bytes = 0;  ///< of a chain: memory that stays with each revision
   double kept = 0;            ///< ours: share of the nodes that are the base's
-  double circle_edges = 0;    ///< ours: the fewest on a whole circle; 0: there are no circles
+  /// Of a sized edit: shares of the base's nodes, those kept and those further than four local
+  /// lengths from what the edit changed.
+  double base_kept = 0, base_far = 0;
+  double circle_edges = 0;  ///< ours: the fewest on a whole circle; 0: there are no circles
   /// Ours, away from sharp places of the model: mean volume-length and least dihedral angle.
   double away_mean = 0, away_angle = 0;
   Quality quality;  ///< but for the histogram

@@ -39,6 +39,16 @@ std::optional<double> off(const std::vector<Sample>& samples, double asked) {
   return near ? std::optional<double>(-*near / asked) : std::nullopt;
 }
 
+/// Shares of the base's nodes, kept and far from the change, of the round with the least margin.
+std::string base_shares(const std::vector<Sample>& samples) {
+  const auto margin = [](const Sample& s) {
+    return s.failure.empty() ? s.base_kept - s.base_far : HUGE_VAL;
+  };
+  const auto worst = std::ranges::min_element(samples, {}, margin);
+  if (worst == samples.end() || !worst->failure.empty()) return "–";
+  return fmt::format("{:.1f}, {:.1f}", 100 * worst->base_kept, 100 * worst->base_far);
+}
+
 }  // namespace
 
 std::string sized_table(const Results& results) {
@@ -51,7 +61,7 @@ std::string sized_table(const Results& results) {
       const auto found = group.series.find(name);
       if (found == group.series.end()) continue;
       const std::vector<Sample>& samples = found->second;
-      const bool ours = name.ends_with(" 10");
+      const bool ours = name.ends_with(" 10"), edit = name == "remesh 10";
       const auto mean = [](const Sample& s) { return s.quality.volume_length_mean; };
       const auto angle = [](const Sample& s) { return s.quality.dihedral_min; };
       const auto nodes = group.middle(name, [](const Sample& s) { return s.nodes; });
@@ -64,16 +74,14 @@ std::string sized_table(const Results& results) {
                ours ? text(least(samples, [](const Sample& s) { return s.away_mean; }), 3) : "",
                ours ? text(least(samples, [](const Sample& s) { return s.away_angle; }), 1) : "",
                ours ? text(least(samples, [](const Sample& s) { return s.circle_edges; }), 1) : "",
-               name == "remesh 10"
-                   ? text(least(samples, [](const Sample& s) { return s.kept; }), 1, 100)
-                   : "",
-               ours ? ways(samples) : ""});
+               edit ? text(least(samples, [](const Sample& s) { return s.kept; }), 1, 100) : "",
+               edit ? base_shares(samples) : "", ours ? ways(samples) : ""});
     }
   }
   return row({"case", "asked", "mesh", "nodes", "off %", "s", "of HXT's", "from the model",
               "mean v-l", "least angle", "mean away", "angle away", "edges a circle", "kept %",
-              "ways"}) +
-         "|---|---:|---|---:|" + "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|\n" + rows;
+              "of the base: kept, far %", "ways"}) +
+         "|---|---:|---|---:|" + "---:|---:|---:|---:|---:|---:|---:|---:|---:|---|---|\n" + rows;
 }
 
 }  // namespace remeshd::bench

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "engine/cellular/cellular_model.h"
 #include "engine/remesh/remesh.h"
 #include "tests/support/cases.h"
 
@@ -95,39 +94,6 @@ TEST_F(LostNodesTest, OfARemeshLieNearItsChange) {
   const LostNodes lost = lost_nodes(base, next);
   EXPECT_GT(lost.all, 0);
   EXPECT_EQ(lost.far, 0);
-}
-
-/// What is looked at of a revision, which needs no mesh.
-Revision unmeshed(const ModelSource& source) {
-  Revision revision;
-  revision.model = evaluate(source);
-  revision.cells = build_cells(revision.model, remeshd::Run{});
-  revision.edge_length = 2;
-  return revision;
-}
-
-TEST(ChangedPlaces, AreOnTheWallOfAHoleThatComesOrGoes) {
-  ModelSource source = test::model_of({test::block("block", 60, 40, 40)});
-  const Revision whole = unmeshed(source);
-  source.features.push_back(
-      test::placed(test::cylinder("hole", 3, 42), 0, 0, -1, Nature::Subtractive));
-  const Revision holed = unmeshed(source);
-  const Vec3 beside{8, 0, 20};  // 5 from the wall, 20 from its ends
-  for (const ChangedPlaces& changed : {ChangedPlaces(whole, holed), ChangedPlaces(holed, whole)}) {
-    EXPECT_LE(changed.distance_to(beside), 5);
-    EXPECT_GT(changed.distance_to(beside), 3.5);
-    EXPECT_TRUE(changed.within(beside, 5));
-    EXPECT_FALSE(changed.within(beside, 3.5));
-  }
-}
-
-TEST(ChangedPlaces, AreAllOfWhatWasCutAway) {
-  const Revision high = unmeshed(test::model_of({test::block("block", 60, 40, 40)}));
-  const Revision low = unmeshed(test::model_of({test::block("block", 60, 40, 10)}));
-  const ChangedPlaces changed(high, low);
-  EXPECT_EQ(changed.distance_to({0, 0, 25}), 0);
-  EXPECT_TRUE(changed.within({0, 0, 25}, 1));
-  EXPECT_GT(changed.distance_to({0, 0, 5}), 3.5);
 }
 
 }  // namespace
