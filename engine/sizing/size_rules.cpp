@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/angle.h"
+#include "engine/sizing/narrow_faces.h"
 #include "engine/sizing/thin_places.h"
 
 namespace remeshd {
@@ -14,9 +15,10 @@ namespace {
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
 /// So many more edges are asked for on circles: they come out unevenly long.
 constexpr double kReserve = 1.2;
-/// x least size: walls and gaps thinner and model edges shorter than that get no edges for it,
-/// which would do no good.
+/// x least size: walls and gaps thinner than that get no edges for it, which would do no good.
 constexpr double kFilm = 0.25;
+/// The same of model edges and narrow faces: beside a step finer tets are less flat.
+constexpr double kLowStep = 0.1;
 constexpr double kOnFace = 0.82;    // nodes to a square of an edge length
 constexpr double kInVolume = 1.41;  // to a cube of it
 
@@ -168,11 +170,11 @@ void SizeRules::add_circles_of(const BoundaryFace& face, int index, double per_r
   }
 }
 
-std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& boundary, double film,
+std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& boundary, double step,
                                                          double most) {
   std::vector<Detail> edges;
   for (const BoundaryEdge& edge : boundary.edges) {
-    if (edge.closed() || edge.length < film || edge.length >= most) continue;
+    if (edge.closed() || edge.length < step || edge.length >= most) continue;
     // Its middle as well, for it may be an arc.
     const std::array<Vec3, 3> piece{edge.points.front(), edge.points[edge.points.size() / 2],
                                     edge.points.back()};
@@ -181,23 +183,36 @@ std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& bo
   return edges;
 }
 
+void SizeRules::add_narrow_faces(const BoundaryModel& boundary, double most, double least,
+                                 const Run& run) {
+  const double layers = sizing_.layers;
+  const NarrowFaceLimits limits{
+      .most = layers * most, .least = layers * least, .film = layers * kLowStep * least};
+  for (const NarrowPlace& place : narrow_faces(boundary, limits, run)) {
+    const auto& [a, b] = place.piece;
+    const std::array<Vec3, 3> piece{a, 0.5 * (a + b), b};
+    details_.push_back({place.face, {piece, box_of(piece), place.width / layers}});
+  }
+}
+
 SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const BaseSizes& bases,
                      const Run& run, std::vector<SizeSource> asked)
     : sizing_(sizing), bounds_(boundary.bounds) {
   if (sizing.even) return;
   asked_ = std::move(asked);
   const double most = bases.greatest;
-  const double least = least_size(sizing, bases.expected), film = kFilm * least;
+  const double least = least_size(sizing, bases.expected);
   if (sizing.edges_per_circle > 0)
     details_ =
         round_details_of(boundary, kTurn / (kReserve * sizing.edges_per_circle), slope(), least);
   if (sizing.layers == 0) return;
-  const auto edges = short_edges_of(boundary, film, most);
+  const auto edges = short_edges_of(boundary, kLowStep * least, most);
   details_.insert(details_.end(), edges.begin(), edges.end());
+  add_narrow_faces(boundary, most, least, run);
   thin_places_ = thin_places(boundary,
                              {.most = sizing.layers * most,
                               .least = sizing.layers * least,
-                              .film = sizing.layers * film,
+                              .film = sizing.layers * kFilm * least,
                               .slope = sizing.layers * slope()},
                              run);
 }

@@ -33,8 +33,9 @@ struct BaseSizes {
 };
 
 /// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
-/// edges of 2 pi r / `edges_per_circle`, walls and gaps for `layers` of them across, model edges
-/// that are shorter than the base size for edges no longer than they are, where there are layers.
+/// edges of 2 pi r / `edges_per_circle`, walls, gaps and narrow faces for `layers` of them across,
+/// model edges that are shorter than the base size for edges no longer than they are, where there
+/// are layers.
 /// Beside them what the model's size controls ask for.
 class SizeRules {
  public:
@@ -76,9 +77,11 @@ class SizeRules {
   /// Of a face of a torus.
   static void add_circles_of(const BoundaryFace& face, int index, double per_radius, double least,
                              std::vector<Detail>& details);
-  /// Edges from `film` to `most` long.
-  static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double film,
+  /// Edges from `step` to `most` long.
+  static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double step,
                                             double most);
+  /// Faces from a low step's width to `layers` times `most` wide.
+  void add_narrow_faces(const BoundaryModel& boundary, double most, double least, const Run& run);
   /// What is asked for across a thin place.
   [[nodiscard]] double size_of(const ThinPlace& place) const {
     return place.thickness / sizing_.layers;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/parallel.h"
+#include "engine/sizing/face_neighbours.h"
 #include "engine/sizing/triangle_tree.h"
 
 namespace remeshd {
@@ -50,30 +51,6 @@ struct Patch {
     return {corners[0]->at, corners[1]->at, corners[2]->at};
   }
 };
-
-/// For each face those that it shares an edge or a vertex with, and itself; ascending.
-std::vector<std::vector<int>> neighbours_of(const BoundaryModel& boundary) {
-  std::vector<std::vector<int>> faces_at(boundary.vertices.size());
-  std::vector<std::vector<int>> neighbours(boundary.faces.size());
-  const auto join = [&](std::span<const int> faces) {
-    for (const int a : faces)
-      for (const int b : faces) neighbours[a].push_back(b);
-  };
-  for (const BoundaryEdge& edge : boundary.edges) {
-    join(edge.faces);
-    for (const int vertex : {edge.start, edge.end})
-      if (vertex >= 0)
-        faces_at[vertex].insert(faces_at[vertex].end(), edge.faces.begin(), edge.faces.end());
-  }
-  for (const auto& faces : faces_at) join(faces);
-  for (std::size_t f = 0; f < neighbours.size(); ++f) {
-    neighbours[f].push_back(static_cast<int>(f));
-    std::ranges::sort(neighbours[f]);
-    const auto twice = std::ranges::unique(neighbours[f]);
-    neighbours[f].erase(twice.begin(), twice.end());
-  }
-  return neighbours;
-}
 
 class Search {
  public:
@@ -256,7 +233,7 @@ std::vector<ThinPlace> without_covered(std::vector<ThinPlace> places,
 
 std::vector<ThinPlace> thin_places(const BoundaryModel& boundary, const ThinPlaceLimits& limits,
                                    const Run& run) {
-  const auto neighbours = neighbours_of(boundary);
+  const auto neighbours = face_neighbours(boundary);
   const TriangleTree tree(boundary);
   std::vector<ThinPlace> places = collect_in_blocks<ThinPlace>(
       boundary.faces.size(), kPlaceLimits.faces_at_once, run,

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/base/run.h"
+#include "engine/cellular/boundary_model/boundary_model.h"
+
+namespace remeshd {
+
+/// A piece of an edge of a face that another edge of it runs along.
+struct NarrowPlace {
+  int face;
+  std::array<Vec3, 2> piece;
+  double width;  ///< of the face, from the middle of the piece
+};
+
+struct NarrowFaceLimits {
+  double most;   ///< length: where faces are wider there is no place
+  double least;  ///< length > 0: pieces are hardly shorter than half of this
+  double film;   ///< length: where faces are narrower there is no place
+};
+
+/// Where faces are as narrow as a step between two faces that look the same way and meet elsewhere:
+/// crescents where walls all but coincide, say. Pieces are at most as long as the face is wide.
+///
+/// Of the narrow sides of walls and gaps, and between faces that do not meet, `thin_places` tells.
+/// Left out are the ends of a strip, which narrow to nothing, and what widens like a wedge or a
+/// cusp: edges as short as they are narrow would only be many.
+std::vector<NarrowPlace> narrow_faces(const BoundaryModel& boundary, const NarrowFaceLimits& limits,
+                                      const Run& run);
+
+}  // namespace remeshd
