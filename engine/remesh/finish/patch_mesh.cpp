@@ -64,7 +64,7 @@ class PatchClassifier {
         else if (!meets_changed(s))
           known_.tets[s] = KnownClassification::Known::Inside;
       } else if (std::ranges::min(then) >= 0) {
-        for (int i = 0; i < 4; ++i) gone_.emplace_back(facet_of(then, i), patch_.inside[s]);
+        gone_.push_back(s);
       }
     }
   }
@@ -89,20 +89,51 @@ class PatchClassifier {
   /// outside of a round face, however far, lets tets go whose balls it was in, and what comes
   /// instead may lie against the face, inside of it.
   void find_outside_still() {
-    std::ranges::sort(gone_);
+    const std::vector<Other> others = other_tets();
+    const std::vector<GoneFacet> gone = gone_facets(others);
+    for (const auto& [s, then] : others) {
+      int outside = 0, inside = 0;
+      for (int i = 0; i < 4; ++i) {
+        const Facet facet = facet_of(then, i);
+        const auto was = std::ranges::lower_bound(gone, facet, {}, &GoneFacet::first);
+        if (was != gone.end() && was->first == facet) ++(was->second != 0 ? inside : outside);
+      }
+      if (outside > 0 && inside == 0) known_.tets[s] = outside_before(s);
+    }
+  }
+
+  /// A tet that is not as it was, of nodes that stayed; their numbers then.
+  struct Other {
+    std::int32_t slot;
+    Tet then;
+  };
+  using GoneFacet = std::pair<Facet, std::uint8_t>;  ///< of a tet that is not any more; 1: inside
+
+  [[nodiscard]] std::vector<Other> other_tets() const {
+    std::vector<Other> others;
     for (std::int32_t s = 0; s < static_cast<std::int32_t>(mesh_.slots()); ++s) {
       if (!mesh_.in_use(s) || known_.tets[s] != KnownClassification::Known::No) continue;
       Tet then = mesh_.corners(s);
       for (std::int32_t& n : then) n = before(n);
-      if (std::ranges::min(then) < 0) continue;
-      int outside = 0, inside = 0;
-      for (int i = 0; i < 4; ++i) {
-        const Facet facet = facet_of(then, i);
-        const auto was = std::ranges::lower_bound(gone_, facet, {}, &Gone::first);
-        if (was != gone_.end() && was->first == facet) ++(was->second != 0 ? inside : outside);
-      }
-      if (outside > 0 && inside == 0) known_.tets[s] = outside_before(s);
+      if (std::ranges::min(then) >= 0) others.push_back({s, then});
     }
+    return others;
+  }
+
+  /// Those that the others may have; ascending.
+  [[nodiscard]] std::vector<GoneFacet> gone_facets(const std::vector<Other>& others) const {
+    std::vector<std::uint8_t> asked(patch_.positions.size(), 0);
+    for (const Other& other : others)
+      for (const std::int32_t n : other.then) asked[n] = 1;
+    std::vector<GoneFacet> facets;
+    for (const std::int32_t s : gone_)
+      for (int i = 0; i < 4; ++i) {
+        const Facet facet = facet_of(patch_.mesh.corners(s), i);
+        if (std::ranges::all_of(facet, [&](std::int32_t n) { return asked[n] != 0; }))
+          facets.emplace_back(facet, patch_.inside[s]);
+      }
+    std::ranges::sort(facets);
+    return facets;
   }
 
   const NodeSet& nodes_;
@@ -110,8 +141,7 @@ class PatchClassifier {
   const MeshPatch& patch_;
   const CopyPlan& plan_;
   KnownClassification known_;
-  using Gone = std::pair<Facet, std::uint8_t>;  ///< of a tet that is not any more; 1: inside
-  std::vector<Gone> gone_;
+  std::vector<std::int32_t> gone_;  ///< slots of the patch's tets, of nodes, that are not any more
 };
 
 /// Supports of the nodes that are not in the patch; of the others any.
