@@ -66,9 +66,9 @@ void check_designs(const Settings& settings) {
     if (!designs.catalogue.empty() && !designs.replicas.empty())
       throw ConfigError("replicas: with a catalogue, designs are at all of them");
   }
-  if (const std::string fault = Postgres::fault_of(designs.catalogue);
-      !designs.catalogue.empty() && !fault.empty())
-    throw ConfigError("catalogue: " + fault);
+  if (!designs.catalogue.empty())
+    if (const std::string fault = Postgres::fault_of(designs.catalogue); !fault.empty())
+      throw ConfigError("catalogue: " + fault);
   if (designs.replicas.empty() != designs.replica.empty())
     throw ConfigError("replicas and replica go together");
   if (!designs.replica.empty() &&

@@ -3,8 +3,7 @@
 #include <libpq-fe.h>
 #include <poll.h>
 
-#include <algorithm>
-#include <array>
+#include <memory>
 #include <utility>
 
 #include "server/designs/design_error.h"

@@ -2,9 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -9,15 +9,14 @@ from structure import files, lines
 
 PROTO = Path("proto/remesh/v1")
 SOURCES = ("engine", "server", "proto", "client")
-# Reasons that no source gives yet: what the later parts of the protocol bring, and what gRPC gives.
-LATER = {
+# Reasons that no source gives by name.
+NOT_GIVEN = {
     "REASON_UNSPECIFIED",
-    "DEADLINE_PASSED", "COMPUTE_LIMIT_REACHED",       # limits on time
-    "REVISION_OUTDATED", "NOT_REPRODUCIBLE", "TIER_UNAVAILABLE",          # recipes, shared tier
-    "UNSUPPORTED",                         # a daemon that does not do yet what the protocol has
-    "TOO_MANY_STREAMS", "STARTING",                                       # load
-    "NOT_ALLOWED",                                                        # access
-    "STREAM_ENDED", "MESH_DAMAGED",                                       # told by clients
+    "DEADLINE_PASSED",                # gRPC's
+    "UNSUPPORTED",                    # of a daemon that does not have all of the protocol
+    "TOO_MANY_STREAMS", "STARTING",   # load
+    "NOT_ALLOWED",                    # access
+    "STREAM_ENDED", "MESH_DAMAGED",   # told by clients
 }
 # Texts of that form that are no names of the protocol.
 OTHERS = re.compile(r"(REMESH|REMESHD|XDG|NOTIFY)_|RST_STREAM$")  # environment; HTTP/2
@@ -61,10 +60,13 @@ def texts_like_enumerators_are_enumerators(root):
 
 
 def reasons_are_given(root):
-    """Each by some source, but for those of later."""
+    """Each by some source, and just those that are listed by none."""
     given = {name for _, _, name in texts(root)}
-    for name in sorted(enumerators(root, within="Reason") - given - LATER):
+    for name in sorted(enumerators(root, within="Reason") - given - NOT_GIVEN):
         yield f"{PROTO / 'error.proto'}:1: no source gives the reason {name}"
+    for path, number, name in texts(root):
+        if name in NOT_GIVEN:
+            yield f"{path}:{number}: {name} is listed as given by no source"
 
 
 RULES = [texts_like_enumerators_are_enumerators, reasons_are_given]

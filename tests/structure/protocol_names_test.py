@@ -58,6 +58,11 @@ class Rule(unittest.TestCase):
         self.assertEqual(1, len(found), found)
         self.assertIn("DESIGN_EMPTY", found[0])
 
+    def test_a_reason_listed_as_given_by_no_source_is_given_by_none(self):
+        self.assertEqual(["server/a.cpp:2: STARTING is listed as given by no source"],
+                         self.violations(protocol_names.reasons_are_given,
+                                         'f("BUSY", "DESIGN_EMPTY");\ng("STARTING");'))
+
 
 if __name__ == "__main__":
     unittest.main()
