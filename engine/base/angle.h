@@ -5,7 +5,7 @@
 
 namespace remeshd {
 
-inline constexpr double kTurn = 2 * std::numbers::pi;  ///< rad: once round
+inline constexpr double kTurn = 2 * std::numbers::pi;  ///< rad: a full turn
 
 /// The same angle in [0, kTurn].
 inline double wrapped(double angle) {

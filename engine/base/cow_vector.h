@@ -15,16 +15,16 @@
 
 namespace remeshd {
 
-/// An array in pages that its copies share: a copy costs a pointer a page, and a page is copied
-/// when somebody writes to it who is not alone with it. So what a revision has of its parent's
-/// stands in memory once.
+/// A copy-on-write array in pages. A copy shares all pages and costs one pointer for each; a shared
+/// page is copied when one of its holders writes to it. So what a revision has in common with its
+/// parent stands in memory once.
 ///
-/// Reading is safe from any number of threads, as is writing to one copy while others are read.
+/// Any number of threads may read; one may write to a copy while others read other copies.
 template <class T>
 class CowVector {
  public:
   using value_type = T;
-  /// Elements of a page: some 4 KB, small enough that an edit leaves most of them alone.
+  /// Elements per page: at most 4 KB, small enough that an edit leaves most pages alone.
   static constexpr std::size_t kPage = std::bit_floor(std::size_t{4096} / sizeof(T));
 
   /// Random access.
@@ -74,7 +74,7 @@ class CowVector {
     size_ = values.size();
   }
   explicit CowVector(const std::vector<T>& values) : CowVector(std::span<const T>(values)) {}
-  /// Shares the pages of `alike` that are the same.
+  /// Shares each page of `alike` that holds the same values at the same indices.
   CowVector(std::span<const T> values, const CowVector& alike) {
     for (std::size_t begin = 0; begin < values.size(); begin += kPage) {
       const std::span<const T> some = values.subspan(begin, std::min(kPage, values.size() - begin));
@@ -101,11 +101,11 @@ class CowVector {
   std::span<T> edit_page(std::size_t k) {
     return {own_page(k), std::min(kPage, size_ - k * kPage)};
   }
-  /// Writes, where that is not what stands there.
+  /// Writes unless the element is equal already, so that a shared page stays shared.
   void set(std::size_t i, const T& value) {
     if (!equal((*this)[i], value)) edit(i) = value;
   }
-  /// Leaves out what is beyond, or adds `value`.
+  /// Drops the elements from `size` on, or appends copies of `value`.
   void resize(std::size_t size, const T& value = {}) {
     while (size_ < size && size_ % kPage != 0) edit(size_++) = value;
     pages_.resize(std::min(pages_.size(), (size + kPage - 1) / kPage));
@@ -118,7 +118,7 @@ class CowVector {
 
   void push_back(const T& value) { resize(size_ + 1, value); }
 
-  /// Calls f(i, element) for all, in order: faster than by iterators, which look a page up each
+  /// Calls f(i, element) for all, in order: faster than iterators, which look up the page each
   /// time.
   template <class F>
   void for_each(F&& f) const {
@@ -131,11 +131,11 @@ class CowVector {
   [[nodiscard]] std::span<const T> page(std::size_t k) const {
     return {pages_[k].get(), std::min(kPage, size_ - k * kPage)};
   }
-  /// Whether this is the same memory as another's page: nothing differs.
+  /// Whether page k is the same memory as page k of `other`: what both have of it is equal.
   [[nodiscard]] bool shares(std::size_t k, const CowVector& other) const {
     return k < other.pages_.size() && pages_[k] == other.pages_[k];
   }
-  /// Memory of a page, as a whole.
+  /// Bytes that every page takes in memory, the last one included.
   static constexpr std::size_t page_bytes() { return kPage * sizeof(T); }
 
   [[nodiscard]] std::vector<T> flat() const {
@@ -154,7 +154,8 @@ class CowVector {
   }
 
  private:
-  /// The arrays that `==` compares by a call, for their few bytes, are compared in place.
+  /// By bytes where no padding or other representation can differ: the `==` of a std::array of a
+  /// few integers would be a library call.
   static bool equal(const T& a, const T& b) {
     if constexpr (std::has_unique_object_representations_v<T>) {
       return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -162,7 +163,7 @@ class CowVector {
       return a == b;
     }
   }
-  /// 0 and -0 are equal, and not the same.
+  /// Bit for bit: 0 and -0 are equal, but not the same.
   static bool same_bits(std::span<const T> a, std::span<const T> b) {
     if constexpr (std::is_trivially_copyable_v<T>) {
       return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
@@ -170,7 +171,7 @@ class CowVector {
       return std::ranges::equal(a, b);
     }
   }
-  /// A page, which no other shares from now on.
+  /// Page k, copied first if another copy shares it.
   T* own_page(std::size_t k) {
     std::shared_ptr<T[]>& page = pages_[k];
     if (page.use_count() > 1) {
@@ -178,12 +179,12 @@ class CowVector {
       page = std::make_shared_for_overwrite<T[]>(kPage);
       std::copy_n(shared.get(), kPage, page.get());
     } else {
-      // Whoever left it to us has done reading.
+      // Orders our writes after the reads of those that gave up their share of the page.
       std::atomic_thread_fence(std::memory_order_acquire);
     }
     return page.get();
   }
-  /// Its elements have no values yet.
+  /// Appends a page with uninitialised elements.
   T* add_page() { return pages_.emplace_back(std::make_shared_for_overwrite<T[]>(kPage)).get(); }
 
   std::vector<std::shared_ptr<T[]>> pages_;

@@ -42,7 +42,7 @@ std::string at(const Vec3& p) {
   return text + ")";
 }
 
-/// The ids as errors tell them; none for an empty one.
+/// The ids, clipped, without empty ones.
 FeatureIds listed(const FeatureIds& features) {
   FeatureIds clipped;
   for (const std::string& id : features)
@@ -71,7 +71,7 @@ constexpr const char* kNearlyCoincide =
     "features that nearly coincide are the usual cause: let them coincide, or keep them further "
     "apart";
 
-/// Of a sound model that cannot be meshed.
+/// The Error for a sound model that cannot be meshed.
 Error refused(std::string reason, std::string stage, std::string message, std::string hint,
               const std::optional<Vec3>& place = {}, const FeatureIds& features = {}) {
   return Error({.kind = ErrorKind::FailedPrecondition,

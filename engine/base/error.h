@@ -22,9 +22,9 @@ enum class ErrorKind {
   ResourceExhausted,  ///< busy or too big; may carry a retry delay
   Aborted,            ///< lost a compare-and-set
   Cancelled,
-  Unavailable,  ///< the daemon is going away
+  Unavailable,  ///< the daemon is going away, or a store that it needs cannot be reached
   Internal,
-  DataLoss,          ///< what was made or sent cannot be had again as it was
+  DataLoss,          ///< a stored mesh is lost and comes out otherwise when made again
   Unimplemented,     ///< this build does not do it
   PermissionDenied,  ///< known, but not allowed
   Unauthenticated,
@@ -37,15 +37,15 @@ struct ErrorInfo {
   std::string reason{};
   std::string message{};                ///< one sentence
   std::string stage{};                  ///< station of the engine or `request`
-  std::vector<std::string> features{};  ///< ids of those at fault, the first foremost
+  std::vector<std::string> features{};  ///< ids of features at fault, the main one first
   std::string parameter{};  ///< parameter, `placement.origin[1]`, `profile[3]`, ...; empty if none
   std::string hint{};       ///< what would help; empty if nothing sensible can be said
   std::optional<int> edit_index{};      ///< 0-based index of the edit at fault
-  std::optional<double> retry_after{};  ///< s, after which to try again
-  std::optional<Vec3> place{};          ///< model's unit; `message` tells it too
-  std::optional<int> line{}, column{};  ///< of a document, from 1
+  std::optional<double> retry_after{};  ///< s until it is worth trying again
+  std::optional<Vec3> place{};          ///< model's unit; `message` names it too
+  std::optional<int> line{}, column{};  ///< in a document, from 1
   std::optional<Warning> warning{};     ///< with WARNING_IS_ERROR
-  /// What was tried for a mesh before the last, each with its reason: `full: an inverted tet ...`.
+  /// Attempts at a mesh before the last one, each with its reason: `full: an inverted tet ...`.
   std::vector<std::string> attempts{};
   std::string home{};  ///< address of the daemon to ask instead, with DESIGN_ELSEWHERE
 };
@@ -89,12 +89,12 @@ Error non_finite_value(std::string_view feature, std::string_view parameter,
                        std::string_view value);
 Error value_out_of_range(std::string_view feature, std::string_view parameter, double value,
                          std::string_view range);
-/// A value outside the bounds of the model's parameter; those that it has.
+/// A value outside the bounds that a parameter of the model has; at least one is given.
 Error out_of_bounds(std::string_view parameter, double value, const std::optional<double>& lower,
                     const std::optional<double>& upper);
-/// A value of an `integer` parameter of the model that is not whole.
+/// A value of an `integer` parameter of the model that is no whole number.
 Error not_whole(std::string_view parameter, double value);
-/// `why`: what is wrong with the bounds of the model's parameter.
+/// `why`: a clause that goes on after "the bounds of parameter ...".
 Error bounds_invalid(std::string_view parameter, std::string_view why);
 Error degenerate_feature(std::string_view feature, std::string_view parameter, double value,
                          std::string_view why);
@@ -125,22 +125,22 @@ Error unknown_model_parameter(std::string_view name);
 
 /// No cell of the model is material.
 Error empty_model();
-/// The material falls into `pieces` that do not hang together by faces.
-/// `place`, `features`: of the smallest piece.
+/// The material falls into `pieces` parts that share no face. `place`, `features`: of the smallest
+/// part.
 Error disconnected_model(int pieces, const Vec3& place, const FeatureIds& features);
-/// The boundary touches itself, `what`: along an edge or at a point; `features`: those that meet
-/// there.
+/// The boundary touches itself; `what`: `along an edge`, `at a vertex`, `at a point`; `features`:
+/// those that meet at `place`.
 Error non_manifold_model(std::string_view what, const Vec3& place, const FeatureIds& features);
-/// The CAD kernel failed, or a check of its result did. Who catches it and knows the features adds
-/// those at the place.
+/// The CAD kernel failed, or a check of its result did. A caller that catches it and knows the
+/// features adds those at the place.
 Error kernel_failure(std::string_view what, const std::optional<Vec3>& place = {},
                      const FeatureIds& features = {});
 
 // Stage `control mesh`: TetGen in its own process.
 
-/// It does not take the surface, because `why`.
+/// TetGen does not accept the surface, or gives no usable mesh of it; `why`: a clause.
 Error tetgen_refused(std::string_view why);
-/// It ended without an answer; `how` is a clause.
+/// TetGen ended without a usable answer; `how`: a clause.
 Error tetgen_crashed(std::string_view how);
 Error tetgen_too_slow(double seconds);
 Error tetgen_out_of_memory(std::size_t bytes);
@@ -154,8 +154,8 @@ Error options_invalid(std::string_view option, std::string_view why);
 /// where no one alone is.
 Error mesh_too_large(std::string_view what, double nodes, std::uint32_t limit,
                      std::string_view option, std::string_view feature, std::string_view hint);
-/// `what`: what is missing or wrong, and where; `place`, `features`: of it, none where the whole
-/// mesh is wrong.
+/// `what`: what is missing or wrong, and where; `place`, `features`: where that is, none where the
+/// whole mesh is wrong.
 Error boundary_not_recovered(std::string_view what, const std::optional<Vec3>& place,
                              const FeatureIds& features);
 

@@ -20,8 +20,8 @@ void each(std::size_t count, const Run& run, const F& f) {
     return;
   }
   std::vector<std::exception_ptr> thrown(count);
-  // TBB sees to it that calls come after what stands before them, and their ends before what
-  // follows, but in a library that ThreadSanitizer does not see into.
+  // TBB orders the calls after what precedes them here and before what follows, but does so in a
+  // library that ThreadSanitizer does not instrument: these atomics tell it the same.
   std::atomic<bool> begun{false};
   std::atomic<std::size_t> ended{0};
   const auto call = [&](std::size_t k) {

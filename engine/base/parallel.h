@@ -9,20 +9,20 @@
 
 namespace remeshd {
 
-/// Elements of a block, by what one of them costs: about 10 ns (a measure), 100 ns (an exact
-/// predicate) or 1 us (a search).
+/// Elements per block where one costs about 10 ns (a measure), 100 ns (an exact predicate) or 1 us
+/// (a search).
 inline constexpr std::size_t kCheapBlock = 4096, kFairBlock = 1024, kDearBlock = 512;
 
 /// Calls f(begin, end) for blocks of [0, count), each `block` long but for the last, on up to
 /// `run.threads` threads. Blocks do not depend on the number of threads: where none reads what
 /// another one writes, the result does not either.
 ///
-/// Throws what the first block that threw has thrown.
+/// Where blocks throw, rethrows the exception of the first of them, by its place in the range.
 void in_blocks(std::size_t count, std::size_t block, const Run& run,
                const std::function<void(std::size_t begin, std::size_t end)>& f);
 
-/// The same for what each block finds, put together in the order of the blocks: f(begin, end,
-/// found) adds to `found`.
+/// Like in_blocks, where f(begin, end, found) appends what a block finds to `found`. Returns all of
+/// it in the order of the blocks.
 template <class T, class F>
 std::vector<T> collect_in_blocks(std::size_t count, std::size_t block, const Run& run, F&& f) {
   std::vector<std::vector<T>> found((count + block - 1) / block);
@@ -38,7 +38,7 @@ std::vector<T> collect_in_blocks(std::size_t count, std::size_t block, const Run
 }
 
 /// Calls all of the tasks, on up to `run.threads` threads. None may read what another one writes.
-/// Throws what the first task that threw has thrown.
+/// Where tasks throw, rethrows the exception of the first of them in the list.
 void side_by_side(std::initializer_list<std::function<void()>> tasks, const Run& run);
 
 }  // namespace remeshd

@@ -35,7 +35,7 @@ Region::Region(std::span<const Vec3> points, double reach, int steps) : width_(r
   widen(steps);
 }
 
-/// Every cube takes those up to `steps` away along each axis with it, one axis after the other.
+/// Adds all cubes up to `steps` away along each axis, one axis after the other.
 void Region::widen(int steps) {
   const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size_[0]),
                                           static_cast<std::size_t>(size_[0]) * size_[1]};
@@ -46,7 +46,7 @@ void Region::widen(int steps) {
       for (int k = 0; k < size_[c]; ++k) {
         const std::size_t begin = j * stride[b] + k * stride[c];
         line.assign(size_[axis], 0);
-        int until = -1;  // last place that the one before reaches
+        int until = -1;  // last index within `steps` of a cube met so far
         for (int i = -steps; i < size_[axis]; ++i) {
           const int ahead = i + steps;
           if (ahead < size_[axis] && holds_[begin + ahead * stride[axis]]) until = ahead + steps;

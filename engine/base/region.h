@@ -9,12 +9,12 @@
 
 namespace remeshd {
 
-/// What is near some points, as cubes of a grid.
+/// The neighbourhood of some points, as a set of cubes of a grid.
 class Region {
  public:
-  /// Everything within `reach` of one of the points is in it, and what is in it is within
-  /// sqrt(3) * (1 + 1 / steps) * reach of one, unless the points are so far apart that the cubes
-  /// had to be made larger. `steps`: width of the cubes, as a fraction of the reach.
+  /// It holds every place within `reach` of one of the points, and none further than
+  /// sqrt(3) * (1 + 1 / steps) * reach from all of them, unless the points are so far apart that
+  /// the cubes had to be made larger. `steps`: number of cubes along the reach.
   Region(std::span<const Vec3> points, double reach, int steps);
 
   [[nodiscard]] bool holds(const Vec3& p) const {
@@ -22,9 +22,10 @@ class Region {
     const auto c = cube_of(p);
     return holds_[index(c[0], c[1], c[2])] != 0;
   }
-  /// Whether one of the cubes meets the box.
+  /// Whether a cube of the set meets the box.
   [[nodiscard]] bool meets(const Box& box) const;
-  /// Boxes round the parts that hang together, in an order of their own; they may overlap.
+  /// Bounding boxes of the connected components (by common sides of cubes), in a deterministic
+  /// order; they may overlap.
   [[nodiscard]] std::vector<Box> boxes() const;
 
  private:
@@ -34,7 +35,7 @@ class Region {
   }
   void widen(int steps);
 
-  Box box_;  ///< of all cubes
+  Box box_;  ///< of the whole grid
   double width_ = 0;
   std::array<int, 3> size_{0, 0, 0};
   std::vector<std::uint8_t> holds_;

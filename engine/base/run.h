@@ -16,10 +16,10 @@ struct Progress {
   std::string_view
       stage;  ///< `cells`, `difference`, `nodes`, `optimise`, `extract`, `improve`, `verify`
   int iteration = 0;    ///< 1-based within `optimise`, 0 elsewhere
-  double fraction = 0;  ///< of the whole run, 0..1, never decreasing
+  double fraction = 0;  ///< of the whole run, 0..1; falls back where another strategy is tried
 };
 
-/// Nodes that a mesh may need where nobody sets another limit.
+/// Most nodes of a mesh, where nobody sets another limit.
 inline constexpr std::uint32_t kDefaultMaxNodes = 5'000'000;
 
 /// What surrounds one computation: the stop request, the listener, the number of threads, the
@@ -31,14 +31,15 @@ struct Run {
   std::filesystem::path dumps;  ///< empty: no dumps
   /// A mesh that would need more nodes is refused (`MESH_TOO_LARGE`) before any of them is made.
   std::uint32_t max_nodes = kDefaultMaxNodes;
-  /// Hears of warnings that the result is certain to have, before more work is done for it; not of
-  /// all of them. It may throw, or request the stop; may be empty.
+  /// Called with warnings that the result is certain to have, before more work is done for it; not
+  /// with all of them. It may throw, or request the stop; may be empty.
   std::function<void(std::span<const Warning>)> on_warnings = {};
 
   /// Throws Error(Cancelled) once a stop was requested. Call it at least every few milliseconds.
   void poll() const;
+  /// Polls, then calls `on_progress`.
   void report(std::string_view stage, double fraction, int iteration = 0) const;
-  /// Tells warnings that are certain, then polls.
+  /// Passes warnings that are certain to `on_warnings`, then polls.
   void warn(std::span<const Warning> certain) const;
 };
 

@@ -4,10 +4,10 @@
 
 namespace remeshd {
 
-/// Adds up the seconds between calls, each to a phase.
+/// Measures the seconds between calls and adds them to phases.
 class Stopwatch {
  public:
-  /// The time since the last call goes to `phase`.
+  /// Adds the seconds since the last call, or since construction, to `phase`.
   void lap(double& phase) {
     const auto now = Clock::now();
     phase += std::chrono::duration<double>(now - last_).count();

@@ -60,7 +60,7 @@ Foot foot_on_torus(double major, double minor, const Vec3& q) {
   const double rho = major + minor * nu;
   Foot foot{rho * m.out + Vec3{0, 0, minor * nz}, nu * m.out + Vec3{0, 0, nz}, d - minor};
   if (rho < 0) {
-    // A spindle torus ends on the axis: the point where its meridian does is nearest.
+    // A spindle torus ends on the axis: nearest is the point where its meridian meets that.
     const double tip = std::copysign(std::sqrt(minor * minor - major * major), m.z);
     foot.point = {0, 0, tip};
     foot.normal = (-major / minor) * m.out + Vec3{0, 0, tip / minor};
@@ -106,7 +106,7 @@ double plane_gap(const Surface& a, const Surface& b, const Box& where) {
 }
 
 /// Bound of the distance between two cones or cylinders along the part of a's axis beside the box:
-/// offset of the axes plus difference of the radii, both linear between the ends.
+/// offset of the axes plus difference of the radii, both convex along the axis where no apex is.
 double cone_gap(const Surface& a, const Surface& b, const Box& where) {
   const auto radius = [](const Surface& s, double z) {
     return s.kind == Surface::Kind::Cone ? std::fmax(0, s.r1 + s.r2 * z) : s.r1;
@@ -126,8 +126,8 @@ double cone_gap(const Surface& a, const Surface& b, const Box& where) {
   return gap;
 }
 
-/// Of the circle's bend, at a point of a surface of revolution: along the normal as far as the axis
-/// (Meusnier).
+/// Radius of normal curvature along the circle of revolution at a point of such a surface: the
+/// length of its normal up to the axis (Meusnier).
 double radius_round_axis(const Foot& foot) {
   const double outward = std::hypot(foot.normal.x, foot.normal.y);
   return outward == 0 ? HUGE_VAL : std::hypot(foot.point.x, foot.point.y) / outward;

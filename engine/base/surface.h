@@ -35,7 +35,7 @@ Vec3 normal(const Surface& surface, const Vec3& p);
 double signed_distance(const Surface& surface, const Vec3& p);
 
 /// Smallest radius of curvature at the point nearest to p; infinite on a plane, nought at a cone's
-/// apex.
+/// apex. On a cone it is that of p itself, which should lie on the surface or close to it.
 double radius_of_curvature(const Surface& surface, const Vec3& p);
 
 /// Whether two surfaces are the same point set to within `tolerance` (length) in the box given.

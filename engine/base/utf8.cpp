@@ -14,7 +14,7 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   if (length == 0 || at + length > text.size()) return 0;
   for (std::size_t i = 1; i < length; ++i)
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  // Longer than need be, a surrogate, or beyond U+10FFFF: no UTF-8 either.
+  // Overlong forms, surrogates and code points beyond U+10FFFF are no UTF-8 either.
   if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
       (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
     return 0;

@@ -36,7 +36,7 @@ inline double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
   return 0.5 * norm(cross(b - a, c - a));
 }
 
-/// By x, where that is the same by y, then by z.
+/// Lexicographic order by x, y, z.
 inline bool lies_before(const Vec3& a, const Vec3& b) {
   return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
@@ -79,7 +79,7 @@ inline Box box_of(std::span<const Vec3> points) {
   for (const Vec3& p : points) box.add(p);
   return box;
 }
-/// Of some of the points, by number.
+/// The box round those of the points that have these numbers.
 template <class Points, class Numbers>
 Box box_of(const Points& points, const Numbers& numbers) {
   Box box;
@@ -87,7 +87,7 @@ Box box_of(const Points& points, const Numbers& numbers) {
   return box;
 }
 
-/// Whether the boxes have a point in common, their rims included.
+/// Whether the boxes have a point in common, boundaries included.
 inline bool touch(const Box& a, const Box& b) {
   return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y &&
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
@@ -100,7 +100,7 @@ inline std::array<Vec3, 8> corners_of(const Box& box) {
   return c;
 }
 
-/// The box, larger to all sides.
+/// The box, larger by `by` on all sides.
 inline Box grown(const Box& box, double by) {
   const Vec3 margin{by, by, by};
   return {box.lo - margin, box.hi + margin};
@@ -150,7 +150,7 @@ inline Transform operator*(const Transform& a, const Transform& b) {
   return c;
 }
 
-/// The box round a box that is moved.
+/// The axis-aligned box round a moved box.
 inline Box moved(const Box& box, const Transform& motion) {
   Box out;
   for (const Vec3& corner : corners_of(box)) out.add(motion.apply(corner));

@@ -50,14 +50,14 @@ constexpr std::string_view name_of(WarningCode code) {
   return kWarningNames[static_cast<std::size_t>(code)];
 }
 
-/// A result that is valid, yet not what its reader may think.
+/// What the reader of a valid result should know of it.
 struct Warning {
   WarningCode code{};
   std::string message;                ///< one sentence
-  std::vector<std::string> features;  ///< ids, the first foremost
+  std::vector<std::string> features;  ///< ids, the main one first
   std::vector<std::string> groups;    ///< `hole.wall`
   std::optional<Vec3> point;          ///< model's unit
-  std::uint32_t nodes_needed = 0;     ///< of DetailNotResolved: that would resolve all; 0: not told
+  std::uint32_t nodes_needed = 0;  ///< with DetailNotResolved: to resolve all details; 0: unknown
 };
 
 }  // namespace remeshd

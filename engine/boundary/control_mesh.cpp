@@ -18,7 +18,8 @@ struct Octree {
   std::size_t few_tets = 4;  ///< a list so short is faster than another level
 };
 constexpr Octree kOctree;
-// TetGen takes triangles within 0.1 degree of one plane for flat: 2.6e-7 of tool2-d.
+// Relative. TetGen takes triangles within 0.1 degree of one plane for coplanar, which changes the
+// volume of tool2-d by 2.6e-7.
 constexpr double kVolumeTolerance = 1e-5;
 enum CellState : std::int32_t { kOutside = -1, kInside = -2 };  // lists of tets come below
 
@@ -41,7 +42,7 @@ bool apart(const Box& box, const Vec3& centre, const Vec3& half, double margin) 
          box.lo.z > centre.z + half.z + margin || box.hi.z < centre.z - half.z - margin;
 }
 
-/// Facets of one tet only.
+/// Facets that belong to one tet only.
 std::vector<Triangle> boundary_facets(const TetMesh& mesh) {
   struct Facet {
     Triangle sorted, facet;

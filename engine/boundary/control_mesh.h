@@ -11,8 +11,8 @@
 
 namespace remeshd {
 
-/// The control mesh: a constrained Delaunay mesh of the model's triangulated boundary, with a point
-/// location over it, 50-150 ns a question. It represents the boundary to within the chords of the
+/// The control mesh: a constrained Delaunay mesh of the model's triangulated boundary, with point
+/// location, 50-150 ns a query. It represents the boundary to within the chords of the
 /// triangulation.
 ///
 /// Source: Sect. 3.1.

@@ -11,7 +11,7 @@ namespace remeshd {
 
 struct NodeOnEdge {
   /// Where it lies along a model edge: arc length of its nearest point on the edge's polyline, from
-  /// the start. Grows strictly along the curve itself.
+  /// the start. It grows strictly as a point moves along the curve itself.
   double at;
   std::int32_t node;
 };

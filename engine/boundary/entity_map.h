@@ -7,15 +7,15 @@
 
 namespace remeshd {
 
-/// Where the boundary of one model is a part of another's, as away from a change: which entity of
-/// the other a node stands on. Entities may have been renumbered, cut in two or joined.
+/// Translates the supports of nodes from the boundary of one model into that of another where the
+/// two coincide, as away from a change. Entities may have been renumbered, cut in two or joined.
 class EntityMap {
  public:
-  /// `tolerance`: distance within which entities are the same, length. Keeps references to both.
+  /// `tolerance`: distance within which entities are the same, length. Keeps a reference to `to`.
   EntityMap(const BoundaryModel& from, const BoundaryModel& to, double tolerance);
 
   /// The support in the other boundary of a node at p that stands on `support` in the first;
-  /// nothing where the other has none there.
+  /// nothing where no entity of the other coincides with that.
   [[nodiscard]] std::optional<Support> operator()(const Support& support, const Vec3& p) const;
 
  private:

@@ -10,8 +10,8 @@
 namespace remeshd {
 namespace {
 
-/// Normals that fit a facet this evenly do not tell whose it is: faces that cross at less than 18
-/// degrees.
+/// Cosines between a facet's normal and those of two faces that differ by less do not tell whose
+/// the facet is: faces that cross at less than 18 degrees.
 constexpr double kSameFit = 0.05;
 
 }  // namespace

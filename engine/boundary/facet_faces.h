@@ -14,20 +14,21 @@ namespace remeshd {
 class FacesOf {
  public:
   explicit FacesOf(const BoundaryModel& boundary);
-  /// The same with faces that rims of groups alone part as one, that of the lowest index.
+  /// The same, but faces that only rims of groups separate count as one, that of the lowest index.
   static FacesOf across_rims(const BoundaryModel& boundary);
 
   /// Ascending face indices: the face itself, those of the edge, those round the vertex; none in
   /// the interior.
   [[nodiscard]] std::span<const int> operator()(const Support& support) const;
 
-  /// The first plane that all these supports share, else the lowest face, -1 if there is none.
+  /// Of the faces that all these supports share the first that is planar, else the first; -1 if
+  /// they share none.
   [[nodiscard]] int common(std::span<const Support> supports) const;
 
  private:
   std::vector<int> face_;  ///< identity, so that a face gives a span too
   std::vector<std::vector<int>> edge_, vertex_;
-  std::vector<std::uint8_t> plane_;  ///< by face: whether it is one
+  std::vector<std::uint8_t> plane_;  ///< by face: whether it is planar
 };
 
 /// Which model faces a node with a support stands on, and which one a boundary facet represents.
@@ -41,9 +42,9 @@ class FacetFaces {
     return faces_(supports_[node]);
   }
   /// The common face of the three nodes, which are at a, b and c, -1 if there is none. Where they
-  /// share several (nodes on an edge curve), the one whose outward normal the facet's fits best; of
-  /// those that it fits evenly, as on a strip of a wall that stands out of another by little, the
-  /// one that lies there.
+  /// share several (nodes on an edge curve), the one whose outward normal is closest to the
+  /// facet's; of those that are about equally close, as on a narrow step between two walls, the one
+  /// whose triangulation is nearest to the facet's centroid.
   [[nodiscard]] int face_of(const Triangle& facet, const Vec3& a, const Vec3& b,
                             const Vec3& c) const;
   /// Unit normal of the face out of the material.
@@ -55,7 +56,7 @@ class FacetFaces {
   }
 
  private:
-  /// Of p, brought onto the face's surface, from the face.
+  /// Squared distance of p, projected onto the face's surface, from the face's triangulation.
   [[nodiscard]] double face_distance2(int face, const Vec3& p) const;
 
   const BoundaryModel& boundary_;

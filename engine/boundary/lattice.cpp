@@ -13,16 +13,16 @@ namespace {
 
 /// x spacing.
 struct Margins {
-  double of_rows = 2.5;   ///< round `box`, whose rows reach that far
-  double of_seen = 1e-6;  ///< round `within`, for rounding, beside what points are jittered by
+  double of_rows = 2.5;   ///< round `box`: cylinders and cones have rows at radii found there
+  double of_seen = 1e-6;  ///< round `within`: for rounding, on top of the jitter
 };
 constexpr Margins kMargins;
 
-/// Where there are so many rows round a turn, only those that may be seen are looked at, of which
-/// each has random numbers of its own. Others draw on from what the rows before have left.
+/// Of a sphere or torus with more rows only those that may be seen are visited, and each draws from
+/// a random stream of its own. With fewer, all rows draw from one stream in turn.
 constexpr std::int64_t kManyRows = 2000;
 
-/// The numbers of a row's own.
+/// The random stream of a row.
 Random of_row(std::uint64_t stream, std::int64_t row) {
   return Random(stream ^ (static_cast<std::uint64_t>(row + 1) * 0xD1B54A32D192ED03ULL));
 }
@@ -34,8 +34,8 @@ struct Range {
   [[nodiscard]] Range shifted(double by) const { return {lo + by, hi + by}; }
 };
 
-/// In which directions, as angles from the first axis, a rectangle is seen from the origin: in all
-/// where it holds the origin.
+/// The angles from the first axis at which a rectangle is seen from the origin: all of them where
+/// it holds the origin.
 Range angles_of(const Range& x, const Range& y) {
   if (x.holds(0) && y.holds(0)) return {0, kTurn};
   const double middle = std::atan2(y.lo + y.hi, x.lo + x.hi);
@@ -59,8 +59,8 @@ struct Steps {
   std::int64_t begin = 0, end = 0;
 };
 
-/// Those of `count` even steps round a turn, each up to `jitter` / 2 steps from its place, that may
-/// be seen, in their order.
+/// Of `count` even steps round a turn those that may lie at some angles, each up to `jitter` / 2
+/// steps from its place; as up to two ranges, ascending.
 std::array<Steps, 2> steps_seen(const Range& angles, std::int64_t count, double phase,
                                 double jitter) {
   const auto n = static_cast<double>(count);
@@ -78,7 +78,8 @@ std::int64_t divisions(double length, double spacing) {
   return std::max<std::int64_t>(1, std::llround(length / spacing));
 }
 
-/// Rows at even steps over a range; the step is kept so that the density is even.
+/// Calls row(place) at even steps over a range. The step is `spacing`, not fitted to the range, so
+/// that all surfaces are covered with the same density.
 template <class Row>
 void visit_rows(const Range& range, double spacing, Random& random, Row&& row) {
   const double phase = random.uniform();
@@ -146,7 +147,8 @@ class Lattice {
 
   void cone(double radius, double slope) {
     const double slant = std::sqrt(1 + slope * slope);
-    // Where the radius is one that the box has: next to flat, a cone has few rows of the height's.
+    // Only heights at which the cone has a radius that the box has: of a nearly flat cone these are
+    // few of the box's heights.
     const Range width = widened(rho_.lo, rho_.hi, kMargins.of_rows);
     const double one = (width.lo - radius) / slope, other = (width.hi - radius) / slope;
     const Range height{std::fmax(local_.lo.z, std::fmin(one, other)),
@@ -208,7 +210,7 @@ class Lattice {
                     seen, [&](const Steps& steps) { return k >= steps.begin && k < steps.end; }));
   }
 
-  /// Some of many rows.
+  /// Visits some of many rows, each with its own random stream.
   template <class Row>
   void visit_some(const std::array<Steps, 2>& rows, Row&& row) {
     const std::uint64_t stream = random_.next();
@@ -220,7 +222,8 @@ class Lattice {
     random_ = Random(stream);
   }
 
-  /// A row round the axis: calls place(cosine, sine, wobble) for what has the angles.
+  /// A row round the axis: calls place(cosine, sine, wobble) for its points at `angles`. Where it
+  /// is not `seen` its random numbers are skipped.
   template <class Place>
   void ring(double radius, bool seen, const Range& angles, Place&& place) {
     const std::int64_t count = divisions(kTurn * radius, spacing_);
@@ -229,8 +232,9 @@ class Lattice {
         [&](double t, double wobble) { place(std::cos(kTurn * t), std::sin(kTurn * t), wobble); });
   }
 
-  /// Jittered points of one row, `count` of them: calls place(t, wobble) with t in [0, 1) for those
-  /// at the angles, in turns of t. Each draws the same numbers whichever others are seen.
+  /// One row of `count` jittered points: calls place(t, wobble) for those at `angles`. t runs from
+  /// 0 to 1 over a turn, give or take the jitter. Each point draws the same numbers whichever
+  /// others are visited.
   template <class Place>
   void row(std::int64_t count, const Range& angles, Place&& place) {
     const double phase = random_.uniform();
@@ -258,9 +262,9 @@ class Lattice {
   Random& random_;
   const std::function<void(const Vec3&)>& visit_;
   Box local_;
-  Range rho_;                ///< distances from the axis in the box
-  Range seen_z_, seen_rho_;  ///< heights and distances from the axis of what is visited
-  Range seen_;               ///< its angles about the axis
+  Range rho_;                ///< distances from the axis in the widened box
+  Range seen_z_, seen_rho_;  ///< heights and distances from the axis in `within`, widened
+  Range seen_;               ///< angles about the axis in `within`, widened
 };
 
 }  // namespace

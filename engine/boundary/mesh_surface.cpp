@@ -13,15 +13,14 @@ namespace {
 
 struct SurfaceMeshing {
   int rounds = 6;               ///< of splitting, collapsing, flipping and evening out
-  int rounds_per_crossing = 2;  ///< after each
+  int rounds_per_crossing = 2;  ///< after each refinement at crossings
   double per_width = 2.0;       ///< longest sides beside a thin face, in widths of it
   double per_radius = 1.0;      ///< longest sides on a curve, in its radii: a hexagon
-  int least_segments = 6;       ///< of a closed edge of another kind
+  int least_segments = 6;       ///< sides on a closed edge that is no circle
 };
 constexpr SurfaceMeshing kMesh;
 
-/// Smallest radius of curvature; of a cone or torus at least `least`, for at its apex there is
-/// none.
+/// Smallest radius of curvature; of a cone or torus at least `least`, for it is 0 at an apex.
 double radius_of(const Surface& surface, const Vec3& p, double least) {
   using Kind = Surface::Kind;
   const double radius = radius_of_curvature(surface, p);
@@ -44,7 +43,8 @@ double longest_on_curve(const BoundaryModel& boundary, const Support& support, c
   return length;
 }
 
-/// Shortens sides beside thin faces and at short model edges: those that cannot be collapsed.
+/// Asks for shorter sides beside those that cannot be collapsed: across thin faces and along whole
+/// model edges.
 void heed_thin_faces(SurfaceRemesher& remesher, double least) {
   using Kind = Support::Kind;
   const SurfaceMesh& mesh = remesher.mesh();
@@ -54,7 +54,7 @@ void heed_thin_faces(SurfaceRemesher& remesher, double least) {
       // Across a face from edge to edge, or along all of an edge.
       const Kind rigid = f.edge[i] < 0 ? Kind::Edge : Kind::Vertex;
       if (mesh.supports[a].kind < rigid || mesh.supports[b].kind < rigid) continue;
-      if (rigid == Kind::Edge && mesh.supports[a] == mesh.supports[b]) continue;  // cuts a bend
+      if (rigid == Kind::Edge && mesh.supports[a] == mesh.supports[b]) continue;  // a chord
       const double width = distance(mesh.nodes[a], mesh.nodes[b]);
       for (const std::int32_t n : {a, b})
         remesher.shorten(n, std::max(kMesh.per_width * width, least));
@@ -62,7 +62,7 @@ void heed_thin_faces(SurfaceRemesher& remesher, double least) {
   remesher.grade();
 }
 
-/// Halves the sides of facets that cut others; false where there are none.
+/// Asks for sides half as long at facets that cut others; false where there are none.
 bool heed_crossings(SurfaceRemesher& remesher, const Run& run) {
   const SurfaceMesh& mesh = remesher.mesh();
   const auto crossings = surface_crossings(mesh, run);
@@ -105,11 +105,11 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
   };
   SurfaceRemesher remesher(tessellated_surface(boundary), boundary, longest, run);
   remesher.flip();
-  // Before anything is collapsed: chords of one side of a narrow place must not go far beyond the
-  // other, for what comes to stand between them and their curve is there to stay.
+  // Before anything is collapsed: on one side of a narrow place chords must not reach far across
+  // the other side, for nodes that come to stand between a chord and its curve stay there.
   heed_thin_faces(remesher, least);
-  // The triangulation has long slivers, whose quarters are slivers again: collapse what is short
-  // between.
+  // The triangulation has long slivers, and splitting a sliver gives slivers again: sides are split
+  // in steps, and short ones collapsed in between.
   for (const double limit : {64.0, 32.0, 16.0, 8.0, 4.0, 2.0}) {
     remesher.split_long(limit);
     remesher.flip();

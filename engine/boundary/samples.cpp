@@ -46,8 +46,8 @@ class Wanted {
     return everywhere() ||
            std::ranges::any_of(*places_, [&](const Region& place) { return place.holds(p); });
   }
-  /// Calls f(part, number) for parts of `box` that cover what is wanted in it; `holds_first` tells
-  /// the points of each that are in no earlier one.
+  /// Calls f(part, number) for parts of `box` that cover what is wanted in it. They may overlap:
+  /// `holds_first` tells the wanted points of each that are in no earlier one.
   template <class F>
   void for_each_part(const Box& box, const F& f) const {
     if (everywhere()) return f(box, 0);
@@ -63,7 +63,7 @@ class Wanted {
 
  private:
   const std::vector<Region>* places_;  ///< null: everywhere
-  std::vector<Box> boxes_;             ///< cover them
+  std::vector<Box> boxes_;             ///< cover the places
 };
 
 void sample_face(const BoundaryModel& boundary, int index, const std::vector<int>& others,
@@ -95,7 +95,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
             const Vec3 outward = outward_normal(face, p);
             if (!membership.inside(p - probe * outward) || membership.inside(p + probe * outward))
               return;
-            double own = -1;  // before it is asked
+            double own = -1;  // not yet computed
             for (std::size_t k = 0; k < others.size(); ++k) {
               if (!boxes_of_others[k].contains(p, spacing)) continue;
               if (own < 0) own = face_distance2(face, p);
@@ -114,7 +114,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
       if (wanted.holds(p)) out.push_back({p, relative_area(sizes(p)), support});
     }
   }
-  // What stands for all of the face adds up to its area.
+  // Weights on a whole face add up to its area; on a part of it each is its spacing squared.
   const double spacing = options.face_spacing * sizes.base();
   double sum = 0;
   for (std::size_t k = begin; k < out.size(); ++k) sum += out[k].weight;
@@ -122,7 +122,7 @@ void sample_face(const BoundaryModel& boundary, int index, const std::vector<int
   for (std::size_t k = begin; k < out.size(); ++k) out[k].weight *= one;
 }
 
-/// How far along an edge its pieces end that are equally many local edge lengths long.
+/// The division of an edge into pieces that are equally long in local edge lengths.
 class EdgeStations {
  public:
   EdgeStations(const BoundaryEdge& edge, const SizeField& sizes, double spacing)
@@ -143,7 +143,7 @@ class EdgeStations {
   }
 
   [[nodiscard]] int count() const { return std::max(3, static_cast<int>(std::ceil(needed_))); }
-  /// Length of chords up to piece `k` of `count()`, and a share of it.
+  /// Length of the polyline up to the end of `k` pieces, of `count()`; k need not be whole.
   [[nodiscard]] double at(double k) const {
     if (stations_.empty()) return chords_ * k / count();
     const double passed = needed_ * k / count();
@@ -160,8 +160,8 @@ class EdgeStations {
  private:
   static constexpr double kStep = 0.5;  // x spacing: between stations
   struct Station {
-    double at;      ///< length of chords
-    double passed;  ///< spacings
+    double at;      ///< length of the polyline up to it
+    double passed;  ///< number of spacings up to it
   };
   double length_, chords_;
   double needed_ = 0;              ///< spacings on the edge

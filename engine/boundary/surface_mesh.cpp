@@ -63,7 +63,7 @@ void find_sides(SurfaceMesh& mesh, const BoundaryModel& boundary) {
                                     mesh.nodes[a]);
       const std::int32_t other = mesh.facets[beyond->second].face;
       if (other == facet.face) continue;
-      // Lower node first, so that both sides find the same edge to the bit.
+      // Lower node first: the facets on both sides compute the same and find the same edge.
       facet.edge[i] = edge_along(boundary, facet.face, other, mesh.nodes[std::min(a, b)],
                                  mesh.nodes[std::max(a, b)]);
       if (facet.edge[i] < 0)

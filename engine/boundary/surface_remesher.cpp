@@ -12,8 +12,8 @@ namespace {
 
 /// Lengths of sides are x the length asked for.
 struct SurfaceRemeshing {
-  double most = 4.0 / 3, least = 4.0 / 5;  ///< between them a split is not undone at once
-  double lengthening = 1.05;               ///< of a long side, by a collapse at its end
+  double most = 4.0 / 3, least = 4.0 / 5;  ///< longer sides are split, shorter collapsed
+  double lengthening = 1.05;               ///< a side too long may grow so much by a collapse
   double upright = 0.64;                   ///< cosine of 50 degrees: a hexagon for a circle passes
   double least_shape = 0.01;               ///< of a facet that a step makes
   double fair_shape = 0.6;                 ///< above this a facet may lose shape when a node moves
@@ -92,7 +92,8 @@ double SurfaceRemesher::ratio(std::int32_t a, std::int32_t b) const {
   return 2 * distance(mesh_.nodes[a], mesh_.nodes[b]) / (lengths_[a] + lengths_[b]);
 }
 
-/// 1 for a regular triangle, 0 for a flat one; negative where it leans over on its face.
+/// 1 for an equilateral triangle, 0 for a degenerate one; -1 where it leans off its face by more
+/// than 50 degrees, or is upside down on a plane.
 double SurfaceRemesher::shape(int face, const Vec3& a, const Vec3& b, const Vec3& c) const {
   const Vec3 n = cross(b - a, c - a);
   const double twice_area = norm(n);
@@ -219,7 +220,7 @@ bool SurfaceRemesher::may_collapse(const Side& s, std::int32_t from, std::int32_
   std::vector<std::int32_t> common;
   std::ranges::set_intersection(at_from, at_to, std::back_inserter(common));
   if (common.size() != 2) return false;
-  // An arc would fall onto its chord, and the face between them be gone.
+  // Two model edges would fall together, as an arc and its chord, and the face between be gone.
   for (const auto& [facet, apex] : {std::pair{s.left, s.apex_left}, {s.right, s.apex_right}})
     if (edge_between(facet, from, apex) >= 0 && edge_between(facet, to, apex) >= 0) return false;
   // A tetrahedron would fold into a doubled facet.
@@ -239,7 +240,7 @@ bool SurfaceRemesher::may_collapse(const Side& s, std::int32_t from, std::int32_
 }
 
 void SurfaceRemesher::collapse(const Side& s, std::int32_t from, std::int32_t to) {
-  // The sides that fall together: the model edge of either survives.
+  // Of two sides that fall together at most one is on a model edge, which the new side keeps.
   const std::int32_t at_left =
       std::max(edge_between(s.left, from, s.apex_left), edge_between(s.left, to, s.apex_left));
   const std::int32_t at_right =

@@ -34,15 +34,15 @@ class SurfaceRemesher {
   /// Lets the lengths asked for grow no faster than by half of the distance (Dijkstra).
   void grade();
 
-  /// Splits sides that are longer than `limit` of their length, the longest first.
+  /// Splits sides that are longer than `limit` x the length asked for, the longest first.
   void split_long(double limit = 4.0 / 3);
-  /// Collapses sides that are shorter than 4/5 of their length, the shortest first.
+  /// Collapses sides that are shorter than 4/5 of the length asked for, the shortest first.
   void collapse_short();
   /// Flips sides within faces while that improves the worse of their two facets.
   void flip();
   /// Moves every node towards the middle of its neighbours, where its facets allow it.
   void even_out();
-  /// Takes out what collapsing left behind: nodes and facets are numbered anew, in their order.
+  /// Takes out the nodes and facets that are gone; the others are numbered anew, in their order.
   void compact();
 
  private:
@@ -56,13 +56,14 @@ class SurfaceRemesher {
   struct Job {
     double key;
     std::int32_t a, b;
-    /// By key, the lower nodes after the higher ones.
+    /// By key; of equal keys the job with lower nodes is the greater, so that it comes first.
     friend bool operator<(const Job& x, const Job& y) {
       return x.key != y.key ? x.key < y.key : std::pair{x.a, x.b} > std::pair{y.a, y.b};
     }
   };
 
   [[nodiscard]] std::optional<Side> side(std::int32_t a, std::int32_t b) const;
+  /// Length of a side over the length asked for, the mean of that at its ends.
   [[nodiscard]] double ratio(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] double shape(int face, const Vec3& a, const Vec3& b, const Vec3& c) const;
   /// Shape of a facet with node n at p.

@@ -14,7 +14,7 @@ struct DelaunayLimits {
   int nodes_per_poll = 512;
   double super_distance = 12;  ///< x diagonal; hull facets are Delaunay long before that
   double near = 0.25;          ///< x the distance of the super vertices: well within them
-  std::size_t starts = 256;    ///< of a walk in a patch, from the nearest of which it starts
+  std::size_t starts = 256;    ///< tets of a patch, the nearest of which a walk starts from
 };
 constexpr DelaunayLimits kDelaunayLimits;
 
@@ -104,7 +104,8 @@ std::int32_t DelaunayMesh::walk(std::int32_t from_slot, const Vec3& p) const {
 
 std::int32_t DelaunayMesh::locate(const Vec3& p) const {
   if (const std::int32_t t = walk(hint_, p); t >= 0) return t;
-  // A patch may be bent or in pieces: from the nearest of some of its tets, then from all.
+  // A patch may be non-convex or in pieces: walk from the nearest of some of its tets, else test
+  // all.
   const std::size_t stride = std::max<std::size_t>(1, slots_.size() / kDelaunayLimits.starts);
   std::int32_t nearest = -1;
   for (std::size_t t = 0; t < slots_.size(); t += stride) {
@@ -200,7 +201,7 @@ bool DelaunayMesh::insert_one(std::int32_t vertex) {
     patch_too_small_ = true;
     return false;
   }
-  if (!conflicts(start, p)) return false;  // only a tet with a corner at p contains it in no sphere
+  if (!conflicts(start, p)) return false;  // p is at one of its corners
 
   scratch_.begin(slots_.size());
   auto& seen = scratch_.seen;
@@ -243,7 +244,8 @@ bool DelaunayMesh::insert_one(std::int32_t vertex) {
     join({r.tet, 3}, r.outer);
     hint_ = r.tet;
   }
-  // Pairs take room by the square: a node inside of many on one sphere sees all of them.
+  // A table of pairs grows by the square, and a cavity may be large: a node inserted inside of a
+  // sphere with many nodes on it sees all of them.
   if (number_cavity_vertices() <= kFewVertices)
     connect_small_cavity();
   else

@@ -1,5 +1,5 @@
-// Moving nodes: Delaunay again by bistellar flips, and by taking out and putting in what flips
-// cannot restore.
+// Moving nodes: Delaunay again by bistellar flips, and by removing and reinserting nodes where
+// flips do not restore it.
 #include <cassert>
 #include <utility>
 
@@ -13,12 +13,14 @@ namespace remeshd {
 
 namespace {
 
+/// kHeld: moved back, because a tet was not positive. kUnflippable: at a facet that no flip made
+/// Delaunay.
 enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kUnflippable = 3 };
 
 struct MotionLimits {
-  double most_held = 0.25;          ///< share of the moved nodes, before flips do not pay any more
-  int tries = 2;                    ///< of held nodes, once others have made room; more help few
-  std::size_t tets_per_try = 5000;  ///< that a held node makes worth while
+  double most_held = 0.25;          ///< share of the moved nodes; with more held, flips do not pay
+  int tries = 2;                    ///< rounds: held nodes move once others have made room
+  std::size_t tets_per_try = 5000;  ///< another round pays for one held node per so many tets
 };
 constexpr MotionLimits kMotionLimits;
 
@@ -67,7 +69,7 @@ DelaunayMesh::Moved DelaunayMesh::move(std::span<const Vec3> positions,
     }
     going = std::move(held);
   }
-  // What flips could not restore: the corners of a facet that is not Delaunay come out too.
+  // What flips could not restore: the corners of a facet that is not Delaunay are reinserted too.
   for (const FacetRef facet : unflipped) {
     if (!in_use(facet.tet()) || !across(facet).is_tet() || is_delaunay(facet)) continue;
     for (const int c : kTetFacets[facet.corner()]) {
@@ -226,7 +228,8 @@ bool DelaunayMesh::flip(FacetRef facet, std::vector<FacetRef>& stack) {
     flip_2_3(facet, stack);
     return true;
   }
-  // The edge that the new one would pass: the facet's without corner c.
+  // The edge of the facet that the line between the two apexes meets or passes by outside: the one
+  // without corner c.
   const int c = flat >= 0 ? flat : reflex;
   std::int32_t edge[2]{-1, -1};
   int k = 0;
@@ -276,15 +279,15 @@ bool DelaunayMesh::flip_3_2(std::int32_t tet, std::int32_t a, std::int32_t b,
   const Slot s2 = slots_[t2], s3 = slots_[t3];
   const std::int32_t e = apex(t1.n[ic]);
   if (e != apex(t1.n[id])) return false;
-  if (s2.across(t1.v[id]).tet() != t3) return false;  // not the same tet round the edge
+  if (s2.across(t1.v[id]).tet() != t3) return false;  // more than three tets round the edge
   if (!positive_with(tet, ib, e) || !positive_with(tet, ia, e)) return false;
-  // N_a keeps a, in the slot of t1; N_b keeps b, in that of t2.
+  // The new tet with a takes the slot of t1, that with b the slot of t2.
   slots_[tet].v = t1.v;
   slots_[tet].v[ib] = e;
   slots_[t2].v = t1.v;
   slots_[t2].v[ia] = e;
   release(t3);
-  // N_a: e stands in b's place; its facets opposite e, c, d come from t1, t2, t3.
+  // In the tet with a, e is in the place of b; its facets opposite e, c, d come from t1, t2, t3.
   join({tet, ib}, t1.across(b));
   join({tet, ic}, s2.across(b));
   join({tet, id}, s3.across(b));

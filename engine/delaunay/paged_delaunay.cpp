@@ -192,7 +192,7 @@ std::vector<std::int32_t> PagedDelaunay::close_gaps() {
 
 PagedDelaunay::Ball PagedDelaunay::ball(std::int32_t slot) const {
   const auto& v = slots_[slot].v;
-  // The nearer the origin, the less is lost to the super vertices.
+  // Relative to a node: a super vertex is far away, and rounding would be worse.
   const std::int32_t origin = *std::ranges::max_element(v);
   const Vec3& a = point(origin);
   std::array<Vec3, 3> d;

@@ -11,41 +11,44 @@
 
 namespace remeshd {
 
-/// A Delaunay mesh at rest, as it stays with a revision: in pages that it shares with the meshes
-/// that were made out of it. Changes are made to a patch of it, in flat arrays, and put back.
+/// A Delaunay mesh as a revision keeps it: in pages that it shares with the meshes made out of it.
+/// It is changed by cutting out a patch as a DelaunayMesh, changing that and putting it back.
 class PagedDelaunay {
  public:
   using Corners = DelaunayMesh::Corners;
 
   PagedDelaunay() = default;
-  /// A mesh with its tets in the order of their lowest nodes, so that what is near in space is near
-  /// in memory where this holds for the nodes. `to`: by slot there the one here, -1 for the free.
+  /// Takes over a mesh, its tets in the order of their lowest nodes, so that tets near in space are
+  /// near in memory where that holds for the nodes. `to` gets by slot of `mesh` the slot here, -1
+  /// for free ones.
   PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>& to);
 
-  /// How a patch hangs together with the mesh that it was cut out of.
+  /// How a patch is connected to the mesh that it was cut out of.
   struct Cut {
-    std::vector<std::int32_t> slots;  ///< by slot of the patch: that of the whole
-    std::vector<FacetRef> exterior;   ///< of the whole, across the patch's boundary
+    std::vector<std::int32_t> slots;  ///< by slot of the patch: its slot in the whole
+    std::vector<FacetRef> exterior;   ///< facets of other tets, across its boundary
   };
-  /// Some of the tets as a mesh of their own, to be changed and put back: its nodes have the names
-  /// given, by node of the whole, below `count`.
+  /// The tets in some slots as a mesh of their own, to be changed and put back. `names`: by node of
+  /// the whole, its node in the patch, below `count`. Fills in `cut`.
   [[nodiscard]] DelaunayMesh cut(std::span<const std::int32_t> slots,
                                  std::span<const std::int32_t> names, std::int32_t count,
                                  Cut& cut) const;
-  /// Puts a changed patch back in the place of the tets that were cut out; into a mesh without tets
-  /// as its constructor takes a mesh. `names`: by node of the patch, its node here, below `count`,
-  /// -1 where the patch does not use it. Returns for each slot of the patch, and each that was cut
-  /// out, its slot here, -1 for those out of use: a patch made anew may have fewer. Pre:
-  /// `patch.patch_too_small()` is false; tets outside of the patch use nodes that keep their names.
+  /// Puts a changed patch back in the place of the tets that were cut out; a mesh without tets
+  /// takes over all of the patch, as the constructor does. `names`: by node of the patch, its node
+  /// here, below `count`, -1 where no tet of the patch has it. Returns by slot of the patch the
+  /// slot here, -1 for free ones, and further -1 where more slots were cut out than the patch has.
+  /// Pre: `patch.patch_too_small()` is false; tets outside of the patch use nodes that keep their
+  /// numbers.
   std::vector<std::int32_t> put_back(const DelaunayMesh& patch, const Cut& cut,
                                      std::span<const std::int32_t> names, std::int32_t count);
 
-  /// Renames the nodes from `count` on: node n to `names[n - count]`, which no other node has and
-  /// which is below `count`; -1 for nodes that are in no tet.
+  /// Renumbers the nodes from `count` on, which leaves `count` nodes: node n becomes
+  /// `names[n - count]`, which no other node has and which is below `count`; -1 for nodes that are
+  /// in no tet.
   void rename_last(std::span<const std::int32_t> names, std::int32_t count);
 
-  /// Moves the tets together, in the order of their slots, and gives back the memory of those that
-  /// are free. Returns by slot the new one, -1 for the free.
+  /// Compacts the slots, in their order, and gives back the memory of free ones. Returns by old
+  /// slot the new one, -1 for free ones.
   std::vector<std::int32_t> close_gaps();
 
   /// Where the nodes are.
@@ -59,7 +62,7 @@ class PagedDelaunay {
     const auto& v = slots_[slot].v;
     return {v[0] - kSuper, v[1] - kSuper, v[2] - kSuper, v[3] - kSuper};
   }
-  /// The ball round a tet, to within rounding.
+  /// The circumball of a tet, to within rounding.
   struct Ball {
     Vec3 centre;
     double radius;  ///< infinite or not a number where the tet is flat
@@ -67,8 +70,8 @@ class PagedDelaunay {
   [[nodiscard]] Ball ball(std::int32_t slot) const;
 
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }
-  /// Calls f(slot) for the tets with a node in a box that `meets` takes, and some more: it is asked
-  /// of the boxes round pages of them.
+  /// Calls f(slot) for all tets of the pages whose box (round the nodes of their tets) `meets`
+  /// accepts: so for all tets with a node at a place, and some more.
   template <class Meets, class F>
   void for_each_slot_near(Meets&& meets, F&& f) const {
     for (std::size_t k = 0; k < boxes_.size(); ++k)
@@ -77,12 +80,12 @@ class PagedDelaunay {
   /// Number of tets, those at the super vertices included.
   [[nodiscard]] std::size_t size() const { return slots_.size() - free_.size(); }
 
-  /// For storing: the super vertices, and calls f(name, array) with all else that makes up the
-  /// mesh.
+  /// For storing; `visit_named` has all else that makes up the mesh.
   [[nodiscard]] const std::array<Vec3, DelaunayMesh::kSuper>& super_vertices() const {
     return super_;
   }
   [[nodiscard]] std::array<Vec3, DelaunayMesh::kSuper>& super_vertices() { return super_; }
+  /// Calls f(name, array) for all arrays of the mesh; their names are part of the stored format.
   template <class F>
   void visit_named(F&& f) {
     visit_named(*this, f);
@@ -91,7 +94,8 @@ class PagedDelaunay {
   void visit_named(F&& f) const {
     visit_named(*this, f);
   }
-  /// Whether every index is one of a node or slot that there is, as after reading from outside.
+  /// Whether all indices are those of existing nodes and slots, and neighbours agree: to be asked
+  /// of a mesh that was read from storage.
   [[nodiscard]] bool consistent() const;
   /// Calls f with the arrays that grow with the mesh.
   template <class F>
@@ -115,10 +119,11 @@ class PagedDelaunay {
     return vertex < kSuper ? super_[vertex] : points_[vertex - kSuper];
   }
   std::int32_t allocate();
-  /// Takes over the slots of `from`: `to` has by slot the one here, below `count`, -1 for the free.
+  /// Takes over the slots of `from`; `to`: by its slot the slot here, below `count`, -1 for free
+  /// ones.
   template <class Slots>
   void take_over(const Slots& from, std::span<const std::int32_t> to, std::size_t count);
-  /// Looks at the pages of these slots again.
+  /// Computes the boxes of the pages of these slots again.
   void measure_pages(std::span<const std::int32_t> slots);
   void measure_page(std::size_t page);
   template <class F>

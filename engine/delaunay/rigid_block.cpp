@@ -1,4 +1,4 @@
-// Nodes that come with their tets.
+// Inserting nodes that were moved as a rigid body, together with their tets.
 #include <algorithm>
 
 #include "engine/delaunay/delaunay_mesh.h"
@@ -8,7 +8,7 @@
 namespace remeshd {
 
 namespace {
-constexpr std::size_t kFewNodes = 200;  // do not pay for the search of where they go
+constexpr std::size_t kFewNodes = 200;  // of a block: finding its place does not pay for fewer
 }
 
 void DelaunayMesh::insert_moved(const DelaunayMesh& from, std::span<const std::int32_t> names,
@@ -34,7 +34,7 @@ DelaunayMesh::RigidBlock DelaunayMesh::rigid_block_of(const DelaunayMesh& from,
                                                       std::span<const std::int32_t> names) {
   RigidBlock block;
   const auto name = [&](std::int32_t v) { return v < kSuper ? -1 : names[v - kSuper]; };
-  // Nodes inside: all tets at them have nodes that come, and neighbours.
+  // Inner nodes: each of their tets has only nodes that come, and a tet across each of its facets.
   std::vector<std::uint8_t> inner(from.points_.size(), 0);
   for (std::size_t v = kSuper; v < inner.size(); ++v)
     inner[v] = name(static_cast<std::int32_t>(v)) >= 0 ? 1 : 0;
@@ -76,7 +76,8 @@ bool DelaunayMesh::transplant(const DelaunayMesh& from, const RigidBlock& block,
                               std::span<const std::int32_t> names, const Run& run) {
   const std::optional<std::vector<Fill>> fill = match_hole(*this, block.facets, run);
   if (!fill) return false;
-  // By facet: what is beyond it here, and the tet in front of it there.
+  // `outer`: by facet of the block, what lies beyond it here; `facets`: by tet of the block and
+  // corner, which facet of the block is opposite, or -1.
   std::vector<FacetRef> outer(block.facets.size(), FacetRef::none());
   std::vector<std::array<std::int32_t, 4>> facets(block.tets.size(), {-1, -1, -1, -1});
   for (std::size_t w = 0; w < block.facets.size(); ++w)

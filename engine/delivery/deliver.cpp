@@ -18,7 +18,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::size_t kBlockPages = 16;
-constexpr double kPoor = 0.4;  // volume-length measure: better tets are not asked where they lie
+constexpr double kPoor = 0.4;  // volume-length: no better tet is taken to lie across a film
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 CowVector<std::uint64_t> permanent_ids(const CowVector<std::int32_t>& originals,
@@ -110,7 +110,8 @@ TwoQualities qualities(const Revision& revision, double volume, const Run& run) 
                         {p, paged_then, measures_then}, volume_then);
 }
 
-/// Quality away from where the model is sharp, or thinner than edges may be short.
+/// Measures `quality_away`: without tets where the model is sharp or across walls thinner than the
+/// least size.
 void measure_away(Revision& revision) {
   Report& report = revision.report;
   report.quality_away = report.quality;

@@ -14,8 +14,9 @@ struct FailurePlace {
   std::vector<std::string> features;  ///< their ids, each once
 };
 
-/// Names the model faces at a defect: those at the model edge or vertex that is not there, the face
-/// that is not covered; elsewhere the nearest face and the next one, if that is within `reach` too.
+/// Names the model faces at a defect: those at the model edge or vertex that is missing, or the
+/// face that is not covered; for other defects the nearest face, and the next one if it is within
+/// `reach`.
 FailurePlace find_failure(const MeshDefect& defect, const FeatureModel& model,
                           const Membership& membership, const BoundaryModel& boundary,
                           double reach);

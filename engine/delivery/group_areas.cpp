@@ -22,9 +22,9 @@ Vec3 point_on(const kernel::Brep& brep, const kernel::BrepFace& face) {
   return (p[(*largest)[0]] + p[(*largest)[1]] + p[(*largest)[2]]) / 3.0;
 }
 
-/// The plane faces of the merged boundary with several names, -1 for a point on none of them.
+/// The plane face with several names that a point of the merged boundary is on; -1: none.
 int shared_plane(const BoundaryModel& boundary, const Membership& membership, const Vec3& p) {
-  // Wider than for nodes: the middle of a triangle may be off by what the chords are.
+  // Wider than for nodes: the middle of a triangle is on a chord, and so may be further off.
   const double tolerance = 10 * tolerance::kOnSurface * boundary.bounds.diagonal();
   for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
     const BoundaryFace& face = boundary.faces[f];

@@ -9,9 +9,9 @@
 
 namespace remeshd {
 
-/// Exact and meshed areas of the facet groups on faces that several feature faces share out among
-/// them: there a seam of coplanar faces, which is no model edge, may cross facets, and a group's
-/// facets cover its faces only about.
+/// Exact and meshed areas of the facet groups on plane model faces with several names: there a seam
+/// between coplanar feature faces, which is no model edge, may cross facets, so that a group's
+/// facets cover its part of the face only roughly.
 ///
 /// Exact areas are those of the cellular model's faces. Post: in the order of the groups.
 std::vector<GroupArea> group_areas(const PagedMesh& mesh, const MeshGroups& groups,

@@ -17,14 +17,14 @@ namespace remeshd {
 namespace {
 
 struct GroupLimits {
-  /// Relative: what rounding, and the quadrature of conditions, leave of one area.
+  /// Relative: how far areas are apart that differ by rounding, or by quadrature of conditions.
   double same_area = 1e-6;
-  /// Of a feature's box: how finely material under a condition is looked for.
+  /// Points along each side of a feature's box at which its material is looked for.
   int material_steps = 24;
 };
 constexpr GroupLimits kGroupLimits;
 
-/// Of what a group names those that lie on a face of the boundary.
+/// The parts of a group's selector that name a face of the boundary.
 std::vector<const SelectedFaces*> selected_on(const BoundaryFace& face, const FaceGroup& group) {
   std::vector<const SelectedFaces*> found;
   for (const SelectedFaces& on : group.on)
@@ -51,6 +51,7 @@ double area_on(const BoundaryFace& face, const FaceGroup& group, const Run& run)
   return area_where(face, holds, run);
 }
 
+/// Whether a part of a selector names a whole feature and finds material of it in the model.
 bool has_material(const SelectedFaces& on, const FeatureModel& model, const Membership& membership,
                   const Run& run) {
   if (!on.whole || model.features[on.feature].nature != Nature::Additive) return false;
@@ -78,7 +79,7 @@ const GroupFigures* find_group(std::span<const GroupFigures> figures, const std:
   return found == figures.end() ? nullptr : &*found;
 }
 
-/// By group of the model the others that it has facets in common with.
+/// By group of the model: the other groups that it shares facets with.
 std::map<std::string_view, std::set<std::string_view>> shared_facets(const MeshGroups& groups) {
   std::map<std::string_view, std::set<std::string_view>> shared;
   std::vector<std::vector<const GroupMembers*>> of_facet(

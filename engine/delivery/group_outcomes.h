@@ -17,17 +17,18 @@ std::vector<GroupFigures> groups_before_meshing(const FeatureModel& model,
 std::vector<std::string> groups_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,
                                            const Run& run);
 
-/// Figures of all groups of a finished mesh, with what became of each since the parent: of those of
-/// facets, emptied ones included, then of those of the model. `before_meshing`: as above.
+/// Figures of all groups of a finished mesh, with what became of each since the parent: first the
+/// groups of facets, with those that the parent had and this mesh has not, then the groups of the
+/// model. `before_meshing`: what `groups_before_meshing` gave.
 std::vector<GroupFigures> group_outcomes(const Revision& parent, const Revision& revision,
                                          std::span<const GroupFigures> before_meshing);
 
 /// Throws Error(POLICY_BROKEN) with the group and its policy for one whose exact area differs from
-/// the parent's by more than it lets it.
+/// the parent's by more than the policy allows.
 void check_areas(const Revision& parent, const FeatureModel& model,
                  std::span<const GroupFigures> figures);
 
-/// Throws Error(POLICY_BROKEN) for a group in `empty` whose policy is to fail then.
+/// Throws Error(POLICY_BROKEN) for a group in `empty` whose policy is to fail when it is empty.
 void check_emptied(const FeatureModel& model, std::span<const std::string> empty);
 
 /// The groups of a finished mesh that have neither facets nor tets, in the model's order.

@@ -57,13 +57,13 @@ std::vector<int> indices_of(const std::vector<std::string>& ids, const FeatureMo
   return indices;
 }
 
-/// The cells that tets are in, sorted by owners.
+/// Finds the cells that the tets are in, sorted by owners.
 void name_cells(const PagedMesh& mesh, const FeatureModel& model, const Membership& membership,
                 const CellsBefore& before, MeshGroups& groups, const Run& run) {
   Numbering<std::vector<int>> cells;
   Polling poll(run);
-  std::vector<std::int32_t> number;  // of a cell before
-  // Calls f(tet, its cell before) for those that have theirs still, g(tet) for the others.
+  std::vector<std::int32_t> number;  // by cell of the earlier mesh: its number here, -1: none yet
+  // Calls f(tet, its earlier cell) for tets that are still in that, g(tet) for the others.
   const auto each = [&](auto&& f, auto&& g) {
     if (!before.groups) {
       for (std::size_t k = 0; k < mesh.tets.size(); ++k) g(k);
@@ -78,7 +78,7 @@ void name_cells(const PagedMesh& mesh, const FeatureModel& model, const Membersh
     for (; k < mesh.tets.size(); ++k) f(k, then[k]);
   };
   if (before.groups) number.assign(before.groups->cell_owners.size(), -1);
-  std::vector<std::int32_t> found;  // of the others
+  std::vector<std::int32_t> found;  // by other tet: its cell
   std::vector<int> owners;
   std::vector<int> last;  // neighbours in order are mostly neighbours in space: the same cell again
   std::int32_t last_cell = -1;

@@ -9,9 +9,10 @@
 
 namespace remeshd {
 
-/// Cells of an earlier mesh, of which tets of the same number still have theirs.
+/// The cells that the tets of an earlier mesh are in: a tet of the same number is still in the same
+/// one, unless it is among `others`.
 struct CellsBefore {
-  const MeshGroups* groups = nullptr;  ///< null: as if there were none
+  const MeshGroups* groups = nullptr;  ///< of the earlier mesh; null: there is none
   std::vector<std::int32_t> others;    ///< tets that may be in another cell, ascending
 };
 
@@ -20,9 +21,8 @@ struct CellsBefore {
 /// first), each tet with the owners of its cell.
 ///
 /// `surface`: the facets of the mesh that are in one tet, as verification found them.
-/// Post: facets in the order of `surface`; groups and cells sorted by name and by owners.
-///
 /// `before`: what is known from the mesh that this one was made from.
+/// Post: facets in the order of `surface`; groups sorted by names, cells by owners.
 MeshGroups name_groups(const PagedMesh& mesh, std::span<const SurfaceFacet> surface,
                        const CowVector<Support>& supports, const FeatureModel& model,
                        const Membership& membership, const BoundaryModel& boundary,

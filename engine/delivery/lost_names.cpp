@@ -57,8 +57,8 @@ class Names {
   std::set<Group> groups_;
 };
 
-/// What a mesh is certain to have names for, and what it is certain to have none for, by the
-/// boundary that it will have. Neither may hold.
+/// What a mesh is certain to have names for (`has`), and what it is certain to have none for
+/// (`lacks`), by the boundary that it will have. Of some names neither is certain.
 class NamesToCome {
  public:
   NamesToCome(const FeatureModel& model, const BoundaryModel& boundary) {
@@ -79,7 +79,8 @@ class NamesToCome {
   [[nodiscard]] bool has_face(std::string_view face) const { return faces_.contains(face); }
   [[nodiscard]] bool lacks_face(std::string_view face) const { return !possible_.contains(face); }
   [[nodiscard]] bool has(const Feature& feature) const { return features_.contains(feature.id); }
-  /// Of a subtractive one that nothing added later comes near: no material can be of it.
+  /// Certain of subtractive features without a face alone: such a one has no material unless
+  /// something added later reaches into it, which `has_no_effect` rules out.
   [[nodiscard]] bool lacks(const Feature& feature) const {
     return feature.nature == Nature::Subtractive && !possible_features_.contains(feature.id);
   }
@@ -91,8 +92,8 @@ class NamesToCome {
 
  private:
   NameSet faces_, features_;              ///< on faces that have one name throughout
-  NameSet possible_, possible_features_;  ///< on any
-  std::set<NameSet> together_;            ///< on one face each
+  NameSet possible_, possible_features_;  ///< on any face
+  std::set<NameSet> together_;            ///< for each face: all its names
 };
 
 bool within(const Box& inner, const Box& outer) {
@@ -100,13 +101,13 @@ bool within(const Box& inner, const Box& outer) {
          inner.hi.y <= outer.hi.y && outer.lo.z <= inner.lo.z && inner.hi.z <= outer.hi.z;
 }
 
-/// Whether a feature that a mesh has no name for changes nothing at all; false where boxes do not
+/// Whether a feature without any name in a mesh changes nothing at all; false where boxes do not
 /// tell.
 ///
-/// An additive one does not: where it decided, there would be material of it. Neither does a
-/// subtractive one, if nothing that subtracts and nothing added later comes near it: then it would
-/// cut what was added before, and that would have a face of it, unless it swallowed a whole
-/// feature.
+/// An additive one changes nothing: where it decided the nature, there would be material of it.
+/// Neither does a subtractive one that no other subtractive feature and none added later comes
+/// near: what it cut out of earlier features would have a face of it, unless it swallowed a whole
+/// feature, which its box tells.
 bool has_no_effect(const FeatureModel& model, int feature) {
   if (model.features[feature].nature == Nature::Additive) return true;
   const Box box = world_bounds(model.features[feature]);
@@ -177,10 +178,10 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
       for (std::string& face : faces.mapped()) warnings.push_back(face_lost(id, {std::move(face)}));
     }
   }
-  // What is left of them belongs to features that the edit removed.
+  // The lost faces that are left are of features that the edit removed.
   for (auto& [feature, faces] : lost) warnings.push_back(face_lost(feature, std::move(faces)));
   for (const Group& group : groups_before.facet_groups) {
-    // What lost a face was told with it.
+    // A group that lost a face has its warning with that face.
     const bool whole =
         std::ranges::all_of(group, [&](const std::string& face) { return now.has_face(face); });
     if (!whole || group.empty() || !now.lacks_group(group)) continue;

@@ -7,19 +7,20 @@
 
 namespace remeshd {
 
-/// What a reader looks for in vain in a mesh: faces and groups of facets that the original's mesh
-/// names and this one does not, features that neither add nor remove anything, and size controls
-/// whose selectors name no face. Told by names and boxes alone.
+/// Warnings of what a client would look for in vain in a mesh: faces and groups of facets that the
+/// original's mesh names and this one does not, features that neither add nor remove anything,
+/// groups of the model that select nothing, and size controls whose selectors name nothing. Found
+/// by names and bounding boxes alone.
 ///
-/// A feature that lost all of its faces is told once, as one without effect where that is certain.
-/// Of features and sizes that the original had without effect already nothing is said again.
-/// `original`: null for a first mesh.
+/// A feature that lost all of its faces gets one warning, as one without effect where that is
+/// certain. What was without effect or selected nothing in the original already gets none.
+/// `original`: `Revision::none()` for a first mesh.
 std::vector<Warning> lost_names(const Revision& original, const Revision& made, const Run& run);
 
-/// Those of them that are certain before there is a mesh, from the model and the boundary alone: a
-/// verified mesh has a facet on each face, and none with a name that its face has not. What depends
-/// on where tets lie is left out: whether a feature without a face still has material, and groups
-/// on faces that several features share.
+/// The warnings of `lost_names` that are certain before there is a mesh, from the model and the
+/// boundary alone: a verified mesh has a facet on each face, and none with a name that its face has
+/// not. What depends on where tets lie is left out: whether a feature without a face still has
+/// material, and groups on faces that several features share.
 std::vector<Warning> names_to_be_lost(const Revision& original, const FeatureModel& model,
                                       const BoundaryModel& boundary, const Run& run);
 

@@ -10,13 +10,13 @@ namespace remeshd {
 namespace {
 
 constexpr QualityReference kMostDrift{.volume_length_mean = 0.005, .nodes_over_expected = 0.1};
-/// A detail that an edit adds or removes alone changes the mean by .01.
+/// Twice as much as adding or removing a detail alone changes the mean by.
 constexpr QualityReference kMostSizedDrift{.volume_length_mean = 0.02};
 
 }  // namespace
 
 QualityReference quality_reference(const Revision& revision) {
-  // What a base size lets one expect says nothing where details ask for less.
+  // What a base size lets one expect says nothing of a mesh whose details ask for shorter edges.
   if (!revision.options.sizing.even) return {revision.report.quality.volume_length_mean, 1};
   return {revision.report.quality.volume_length_mean,
           static_cast<double>(revision.report.counts.nodes) /

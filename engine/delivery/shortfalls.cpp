@@ -10,9 +10,9 @@ namespace {
 
 struct WarningLimits {
   double off_target = 0.1;      ///< of the nodes asked for
-  double least_reached = 0.98;  ///< of the aim: what lacks less is not worth a word
-  /// x edge length. A circle of six edges is 0.13 of one from them, one of four 0.21, one of three
-  /// 0.29; facets have edges half as long again.
+  double least_reached = 0.98;  ///< x the clean-up's aim: a quality above this gets no warning
+  /// x edge length. A circle is 0.13 edge lengths from its edges where it has six, 0.21 where it
+  /// has four, 0.29 where it has three; facets have edges half as long again.
   double coarse_chord = 0.25;
 };
 constexpr WarningLimits kWarningLimits;

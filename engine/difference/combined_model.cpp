@@ -14,16 +14,16 @@ struct Group {
   std::vector<int> features;  ///< indices in the other model
 };
 
-/// A feature that the placing model has.
+/// A feature of the placing model, which is the one whose positions are used.
 struct Viewed {
   std::string id;
   int placed = -1;  ///< index in the placing model
   int other = -1;   ///< index in the other model, -1 if not there
-  int part = -1;    ///< number of its part, if there
+  int part = -1;    ///< its part of the fuse, by number, if the other model has it
   OwnedMarks placed_marks, other_marks;
 };
 
-/// `placing` gives the positions.
+/// Puts the feature differences together; `placing`: the model whose positions are used.
 class Combiner {
  public:
   Combiner(const ModelView& placing, const ModelView& other, bool placing_is_modified,

@@ -34,14 +34,15 @@ struct CombinedFace {
 };
 
 /// All feature differences put together with the features placed as one of the models has them
-/// (Sect. 4.3, Fig. 12). Features of the other model only have no place here.
+/// (Sect. 4.3, Fig. 12). Features that only the other model has are left out.
 struct CombinedModel {
   std::vector<CombinedCell> cells;
   std::vector<CombinedFace> faces;
   double copycell_volume = 0, newcell_volume = 0;  ///< combined modified model only
 };
 
-/// Throw Error(KERNEL_FAILURE), as feature_difference does.
+/// The combined models with the positions of the modified and of the original model. Both throw
+/// what feature_difference throws.
 CombinedModel combined_modified_model(const ModelView& original, const ModelView& modified,
                                       const Run& run);
 CombinedModel combined_original_model(const ModelView& original, const ModelView& modified,

@@ -15,7 +15,7 @@ namespace remeshd {
 namespace {
 
 struct ComparisonLimits {
-  double brep_motion = 1e-2;  ///< kernel units; DESIGN measured 1e-2 right, 1e-4 wrong
+  double brep_motion = 1e-2;  ///< kernel units; measured: right at 1e-2, wrong at 1e-4
   double brep_error = 1e-7;   ///< of the larger model's volume
   int check_lines = 1024;     ///< a lost or doubled cell shows in a few hundred
   int measure_lines = 65536, area_samples = 20000;
@@ -37,7 +37,8 @@ struct Volumes {
   double copycells = 0, newcells = 0;
 };
 
-/// Whether every volume of the overlay lies within the error of the membership estimate.
+/// Whether every volume of the overlay lies within twice the error bound of the membership
+/// estimate.
 bool agree(const Volumes& brep, const VolumeEstimate& estimate, double rounding) {
   const auto near = [&](double a, double b, double error) {
     return std::fabs(a - b) <= 2 * error + rounding;
@@ -51,7 +52,8 @@ bool agree(const Volumes& brep, const VolumeEstimate& estimate, double rounding)
          near(brep.newcells, estimate.newcells, estimate.newcells_error);
 }
 
-/// The overlay's answer, or nothing and why.
+/// The comparison by B-rep overlay; none, with the reason in `remark`, where the kernel fails or
+/// its volumes disagree with membership.
 std::optional<ModelComparison> by_brep(const PointClasses& classes, const ModelView& original,
                                        const ModelView& modified, const Run& run,
                                        std::string& remark) {
@@ -95,9 +97,9 @@ double owned_volume(const CellComplex& cells, int feature, bool positive) {
   return volume;
 }
 
-/// Takes from the cells' exact volumes what follows from them: all of a feature that only one model
-/// has, and what stayed the same as the whole less what changed. So the error is as small as the
-/// change.
+/// Replaces estimates by what follows from the cells' exact volumes: all of a feature that only one
+/// model has; of others what stayed the same, as the whole less what changed. So the error is as
+/// small as the change.
 void balance(ClassTotals& totals, ClassTotals& errors, const FeaturePair& pair,
              const CellComplex& original, const CellComplex& modified) {
   using enum DifferenceClass;

@@ -27,7 +27,8 @@ struct ModelComparison {
   double newcells = 0;   ///< and the rest
   std::string method;    ///< `brep` or `membership`
   /// Absolute bound of the error of every volume above. Of the B-rep: rounding and the CAD kernel's
-  /// tolerance. By membership: five standard errors of the worst volume.
+  /// tolerance. By membership: five standard errors, of newcells or added up over the classes of a
+  /// feature, whichever is largest.
   double error_bound = 0;
   /// Why not the B-rep; empty where it was used.
   std::string remark;
@@ -43,9 +44,9 @@ ModelComparison compare(const FeatureModel& original, const FeatureModel& modifi
                         const CellularModel* original_cells, const CellularModel* modified_cells,
                         const Run& run);
 
-/// The smallest motion that is not none between the features' surfaces of two models, seen from any
-/// feature: of placements, of sizes, and of features against each other. Infinite where nothing
-/// moves. Motions below 1e-12 of the diagonal are none.
+/// The smallest motion (a length) of features' surfaces between two models, seen from any feature
+/// that both have: by changes of placement, of shape, or of features relative to each other.
+/// Motions up to 1e-12 of the diagonal do not count; infinite where nothing else moves.
 double smallest_motion(const FeatureModel& original, const FeatureModel& modified);
 
 }  // namespace remeshd

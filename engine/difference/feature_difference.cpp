@@ -19,13 +19,13 @@ void add(std::vector<DifferenceElement>& elements, ClassTotals& totals, Differen
   totals[value] += measure;
 }
 
-/// Marks of an element in both models; a model without part has none.
+/// Marks of an element in both models; Absent where the feature does not have it.
 struct Marks {
   Mark original = Mark::Absent, modified = Mark::Absent;
   [[nodiscard]] bool none() const { return original == Mark::Absent && modified == Mark::Absent; }
 };
 
-/// The two sides of an overlay by part number.
+/// The parts of an overlay, by number: what the feature owns in a model, and which model that is.
 struct Sides {
   const OwnedMarks* part[2] = {nullptr, nullptr};
   bool is_original[2] = {false, false};

@@ -13,8 +13,9 @@ struct Line {
   double begin = 0, end = 0;
 };
 
-/// Appends every t at which the line crosses the surface, to rounding. A line that touches may give
-/// both of two equal values or none.
+/// Appends every t between `begin` and `end` at which the line crosses the surface, to rounding,
+/// with the other nappe of a cone and the other part of a spindle torus. A line that touches may
+/// give both of two equal values or none.
 void append_crossings(const Surface& surface, const Line& line, std::vector<double>& out);
 
 /// Shortens the line to the part within the box; false where nothing is left.

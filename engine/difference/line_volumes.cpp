@@ -14,8 +14,8 @@ namespace {
 constexpr int kReplicates = 16;
 constexpr double kStandardErrors = 5;
 
-/// The surfaces that end something along a line: those of one model, where the line comes into its
-/// coordinates by `where`.
+/// A model at whose surfaces the class may change along a line; `where` takes the line into the
+/// model's coordinates.
 struct Obstacles {
   const Membership* model;
   Transform where;
@@ -48,9 +48,9 @@ class Sheaf {
   Vec3 lo_, size_;
 };
 
-/// Body diagonals, shaken so that no face of a usual model is parallel to one: then the length
-/// inside a body changes continuously from line to line, and a lattice of lines is exact to second
-/// order.
+/// A body diagonal of a cube, turned at random so that no face of a usual model is parallel to it:
+/// then the length inside a body changes continuously from line to line, and a lattice of lines is
+/// exact to second order.
 Vec3 direction(int replicate, Random& random) {
   const auto component = [&](bool negative) {
     const double size = random.uniform(0.7, 1.3);
@@ -60,14 +60,14 @@ Vec3 direction(int replicate, Random& random) {
   return normalised({x, y, random.uniform(0.7, 1.3)});
 }
 
-/// A Fibonacci number and the one before it, about as large as asked for.
+/// The first Fibonacci number, from 2 on, that is not less than `wanted`, and the one before it.
 std::array<int, 2> fibonacci(int wanted) {
   std::array<int, 2> f{2, 1};
   while (f[0] < wanted) f = {f[0] + f[1], f[0]};
   return f;
 }
 
-/// Volumes within the box of the classes that `class_at` tells.
+/// Estimates the volume of each class within a box; `class_at` tells the class at a point.
 Estimate along_lines(const Box& box, const std::vector<Obstacles>& obstacles,
                      const std::function<DifferenceClass(const Vec3&)>& class_at,
                      const LineOptions& options, const Run& run) {
@@ -111,7 +111,8 @@ Estimate along_lines(const Box& box, const std::vector<Obstacles>& obstacles,
   return out;
 }
 
-/// Adds up what is not persistent-identical over boxes apart; sets nothing else.
+/// Replaces the estimates of all classes but the persistent-identical ones by sums over boxes that
+/// do not overlap.
 void measure_changes(Estimate& out, const std::vector<Box>& boxes,
                      const std::vector<Obstacles>& obstacles,
                      const std::function<DifferenceClass(const Vec3&)>& class_at,

@@ -30,7 +30,7 @@ double difference(const Transform& a, const Transform& b, const Box& box) {
   return largest;
 }
 
-/// The feature in the frame that differences align on.
+/// The feature in its alignment frame, in which two versions of it are compared.
 Solid aligned(Feature feature) {
   feature.placement = rigid_inverse(feature.alignment) * feature.placement;
   return Solid(feature);

@@ -77,7 +77,7 @@ std::vector<ClassTotals> estimate_areas(const PointClasses& classes, const Model
           const Transform to_modified = is_original ? rigid_inverse(pair.to_original) : Transform{};
           const DifferenceClass value =
               classes.face(static_cast<int>(f), to_modified.apply(p), to_modified.rotate(n), probe);
-          // Faces of both models are counted where the modified model has them.
+          // What both models have is counted on the faces of the modified one.
           const bool old = value == DifferenceClass::OldYes || value == DifferenceClass::OldNo;
           if (old == is_original && value != DifferenceClass::Artefact)
             totals[f][value] += face.area / static_cast<double>(points.size());

@@ -22,7 +22,7 @@ Mark face_mark(const Membership& model, int feature, const Vec3& before, const V
   return model.inside(before) != model.inside(behind) ? Mark::Yes : Mark::No;
 }
 
-/// The feature in the frame that differences align on, alone.
+/// A model of the feature alone, in its alignment frame.
 FeatureModel aligned(Feature feature) {
   feature.placement = rigid_inverse(feature.alignment) * feature.placement;
   feature.alignment = Transform::translation({0, 0, 0});

@@ -18,8 +18,8 @@ struct FeaturePair {
   bool same = false;
 };
 
-/// Tables 1 and 2 by point membership: the same classes as the overlay's, with no near-coincidence
-/// to fear, so right however small the change is (DESIGN).
+/// Tables 1 and 2 by point membership: the same classes as the overlay's, but right however small
+/// the change is, since no surfaces that nearly coincide are intersected.
 ///
 /// Points are given in modified coordinates; for a feature of the original model only, in original
 /// ones.
@@ -40,16 +40,16 @@ class PointClasses {
   /// `probe`; Artefact where the feature has no face there in either model.
   [[nodiscard]] DifferenceClass face(int feature, const Vec3& p, const Vec3& n, double probe) const;
 
-  /// Whether p lies in material of the modified model that some owner can bring along: it had that
-  /// material at the same place of its own (Sect. 6.2).
+  /// Whether p lies in material of the modified model that some owner can bring along: the owner
+  /// had material at that place in its own frame before (Sect. 6.2).
   [[nodiscard]] bool in_copycell(const Vec3& p) const;
   /// Whether p lies in material of the modified model that no owner can bring along.
   [[nodiscard]] bool in_newcell(const Vec3& p) const;
 
-  /// Boxes, apart from each other, that hold everything that is not persistent-identical to a
-  /// feature, in the coordinates its points are given in.
+  /// Boxes that do not overlap and hold everything that is not persistent-identical to a feature
+  /// (index in `features()`), in the coordinates its points are given in.
   [[nodiscard]] std::vector<Box> changed(int feature) const;
-  /// The same for newcells, in modified coordinates.
+  /// Boxes that do not overlap and hold all newcells, in modified coordinates.
   [[nodiscard]] std::vector<Box> changed() const;
 
  private:

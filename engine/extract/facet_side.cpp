@@ -12,7 +12,7 @@ namespace {
 
 struct FacetLimits {
   double turn = 0.85;     ///< cosine between the normals of a facet and of its face, at least
-  double off_face = 0.1;  ///< x longest edge: of a facet's middle, from its face's triangles
+  double off_face = 0.1;  ///< x longest edge: how far its projected middle is off the face, at most
 };
 constexpr FacetLimits kFacetLimits;
 
@@ -29,7 +29,8 @@ struct Chord {
     const Vec3 n = normalised(cross(b - a, c - a));
     return dot(n, outward_normal(face, on_surface())) < 0 ? -n : n;
   }
-  /// Whether it may be a part of the boundary: it does not span the face's hollow or a hole in it.
+  /// Whether it may be a facet of the boundary: its normal is near the face's, so that it does not
+  /// cut across a concave face, and its middle is on the face, not in a hole of it.
   [[nodiscard]] bool follows_face() const {
     const Vec3 n = normal();
     const bool turns = std::ranges::all_of(std::array{a, b, c, on_surface()}, [&](const Vec3& p) {

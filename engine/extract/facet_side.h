@@ -11,11 +11,11 @@ namespace remeshd {
 
 enum class BoundarySide : std::uint8_t { Unknown, Inside, Outside };
 
-/// The side of the boundary on which a tet of boundary nodes lies, by its facets on curved faces,
-/// where the tet is so thin against one that its centroid does not tell: a facet is a chord, which
-/// leaves the model on a hollow face and lies within it on a round one, and the centroid of a thin
-/// tet lies there too. On a ledge narrower than chords are high that is so of all tets beside it.
-/// Unknown where no facet is like that, or two do not agree.
+/// The side of the boundary on which a tet of boundary nodes lies, judged by its facets on curved
+/// faces, where the tet is so thin over one that its centroid does not tell: a facet is a chord of
+/// the face, outside of the model on a concave face and inside on a convex one, and the centroid
+/// of a thin tet may lie between the two. Beside a ledge narrower than the chords' sagitta all tets
+/// are like that. Unknown where the tet is thin over no facet, or two facets disagree.
 BoundarySide side_by_facets(const NodeSet& nodes, const BoundaryModel& boundary,
                             const FacesOf& faces, const Tet& tet);
 

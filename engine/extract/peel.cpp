@@ -24,12 +24,12 @@ int face_of(const NodeSet& nodes, const FacesOf& faces,
   return faces.common(supports);
 }
 
-// Of the way from the middle of an edge to the centroid of its tet.
+// x the way from the middle of an edge to the centroid of its tet.
 constexpr double kOffTheEdge = 1e-6;
 
 /// Whether an edge of the tet between nodes of different faces leaves the model, as does one from
-/// side to side of a gap. Its middle is asked for a little within the tet: it may lie where two
-/// features touch, and by rounding in neither.
+/// side to side of a gap. The point tested is its middle, moved a little into the tet: the middle
+/// itself may lie where two features touch, and by rounding in neither.
 bool reaches_out(const NodeSet& nodes, const FacesOf& faces, const InsideTest& inside,
                  const Tet& t) {
   const Vec3 within = centroid(nodes.positions, t);
@@ -43,11 +43,12 @@ bool reaches_out(const NodeSet& nodes, const FacesOf& faces, const InsideTest& i
   return false;
 }
 
-// Cosine of 60 degrees, to which the normals at the corners of a shallow tet differ at most.
+// Cosine of 60 degrees: surface normals at the corners of a shallow tet differ by less.
 constexpr double kShallow = 0.5;
 
-/// Tets that lie on one round surface, across a rim of a group, without reaching deep below it.
-/// They fill what the surface bulges out over the facets below them, and those have the rim.
+/// Finds tets whose nodes lie on one curved surface, on both sides of a group's rim
+/// (BoundaryEdge::rim), and which are shallow: they lie between the surface and facets below them.
+/// Left out of the mesh, they uncover those facets, which follow the rim.
 class TetsAcrossRims {
  public:
   TetsAcrossRims(const NodeSet& nodes, const BoundaryModel& boundary)
@@ -71,9 +72,9 @@ class TetsAcrossRims {
       return dot(normals[edge[0]], normals[edge[1]]) > kShallow;
     });
   }
-  /// Of what lies on one face.
+  /// The faces that nodes lie on.
   [[nodiscard]] const FacesOf& faces() const { return faces_; }
-  /// Of what lies on one surface, rims or not.
+  /// The same, with faces that only rims of groups separate as one.
   [[nodiscard]] const FacesOf& sheets() const { return across_rims_; }
 
  private:
@@ -83,6 +84,7 @@ class TetsAcrossRims {
   const bool any_;
 };
 
+/// Whether a tet is in the model, before flat tets on curved faces are peeled.
 bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const TetsAcrossRims& rims,
                  const InsideTest& inside, const Tet& t, bool by_centroid_only) {
   for (const std::int32_t n : t)
@@ -99,7 +101,7 @@ bool contributes(const NodeSet& nodes, const BoundaryModel& boundary, const Tets
   return inside(centroid(nodes.positions, t)) && !reaches_out(nodes, faces, inside, t);
 }
 
-/// Takes flat tets off the tets that are in the model, and those that were taken off before.
+/// Peels flat tets off the tets in the model, and those that were peeled before the edit, too.
 class Peeling {
  public:
   using Known = KnownClassification::Known;
@@ -115,7 +117,8 @@ class Peeling {
     for (std::size_t k = 0; k < mesh_.tets.size(); ++k)
       if (is_exposed(k)) queue_.push_back(static_cast<std::int32_t>(k));
     work_off();
-    // Those that were peeled before go one by one, so that others show two facets in between.
+    // Tets that were peeled before the edit go one at a time: in between a neighbour may expose
+    // just two facets, and be peeled, before it exposes more.
     for (std::size_t k = 0; k < mesh_.tets.size(); ++k) {
       if (gone_[k] || known_of(mesh_.slots[k]) != Known::Outside) continue;
       peel_off(k);
@@ -128,7 +131,8 @@ class Peeling {
   [[nodiscard]] Known known_of(std::int32_t slot) const { return known_.tets[slot]; }
 
  private:
-  /// The tets in the model and, by tet, its neighbours: their tet, kBeyond, or -1 outside.
+  /// Gathers the tets in the model and, by tet, what is across each facet: a tet's index, kBeyond,
+  /// or -1 where that is outside of the model.
   void gather(const std::vector<std::uint8_t>& in_model) {
     mesh_.tets.reserve(delaunay_.size());
     mesh_.slots.reserve(delaunay_.size());
@@ -152,8 +156,9 @@ class Peeling {
       }
   }
 
-  /// One that was outside may show three by now: those that were peeled after it are beyond the
-  /// patch, and out already.
+  /// Whether so many facets are exposed that a flat tet is peeled. A tet that was outside before
+  /// the edit may expose three at once: neighbours peeled after it then may be beyond the patch
+  /// now, and outside from the start.
   [[nodiscard]] bool is_exposed(std::size_t k) const {
     const auto shown = std::count(neighbours_[k].begin(), neighbours_[k].end(), -1);
     const Known known = known_of(mesh_.slots[k]);
@@ -177,7 +182,7 @@ class Peeling {
         peel_off(k);
   }
 
-  /// Closes the gaps and notes nonconforming facets.
+  /// Compacts the arrays of tets and notes nonconforming facets.
   void keep_the_rest() {
     std::vector<Tet>& tets = mesh_.tets;
     const auto& p = nodes_.positions;
@@ -206,7 +211,7 @@ class Peeling {
   PeeledMesh mesh_;
   std::vector<Tet> neighbours_;  ///< by tet
   std::vector<std::uint8_t> gone_;
-  std::vector<std::int32_t> queue_;  ///< tets that showed two facets
+  std::vector<std::int32_t> queue_;  ///< tets that were exposed when queued
   std::size_t next_ = 0;             ///< in the queue
 };
 

@@ -13,42 +13,44 @@
 namespace remeshd {
 
 struct PeelOptions {
-  /// Whether tets of boundary nodes alone are inside or outside by their centroids only. Else those
-  /// that are thin against a curved face are by their facets on it, and others are outside, too,
-  /// where an edge between nodes of different faces is, as from side to side of a gap.
+  /// Whether tets whose nodes are all on the boundary are classified by their centroids only. Else
+  /// those that are thin against a curved face are classified by their facets on it
+  /// (`side_by_facets`), and the others also count as outside if an edge between nodes of different
+  /// faces lies outside, such as one across a gap.
   bool by_centroid_only = true;
   double flat = 0.3;  ///< volume-length below which a tet on one curved face is peeled
 };
 
-/// What is known of a mesh's tets from before.
+/// Which tets of a new Delaunay mesh are known, from before the edit, to be in the model or not.
 struct KnownClassification {
   enum class Known : std::uint8_t {
     No,
     Inside,
     Outside,
-    WasOutside,  ///< in a model that may have been another there
+    WasOutside,  ///< outside before the edit, but the model may have changed there
   };
-  /// Nothing; `exterior`: of a patch.
+  /// Nothing is known of the tets; `exterior`: that of a patch, empty for a whole mesh.
   static KnownClassification nothing(const DelaunayMesh& mesh,
                                      std::vector<std::uint8_t> exterior = {}) {
     return {std::vector(mesh.slots(), Known::No), std::move(exterior)};
   }
-  std::vector<Known> tets;             ///< by slot: whether it is in the model
-  std::vector<std::uint8_t> exterior;  ///< by number of PagedDelaunay::Cut::exterior: 1 if it is
+  std::vector<Known> tets;             ///< by slot of the Delaunay mesh
+  std::vector<std::uint8_t> exterior;  ///< by PagedDelaunay::Cut::exterior: 1 if in the model
 };
 
 struct PeeledMesh {
   std::vector<Tet> tets;
   std::vector<std::int32_t> slots;  ///< by tet: its slot in the Delaunay mesh, ascending
-  /// Centroids of boundary facets whose nodes share no face: where the boundary is too thinly
-  /// occupied for its facets to be Delaunay.
+  /// Centroids of boundary facets whose nodes share no face: there the boundary has too few nodes
+  /// for a triangulation of it to be in the Delaunay mesh.
   std::vector<Vec3> nonconforming;
 };
 
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
 /// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
-/// nodes lie on one face are flat against it: on a plane they go, on a curved face they go where
-/// they show two facets, or, of those that were outside, more, and are of low quality.
+/// nodes lie on one face are flat against it: on a plane they are outside; on a curved face those
+/// of low quality are peeled once two of their facets are exposed (two or more of those known as
+/// WasOutside). Tets known as Inside are not tested; those known as Outside are peeled.
 ///
 /// `known`: of all slots.
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,

@@ -9,15 +9,16 @@ namespace remeshd {
 namespace {
 
 struct AggressiveLimits {
-  std::size_t crowd = 2000;    ///< tets; more do not surround a tet: about 500 do
+  std::size_t crowd = 2000;    ///< most tets of a sound neighbourhood, which has about 500
   int descent_rounds = 12;     ///< over the nodes at a residual tet's neighbours
   int compass_rounds = 4;      ///< over the nodes of a tet
-  double compass_gain = 1e-4;  ///< of the score, for a step: it bounds their number
+  double compass_gain = 1e-4;  ///< of the score, least for a step: bounds their number
   double compass_start = 0.1, compass_end = 0.004;  ///< steps, x local edge length
-  double start_score = 0.2;  ///< of perturbed tets; motion seldom saves worse ones
+  double start_score = 0.2;  ///< least of perturbed tets; moves seldom mend worse ones
 };
 constexpr AggressiveLimits kAggressiveLimits;
-/// Steepness of the energy, round by round: first all share what they lack, then the worst counts.
+/// Steepness k of `Score::energy`, round by round: low at first, so that deficits spread over all
+/// tets, then higher, so that the worst tets count.
 constexpr int kSteepness[] = {3, 3, 3, 3, 4, 4, 5, 5};
 constexpr int kPerturbations = 10;  // edges and facets of a tet, each of which is taken out
 
@@ -233,8 +234,8 @@ void AggressiveImprovement::optimise_round(const std::vector<std::int32_t>& node
     if (smoother_.energy_descent_step(node, score_, steepness, position))
       mesh_.move(node, position);
   }
-  // What is reconnected stays among the tets at these nodes: one whose nodes are not all of them is
-  // left alone.
+  // Only tets with all four corners among these nodes are reconnected, so that what changes stays
+  // among the tets at these nodes.
   const auto within = [&](std::int32_t t) {
     return std::ranges::all_of(mesh_.tet(t), [&](std::int32_t n) {
       return std::binary_search(nodes.begin(), nodes.end(), n);

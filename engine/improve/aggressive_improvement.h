@@ -22,18 +22,21 @@ class AggressiveImprovement {
 
   /// Tets with their stamps, ascending.
   using Neighbourhood = std::vector<std::pair<std::int32_t, std::uint32_t>>;
-  /// What the operations look at to improve a tet: one that failed there fails until this changes.
+  /// The tets that the operations look at to improve t: one that failed on t fails again until one
+  /// of these changes.
   [[nodiscard]] Neighbourhood neighbourhood(std::int32_t t) const;
-  /// Whether so many tets surround a tet as only do in a mesh that is broken there, with nodes in
-  /// hundreds of tets: the operations would take minutes there, for nothing.
+  /// Whether a neighbourhood is as large as only in a broken mesh, with nodes in hundreds of tets:
+  /// the operations would take minutes there, for nothing.
   [[nodiscard]] static bool is_crowded(const Neighbourhood& neighbourhood);
 
-  /// Moves all nodes round a tet a little, several times, though most of their tets are good
-  /// enough: where two nodes of a model edge are too near, each holds the other. Takes the moves
-  /// back unless all tets that they touch get better taken together, and the worst no worse.
+  /// Moves all nodes round a tet together, in rounds of small energy descent steps, though most of
+  /// their tets are good enough: where two nodes of a model edge are too near each other, neither
+  /// can move alone. Takes the moves back unless the tets that they touch rank better (`Rank`) and
+  /// the worst score is no worse.
   bool descend(std::int32_t t);
 
-  /// Applies the reconnection that takes the tet out and has the best worst score, or measure.
+  /// Applies the reconnection that takes the tet out and whose worst new tet is best, by score or
+  /// by `quality`. Returns false where none beats the tet.
   bool reconnect(std::int32_t t) { return reconnect(t, TetQuality(score_)); }
   bool reconnect(std::int32_t t, const TetQuality& quality);
 
@@ -41,18 +44,18 @@ class AggressiveImprovement {
   /// worst score of the node's tets gets better.
   bool compass_search(std::int32_t t);
 
-  /// Works on all that surrounds a tet at once: rounds of moves that share out what the tets lack,
-  /// and reconnections of those that lack, though the worst may get worse for some rounds. Takes
-  /// everything back unless in the end the worst score is better, or as good and what all of them
-  /// lack less.
+  /// Works on all tets round a tet at once, in rounds: energy descent steps of their nodes, which
+  /// spread the deficits evenly, then reconnections of the tets that are not good. The worst may
+  /// get worse for some rounds. Takes everything back unless in the end the worst score is better,
+  /// or no worse and the sum of the deficits smaller.
   bool optimise_neighbourhood(std::int32_t t);
 
-  /// The same from another start: each of the edges and facets of the tet in turn is taken out
-  /// first, at the price of worse tets. It helps where no motion can with the tets as they are: two
-  /// of them stand on a segment of a model edge, say, and what one gains the other loses.
+  /// The same from other starts: first one of the edges or facets of the tet is taken out, even if
+  /// the new tets are worse; each in turn until it helps. It can help where moves alone cannot: two
+  /// tets share a segment of a model edge, say, and what one gains the other loses.
   bool perturb_and_optimise(std::int32_t t);
 
-  /// The tets that the last of these that returned true changed or may have changed.
+  /// The tets that the last operation that returned true changed or may have changed.
   [[nodiscard]] const std::vector<std::int32_t>& touched() const { return touched_; }
 
  private:
@@ -70,8 +73,10 @@ class AggressiveImprovement {
   /// Worst score of the node's tets with the node at p; stops once one is at or below `floor`.
   [[nodiscard]] double worst_at(std::int32_t node, const Vec3& p, double floor) const;
   bool compass_search_node(std::int32_t node);
-  /// One of the ten ways to take the tet out, whether it gets worse or not.
+  /// Finds the reconnection that takes out an edge (`way` 0 to 5) or a facet (6 to 9) of the tet,
+  /// even if its tets are worse. Returns false where there is none.
   bool take_out(std::int32_t t, int way, Reconnection& out) const;
+  /// `start`: applied first, unless it is empty.
   bool optimise_from(const Reconnection& start, const std::vector<std::int32_t>& nodes);
   void optimise_round(const std::vector<std::int32_t>& nodes, int steepness);
   /// Keeps what was tried, where it helped; else takes it back.

@@ -16,7 +16,7 @@ std::pair<std::int32_t, std::int32_t> ordered(std::int32_t a, std::int32_t b) {
   return a < b ? std::pair{a, b} : std::pair{b, a};
 }
 
-/// Of the facets at a node of all its tets leaves those that one tet alone has.
+/// `facets`: those that contain the node, of each of its tets. Keeps those of one tet alone.
 void keep_facets_of_one_tet(std::int32_t node, std::vector<Triangle>& facets) {
   const auto far_edge = [node](const Triangle& facet) {
     const int i = facet[0] == node ? 0 : facet[1] == node ? 1 : 2;

@@ -28,16 +28,16 @@ class BoundaryRules {
   [[nodiscard]] bool may_swap(std::int32_t a, std::int32_t b, const EdgeRing& ring) const;
 
   /// The boundary facets at a node, outward; a node of the interior has none.
-  /// Post: false where the node may not move: a model vertex, a node of the interior that lies on
-  /// the boundary all the same, or one with a facet that lies on no model face.
+  /// Post: false where the node may not move: it is at a model vertex or locked, its support is the
+  /// interior but it is on the boundary of the mesh, or one of its facets lies on no model face.
   bool facets_at(std::int32_t node, std::vector<Triangle>& out) const;
 
-  /// Whether the facets at a node stay upright on their faces, and off them by at most the chord
-  /// tolerance more than now, when the node goes to `position`.
+  /// Whether, if the node goes to `position`, its facets stay upright on their faces and their
+  /// distances from them grow by at most the chord tolerance. `facets`: from `facets_at`.
   [[nodiscard]] bool may_move(std::int32_t node, const Vec3& position,
                               std::span<const Triangle> facets) const;
 
-  /// Where a node that wants to be at p stands on its surface or curve.
+  /// p projected on the surface or curve that the node stands on; p itself in the interior.
   [[nodiscard]] Vec3 settle(std::int32_t node, const Vec3& p) const;
 
  private:
@@ -50,7 +50,7 @@ class BoundaryRules {
   const LocalMesh& mesh_;
   double chord_tolerance_;
   FacetFaces faces_;
-  std::vector<std::pair<std::int32_t, std::int32_t>> segments_;  ///< of all chains, sorted
+  std::vector<std::pair<std::int32_t, std::int32_t>> segments_;  ///< along model edges, sorted
 };
 
 }  // namespace remeshd

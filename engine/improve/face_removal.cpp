@@ -12,10 +12,10 @@ class Sandwich {
            double floor, Reconnection& out)
       : mesh_(mesh), quality_(quality), a_(a), b_(b), floor_(floor), out_(out) {}
 
-  /// What lies beyond the edge u-w of a facet that is taken out, where (a, facet) turns u to w:
-  /// either the new tet on u-w, or, where that is not above the floor and it serves better, the
-  /// next facet and what lies beyond it. Returns the worst fresh tet; sets `worst_old` to the worst
-  /// tet that goes.
+  /// Goes on beyond the edge u-w of a facet that is taken out, which seen from a runs from u to w:
+  /// either with the new tet (a, b, u, w), or, where that is not above the floor and it serves
+  /// better, by taking out the next facet too and going on beyond its edges. Returns the quality of
+  /// the worst fresh tet; sets `worst_old` to that of the worst tet that goes.
   double beyond(std::int32_t u, std::int32_t w, int depth, double& worst_old) {
     const double alone = quality_(mesh_.node(a_), mesh_.node(b_), mesh_.node(u), mesh_.node(w));
     worst_old = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ class Sandwich {
     return x == apex(lower, b_, u, w) ? x : -1;
   }
 
-  /// The tet with the facet that is not taken out already.
+  /// The tet with the facet p-u-w that is not taken out already; -1 if there is none.
   std::int32_t across_facet(std::int32_t p, std::int32_t u, std::int32_t w) const {
     for (const std::int32_t t : mesh_.tets_of(u)) {
       const Tet& tet = mesh_.tet(t);

@@ -15,19 +15,19 @@ namespace remeshd {
 namespace {
 
 struct CleanUpLimits {
-  double sharp_gain = 0.02;  ///< tried at least: a sharp tet may be above the threshold already
+  double sharp_gain = 0.02;  ///< least to aim at: a sharp tet may be above the threshold already
   int neighbourhood_passes = 2;
-  /// A node in more tets, as only a broken mesh has, stays: it would be tried for each.
+  /// A node in more tets is not smoothed: only broken meshes have such, and each tet would try it.
   std::size_t tets_at_node = 300;
-  double bad_at_interface = 0.9;  ///< score
+  double bad_at_interface = 0.9;  ///< score below which a tet with a locked node is counted
   int jobs_per_poll = 64;
 };
 constexpr CleanUpLimits kCleanUpLimits;
 
-/// How many residual tets one kind of operation is tried on in a pass: so many, but no more than
-/// one for each few dirty tets. A VTM mesh of 15,000 nodes has fewer than ten, only a threshold out
-/// of reach has more, on parts that are thin for their edge length; there an edit of a coarse mesh
-/// would spend more on what its parent left than on what it makes.
+/// How many residual tets one kind of operation is tried on in a pass: `most`, but no more than one
+/// for every `dirty_for_one` dirty tets. A VTM mesh of 15,000 nodes has fewer than ten; there are
+/// more only where the threshold is out of reach, on parts that are thin for their edge length.
+/// There an edit of a coarse mesh would spend more on what its parent left than on what it makes.
 struct Budget {
   std::size_t most;
   std::size_t dirty_for_one;
@@ -108,8 +108,9 @@ class CleanUp {
   }
 
  private:
-  /// Why a tet may be worked on. A tet of the input is Changed or Same, what an operation makes in
-  /// the place of others Changed; a Same one that a move of a node has changed is Moved.
+  /// Whether a tet may be worked on, and why. Changed: it was dirty in the input, or an operation
+  /// made it. Moved: another tet of the input, one of whose nodes an operation may have moved.
+  /// Same: any other, which is left alone.
   enum class Work : std::uint8_t { Same, Moved, Changed };
 
   [[nodiscard]] bool bad(std::int32_t t) const {
@@ -117,7 +118,8 @@ class CleanUp {
            score_(mesh_, t) < enough(t);
   }
 
-  /// The score at which a tet is left alone: of one that was not to be worked on, what it had.
+  /// The score from which on a tet is left alone: 1; if confined, of a tet of the input that was
+  /// not dirty, no more than it had there.
   [[nodiscard]] double enough(std::int32_t t) const {
     if (!options_.confined || work_[t] != Work::Moved || !is_of_input(t)) return 1;
     const auto& p = start_.nodes;
@@ -153,12 +155,12 @@ class CleanUp {
   /// By tet, its neighbourhood when an operation failed there.
   using InVain = std::map<std::int32_t, AggressiveImprovement::Neighbourhood>;
 
-  /// Which tets an operation is not tried on, for it was tried on a neighbour of theirs and has
-  /// moved their nodes with that one's. Where a mesh is coarse for its model such tets are bad in
-  /// dozens. Neighbours of a crowded one are spared always.
+  /// Which neighbours of a tet that an operation was tried on are spared in the pass: the operation
+  /// has tried to move their nodes, too. Where a mesh is coarse for its model bad tets come in
+  /// dozens side by side. Neighbours of a crowded tet are always spared.
   enum class Spare : std::uint8_t {
-    Neighbours,        ///< those that have a node in common with it
-    NeighboursInVain,  ///< the same, unless it helped there
+    Neighbours,        ///< all that have a node in common with it
+    NeighboursInVain,  ///< the same, but only where it failed
   };
 
   /// Tries an operation on the worst of the bad tets, `most` of them; true if it improved one.
@@ -176,7 +178,7 @@ class CleanUp {
       run_.poll();
       if (!bad(t) || spared[t] != 0) continue;
       AggressiveImprovement::Neighbourhood round = aggressive_.neighbourhood(t);
-      if (AggressiveImprovement::is_crowded(round)) {  // and so are they, by thousands
+      if (AggressiveImprovement::is_crowded(round)) {  // its neighbours are too, by thousands
         spare_neighbours(t);
         continue;
       }
@@ -200,7 +202,8 @@ class CleanUp {
     return kBudgets.residual.of(dirty_) + static_cast<std::size_t>(mesh_.slots()) / 1000;
   }
 
-  /// Works on the few tets that are left; where there are many the goals are out of reach.
+  /// Works on the bad tets that are left. Pre: they are few; where many are left the goals are out
+  /// of reach.
   void optimise_residual_tets() {
     InVain in_vain;
     const auto optimise = [&](std::int32_t t) { return aggressive_.optimise_neighbourhood(t); };
@@ -257,7 +260,8 @@ class CleanUp {
   }
 
   bool smooth_node(std::int32_t node, double enough) {
-    // What failed fails again, and where less is enough all the more: bad tets come in clusters.
+    // Smoothing that failed fails again while the node's tets are the same and no more is asked
+    // for. It is asked for often, since bad tets come in clusters.
     SmoothedInVain& vain = smoothed_in_vain_[node];
     const std::uint32_t star = mesh_.star_stamp(node);
     if (vain.star == star && enough <= vain.enough) return false;
@@ -271,8 +275,8 @@ class CleanUp {
     return true;
   }
 
-  /// The star of a node (LocalMesh::star_stamp) when smoothing it last failed, and what would have
-  /// been enough.
+  /// The star stamp of a node (LocalMesh::star_stamp) when smoothing it last failed, and the
+  /// quality that was aimed at.
   struct SmoothedInVain {
     std::uint32_t star = 0;
     double enough = -1;
@@ -287,7 +291,7 @@ class CleanUp {
   }
   void push(std::int32_t t) { jobs_.push({mesh_.quality(t), t, mesh_.stamp(t)}); }
 
-  std::size_t dirty_ = 0;  ///< tets of the input
+  std::size_t dirty_ = 0;  ///< number of dirty tets in the input
   const TetMesh& start_;
   LocalMesh mesh_;
   BoundaryRules rules_;

@@ -202,7 +202,8 @@ void LocalMesh::take_back(const Change& change) {
   }
 }
 
-/// Every tet at the node grows by so many stamps, and so do the stars of its nodes.
+/// Adds `stamps` to the stamp of every tet at the node, and to the star stamps of these tets'
+/// nodes.
 void LocalMesh::set_position(std::int32_t node, const Vec3& position, std::int32_t stamps) {
   nodes_[node] = position;
   for (const std::int32_t t : tets_of(node)) {

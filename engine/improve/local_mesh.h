@@ -23,13 +23,14 @@ struct EdgeRing {
   std::array<std::int32_t, kMaxTets + 1> node{};
 };
 
-/// A tet mesh under local operations: node to tets is kept up to date, everything else (rings,
-/// neighbours) is found through it. Slots of tets that were replaced are used again, lowest gap
-/// last, so that untouched tets keep their place and the same operations give the same bytes.
+/// A tet mesh under local operations: the list of each node's tets is kept up to date, everything
+/// else (rings, neighbours) is found through it. New tets take the slots of those they replace,
+/// then older gaps, the latest first, so that untouched tets keep their place and the same
+/// operations give the same bytes.
 class LocalMesh {
  public:
-  /// `locked`: nodes below are at a patch's interface: they stay, and so do the edges and facets
-  /// between them.
+  /// `locked`: nodes with smaller numbers are at a patch's interface: they stay, and so do the
+  /// edges and the facets of the hull between them. The callers see to that.
   explicit LocalMesh(const TetMesh& mesh, std::int32_t locked = 0, const Run& run = {});
 
   [[nodiscard]] bool locked(std::int32_t node) const { return node < locked_; }
@@ -44,8 +45,8 @@ class LocalMesh {
   [[nodiscard]] double quality(std::int32_t t) const;
   /// Grows whenever the slot's tet or one of its nodes' positions changes.
   [[nodiscard]] std::uint32_t stamp(std::int32_t t) const { return stamps_[t]; }
-  /// Grows whenever a tet at the node is made, goes or changes. A trial that is taken back takes
-  /// moves' growth back as well, so what is remembered of a node by it must not be from a trial.
+  /// Grows whenever a tet at the node is made, goes or changes. Taking back a trial takes back the
+  /// growth by its moves, too: a stamp read within a trial means nothing after it.
   [[nodiscard]] std::uint32_t star_stamp(std::int32_t node) const { return star_stamps_[node]; }
   [[nodiscard]] std::span<const std::int32_t> tets_of(std::int32_t node) const {
     return {pool_.data() + lists_[node].begin, static_cast<std::size_t>(lists_[node].size)};
@@ -78,7 +79,8 @@ class LocalMesh {
   struct List {
     std::int32_t begin = 0, size = 0, capacity = 0;
   };
-  /// One change of a trial: a node's position before, or the tets that others took the place of.
+  /// What taking back one change of a trial needs: of a move the node and its position before, of a
+  /// replacement both slots and the old tets.
   struct Change {
     std::int32_t node = -1;
     Vec3 position;
@@ -96,7 +98,7 @@ class LocalMesh {
   std::vector<Tet> tets_;  ///< an empty slot has -1 in its first place
   mutable std::vector<double> qualities_;
   std::vector<std::uint32_t> stamps_, star_stamps_;
-  std::vector<List> lists_;
+  std::vector<List> lists_;  ///< by node: where its tets are in `pool_`
   std::vector<std::int32_t> pool_;
   std::vector<std::int32_t> gaps_;
   bool on_trial_ = false;

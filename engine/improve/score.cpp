@@ -9,7 +9,7 @@
 namespace remeshd {
 namespace {
 
-/// Tets of this measure and above have no dihedral angle that one asks to remove.
+/// Tets of this measure and above have no dihedral angle below any sensible goal.
 constexpr double kNeverSharp = 0.7;
 
 /// 1 - cosine of the six dihedral angles of a positive tet.

@@ -21,8 +21,9 @@ class Score {
   /// Of a tet of the mesh, whose measure need not be computed again.
   [[nodiscard]] double operator()(const LocalMesh& mesh, std::int32_t t) const;
 
-  /// What the measure and each of the six angles lack, smoothly: the sum of (goal / value)^(2^k).
-  /// The larger k, the more the worst of them counts. Infinite where next to flat or inverted.
+  /// A smooth penalty on the measure and the six dihedral angles, these by 1 - cosine: the sum of
+  /// (goal / value)^(2^k). The larger k, the more the worst of them counts. Infinite where the tet
+  /// is nearly flat or inverted.
   [[nodiscard]] double energy(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                               int k) const;
 

@@ -17,9 +17,9 @@ struct SmoothingLimits {
   double band = 0.06;         ///< tets this close to the worst take part in choosing a direction
   double step = 0.3;          ///< length, at most
   double descent_step = 0.1;  ///< the same of an energy descent step, which is repeated
-  double difference = 1e-6;   ///< length of those that give a score's energy its slope
-  /// Least energy by a score for which a step is worth its while: that of one tet that just lacks
-  /// nothing. Where a tenth of it did, clean-up took half as long again and helped no more.
+  double difference = 1e-6;   ///< step of finite differences of a score's energy
+  /// Least `Score::energy` at a node for which a step is tried: what one goal that is just met
+  /// adds. With a tenth of it clean-up took half as long again and helped no more.
   double energy = 1;
 };
 constexpr SmoothingLimits kSmoothingLimits;

@@ -22,13 +22,13 @@ class Smoother {
   bool smooth(std::int32_t node, double enough, double gain, Vec3& position);
 
   /// One step down the sum of measure^-8 over the node's tets. Where several nodes hold each other
-  /// in place because each has a tet that is worst, rounds of such steps over all of them still get
-  /// on; the worst tet of a single node may get worse on the way.
-  /// `facets`: those that a node that may move has (BoundaryRules::facets_at).
+  /// in place because each has a tet that is worst, rounds of such steps over all of them still
+  /// make progress; the worst tet of a single node may get worse on the way.
+  /// `facets`: from BoundaryRules::facets_at. Pre: the node may move.
   /// Post: true with the new place in `position` where the sum gets less; no tet is inverted.
   bool energy_descent_step(std::int32_t node, std::span<const Triangle> facets, Vec3& position);
 
-  /// The same down the energy of the node's tets by a score (Score::energy), angles counted.
+  /// The same with `Score::energy` in place of measure^-8, so that angles count.
   bool energy_descent_step(std::int32_t node, const Score& score, int steepness, Vec3& position);
 
  private:
@@ -49,12 +49,12 @@ class Smoother {
   /// Shortest vector in the hull of the gradients of all tets within `band` of the worst.
   [[nodiscard]] Vec3 ascent(double worst, double band) const;
 
-  /// What is left of a direction on the node's surface or curve; false where that is next to
-  /// nothing.
+  /// Projects a direction at p on the tangent of the node's surface or curve; false where next to
+  /// nothing is left of it.
   bool slide(std::int32_t node, const Vec3& p, Vec3& direction) const;
   [[nodiscard]] double energy(const Vec3& p, double limit) const;
-  /// One easing step along a direction, down from the energy that is there `now`. Energy is called
-  /// with a place and a limit, and may stop adding up once it has reached that.
+  /// One step along a direction, halved until it lowers the energy from `now`; false where none
+  /// does. energy(place, limit) may stop adding up once it has reached the limit.
   template <class Energy>
   bool step_down(std::int32_t node, std::span<const Triangle> facets, Vec3 direction, double now,
                  const Energy& energy, Vec3& position) const;

@@ -32,7 +32,7 @@ class Segments {
     }
     std::ranges::sort(sorted_);
   }
-  /// Whether no pair of corners is a segment of two edges.
+  /// Whether no two segments have the same two corners.
   [[nodiscard]] bool distinct() const {
     return std::ranges::adjacent_find(sorted_, [](const auto& a, const auto& b) {
              return a[0] == b[0] && a[1] == b[1];
@@ -50,13 +50,13 @@ class Segments {
   std::vector<std::array<int, 3>> sorted_;
 };
 
-/// Whether the side opposite of corner i is a segment that an odd number of uses has.
+/// Whether the side opposite corner i is a segment with an odd number of uses.
 bool parts(FaceHandle t, int i, const Segments& segments) {
   return t->is_constrained(i) && segments.odd(t->vertex(Triangulation::cw(i))->info(),
                                               t->vertex(Triangulation::ccw(i))->info());
 }
 
-/// Inside is what an odd number of segments parts from the outside.
+/// Marks as inside what an odd number of segment uses separates from the outside.
 void tell_inside(const Triangulation& mesh, const Segments& segments) {
   for (auto t = mesh.all_faces_begin(); t != mesh.all_faces_end(); ++t) t->info() = Inside::Unknown;
   mesh.infinite_face()->info() = Inside::No;
@@ -73,7 +73,7 @@ void tell_inside(const Triangulation& mesh, const Segments& segments) {
   }
 }
 
-/// Whether inside and outside are told apart by the segments and nothing else.
+/// Whether inside and outside meet exactly at the segments with an odd number of uses.
 bool consistent(const Triangulation& mesh, const Segments& segments) {
   for (auto t = mesh.all_faces_begin(); t != mesh.all_faces_end(); ++t)
     for (int i = 0; i < 3; ++i)

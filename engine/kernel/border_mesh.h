@@ -8,27 +8,29 @@
 
 namespace remeshd::kernel {
 
-/// The polylines round a face, flattened.
+/// The polylines of a face's edges, in coordinates in which the face is flat.
 struct Border {
   struct Corner {
     std::array<double, 2> p{};
-    int node = -1;  ///< the caller's
+    int node = -1;  ///< the caller's number
   };
   struct Segment {
     int a = -1, b = -1;  ///< corners
-    int edge = -1;       ///< the caller's; -1: at a pole
+    int edge = -1;       ///< the caller's number; -1: at a pole
     int index = -1;      ///< in the polyline of the edge
-    int uses = 1;        ///< 2: the face on both sides
+    int uses = 1;        ///< 2: the face lies on both sides
   };
   std::vector<Corner> corners;
   std::vector<Segment> segments;
 };
 
-/// Triangulates what an odd number of segments parts from the outside, with these points inside, by
-/// constrained Delaunay triangulation. The triangles' corners turn counter-clockwise; numbers from
-/// the border's last on are of `inner`.
+/// Constrained Delaunay triangulation of the region within the border, with the points `inner`. A
+/// place is within where a path to it from outside crosses an odd number of segments, each counted
+/// `uses` times. Triangles turn counter-clockwise; numbers below that of the border's corners are
+/// of these, the next ones of `inner`.
 ///
-/// Returns nothing where segments cross or touch each other away from their corners.
+/// Returns nothing where segments cross or touch each other away from their corners, or points
+/// coincide.
 std::optional<std::vector<std::array<int, 3>>> mesh_border(
     const Border& border, std::span<const std::array<double, 2>> inner);
 

@@ -91,7 +91,8 @@ void unscale(Brep& brep, double scale) {
   brep.scale = scale;
 }
 
-/// Element by element, in the CAD kernel's order. Degenerate edges (poles, apexes) are left out.
+/// The elements of a shape, in the CAD kernel's order. Degenerate edges (poles, apexes) are left
+/// out.
 std::shared_ptr<BrepShapes> collect(const TopoDS_Shape& shape) {
   auto shapes = std::make_shared<BrepShapes>();
   TopTools_IndexedMapOfShape edges;
@@ -119,7 +120,8 @@ void sort_vertices(BrepShapes& shapes) {
   });
 }
 
-/// Puts all other elements into the order of their geometry; returns the faces' moments in theirs.
+/// Sorts edges, faces and cells by their geometry; returns the moments of the faces in their new
+/// order.
 std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Vec3& reference,
                                           const Run& run) {
   sort_shapes(shapes.edges, [](const TopoDS_Shape& e) {
@@ -159,7 +161,7 @@ std::vector<FaceMoments> sort_by_geometry(BrepShapes& shapes, const Vec3& refere
   return sorted;
 }
 
-/// Fills in who bounds whom.
+/// Fills in vertices and the incidences of all elements. Throws Error(KERNEL_FAILURE).
 void connect(Brep& brep, double scale) {
   const auto failure_at = [&](const char* what, const TopoDS_Shape& shape) {
     return error::kernel_failure(what, in_model_units(point_on(shape), scale));
@@ -243,7 +245,7 @@ Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
     Brep brep;
     const auto shapes = collect(shape);
     sort_vertices(*shapes);
-    // Sums over a face depend on where they start, so take the same point for all.
+    // Swept volumes add up to volumes only with the same reference for all faces.
     brep.reference = reference ? scale * *reference : position(shapes->vertices(1));
     const std::vector<FaceMoments> moments = sort_by_geometry(*shapes, brep.reference, run);
     brep.shapes = shapes;

@@ -23,16 +23,17 @@ struct BrepCell {
 
 /// A face between two cells, or between a cell and the outside (-1).
 struct BrepFace {
-  std::array<int, 2> cells{-1, -1};  ///< [0] lies behind the triangles, [1] before them
-  std::vector<int> edges;            ///< ascending; with this face on both sides: twice
+  std::array<int, 2> cells{-1, -1};  ///< [0] lies behind the triangles, [1] in front
+  std::vector<int> edges;            ///< ascending; one with this face on both sides twice
   double area = 0;                   ///< exact
-  double swept_volume = 0;           ///< of the pyramid from Brep::reference, for cells[0]; exact
+  /// Of the cone over the face from Brep::reference, exact; positive where that is behind the face.
+  double swept_volume = 0;
   Vec3 centroid;
   std::string label;  ///< `wall`, `side3`; of a primitive's faces only
-  /// Into Brep::points; seen from cells[1] they turn counter-clockwise. Watertight along edges.
+  /// Indices into Brep::points; counter-clockwise seen from cells[1]. Watertight along edges.
   std::vector<std::array<int, 3>> triangles;
 
-  /// Lets it look the other way.
+  /// Reverses the triangles and `swept_volume`; `cells` stay as they are.
   void turn_over() {
     for (auto& triangle : triangles) std::swap(triangle[1], triangle[2]);
     swept_volume = -swept_volume;
@@ -49,11 +50,12 @@ struct BrepEdge {
   double radius = 0;             ///< circles
   std::array<Vec3, 2> tangents;  ///< unit, at start and end, from start to end
   std::vector<Vec3> points;      ///< from start to end, at most 6 degrees of turning between two
-  std::vector<int> chain;  ///< into Brep::points: the triangles' side of it, from start to end
-  /// Of Kind::Other: points on the curve with the vectors along it, that integrals are sums over.
+  std::vector<int> chain;        ///< its polyline in the triangulation: indices into Brep::points
+  /// Of Kind::Other: quadrature points on the curve, each with its weighted tangent vector, so that
+  /// an integral along the curve is a sum.
   std::vector<std::array<Vec3, 2>> samples;
 
-  /// Its point in the middle, or halfway between the two that are.
+  /// The middle one of its points, or halfway between the two in the middle.
   [[nodiscard]] Vec3 middle() const {
     return 0.5 * (points[(points.size() - 1) / 2] + points[points.size() / 2]);
   }
@@ -65,14 +67,14 @@ struct BrepVertex {
   Vec3 position;
 };
 
-/// A non-manifold B-rep in boundary representation: the value of a primitive or a general fuse.
+/// A non-manifold boundary representation: a primitive, or the result of a general fuse.
 ///
 /// Immutable once made, so that threads may share it. The CAD kernel works in a length unit of its
 /// own: model lengths times `scale`, a power of two that keeps its absolute tolerance of 1e-7 small
 /// against any model. All numbers here are in the model's unit.
 ///
-/// Inv: elements of a fuse are ordered by geometry, never by the CAD kernel. A primitive has its
-/// cell, who bounds whom, labels and shapes only; measures and triangles come with the fuse.
+/// Inv: elements of a fuse are ordered by geometry, never by the CAD kernel. A primitive has only
+/// its cell, its incidences, labels and shapes; measures and triangles come with the fuse.
 class Brep {
  public:
   std::vector<BrepCell> cells;
@@ -88,7 +90,7 @@ class Brep {
 /// The scale for a model of this diagonal (model's unit, positive).
 double unit_scale(double diagonal);
 
-/// Some cells of a B-rep, put somewhere.
+/// Some cells of a B-rep, at a place.
 struct Part {
   const Brep* brep = nullptr;
   std::vector<int> cells;
@@ -112,7 +114,8 @@ struct Fusion {
 /// Splits all parts by each other and merges what coincides; nothing is taken away (a non-regular
 /// union). Cells of one part must not overlap.
 ///
-/// `reference` becomes the result's own; without one that is a vertex.
+/// `reference` becomes that of the result; without one a vertex does. The scale is the first
+/// part's.
 ///
 /// Throws Error(KERNEL_FAILURE) where the CAD kernel raises an alert, with the place unless it is
 /// unknown, Error(Cancelled).

@@ -29,8 +29,8 @@ namespace {
 constexpr std::array<double, 2> kMeshAngles{0.24, 0.1};
 struct BrepMeshing {
   double deflection = 0.5;  ///< far above what the angle asks for
-  double near = 0.1;        ///< of a chord, which stands off its curve by .015
-  double minimum = 1e-3;    ///< else small holes are meshed as triangles
+  double near = 0.1;        ///< gap at a chord, x its length; its sagitta is .015 of that
+  double minimum = 1e-3;    ///< by default small holes become triangles
 };
 constexpr BrepMeshing kMesh;
 
@@ -74,7 +74,8 @@ std::vector<int> bad_faces(const Brep& brep, const EdgeChains& chains) {
   return bad;
 }
 
-/// Splits a triangle at a point of its face above the centroid.
+/// Splits a triangle, given by its sorted corners, at the point of its face nearest to its
+/// centroid.
 void split(Brep& brep, int f, const std::array<int, 3>& corners) {
   std::vector<std::array<int, 3>>& triangles = brep.faces[f].triangles;
   const auto at = std::ranges::find_if(triangles, [&](std::array<int, 3> t) {
@@ -91,8 +92,8 @@ void split(Brep& brep, int f, const std::array<int, 3>& corners) {
   triangles.push_back({c, a, middle});
 }
 
-/// Faces with a triangle that another one has too, as a shallow cap and the disc below it may, are
-/// parted in its middle. Returns those where that was not possible.
+/// Where two faces have triangles with the same corners, as a shallow cap and the disc below it
+/// may, splits that of a curved face. Returns the faces where none of the two is curved.
 std::vector<int> part_touching(Brep& brep) {
   std::vector<std::pair<std::array<int, 3>, int>> all;  // nodes and face
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
@@ -119,8 +120,8 @@ std::vector<int> part_touching(Brep& brep) {
   return bad;
 }
 
-/// Whether a polyline comes so near to another that chords and gaps are of one size. There own
-/// triangles are right but coarse, and meshes of the surface begin to cut themselves.
+/// Whether a polyline comes so near to another that the gap is small against the chords. There our
+/// own triangles are right but coarse, and meshes of the surface begin to intersect themselves.
 bool nearly_touch(const Brep& brep, const EdgeChains& chains) {
   struct Chord {
     std::array<int, 2> nodes;
@@ -158,8 +159,7 @@ bool nearly_touch(const Brep& brep, const EdgeChains& chains) {
   return false;
 }
 
-/// Takes over the CAD kernel's triangulation, its nodes numbered so that those on a shared edge are
-/// one.
+/// Takes over the CAD kernel's triangulation; faces at an edge share the nodes on it.
 class NodeNumbers {
  public:
   explicit NodeNumbers(Brep& brep) : brep_(brep), chains_(brep.edges.size()) {
@@ -227,8 +227,8 @@ class NodeNumbers {
   EdgeChains chains_;
 };
 
-/// A point of a face for people to look at: of its edges' points the nearest to its centroid, which
-/// may lie off the face.
+/// A point of a face for an error message: the point of its edges that is nearest to its centroid,
+/// because the centroid may lie off the face.
 Vec3 place_on(const Brep& brep, int face) {
   Vec3 best = brep.faces[face].centroid;
   double nearest = HUGE_VAL;
@@ -249,8 +249,8 @@ void keep(const EdgeChains& chains, Brep& brep) {
 }  // namespace
 
 void triangulate(Brep& brep, const TopoDS_Shape& shape, double scale, const Run& run) {
-  // The polylines and nodes that are good nearly everywhere take a tenth of the CAD kernel's time.
-  // Where they are not, edges nearly touch: there its own are finer.
+  // First with our own polylines and interior nodes: they do nearly everywhere and take a tenth of
+  // the CAD kernel's time. Where they fail, edges nearly touch, and the CAD kernel's are finer.
   EdgeChains own(brep.edges.size());
   std::vector<int> bad = mesh_faces(brep, own, run);
   if (bad.empty()) bad = bad_faces(brep, own);

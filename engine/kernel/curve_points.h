@@ -9,21 +9,24 @@
 
 namespace remeshd::kernel {
 
-/// rad: at most between points of an edge, 6 degrees are promised, and between the chords of a
-/// circle that triangles stand on.
+/// Turning, rad: between points of a BrepEdge, for which 6 degrees are promised, and between the
+/// chords of a circle's polyline in the triangulation.
 constexpr double kPointTurning = 0.1, kChordTurning = 0.12;
-/// Of a radius: polylines stay further from other edges than they stand off their own, and
-/// triangles between them are no slivers.
+/// x a radius: gap below which a round edge or face nearly touches another, and local_fuse gives
+/// up. So polylines stay nearer to their own curves than to others, and triangles between them are
+/// no slivers.
 constexpr double kClearChord = 0.03;
-/// rad: about as much, between nodes on a round face. Faces with straight lines are flattened to
-/// what such an angle spans: so triangles stand along the lines and cut nothing short.
+/// Turning, rad: between nodes on a doubly curved face. Cylinders and cones are shrunk along their
+/// straight lines to the length that this angle spans, so that triangles follow the lines and none
+/// cuts off a piece across them.
 constexpr double kFaceTurning = 0.14;
-/// Of a face's area: what chords may take from it; where more lacks, it was not covered.
+/// x the area of a face: the area of its triangles may differ by so much because of chords; where
+/// it differs by more, they do not cover the face.
 constexpr double kAreaError = 0.05;
-/// Kernel units: below, a chord says nothing of a direction.
+/// Kernel units: the direction of a shorter chord tells nothing.
 constexpr double kShortestChord = 1e-3;
 
-/// In how many even steps an arc is followed.
+/// The number of equal steps, two or more, that each turn by `turning` at most.
 inline int steps_of(double angle, double turning) {
   return std::max(2, static_cast<int>(std::ceil(angle / turning)));
 }
@@ -33,8 +36,8 @@ struct CurvePoint {
   Vec3 p, derivative;
 };
 
-/// Points of a curve from one parameter to another, by halving; `shortest`: kShortestChord in the
-/// curve's unit.
+/// Points of a curve between two parameters, which are halved until neighbours turn by about
+/// kPointTurning at most; `shortest`: kShortestChord in the curve's unit.
 template <typename At>
 std::vector<Vec3> points_by_halving(const At& at, double first, double last, double shortest) {
   struct Sample {
@@ -68,8 +71,8 @@ std::vector<Vec3> points_by_halving(const At& at, double first, double last, dou
   return points;
 }
 
-/// Gauss's rule of three points on each of so many parts of a curve: points, and vectors along it
-/// that its integrals are sums over.
+/// Three-point Gauss rule on each of `parts` equal parts of a curve: points, each with the
+/// derivative times its weight, so that an integral along the curve is a sum.
 template <typename At>
 std::vector<std::array<Vec3, 2>> integration_samples(const At& at, double first, double last,
                                                      std::size_t parts) {

@@ -32,7 +32,7 @@ struct FaceMeshLimits {
   double same_corner = 1e-3;  ///< kernel units: images of one node this near are one corner
   double shortest = 1e-6;     ///< kernel units: segments are not split below
   int rounds = 40;            ///< of splitting segments that cross
-  std::size_t most_interior = 20'000;  ///< nodes inside of a face that is round both ways
+  std::size_t most_interior = 20'000;  ///< nodes in a doubly curved face; for more, none
 };
 constexpr FaceMeshLimits kFaceMeshLimits;
 
@@ -55,7 +55,7 @@ class FaceMesher {
       for (const int e : brep.faces[f].edges) faces_at_[e].push_back(static_cast<int>(f));
   }
 
-  /// Returns the faces where that did not work.
+  /// Returns the faces that could not be triangulated.
   std::vector<int> mesh_all(const Run& run) {
     std::vector<int> bad;
     for (int e = 0; e < static_cast<int>(chains_.size()); ++e) require_chain(e);
@@ -85,7 +85,7 @@ class FaceMesher {
   }
 
  private:
-  /// The polyline of an edge that the CAD kernel gave none.
+  /// Makes the polyline of an edge, unless it has one.
   void require_chain(int e) {
     std::vector<EdgeNode>& chain = chains_[e];
     if (!chain.empty()) return;
@@ -100,7 +100,7 @@ class FaceMesher {
     chain.push_back({brep_.edges[e].vertices[1], last});
   }
 
-  /// In how many even steps a polyline follows an edge.
+  /// The number of segments, equal in parameter, of the polyline of an edge.
   static int parts_of(const BrepEdge& edge) {
     switch (edge.kind) {
       case BrepEdge::Kind::Line:
@@ -113,8 +113,8 @@ class FaceMesher {
     return std::max(2, static_cast<int>(edge.points.size()) - 1);
   }
 
-  /// Moves the inner nodes of an edge's polyline onto its curve: where edges come nearer than it
-  /// can tell apart, the CAD kernel's triangulation has the nodes of one on the other.
+  /// Moves the inner nodes of an edge's polyline onto its curve: where edges are too near for the
+  /// CAD kernel to tell them apart, its triangulation has nodes of one on the other.
   void put_on_curve(int e) {
     const BRepAdaptor_Curve curve(TopoDS::Edge(shape_of(brep_, Element::Edge, e)));
     for (std::size_t i = 1; i + 1 < chains_[e].size(); ++i)
@@ -130,14 +130,14 @@ class FaceMesher {
     chain.insert(chain.begin() + cut.index + 1, {add_point(brep_, place), cut.parameter});
   }
 
-  /// Maps lengths along a face's parameters to about those in space.
+  /// Finds the factors that make lengths in a face's parameters about those in space.
   void find_stretch(const TopoDS_Face& face) {
     const BRepAdaptor_Surface whole(face, /*Restriction=*/false);
     if (whole.GetType() == GeomAbs_Cylinder) {
       stretch_ = {whole.Cylinder().Radius(), 1};
       return;
     }
-    const BRepAdaptor_Surface surface(face);  // its bounds take time
+    const BRepAdaptor_Surface surface(face);  // computing its bounds takes time
     gp_Pnt at;
     gp_Vec along_u, along_v;
     surface.D1(0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
@@ -145,8 +145,8 @@ class FaceMesher {
     stretch_ = {along_u.Magnitude(), along_v.Magnitude()};
   }
 
-  /// Straight lines on a cylinder or cone count little: so triangles stand along them and cut
-  /// nothing short.
+  /// Shrinks the border of a cylinder or cone along its straight lines, so that triangles follow
+  /// these and none cuts off a piece across them.
   void flatten(Border& border) const {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Border::Corner& corner : border.corners) {
@@ -162,7 +162,7 @@ class FaceMesher {
     return surface.GetType() == GeomAbs_Cylinder || surface.GetType() == GeomAbs_Cone;
   }
 
-  /// A plane's border needs no curves in parameters: its nodes lie on it.
+  /// The border of a plane face: its nodes lie in it, so that no curves in parameters are needed.
   Border plane_border(int f, const gp_Pln& plane) {
     Border border;
     std::map<int, int> of_node;
@@ -210,7 +210,7 @@ class FaceMesher {
       of_node.emplace(node, static_cast<int>(border.corners.size()) - 1);
       return static_cast<int>(border.corners.size()) - 1;
     };
-    std::map<std::array<int, 4>, int> known;  // of segments
+    std::map<std::array<int, 4>, int> known;  // number of a segment
     const auto add = [&](int a, int b, int edge, int index, int uses) {
       if (a == b) return;
       const auto [it, fresh] = known.try_emplace({std::min(a, b), std::max(a, b), edge, index},
@@ -259,8 +259,8 @@ class FaceMesher {
            length(s) > kFaceMeshLimits.shortest;
   }
 
-  /// Adds where a segment's curve comes nearest to the ends of another, away from its own ends.
-  /// Returns whether there is such a place.
+  /// Adds cuts where the curve of segment `s` comes nearest to the ends of another one, away from
+  /// its own ends. Returns whether there is any.
   bool find_opposite(const Border::Segment& s, const Border::Segment& other,
                      std::set<Cut>& cuts) const {
     if (!can_split(s) || other.edge < 0) return false;
@@ -285,11 +285,10 @@ class FaceMesher {
     return any;
   }
 
-  /// Adds what must be split so that the border does not cross itself. Two polylines with their
-  /// nodes opposite of each other do not cross, however near to each other their curves are. Where
-  /// they have them the longer segment is halved, because the chords of two touching circles part
-  /// only where the wider circle's are no longer than the other's. False where splitting does not
-  /// help.
+  /// Adds cuts that keep the border from crossing itself. Two polylines with their nodes opposite
+  /// each other do not cross, however near their curves are. Where they are opposite already the
+  /// longer segment is halved, because the chords of two touching circles separate only where those
+  /// of the wider one are no longer than the other's. Returns false where splitting does not help.
   bool find_cuts(const Border& border, std::set<Cut>& cuts) const {
     for (const auto& [i, j] : crossing_segments(border)) {
       const Border::Segment &s = border.segments[i], &t = border.segments[j];
@@ -330,11 +329,11 @@ class FaceMesher {
       out.triangles.push_back({a, b, c});
       area += triangle_area(brep_.points[a], brep_.points[b], brep_.points[c]);
     }
-    // Nothing is said of slivers: chords may be as far off as these are wide.
+    // The area of a sliver is not compared: chords may be off by as much as it is wide.
     return std::fabs(area - out.area) <= kAreaError * out.area || out.area < 1e-2;
   }
 
-  /// Nodes on a face that is round both ways, about as far from its border as from each other.
+  /// Nodes inside of a doubly curved face, at some distance from its border, in its coordinates.
   std::vector<std::array<double, 2>> interior(const BRepAdaptor_Surface& surface,
                                               const Border& border) const {
     if (surface.GetType() == GeomAbs_Plane || is_ruled(surface)) return {};

@@ -72,11 +72,12 @@ class PlacedPart {
   std::array<std::vector<int>, 4> elements_;
 };
 
-/// One warning is let pass: that the kernel could not tell whether a split face looks the way its
-/// original did. Natures here come from the cells' own orientation, and samples and volumes check
-/// those.
+/// Throws Error(KERNEL_FAILURE) where the algorithm raised alerts, with the place of the first one
+/// that has a shape with geometry.
 ///
-/// The place told is the first alert's that has a shape with geometry.
+/// One warning is let pass: that the kernel could not tell whether a split face is oriented as its
+/// original is. Natures here come from the cells' own orientation, and samples and volumes check
+/// those.
 void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double scale,
                    const Run& run) {
   run.poll();
@@ -95,8 +96,8 @@ void refuse_alerts(const BOPAlgo_Options& algorithm, std::string what, double sc
   throw error::kernel_failure(what, in_model_units(place, scale));
 }
 
-/// The parts' elements of a kind that the elements of the result, `count` of them, come from, by
-/// the builder's history.
+/// By element of the result, of which there are `count` of this kind: the elements of the parts
+/// that it comes from, by the builder's history.
 std::vector<std::vector<Source>> trace(const std::vector<PlacedPart>& parts,
                                        BOPAlgo_Builder& builder, const Brep& brep, double scale,
                                        Element kind, std::size_t count) {
@@ -122,7 +123,7 @@ std::vector<std::vector<Source>> trace(const std::vector<PlacedPart>& parts,
   return sources;
 }
 
-/// Throws Error(KERNEL_FAILURE) where an element of the result comes from nothing.
+/// Throws Error(KERNEL_FAILURE) where an element of the result comes from no part.
 void require_owners(const Brep& brep, double scale, Element kind,
                     const std::vector<std::vector<Source>>& sources, const char* what) {
   for (std::size_t i = 0; i < sources.size(); ++i)

@@ -10,7 +10,7 @@
 
 namespace remeshd::kernel {
 
-/// How a helper ended, and all that it said where it was not stopped.
+/// How a helper ended, and all of its output unless it was stopped.
 struct HelperEnd {
   enum class Kind { Exited, Signalled, TimedOut, TalkedTooMuch, NotStarted };
   Kind kind = Kind::Exited;
@@ -20,7 +20,7 @@ struct HelperEnd {
 
 struct HelperLimits {
   double seconds = 60;           ///< s from start to end
-  std::size_t answer_bytes = 0;  ///< it is killed when it says more
+  std::size_t answer_bytes = 0;  ///< it is killed when its output is longer
 };
 
 /// Starts a program, sends it `input` on its stdin and collects its stdout; its stderr is lost.

@@ -10,7 +10,7 @@ namespace remeshd::kernel {
 /// Exact signs by CGAL; called where the filter below cannot decide.
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int exact_in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
-/// The latter behind a filter with the error bound of Shewchuk 1997.
+/// exact_in_sphere behind a filter with the error bound of Shewchuk 1997.
 int filtered_in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p);
 
 /// Sign of det(b - a, c - a, d - a): +1 for a positive tet. Exact; floating-point filter with the
@@ -31,8 +31,9 @@ inline int orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
   return exact_orientation(a, b, c, d);
 }
 
-/// Where points lie of the circumsphere of one positive tet, by the determinant expanded by the row
-/// of the point. Cheap, above all for several points, but it does not decide near the sphere.
+/// On which side of the circumsphere of one positive tet points lie, by the determinant expanded
+/// along the row of the point. Cheap, above all for several points, but it does not decide near the
+/// sphere.
 class SphereTest {
  public:
   SphereTest(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) : origin_(a) {
@@ -59,16 +60,16 @@ class SphereTest {
   /// up to less than 2 s^3 r^2 and those of the other product to less than 6 s^4 r, each rounded
   /// fewer than 20 times by 2^-53: the error is below 1.4e-14 s^3 (r^2 + s r).
   static constexpr double kUnsure = 1e-12;
-  /// At least the length.
+  /// The 1-norm: at least the length.
   static double span(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
   Vec3 origin_, normal_;
   double volume_ = 0, size2_ = 0, unsure_ = 0;
 };
 
-/// +1 where p lies inside the circumsphere of the positive tet abcd, 0 on it, -1 outside. Exact;
-/// in front of what is dear a bound of the error by the size of the tet, which decides nearly
-/// always.
+/// +1 where p lies inside the circumsphere of the positive tet abcd, 0 on it, -1 outside. Exact; an
+/// error bound from the size of the tet decides nearly always, and saves the costlier filter and
+/// exact arithmetic.
 inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
   const Vec3 ae = a - p, be = b - p, ce = c - p, de = d - p;
   const double ab = ae.x * be.y - be.x * ae.y, bc = be.x * ce.y - ce.x * be.y;

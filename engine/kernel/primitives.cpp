@@ -161,7 +161,8 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
         labels.emplace_back(face, profile[i].label);
         found = index_in(sweep.Shape(), face) > 0;
       }
-      // OCCT forgets the flat faces of a full turn: look where the side's middle came through.
+      // OCCT's history lacks the flat faces of a full turn: look for the face that the side's
+      // middle passes through half-way.
       if (!found)
         label_face_at(sweep.Shape(), middle(base.edges[i]).Transformed(half_way), profile[i].label,
                       labels);

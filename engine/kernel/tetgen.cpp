@@ -80,7 +80,7 @@ std::string why_refused(Status status) {
   }
 }
 
-/// Whether all corners are points.
+/// Whether all corners are indices of points.
 template <typename Corners>
 bool in_range(const std::vector<Corners>& all, std::size_t points) {
   return std::ranges::all_of(all, [&](const Corners& corners) {
@@ -117,7 +117,7 @@ QualityMesh decode(std::span<const std::byte> bytes, const TetGenLimits& limits)
 
 QualityMesh ask(const std::vector<std::byte>& request, const TetGenLimits& limits, const Run& run) {
   const std::filesystem::path helper = limits.helper.empty() ? find_tetgen_helper() : limits.helper;
-  // Should this process die unnoticed, the processor's own clock ends the child.
+  // Should this process die unnoticed, the child's limit on processor time ends it.
   const auto processor_seconds = static_cast<long long>(std::ceil(limits.seconds)) + 1;
   const HelperEnd end =
       run_helper(helper, {std::to_string(limits.address_space), std::to_string(processor_seconds)},
@@ -143,7 +143,8 @@ Corners sorted(Corners corners) {
   return corners;
 }
 
-/// Numbers the parts of the mesh that its surface facets separate.
+/// The part of the mesh that each tet is in, parts being separated by surface facets; a part has
+/// the number of its first tet.
 std::vector<std::int32_t> find_regions(const QualityMesh& out) {
   std::vector<Triangle> walls;
   for (const Triangle& facet : out.facets) walls.push_back(sorted(facet));

@@ -25,8 +25,8 @@ struct TetGenMesh {
 
 using Segment = std::array<std::int32_t, 2>;
 
-/// A surface on which added points can be told apart: the markers of a triangle and a segment pass
-/// to the pieces that they are split into.
+/// A surface with markers, which pass to the pieces that its triangles and segments are split into:
+/// they tell where points were added.
 struct MarkedSurface {
   TetGenSurface surface;
   std::vector<std::int32_t> triangle_markers;  ///< one for each triangle, > 0
@@ -37,16 +37,18 @@ struct MarkedSurface {
 /// What a quality mesh is to be like, as far as its surface allows.
 struct TetGenQuality {
   double radius_edge = 1.2;  ///< circumradius of a tet over its shortest edge, at most
-  /// Of a tet, model's unit cubed; 0: no points are added but for the surface's sake.
+  /// Volume of a tet, model's unit cubed, at most. 0: neither this nor `radius_edge` counts, and
+  /// points are added only where the surface cannot be recovered without them.
   double max_volume = 0;
   bool split_surface = true;     ///< whether points may be added on the surface
   std::uint32_t most_added = 0;  ///< points; a mesh that would need more is refused. 0: no bound
 };
 
-/// A quality mesh; its first points are those of the surface where all of these are on triangles.
+/// A quality mesh. Its first points are those of the surface, in their order, if all of these are
+/// corners of triangles.
 struct QualityMesh {
   TetGenMesh filling;
-  std::vector<Triangle> facets;  ///< of tets, on the surface
+  std::vector<Triangle> facets;  ///< triangles of the mesh on the surface
   std::vector<std::int32_t> facet_markers;
   std::vector<Segment> segments;
   std::vector<std::int32_t> segment_markers;
@@ -69,9 +71,10 @@ struct TetGenLimits {
 /// Sect. 3.1 for its use.
 TetGenMesh run_tetgen(const TetGenSurface& surface, const TetGenLimits& limits, const Run& run);
 
-/// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`, `pY`) in the
-/// same way, with the points that no triangle has. Where the surface has to stay as it is (Y)
-/// TetGen aborts on some: Error(TETGEN_CRASHED).
+/// A mesh of well-shaped tets inside of the surface by TetGen (`pq..a..`, `pYq..a..`, `p`, `pY`) in
+/// the same way. Points that no triangle has become nodes inside; TetGen may leave out or move some
+/// of them. Where the surface has to stay as it is (Y) TetGen aborts on some:
+/// Error(TETGEN_CRASHED).
 ///
 /// Post: all indices are in range. Throws what run_tetgen throws.
 QualityMesh run_tetgen(const MarkedSurface& marked, const TetGenQuality& quality,

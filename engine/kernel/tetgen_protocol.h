@@ -5,10 +5,10 @@
 /// What `run_tetgen` and the program `remeshd-tetgen` say to each other over one socket: the
 /// request in, one answer back, both in the machine's own byte order, for they are built together.
 ///
-///   request  RequestHeader, points x 3 doubles, triangles x 3 int32; with a Task::Mesh also
+///   request  RequestHeader, points x 3 doubles, triangles x 3 int32; unless Task::Fill also
 ///            triangles x 1 int32 (markers), segments x 2 int32, segments x 1 int32 (markers)
-///   answer   AnswerHeader, points x 3 doubles, tets x 4 int32, tets x 1 int32 (regions; 0 with a
-///            Task::Mesh), facets x 3 int32, facets x 1 int32 (markers), segments x 2 int32,
+///   answer   AnswerHeader, points x 3 doubles, tets x 4 int32, tets x 1 int32 (regions; 0 unless
+///            Task::Fill), facets x 3 int32, facets x 1 int32 (markers), segments x 2 int32,
 ///            segments x 1 int32 (markers)
 ///
 /// Arguments of the program: its limits on address space (bytes) and on processor time (s).

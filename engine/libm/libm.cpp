@@ -1,16 +1,18 @@
-// The elementary functions of the C library, the same to the bit on every CPU.
+// The elementary functions of the C library, bit for bit the same on every CPU.
 //
-// The C library's own choose variants by the CPU, with fused multiply-add or without, that differ
-// in the last bit; one bit more, and the loop of VTM ends in another mesh. These take their place
-// in a whole program, OpenCASCADE and TetGen included: the dynamic linker finds a program's symbols
-// before those of any library. They are those of SLEEF (Boost Software License) that are promised
-// to give the same results everywhere, errors being less than 1 ULP, but for `hypot`: half of one.
+// The C library chooses a variant of each by the CPU, with or without fused multiply-add, and the
+// variants differ in the last bit; a difference of one bit lets the loop of VTM end in another
+// mesh. The definitions below replace them in the whole program, OpenCASCADE and TetGen included:
+// the dynamic linker finds a program's symbols before those of any library. They call those
+// variants of SLEEF (Boost Software License) that promise the same results everywhere; errors are
+// below 1 ULP, those of `hypot` half an ULP.
 //
-// Functions that have but one right result (sqrt, fma, floor, fmod, ...) stay the C library's, and
-// so do those that neither the engine nor a kernel calls.
+// Functions with only one correct result (sqrt, fma, floor, fmod, ...) stay the C library's, and so
+// do those that neither the engine nor a kernel calls.
 #include <sleef.h>
 
-// C's names, and not declared by a header here: what <cmath> makes of them depends on the compiler.
+// C linkage. No header declares them here: what <cmath> makes of these names depends on the
+// compiler.
 extern "C" {
 
 double sin(double x) { return Sleef_cinz_sind1_u10purec(x); }

@@ -7,9 +7,10 @@
 
 namespace remeshd {
 
-/// Why something is left to the CAD kernel.
+/// Why something could not be done; the caller takes another way, the last of which is a fuse of
+/// the whole model by the CAD kernel.
 struct GaveUp {
-  const char* file = "";  ///< that gave up, without folder and ending: `slabs`
+  const char* file = "";  ///< source file that gave up, without folder and extension: `slabs`
   const char* why = "";   ///< half a sentence: `two heights are neither clearly the same nor ...`
 };
 

@@ -23,7 +23,7 @@ CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_mo
     try {
       return with_attempts(restore_cells(model, membership, *std::move(sewn.parts)));
     } catch (const Error& failure) {
-      // What is wrong with a model is told from all of it.
+      // Only a fuse of the whole model tells whether the model itself is at fault.
       sewn.given_up.push_back({std::string(route), failure.what(), watch.total()});
     }
   }

@@ -4,11 +4,12 @@
 
 namespace remeshd {
 
-/// The cells of an edited model from those of its base, of which all is kept that no changed
-/// feature touches: as much work as there is change. Entities, their order, and supports are those
-/// of a build from the model alone; coordinates, areas and volumes up to rounding. Where the
-/// changed part cannot be made by itself, or the base has no features, all of the model is fused.
-/// `geometry_attempts` tells which ways to the changed part were given up, and why.
+/// The cellular model of an edited model. Of its base's all is kept that no changed feature
+/// touches; only the rest is made anew. Entities, their order, and supports are those of a build
+/// from the model alone; so are coordinates, areas and volumes up to rounding. Where the changed
+/// part cannot be made by itself, or the base has no features, the whole model is fused.
+/// `geometry_attempts` of the result lists the routes to the changed part that were given up, and
+/// why.
 ///
 /// Throws what `build_cells(model, run)` throws.
 CellularModel build_cells(const FeatureModel& model, const FeatureModel& base_model,

@@ -5,13 +5,13 @@
 
 namespace remeshd {
 
-/// A facet of one of a mesh's tets, by the corner opposite. Or none; or, in a patch of a mesh, one
-/// beyond the patch's boundary, by a number from 0.
+/// A facet of a mesh, as a tet and the corner opposite to it. Or none; or, in a patch of a mesh, a
+/// facet of a tet beyond the patch's boundary, by a number from 0.
 ///
-/// In one number, as it is stored: 4 * tet + corner; -1 for none; -2 - k for number k beyond.
+/// Stored as one integer: 4 * tet + corner; -1 for none; -2 - k for number k beyond.
 class FacetRef {
  public:
-  FacetRef() = default;  ///< not set, as an int is not
+  FacetRef() = default;  ///< uninitialised, as an int would be
   constexpr FacetRef(std::int32_t tet, int corner) : code_(4 * tet + corner) {}
   static constexpr FacetRef none() { return FacetRef(-1); }
   static constexpr FacetRef beyond(std::int32_t k) { return FacetRef(-2 - k); }
@@ -19,7 +19,7 @@ class FacetRef {
   [[nodiscard]] constexpr bool is_tet() const { return code_ >= 0; }
   [[nodiscard]] constexpr bool is_none() const { return code_ == -1; }
   [[nodiscard]] constexpr bool is_beyond() const { return code_ < -1; }
-  /// Below 0 where the facet is no tet's.
+  /// Negative unless is_tet().
   [[nodiscard]] constexpr std::int32_t tet() const { return code_ >> 2; }
   [[nodiscard]] constexpr int corner() const { return code_ & 3; }
   /// Pre: is_beyond().

@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// Leaves each value once, ascending.
+/// Sorts the values and removes duplicates.
 template <class Values>
 void sort_unique(Values& values) {
   std::ranges::sort(values);
@@ -18,7 +18,7 @@ void sort_unique(Values& values) {
 /// Items by group, 0 .. n - 1, in one array.
 template <class Item>
 struct Grouping {
-  std::vector<std::uint32_t> begin;  ///< by group, and the end of the last
+  std::vector<std::uint32_t> begin;  ///< by group, its first item; then the number of items
   std::vector<Item> items;           ///< group by group, each in the order in which they came
 
   [[nodiscard]] std::span<const Item> operator[](std::size_t group) const {

@@ -49,8 +49,8 @@ std::array<double, 6> dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// Cosines of the smallest and the largest dihedral angle: what orders angles without a call per
-/// angle.
+/// Cosines of the smallest and the largest dihedral angle: they order the angles without an inverse
+/// function for each.
 std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const std::array<Vec3, 4> outward{cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
                                     cross(c - a, b - a)};
@@ -67,7 +67,7 @@ std::array<double, 2> extreme_cosines(const Vec3& a, const Vec3& b, const Vec3& 
   return {highest, lowest};
 }
 
-constexpr int kRanks = 1000;  // of measures, to find a percentile without sorting them all
+constexpr int kRanks = 1000;  // bins of volume-length, to find a percentile without sorting all
 
 int rank_of(float measure) {
   return static_cast<int>(std::clamp(measure * kRanks, 0.0F, kRanks - 1.0F));
@@ -116,14 +116,15 @@ struct Tally {
   }
 };
 
-/// What the sums leave open: the exact angles, and the first percentile.
+/// What a Tally leaves open and a second look at the tets finds: the exact extreme angles, and the
+/// first percentile.
 class Finder {
  public:
   explicit Finder(const Tally& tally) : tally_(tally), below_((tally.count + 99) / 100 - 1) {
     if (tally.count == 0) return;
     // Nearest rank: the smallest measure that at least one percent of the tets do not exceed.
     while (tally.ranks[rank_] <= below_) below_ -= tally.ranks[rank_++];
-    // Rather wide bounds, which are compared faster than ranks.
+    // Bounds somewhat wider than the rank: cheaper to compare with than to compute ranks.
     low_ = rank_ == 0 ? -HUGE_VALF : (static_cast<float>(rank_) - 0.5F) / kRanks;
     high_ = rank_ == kRanks - 1 ? HUGE_VALF : (static_cast<float>(rank_) + 1.5F) / kRanks;
   }

@@ -9,6 +9,7 @@
 
 namespace remeshd {
 
+/// Signed: positive for a tet oriented as TetMesh has them.
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 template <class Nodes>
 double tet_volume(const Nodes& nodes, const Tet& t) {
@@ -41,13 +42,13 @@ struct Quality {
       histogram{};  ///< tets by volume-length, bins of 0.05 from 0 to 1; below 0 in the first
 };
 
-/// What the quality of a mesh is made of, for one of its tets. Kept with a mesh, so that another
-/// one measures the tets only that it does not share with it. Cosines are in units of 1/32767,
-/// which tells which few tets to measure for the extreme angles of a mesh.
+/// What one tet contributes to the quality of its mesh. Kept with the mesh, so that another one
+/// measures only the tets that the two do not share. Cosines are in units of 1/32767: that finds
+/// the few tets that may have the extreme angles of a mesh, which are then computed exactly.
 struct TetMeasure {
   float volume_length = 0;
-  std::int16_t highest_cosine = 0;  ///< of its dihedral angles: of the smallest
-  std::int16_t lowest_cosine = 0;
+  std::int16_t highest_cosine = 0;  ///< of its smallest dihedral angle
+  std::int16_t lowest_cosine = 0;   ///< of its largest
 };
 
 TetMeasure measure_tet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
@@ -60,22 +61,22 @@ struct MeasuredTets {
   const CowVector<Vec3>& nodes;
   const CowVector<Tet>& tets;
   const CowVector<TetMeasure>& measures;     ///< by tet
-  std::span<const std::uint8_t> left_out{};  ///< by tet: 1 for those that do not count; or empty
+  std::span<const std::uint8_t> left_out{};  ///< by tet: 1 where it does not count; may be empty
 };
 
 /// Quality of a mesh of this volume from its tets' measures: the mean to seven digits, all else
 /// exact. Post: zeros for an empty mesh.
 Quality summarise(const MeasuredTets& tets, double volume);
 
-/// The same of two meshes: of one, and of another that has some tets, `instead`, in the place of
-/// those that are left out of the first.
+/// The same for two meshes that share tets: for all tets of `first`, and for the mesh with the tets
+/// of `instead` in the place of those that `first` leaves out.
 struct TwoQualities {
   Quality first, second;
 };
 TwoQualities summarise_both(const MeasuredTets& first, double first_volume,
                             const MeasuredTets& instead, double second_volume);
 
-/// The same, all measured. Post: zeros for an empty mesh.
+/// Measures all tets and summarises. Post: zeros for an empty mesh.
 Quality measure_quality(std::span<const Vec3> nodes, std::span<const Tet> tets, const Run& run);
 
 }  // namespace remeshd

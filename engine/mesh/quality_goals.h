@@ -4,7 +4,8 @@
 
 namespace remeshd::goals {
 
-/// What clean-up raises tets to and morphing keeps. Angles in rad, measures by volume-length.
+/// Quality that a morph must keep wherever the mesh had it. Angles in rad, measures by
+/// volume-length.
 inline constexpr double kLeastDihedral = 25 * std::numbers::pi / 180;
 inline constexpr double kLargestDihedral = 145 * std::numbers::pi / 180;
 inline constexpr double kLeastMeasure = 0.42;

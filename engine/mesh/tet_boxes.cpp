@@ -5,7 +5,7 @@
 namespace remeshd {
 namespace {
 
-constexpr double kCubes = 1.5;  // along the diagonal of all places, x the cube root of their number
+constexpr double kCubes = 1.5;  // along the diagonal round n places, x the cube root of n
 
 Box box_round(const PagedMesh& mesh, std::size_t page) {
   Box box;

@@ -8,23 +8,23 @@
 
 namespace remeshd {
 
-/// Boxes round the nodes of tets, one for each page of them: which pages need not be looked at for
-/// what is elsewhere.
+/// For each page of tets the box round their nodes: it tells which pages a search of some place may
+/// skip.
 CowVector<Box> boxes_round(const PagedMesh& mesh);
 
-/// Another mesh's boxes, but for the pages that have one of the changed tets. All other tets are
-/// the other mesh's of the same number in place.
+/// The same from the boxes of another mesh: only pages with changed tets are measured again. Pre:
+/// all other tets are those of the other mesh under the same numbers, with their nodes in place.
 CowVector<Box> boxes_round(const PagedMesh& mesh, CowVector<Box> other,
                            std::span<const std::int32_t> changed_tets);
 
-/// Which pages of tets may have nodes that stand at some places in another mesh, whose memory they
-/// may share.
+/// Finds the pages of tets that may use nodes which stand at given places in another mesh. A page
+/// in memory shared with the other mesh is judged by its box there; all others may.
 class PagesNear {
  public:
-  /// `boxes`: round the other's tets. Keeps references to both.
+  /// `boxes`: those of the other mesh's pages of tets. Keeps references to `other` and `boxes`.
   PagesNear(const CowVector<Tet>& other, const CowVector<Box>& boxes, std::span<const Vec3> places);
 
-  /// Post: true where the page is not the other's memory.
+  /// Post: true where the page is not shared with the other mesh.
   [[nodiscard]] bool may_be(const CowVector<Tet>& tets, std::size_t page) const;
 
  private:

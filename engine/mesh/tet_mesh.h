@@ -24,7 +24,7 @@ struct TetMesh {
   std::vector<Tet> tets;
 };
 
-/// The same at rest, as it stays with a revision: sharing with others what is the same.
+/// A TetMesh as a revision keeps it: in pages, which it shares with other revisions.
 struct PagedMesh {
   CowVector<Vec3> nodes;
   CowVector<Tet> tets;
@@ -33,7 +33,7 @@ inline PagedMesh paged(const TetMesh& mesh) {
   return {CowVector(mesh.nodes), CowVector(mesh.tets)};
 }
 
-/// The tet by other names of its nodes.
+/// The tet with each node n replaced by names[n].
 inline Tet renamed(Tet tet, std::span<const std::int32_t> names) {
   for (std::int32_t& n : tet) n = names[n];
   return tet;

@@ -6,7 +6,7 @@
 namespace remeshd {
 namespace {
 
-/// Not as arrays, whose comparison is a call.
+/// Written out, because the `==` of a std::array is a library call.
 bool equal(const Tet& a, const Tet& b) {
   return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
 }

@@ -7,16 +7,17 @@
 
 namespace remeshd {
 
-/// What of a mesh is another's, to the bit and under the same numbers.
+/// What a mesh has in common with another one, under the same numbers.
 struct Unchanged {
-  std::vector<std::uint8_t> node;  ///< by node: 1 where the other has it there
-  /// By page of tets: 1 where all tets are the other's, between nodes that it has there.
+  std::vector<std::uint8_t> node;  ///< by node: 1 where the other has it at the same place
+  /// By page of tets: 1 where the other has the same tets on it, with all of their nodes in place.
   std::vector<std::uint8_t> page;
-  std::vector<std::int32_t> changed_tets;  ///< those that are not, ascending
+  /// Tets that the other does not have, or with a node that it has elsewhere; ascending.
+  std::vector<std::int32_t> changed_tets;
 };
 
-/// Memory that the two share tells what is the same: a page of tets is looked through only where
-/// nodes that moved may be its own. `boxes`: round the other's tets.
+/// Pages in memory that the two share are the same: such a page of tets is searched only where it
+/// may use nodes that moved. `boxes`: those of the other's pages of tets.
 Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const CowVector<Box>& boxes);
 
 }  // namespace remeshd

@@ -13,7 +13,8 @@ struct CarryLimits {
 };
 constexpr CarryLimits kCarry;
 
-/// The point that p becomes: on the same surfaces, as near as may be.
+/// Where p goes with its surfaces: the point on all of them now that is found by Newton steps from
+/// p, each the shortest that leads onto their tangent planes.
 Vec3 carried(const Vec3& p, std::span<const FeatureSurfaces::Ref> on, const FacesOfModel& now,
              double rest) {
   Vec3 at = p;

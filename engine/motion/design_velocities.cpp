@@ -14,9 +14,9 @@ namespace {
 using Ref = FeatureSurfaces::Ref;
 
 struct TouchLimits {
-  double sine = 1e-6;  ///< of the angle between surfaces that touch
-  double step = 1e-6;  ///< x the model's size
-  double same = 1e-4;  ///< x the model's size: one surface has no more of the other's curvature
+  double sine = 1e-6;  ///< of the angle between surfaces that touch, at most
+  double step = 1e-6;  ///< x the model's size: of differences in space
+  double same = 1e-4;  ///< curvature x the model's size: surfaces that differ by less are one
 };
 constexpr TouchLimits kTouch;
 
@@ -28,8 +28,8 @@ struct FootLimits {
 constexpr FootLimits kFoot;
 const std::array<Vec3, 3> kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
-/// The point nearest to m of the curve where two surfaces cross, near to a point on it; nothing
-/// where they do not cross there.
+/// The point nearest to m on the curve where two surfaces cross, found from `near`, a point near to
+/// it; nothing where they do not cross there.
 std::optional<Vec3> foot(const Surface& a, const Surface& b, const Vec3& m, const Vec3& near,
                          double size) {
   Vec3 x = near;
@@ -38,7 +38,7 @@ std::optional<Vec3> foot(const Surface& a, const Surface& b, const Vec3& m, cons
     const Vec3 along = cross(n, o);
     const double sine2 = norm2(along), cosine = dot(n, o);
     if (sine2 < kFoot.sine * kFoot.sine) return {};
-    // To the foot on the tangent, and onto both surfaces' tangent planes.
+    // Along the curve's tangent to the foot of m, and onto the tangent planes of both surfaces.
     const double off_a = signed_distance(a, x), off_b = signed_distance(b, x);
     const Vec3 by = (dot(along, m - x) / sine2) * along + ((cosine * off_b - off_a) / sine2) * n +
                     ((cosine * off_a - off_b) / sine2) * o;
@@ -48,7 +48,7 @@ std::optional<Vec3> foot(const Surface& a, const Surface& b, const Vec3& m, cons
   return x;
 }
 
-/// Where a cone ends; of other surfaces nowhere.
+/// The apex of a cone; nothing for other surfaces.
 std::optional<Vec3> apex_of(const Surface& surface) {
   if (surface.kind != Surface::Kind::Cone || surface.r2 == 0) return {};
   return surface.frame.apply({0, 0, -surface.r1 / surface.r2});
@@ -66,7 +66,8 @@ class ChangingFaces {
         between_(change.between),
         step_(kTouch.step * size) {}
 
-  /// Of a surface at one of its points; nothing where it is no surface of the same kind any more.
+  /// The motion of a surface at one of its points; nothing where it is not of the same kind at both
+  /// ends of the change.
   [[nodiscard]] std::optional<SurfaceMotion> motion(const Ref& ref, const Vec3& p) const {
     const Surface *now = now_.find(ref), *before = less_.find(ref), *after = more_.find(ref);
     if (before == nullptr || after == nullptr || before->kind != now->kind ||
@@ -87,8 +88,8 @@ class ChangingFaces {
   /// How the curve along which two surfaces touch moves across itself, in their common tangent
   /// plane; nothing where they cross, or are one.
   ///
-  /// There the normals are the same, to both sides of it they are not: with g their difference,
-  /// g' v + dg/dp = 0 across the curve.
+  /// On the curve the normals are the same, beside it they are not: with g their difference, a
+  /// point that stays on it has the velocity v across it for which g' v + dg/dp = 0.
   [[nodiscard]] std::optional<SurfaceMotion> tangency(const Ref& a, const Ref& b,
                                                       const Vec3& p) const {
     if (!motion(a, p) || !motion(b, p)) return {};
@@ -102,7 +103,8 @@ class ChangingFaces {
     const auto slope = [&](const Vec3& along) {
       return (gap(now_, p + step_ * along) - gap(now_, p - step_ * along)) / (2 * step_);
     };
-    // The difference of the curvatures, a symmetric matrix: its larger eigenvalue is across.
+    // The difference of the curvatures is a symmetric matrix: the direction of its larger
+    // eigenvalue is across.
     const Vec3 x = any_perpendicular(n), y = cross(n, x);
     const Vec3 by_x = slope(x), by_y = slope(y);
     const double xx = dot(by_x, x), yy = dot(by_y, y), xy = 0.5 * (dot(by_x, y) + dot(by_y, x));
@@ -115,7 +117,8 @@ class ChangingFaces {
     return SurfaceMotion{across, -dot(across, change) / curvature};
   }
 
-  /// Of a node on some surfaces, where others touch.
+  /// The motion of a node that stays on the surfaces `on`. It is undefined where the node does not
+  /// stay on those of `touching` with it.
   [[nodiscard]] CommonMotion motion(const Vec3& p, std::span<const Ref> on,
                                     std::span<const Ref> touching) const {
     std::vector<SurfaceMotion> motions;
@@ -140,10 +143,11 @@ class ChangingFaces {
     return out;
   }
 
-  /// Of a node that is where the surfaces are nearest to a point: how it moves with them where that
-  /// point stays, and how with the point, column by column. Nothing where the surfaces are not the
-  /// same on both sides, or do not cross there.
-  /// `freedom`: that of the node, which tells a surface from a curve.
+  /// The motion of a node that is where its surfaces are nearest to a point: how it moves with the
+  /// surfaces while the point stays, and how with the point. Nothing where a surface is not there
+  /// at both ends of the change, or the surfaces do not cross at the node.
+  /// `freedom`: of the node: in a plane where it is on one surface, along a line where it is on a
+  /// curve.
   [[nodiscard]] std::optional<FollowingMotion> nearest_motion(std::span<const Ref> on,
                                                               Freedom::Kind freedom,
                                                               const Vec3& point,
@@ -175,7 +179,8 @@ class ChangingFaces {
   }
 
  private:
-  /// Of a node's surfaces one twice, or two that cross where it is on a curve.
+  /// The surfaces of a node: the first one twice where it is on a face, two that cross where it is
+  /// on a curve.
   [[nodiscard]] std::optional<std::pair<Ref, Ref>> that_cross(std::span<const Ref> on,
                                                               Freedom::Kind freedom,
                                                               const Vec3& node) const {
@@ -192,7 +197,7 @@ class ChangingFaces {
   const FacesOfModel& now_;
   FacesOfModel less_, more_;
   double between_;
-  double step_;  ///< to where curvatures are looked for, length
+  double step_;  ///< of differences in space, length
 };
 
 DesignVelocities::DesignVelocities(const Revision& revision, const Run& run)
@@ -299,7 +304,7 @@ std::vector<DesignDerivative> DesignVelocities::gradient(std::span<const Vec3> s
   std::vector<DesignDerivative> out;
   const std::size_t corners = revision_.output.mesh.nodes.size();
   const auto& edges = revision_.output.mids.edges;
-  std::vector<Vec3> of_required;  // seed of what is required, once what is free is known
+  std::vector<Vec3> of_required;  // d J / d required; freedoms are taken to be those of the first
   for (const std::string& parameter : parameters) {
     const Motions motions = this->motions(change_of(revision_.source, parameter));
     if (of_required.empty()) {

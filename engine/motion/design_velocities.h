@@ -16,10 +16,10 @@ namespace remeshd {
 /// The faces of a model's features at both ends of a change.
 class ChangingFaces;
 
-/// Design velocities of a mesh: d x / d p at its nodes. On the boundary they follow from the closed
-/// forms of the features: a node stays on its faces and edges to first order. From there they are
-/// spread as the motion of a held mesh is (`MeshSpread`), so that along a `hold` the connectivity's
-/// own derivative is what this gives.
+/// Design velocities of a mesh: d x / d p at its nodes, at fixed connectivity. On the boundary they
+/// follow from the closed forms of the features: a node stays on its faces and edges to first
+/// order. From there they are spread as the motion of a held mesh is (`MeshSpread`), for the
+/// connectivity is that which a `hold` keeps.
 class DesignVelocities {
  public:
   /// Keeps a reference.
@@ -28,19 +28,19 @@ class DesignVelocities {
   /// Forward. `parameter`: as `parameter_value`; throws what `change_of` throws.
   [[nodiscard]] NodalVelocities of(const std::string& parameter, const Run& run) const;
 
-  /// Reverse: one solution for any number of parameters. `seed`: d J / d x, by corner node, then by
-  /// mid-node. Pre: of that size.
+  /// Reverse: d J / d p of a function J of the nodes, by one solution for any number of parameters.
+  /// `seed`: d J / d x, by corner node, then by mid-node. Pre: it has one for each.
   [[nodiscard]] std::vector<DesignDerivative> gradient(std::span<const Vec3> seed,
                                                        std::span<const std::string> parameters,
                                                        const Run& run) const;
 
  private:
   struct Motions {
-    std::vector<NodeMotion> nodes;      ///< corner nodes
-    std::vector<FollowingMotion> mids;  ///< as `mids_`; each follows the middle of its edge
-    std::vector<std::uint8_t> undefined;
+    std::vector<NodeMotion> nodes;        ///< corner nodes
+    std::vector<FollowingMotion> mids;    ///< as `mids_`; each follows the middle of its edge
+    std::vector<std::uint8_t> undefined;  ///< as NodalVelocities::undefined
   };
-  /// A mid-node off the middle of its edge.
+  /// A mid-node off the middle of its edge, and the surfaces that it is on.
   struct CurvedMid {
     std::int32_t mid;
     std::vector<FeatureSurfaces::Ref> on;

@@ -26,7 +26,7 @@ bool touches(const Solid& solid, const Vec3& p, double near) {
   return false;
 }
 
-/// Faces whose surfaces have all these points, of the features that touch one of them.
+/// The faces on whose surfaces all the points lie, of the features that touch `one` of them.
 std::vector<Ref> touched(std::span<const Vec3> points, const Vec3& one, const FacesOfModel& faces,
                          const Membership& membership, double near) {
   std::vector<Ref> out;
@@ -66,7 +66,7 @@ FeatureSurfaces::FeatureSurfaces(const BoundaryModel& boundary, const FeatureMod
       touching_vertices_(boundary.vertices.size()) {
   const FacesOfModel faces(model);
   const Membership membership(model);
-  // The CAD kernel takes faces this near for one.
+  // The CAD kernel takes faces this near to each other for one.
   const double near = 10 * tolerance::kOnSurface * boundary.bounds.diagonal();
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const BoundaryFace& face = boundary.faces[f];

@@ -9,8 +9,8 @@
 
 namespace remeshd {
 
-/// The surfaces of features that each part of a model's boundary lies on, by which it can be
-/// followed into the same features with other numbers.
+/// The surfaces of features that each part of a model's boundary lies on. By them it can be
+/// followed into a model of the same features with other parameter values.
 class FeatureSurfaces {
  public:
   /// A face of a feature.
@@ -22,12 +22,14 @@ class FeatureSurfaces {
 
   FeatureSurfaces(const BoundaryModel& boundary, const FeatureModel& model);
 
-  /// Of a face those of all its names; of an edge those of its faces, and at a group's rim those
-  /// that cross there; of a vertex those of its edges. Ascending; none in the interior.
+  /// The surfaces of a support: of a face those of all its names; of an edge those of its faces,
+  /// and at a group's rim those that cross there; of a vertex those of its edges. Ascending; none
+  /// of the interior.
   [[nodiscard]] std::span<const Ref> at(const Support& support) const;
 
-  /// Of an edge or vertex those of all features that touch it, with or without a part of the
-  /// boundary: where they part, the topology changes. None of faces and the interior.
+  /// Of an edge or vertex the surfaces there of all features that touch it, whether or not they
+  /// have a part of the boundary: where they part, the topology changes. None of faces and the
+  /// interior.
   [[nodiscard]] std::span<const Ref> touching(const Support& support) const;
 
  private:

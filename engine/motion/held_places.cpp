@@ -71,8 +71,8 @@ class Placing {
         u_[n] = boundary_.vertices[supports_[n].entity].position - anchor_[n];
   }
 
-  /// Nodes of edges or of faces: spread, brought back onto what they stand on, and again from
-  /// there until they rest.
+  /// Places nodes of edges, or of faces: spreads their motions, brings them back onto what they
+  /// stand on, and repeats that until they rest.
   void slide(const Spread& stage, const Run& run) {
     const double rest = kPlacing.at_rest * boundary_.bounds.diagonal();
     for (int pass = 0; pass < kPlacing.passes; ++pass) {

@@ -12,9 +12,9 @@ struct HeldPlaces {
   double surface_motion = 0;  ///< largest distance of a node from a surface it stood on; length
 };
 
-/// Places the nodes of an anchor on another boundary of the same topology: the model's vertices
-/// where they are there, nodes of edges and faces on these and otherwise so that the mesh is
-/// stretched least, the interior by harmonic extension. It depends on the anchor and the boundary
+/// Places the nodes of an anchor on another boundary of the same topology: nodes of vertices at the
+/// vertices there, nodes of edges and faces on those, and along them where the mesh is stretched
+/// least, interior nodes by harmonic extension. The result depends on the anchor and the boundary
 /// alone, and smoothly on the boundary.
 ///
 /// `spread`: of the anchor; `supports`: of the nodes, in `boundary`.

@@ -15,7 +15,7 @@ std::vector<std::int32_t> nodes_on(const CowVector<Support>& supports, Support::
   return nodes;
 }
 
-/// Along the model's edges: one over the length.
+/// Along the model's edges. Weight of a link: one over its length.
 Spread along_edges(const Revision& revision, const CowVector<Vec3>& nodes) {
   std::vector<MotionLink> links;
   const std::vector<Support> supports = revision.supports().flat();
@@ -28,7 +28,7 @@ Spread along_edges(const Revision& revision, const CowVector<Vec3>& nodes) {
   return {nodes_on(revision.supports(), Support::Kind::Edge), links, nodes.size()};
 }
 
-/// Over the boundary: linear triangles.
+/// Over the boundary. Weights: those of linear triangles, cotangents.
 Spread over_faces(const Revision& revision, const CowVector<Vec3>& nodes, Polling& poll) {
   std::vector<MotionLink> links;
   for (const MeshFacet& facet : revision.output.groups.facets) {
@@ -44,7 +44,7 @@ Spread over_faces(const Revision& revision, const CowVector<Vec3>& nodes, Pollin
   return {nodes_on(revision.supports(), Support::Kind::Face), links, nodes.size()};
 }
 
-/// Through the material: linear tets.
+/// Through the material. Weights: those of linear tets.
 Spread through_tets(const Revision& revision, const CowVector<Vec3>& nodes, Polling& poll) {
   std::vector<MotionLink> links;
   links.reserve(6 * revision.output.mesh.tets.size());

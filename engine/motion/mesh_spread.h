@@ -21,10 +21,10 @@ class MeshSpread {
   [[nodiscard]] const Spread& faces() const { return faces_; }
   [[nodiscard]] const Spread& interior() const { return interior_; }
 
-  /// Motions of all nodes. `motions`: by node; of a vertex `required` is all that it does.
+  /// Motions of all nodes. `motions`: by node; a node at a vertex moves by `required`.
   [[nodiscard]] std::vector<Vec3> forward(std::span<const NodeMotion> motions,
                                           const Run& run) const;
-  /// From d J / d motion of all nodes to d J / d required; nought in the interior.
+  /// The transpose: from d J / d motion of all nodes to d J / d required; nought in the interior.
   [[nodiscard]] std::vector<Vec3> reverse(std::span<const NodeMotion> motions,
                                           std::vector<Vec3> seed, const Run& run) const;
 

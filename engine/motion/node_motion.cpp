@@ -7,8 +7,8 @@ namespace remeshd {
 namespace {
 
 struct MotionLimits {
-  /// Sine of the angle below which normals are the same: beyond, where surfaces meet moves by up to
-  /// a thousand times what they do.
+  /// Sine of the angle below which normals are the same. At a larger angle the place where surfaces
+  /// meet moves up to a thousand times as fast as they do.
   double same_normal = 1e-3;
   double same_speed = 1e-6;  ///< relative: speeds from differences of closed forms are that exact
 };

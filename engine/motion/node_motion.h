@@ -37,10 +37,10 @@ struct NodeMotion {
 };
 
 /// The displacement, or the velocity, of a node that is where its surfaces are nearest to a point,
-/// by that of the point.
+/// as a function of that of the point.
 struct FollowingMotion {
-  Vec3 required;                 ///< where the point stays
-  std::array<Vec3, 3> of_point;  ///< columns
+  Vec3 required;                 ///< of the node while the point stays
+  std::array<Vec3, 3> of_point;  ///< of the node for unit motions of the point along x, y and z
 
   Vec3 operator()(const Vec3& v) const {
     return required + v.x * of_point[0] + v.y * of_point[1] + v.z * of_point[2];
@@ -63,10 +63,11 @@ struct CommonMotion {
   bool defined = true;  ///< false where the surfaces part: the least-squares motion then
 };
 
-/// Whether a point with this motion stays on a surface. `fastest`: speed that differences count by.
+/// Whether a point with this motion stays on a surface. `fastest`: speed that a difference is
+/// compared with.
 bool moves_along(const Vec3& motion, const SurfaceMotion& surface, double fastest);
 
-/// The motions of a node that stands where these surfaces meet.
+/// The motions that a node may have that stands where these surfaces meet.
 CommonMotion common_motion(std::span<const SurfaceMotion> surfaces);
 
 }  // namespace remeshd

@@ -12,11 +12,11 @@ namespace {
 
 struct StepLimits {
   double relative = 1e-6;  ///< x the value
-  double least = 1e-3;     ///< x the model's diagonal: values below count as that large
+  double least = 1e-3;     ///< x the model's diagonal: smaller values count as this
 };
 constexpr StepLimits kStep;
 
-/// `hole.radius` has a feature, `wall` has none.
+/// A parameter's name: `hole.radius` has a feature, `wall` has none.
 struct Name {
   std::string feature, parameter;
 };
@@ -27,7 +27,7 @@ Name split(const std::string& name) {
   return {name.substr(0, dot), name.substr(dot + 1)};
 }
 
-/// Only the geometry, free to take any value.
+/// The document without sizes and groups, whose parameters may take any value.
 ModelSource unbound(ModelSource source) {
   for (ParameterSource& p : source.parameters) {
     p.lower.reset();

@@ -8,7 +8,7 @@ namespace {
 
 struct SolverLimits {
   double tolerance = 1e-12;  ///< of the residual, relative to that of x = 0
-  double rough = 1e-3;       ///< the same, relative to that at the beginning
+  double rough = 1e-3;       ///< of the residual, relative to that at the beginning
   int iterations = 2000;
 };
 constexpr SolverLimits kSolver;
@@ -93,7 +93,7 @@ std::vector<Vec3> Spread::solve(std::span<const NodeMotion> motions, std::vector
     multiply(direction, image);
     for (std::size_t k = 0; k < nodes_.size(); ++k) image[k] = free(k, image[k]);
     const double curvature = product(direction, image);
-    if (!(curvature > 0)) break;  // nothing resists what is left
+    if (!(curvature > 0)) break;  // no link resists a motion in this direction
     const double step = now / curvature;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       x[k] += step * direction[k];

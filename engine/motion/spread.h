@@ -9,7 +9,7 @@
 
 namespace remeshd {
 
-/// Two nodes that would move alike, and how much.
+/// Two nodes that tend to move alike, with the weight of that.
 struct MotionLink {
   std::int32_t a, b;
   double weight;
@@ -24,17 +24,18 @@ struct MotionLink {
 /// linear motions.
 class Spread {
  public:
-  /// `nodes`: those that it moves; `links`: any; those at none of them count for nothing. Links of
-  /// the same two nodes add up. `all`: number of nodes of the mesh.
+  /// `nodes`: those that it moves; `links`: those at none of these nodes do not count, those of the
+  /// same two nodes add up; `all`: number of nodes of the mesh.
   Spread(std::span<const std::int32_t> nodes, std::span<const MotionLink> links, std::size_t all);
 
   [[nodiscard]] std::span<const std::int32_t> nodes() const { return nodes_; }
 
-  /// Of u: all that double precision gives, or three digits more than it has before.
+  /// How exactly u is solved for: as double precision allows, or to three digits more than the
+  /// first guess has.
   enum class Accuracy : std::uint8_t { Full, Rough };
 
-  /// Sets u at its nodes. `motions`, `u`: by node of the mesh. What u is before does not matter but
-  /// for the time: the nearer to what it becomes, the less.
+  /// Sets u at its nodes from u at all others. `motions`, `u`: by node of the mesh. What u is at
+  /// its nodes before is the first guess: the nearer it is, the less time this takes.
   void forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u, const Run& run,
                Accuracy accuracy = Accuracy::Full) const;
 
@@ -45,21 +46,22 @@ class Spread {
  private:
   struct Entry {
     std::int32_t column;  ///< node of the mesh
-    std::int32_t row;     ///< of that node; -1: it is not of these
+    std::int32_t row;     ///< of that node; -1: it is none of `nodes_`
     double weight;
   };
 
-  /// Row by row, diagonal x - sum of weight x at its neighbours; x is given for these nodes alone.
+  /// The product L x, for x at `nodes_` alone: diagonal * x - sum of weight * x of neighbours, by
+  /// row.
   void multiply(std::span<const Vec3> x, std::vector<Vec3>& out) const;
-  /// Solves P L P x = P b for x = P x, by conjugate gradients from a guess at x; P: what of each
-  /// node is free. Ends where the residual is next to nothing beside that of x = 0, or a thousandth
-  /// of what it is at the guess.
+  /// Solves P L P x = P b for x = P x, by conjugate gradients from a guess at x; P takes the free
+  /// part of each node's motion. Ends where the residual is 1e-12 of that of x = 0 or, if `Rough`,
+  /// a thousandth of that of the guess.
   [[nodiscard]] std::vector<Vec3> solve(std::span<const NodeMotion> motions, std::vector<Vec3> b,
                                         std::vector<Vec3> x, Accuracy accuracy,
                                         const Run& run) const;
 
   std::vector<std::int32_t> nodes_;
-  std::vector<std::int32_t> row_;  ///< by node of the mesh; -1: not of these
+  std::vector<std::int32_t> row_;  ///< by node of the mesh; -1: none of `nodes_`
   std::vector<std::size_t> begin_;
   std::vector<Entry> entries_;
   std::vector<double> diagonal_;

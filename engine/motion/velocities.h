@@ -12,8 +12,9 @@ struct NodalVelocities {
   double value = 0;  ///< of the parameter, in the model
   /// By corner node, then by mid-node: length per unit of the parameter.
   std::vector<Vec3> velocities;
-  /// Likewise: 1 where the boundary has no velocity, for what it stands on parts: faces that lie on
-  /// each other and move differently. The least-squares velocity stands there.
+  /// By corner node, then by mid-node: 1 where the boundary has no velocity, since the surfaces
+  /// that the node stands on part: they lie on each other there and move differently. `velocities`
+  /// has a least-squares velocity then.
   std::vector<std::uint8_t> undefined;
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kSpacing = 0.5;  // of the edge length
 
-/// Looks at the faces of one solid, moved by `motion`, where they lie in `where`.
+/// Frees nodes at active faces. `visit` looks at the faces of one solid, moved by `motion`, where
+/// they lie in `where`; `back` is the inverse of `motion`.
 class FaceVisitor {
  public:
   FaceVisitor(CopiedNodes& nodes, const CopyPlan& source, const SizeField& sizes, const Run& run)
@@ -32,7 +33,7 @@ class FaceVisitor {
       for (const SolidFace& face : solid.faces()) {
         Surface surface = face.surface;
         surface.frame = motion.is_identity() ? surface.frame : motion * surface.frame;
-        Random random(1);  // unjittered, but for where rows begin
+        Random random(1);  // there is no jitter: it only draws where rows begin
         for (const SizeField::EvenPart& part : sizes_.even_parts(overlap, surface)) {
           const Box within = part.reach(reach);
           visit_lattice(surface, part.box, within, kSpacing * part.length, 0, random,
@@ -81,7 +82,7 @@ void free_at_active_faces(CopiedNodes& nodes, const CopyPlan& source, const Size
           where.push_back(source.modified().solids()[s.modified].bounds());
     }
     for (std::size_t o = 0; o < source.original().solids().size(); ++o) {
-      const auto visited = [&](const SourceFeature& s) {  // as one of the modified model
+      const auto visited = [&](const SourceFeature& s) {  // above, as a solid of the modified model
         return s.same_shape && s.original == static_cast<int>(o) &&
                s.transform == static_cast<std::int32_t>(t);
       };

@@ -55,7 +55,7 @@ class Copier {
     });
   }
 
-  /// Whether the node itself is copied.
+  /// Whether this transformation copies the node, without setting it back.
   [[nodiscard]] bool is_copied(std::int32_t n, std::int32_t t) const {
     const Transform& x = source_.transforms()[t];
     const Vec3& q = original_.positions[n];
@@ -67,7 +67,8 @@ class Copier {
     return false;
   }
 
-  /// Where the node is set back to if it would be outside and is wanted all the same.
+  /// Where the node is set back to if this transformation would move it outside but copies material
+  /// of its tets; nothing where it does not, or the node is one of those left out for lost volume.
   [[nodiscard]] std::optional<Vec3> set_back(std::int32_t n, std::int32_t t) const {
     const Transform& x = source_.transforms()[t];
     const Vec3 p = x.apply(original_.positions[n]);

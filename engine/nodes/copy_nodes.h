@@ -13,10 +13,10 @@ namespace remeshd {
 /// the original boundary, and the tets of the model.
 struct OriginalNodes {
   const CowVector<Vec3>& positions;
-  const CowVector<Support>& supports;  ///< entities of the original boundary; only the kind is used
+  const CowVector<Support>& supports;  ///< in the original boundary; copies keep them
   /// Nodes that are looked at, ascending. All others are where nothing changed.
   std::span<const std::int32_t> near;
-  std::span<const Tet> tets;  ///< peeled: all at these nodes
+  std::span<const Tet> tets;  ///< of the peeled mesh: all that have such a node
 };
 
 /// Copies the nodes of the original mesh to the copycells (Sect. 6.4), each at most once, with the
@@ -25,9 +25,9 @@ struct OriginalNodes {
 /// onto old material does not come along.
 ///
 /// A node that would end up outside while the material of its tets is copied, as on the wall of a
-/// hole that grew a little, is set back to the new boundary as a free node; of such nodes as many
-/// are left out as the lost volume held, or the mesh would thin out or clot along a chain of small
-/// edits.
+/// hole that grew a little, is set back to the new boundary as a free node. Of such nodes as many
+/// are left out as the lost volume held: else the density of nodes would drift along a chain of
+/// small edits.
 ///
 /// `sizes`: target edge lengths of the original mesh.
 /// Post: every node is the copy of one near the change, fixed but for those set back; supports are

@@ -22,7 +22,8 @@ namespace remeshd {
 void dump_nodes(const Run& run, std::string_view name, const NodeSet& nodes, const SizeField& sizes,
                 std::span<const Tet> tets = {});
 
-/// Writes what a stage decided to `NAME.txt` there; the text is made only then. Throws as above.
+/// Writes what a stage decided to `NAME.txt` in the same folder; where there is none, `text` is not
+/// called. Throws as above.
 void dump_text(const Run& run, std::string_view name, const std::function<std::string()>& text);
 
 }  // namespace remeshd

@@ -12,8 +12,8 @@
 namespace remeshd {
 namespace {
 
-/// Of the features that are too large by themselves so many are looked at: each costs as much as
-/// there are features.
+/// So many of the features that are too large by themselves are looked at: the time for each is
+/// linear in the number of all features.
 constexpr std::size_t kMostLookedAt = 16;
 
 /// A feature with what is known of it in closed form.
@@ -53,15 +53,15 @@ std::vector<Measured> measure(const FeatureModel& model) {
   return measured;
 }
 
-/// What material of this volume inside a feature has at least: it is seen from the feature's
-/// thinnest side as an area of volume / thickness, which its boundary covers twice, and along the
-/// longest side it is volume / section long.
+/// The least extent that material of this volume has within a feature's box. Seen along the
+/// thickness it covers at least an area of volume / thickness, and its boundary twice that; along
+/// the longest side it is at least volume / (thickness x width) long.
 Extent least_extent(const Measured& feature, double volume) {
   const auto& [thickness, width, length] = feature.sides;
   return {volume, 2 * volume / thickness, volume / (thickness * width)};
 }
 
-/// Volume of an additive feature that no later one cuts away, at least.
+/// Lower bound of the volume of an additive feature that no later one cuts away.
 double volume_left(const Measured& feature, const std::vector<Measured>& all) {
   double left = feature.volume;
   for (std::size_t k = feature.feature + 1; k < all.size() && left > 0; ++k)
@@ -69,8 +69,9 @@ double volume_left(const Measured& feature, const std::vector<Measured>& all) {
   return std::max(left, 0.0);
 }
 
-/// Volume of all material, at least: what several additive features may share counts once, what a
-/// later subtractive one may cut away not at all. 0 where that is less than `wanted`.
+/// Lower bound of the volume of all material: what two additive features may share is taken off
+/// once for each two, and so is what a later subtractive one may cut away. 0 once it is below
+/// `wanted`.
 double volume_of_all(const std::vector<Measured>& all, double wanted) {
   double volume = 0;
   Box box;
@@ -80,7 +81,7 @@ double volume_of_all(const std::vector<Measured>& all, double wanted) {
     box.add(m.box);
     sorted.push_back(&m);
   }
-  // Along the axis where the features lie furthest apart: few of them meet in it.
+  // Sweep along the axis in which the features extend furthest: few of them overlap there.
   const Vec3 extent = box.hi - box.lo;
   const double longest = std::max({extent.x, extent.y, extent.z});
   const auto axis = extent.x == longest ? &Vec3::x : extent.y == longest ? &Vec3::y : &Vec3::z;
@@ -91,7 +92,7 @@ double volume_of_all(const std::vector<Measured>& all, double wanted) {
       const bool in_order = sorted[a]->feature < sorted[b]->feature;
       const Measured& first = in_order ? *sorted[a] : *sorted[b];
       const Measured& second = in_order ? *sorted[b] : *sorted[a];
-      if (!first.additive) continue;  // what is added later is there
+      if (!first.additive) continue;  // it cuts nothing that is added later
       volume -= common_volume(first, second);
       if (volume < wanted) return 0;
     }
@@ -106,7 +107,7 @@ LeastNodes least_nodes(const FeatureModel& model, double edge_length, double lim
     return nodes_needed(least_extent(m, volume), edge_length);
   };
   double sum = 0;
-  std::vector<std::pair<double, const Measured*>> too_large;  // by themselves, were they whole
+  std::vector<std::pair<double, const Measured*>> too_large;  // if nothing were cut away
   for (const Measured& m : all) {
     if (!m.additive) continue;
     const double nodes = nodes_of(m, m.volume);

@@ -9,13 +9,13 @@ namespace remeshd {
 /// A number of nodes that a mesh is certain to need.
 struct LeastNodes {
   double nodes = 0;
-  std::string feature;  ///< the one whose material alone needs them; empty where no one does
+  std::string feature;  ///< whose material alone needs them; empty where it takes several
 };
 
 /// A lower bound of `nodes_needed` for a model, from the features' exact volumes and their boxes
-/// alone: microseconds where all features together need no more than `limit`, else at most some
-/// 100 ms at 10,000 features. Where features overlap much or are mostly cut away it says little,
-/// and the cellular model has to tell.
+/// alone. It is 0, and takes microseconds, where all features together need no more than `limit`;
+/// else it takes at most some 100 ms at 10,000 features. Where features overlap much or are mostly
+/// cut away it says little, and the cellular model has to tell.
 LeastNodes least_nodes(const FeatureModel& model, double edge_length, double limit);
 
 }  // namespace remeshd

@@ -10,7 +10,7 @@ namespace remeshd {
 namespace {
 struct GridLimits {
   double per_node = 64;          ///< cells: bound on memory where nodes are few and far between
-  double drift = 0.15;           ///< x width of a cell: further outside of its cell a node strays
+  double drift = 0.15;           ///< x width of a cell: a node further outside of it is a stray
   std::size_t most_strays = 12;  ///< each query looks at all of them
 };
 constexpr GridLimits kGridLimits;

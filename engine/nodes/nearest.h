@@ -19,8 +19,8 @@ class NearestNode {
   /// `cell`: width of a grid cell, > 0. `positions` is copied into cell order.
   NearestNode(std::span<const Vec3> positions, double cell);
 
-  /// Those of `moved` are at `positions[node]` now; new nodes come last, and are among them. Where
-  /// few go far this costs little, else the grid is built anew.
+  /// Moves the nodes `moved` to `positions[node]`. New nodes come last in `positions` and have to
+  /// be in `moved` too. Cheap where few nodes go far; else the grid is built anew.
   void follow(std::span<const Vec3> positions, std::span<const std::int32_t> moved);
 
   /// The node nearest to p, the lowest index where several are equally near; -1 if there are none.
@@ -49,7 +49,7 @@ class NearestNode {
   void build(std::span<const Vec3> positions);
   /// Where a node is.
   [[nodiscard]] const Vec3& place_of(std::int32_t node) const;
-  /// How far a point is outside of a cell.
+  /// How far a point is outside of a cell, along the axis in which it is furthest.
   [[nodiscard]] double beyond(std::uint32_t cell, const Vec3& p) const;
   [[nodiscard]] std::array<int, 3> cell_of(const Vec3& p) const;
   /// Calls look(node, place) for the strays and for what stands in the cells within `radius` of p,
@@ -67,7 +67,7 @@ class NearestNode {
         if (look_in_row(lo[0], hi[0], y, z, look)) return true;
     return false;
   }
-  /// The same for the cells of a row from one to another: they stand side by side.
+  /// The same for the cells of a row from `first` to `last`, whose entries are contiguous.
   template <class Look>
   bool look_in_row(int first, int last, int y, int z, const Look& look) const {
     const std::uint32_t end = begin_[index(last, y, z) + 1];
@@ -75,8 +75,8 @@ class NearestNode {
       if (look(nodes_[k], points_[k])) return true;
     return false;
   }
-  /// The same for the cells round p, ring by ring until done(d), where all nodes nearer than d have
-  /// been looked at.
+  /// The same for the cells round p, ring by ring, until look or done(d) returns true; when done(d)
+  /// is called, all nodes nearer than d have been looked at.
   template <class Look, class Done>
   void look_round(const Vec3& p, const Look& look, const Done& done) const;
   [[nodiscard]] std::size_t index(int x, int y, int z) const {
@@ -86,14 +86,14 @@ class NearestNode {
   Box box_;
   double asked_;  ///< width of a cell asked for
   double cell_;
-  double per_length_ = 0;  ///< cells
+  double per_length_ = 0;  ///< cells per length
   std::array<int, 3> size_{0, 0, 0};
-  std::vector<std::uint32_t> begin_;  ///< first entry of each cell, one more at the end
+  std::vector<std::uint32_t> begin_;  ///< first entry of each cell, then the end
   std::vector<std::int32_t> nodes_;   ///< by cell, ascending within one
   std::vector<Vec3> points_;          ///< of nodes_; far away for strays
   std::vector<std::uint32_t> entry_;  ///< by node: its place in nodes_
   std::vector<std::uint32_t> where_;  ///< by node: its cell
-  double drift_ = 0;                  ///< no node but the strays is further from its cell
+  double drift_ = 0;                  ///< no node but the strays is further outside of its cell
   std::vector<Stray> strays_;         ///< nodes that have gone far from their cells
 };
 

@@ -7,7 +7,7 @@
 namespace remeshd {
 
 namespace {
-constexpr std::size_t kMany = 3;  // where one node in so many has moved, no answer is kept
+constexpr std::size_t kMany = 3;  // where at least one node in so many has moved, no answer is kept
 }  // namespace
 
 NearestToPoints::NearestToPoints(std::vector<Vec3> points, double cell)
@@ -36,7 +36,7 @@ void NearestToPoints::follow(std::span<const Vec3> nodes) {
     all_moved_ = now_;
   else
     for (const std::int32_t n : moved) look_again_near(n);
-  // Answers of this time come after the moves.
+  // So that answers given from now on are later than these moves.
   ++now_;
 }
 

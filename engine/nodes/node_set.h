@@ -15,10 +15,11 @@ enum class NodeState : std::uint8_t { Fixed, Free, Frozen };
 /// Which mesh nodes are copied from: that of the parent, or the patch that was cut out of it.
 enum class CopiedFrom { Parent, Patch };
 
-/// Nodes of a mesh to be, new ones and copies, with numbers of the mesh that they are copied from.
+/// The nodes of a mesh to be: new ones, and copies of nodes of the parent's mesh or of the patch,
+/// in whose numbers `original` is.
 ///
-/// Inv: all arrays are equally long; a fixed node never moves; `original` and `transform` are -1
-/// both for new nodes.
+/// Inv: all arrays are equally long; a fixed node never moves; for new nodes `original` and
+/// `transform` are both -1.
 template <CopiedFrom>
 struct Nodes {
   std::vector<Vec3> positions;
@@ -26,9 +27,9 @@ struct Nodes {
   std::vector<NodeState> state;
   std::vector<std::int32_t> original;   ///< number of the node that it copies
   std::vector<std::int32_t> transform;  ///< index into CopyPlan::transforms
-  /// Interface nodes of a patch come first: fixed, some of their tets are not in it. Their number.
+  /// Number of the patch's interface nodes. They come first, are fixed and have tets outside of it.
   std::int32_t interface_nodes = 0;
-  std::int32_t elsewhere = 0;  ///< nodes of the mesh that are not in the set
+  std::int32_t elsewhere = 0;  ///< number of the parent's nodes that are not in the patch
 
   [[nodiscard]] std::int32_t size() const { return static_cast<std::int32_t>(positions.size()); }
   [[nodiscard]] bool is_free(std::int32_t n) const { return state[n] == NodeState::Free; }
@@ -47,7 +48,7 @@ struct Nodes {
   void add_new(const Vec3& p, const Support& support = {}) {
     add(p, support, NodeState::Free, -1, -1);
   }
-  /// Puts a node in the place of another.
+  /// Overwrites the node `to` with the node `from`.
   void move(std::int32_t from, std::int32_t to) {
     positions[to] = positions[from];
     supports[to] = supports[from];

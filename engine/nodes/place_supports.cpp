@@ -18,8 +18,8 @@ void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples
   for (const std::int32_t n : to_place) {
     poll();
     const Vec3& p = nodes.positions[n];
-    // The strongest kind of entity the node stands on (a vertex before an edge before a face); of
-    // several of a kind the one with the nearest sample.
+    // The strongest kind of entity the node stands on (a vertex before an edge before a face), but
+    // no stronger than it stood on before; of several of a kind the one with the nearest sample.
     Support best;
     double best_d = HUGE_VAL;
     grid.for_each_within(p, kSupportReach * sizes(p), [&](std::int32_t index, double d) {

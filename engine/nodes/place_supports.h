@@ -9,8 +9,9 @@ namespace remeshd {
 inline constexpr double kSupportReach = 1.2;
 
 /// Finds for every fixed node from `first` on that stood on the boundary of the original model the
-/// vertex, edge or face of the modified one that it stands on now. A node that finds none is freed:
-/// its piece of boundary is gone.
+/// vertex, edge or face of the modified one that it stands on now, of a kind no stronger than
+/// before: a node of a face stays one. A node that finds none is freed: its piece of boundary is
+/// gone. Free nodes lose their supports.
 ///
 /// `tolerance`: distance within which a node counts as standing on an entity, length.
 void place_supports(NodeSet& nodes, const BoundaryModel& boundary, const Samples& samples,

@@ -7,7 +7,7 @@ namespace remeshd {
 
 namespace {
 struct SurroundingsGrid {
-  int steps = 4;        ///< of the region's cubes to the reach
+  int steps = 4;        ///< cubes of the region along the reach
   double cell = 0.4;    ///< width of the grid's cells, x the reach
   double slack = 1e-9;  ///< of a radius or the reach: more than rounding
 };

@@ -8,8 +8,8 @@
 namespace remeshd {
 
 namespace {
-constexpr double kBorder = 0.6;  // of the edge length: the next one or two samples of a face
-constexpr double kReach = 1.5;   // of the edge length: no node is further from a sample
+constexpr double kBorder = 0.6;  // x edge length: reaches the next one or two samples on a face
+constexpr double kReach = 1.5;   // x edge length: no sample is further from its nearest node
 
 }  // namespace
 

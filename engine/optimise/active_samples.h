@@ -12,14 +12,14 @@
 namespace remeshd {
 
 /// Which samples take part in the boundary procedure of a remesh (Sect. 8): the active ones have a
-/// free node nearest; their neighbours are border-active, for a fixed node near them may yield to
-/// a free one; the others rest.
+/// free node nearest; their neighbours are border-active, since a free node may become nearest to
+/// them as nodes move; the others rest. Samples never fall back to a lesser state.
 class ActiveSamples {
  public:
   /// All samples are active (a first mesh).
   explicit ActiveSamples(const Samples& samples);
-  /// Those whose nearest node is free are active. Samples within `kBorder` edge lengths are
-  /// neighbours. `nearest`: of the samples; used as long as this lives.
+  /// Samples whose nearest node is free are active; samples within `kBorder` edge lengths of an
+  /// active one are its neighbours. `nearest`: of the samples' positions; kept by reference.
   ActiveSamples(const NodeSet& nodes, const SizeField& sizes, NearestToPoints& nearest,
                 const Run& run);
 
@@ -27,11 +27,11 @@ class ActiveSamples {
   [[nodiscard]] const std::vector<std::uint32_t>& participants() const { return participants_; }
   [[nodiscard]] std::uint32_t active_count() const { return active_count_; }
 
-  /// These had a free node nearest: border-active ones among them become active, and their resting
-  /// neighbours border-active.
+  /// `pulling`: samples that had a free node nearest. Border-active ones among them become active,
+  /// and their resting neighbours border-active.
   void promote(std::span<const std::uint32_t> pulling);
 
-  /// The set of free nodes has grown: samples whose nearest node is free now become active.
+  /// To be called when more nodes are free: samples whose nearest node is free become active.
   void refresh(const NodeSet& nodes, const Run& run);
 
  private:

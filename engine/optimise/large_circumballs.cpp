@@ -10,10 +10,10 @@ namespace remeshd {
 
 namespace {
 
-// x edge length: in regular meshes half of the balls are smaller than .63, all but a few in a
-// thousand than this.
+// x edge length. In regular meshes half of the circumradii are below .63, and all but a few in a
+// thousand below this.
 constexpr double kLargestBall = 0.75;
-constexpr double kFlat = 1e-9;  // x edge length^3: six times the volume of a tet without a ball
+constexpr double kFlat = 1e-9;  // x least edge length^3: six times the volume of a flat tet
 
 struct Circumball {
   double radius2;

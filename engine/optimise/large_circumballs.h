@@ -10,11 +10,12 @@
 
 namespace remeshd {
 
-/// Puts new nodes into the voids of a Delaunay mesh: to the circumcentres of tets between interior
-/// nodes whose balls are larger than those of an optimised mesh, largest first, none nearer to
-/// another of them than the radius of such a ball. Returns how many it put.
+/// Puts new nodes into the voids of a Delaunay mesh: at the circumcentres, where these lie in the
+/// model, of tets of four interior nodes with a larger circumradius (0.75 edge lengths) than an
+/// optimised mesh has; the largest first, and none within that radius of another new node. Returns
+/// their number.
 ///
-/// `tets`: of the Delaunay mesh of the nodes, where voids are looked for.
+/// `tets`: those of the nodes' Delaunay mesh that are looked at.
 std::int32_t insert_at_circumcentres(NodeSet& nodes, std::span<const Tet> tets,
                                      const InsideTest& inside, const SizeField& sizes);
 

@@ -6,7 +6,7 @@
 namespace remeshd {
 
 namespace {
-constexpr std::size_t kTakingOut = 3;
+constexpr std::size_t kTakingOut = 3;  // x inserting a node: cost of taking one out
 }
 
 LiveMesh::LiveMesh(DelaunayMesh start, std::vector<std::uint8_t> holds, bool rebuild,
@@ -43,7 +43,7 @@ bool LiveMesh::follow_held(const NodeSet& nodes, const std::vector<std::int32_t>
   std::vector<std::int32_t> far;
   for (const std::int32_t n : held)
     if (mesh_.position(n) != nodes.positions[n]) far.push_back(n);
-  // Taking a node out costs several times what putting one in does.
+  // Reinserting nodes takes them out first; a restart only inserts, but all that `base_` lacks.
   const std::size_t anew = std::count(in_base_.begin(), in_base_.end(), 0);
   return anew > kTakingOut * far.size() && mesh_.reinsert(nodes.positions, far, run_);
 }

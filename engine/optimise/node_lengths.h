@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// The edge length that a size field has at each node, asked for again only at nodes that moved.
+/// The edge length that a size field has at each node, evaluated again only at nodes that moved.
 class NodeLengths {
  public:
   explicit NodeLengths(SizeField sizes) : sizes_(std::move(sizes)) {}
@@ -20,7 +20,7 @@ class NodeLengths {
 
   /// Whether the length is the same at all nodes.
   [[nodiscard]] bool even() const { return sizes_.even(); }
-  /// Where nothing asks for less.
+  /// The edge length where nothing asks for a shorter one.
   [[nodiscard]] double base() const { return sizes_.base(); }
   /// Pre: the node was there when the lengths were brought up to date.
   [[nodiscard]] double operator[](std::size_t node) const {
@@ -30,11 +30,11 @@ class NodeLengths {
  private:
   struct Known {
     Vec3 at;
-    double length = -1;  ///< not asked for yet
+    double length = -1;  ///< -1: not evaluated yet
   };
 
   SizeField sizes_;
-  std::vector<Known> known_;  ///< by node; none where the field is even
+  std::vector<Known> known_;  ///< by node; empty where the field is even
 };
 
 }  // namespace remeshd

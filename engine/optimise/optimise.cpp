@@ -16,8 +16,8 @@ namespace remeshd {
 
 namespace {
 
-constexpr std::uint32_t kFillAt = 3;    // iteration: by then what is no void has closed
-constexpr std::uint32_t kAtFirst = 2;   // iterations, where there are thin walls
+constexpr std::uint32_t kFillAt = 3;    // iteration: by then gaps that are no voids have closed
+constexpr std::uint32_t kAtFirst = 2;   // iterations with a reach, where walls are thin
 constexpr double kReachAtFirst = 0.55;  // x edge length: how far the boundary pulls in these
 
 /// `07-optimise-04`.
@@ -44,7 +44,7 @@ void thaw_boundary(NodeSet& nodes) {
 
 /// Frees the fixed nodes next to free ones, through tets that belong to the model: such as have an
 /// interior node or, all corners being on the boundary, their centroid inside (Sect. 8). Nodes at
-/// a patch's interface stay.
+/// a patch's interface stay. Returns whether any was freed.
 bool expand(NodeSet& nodes, const std::vector<Tet>& tets, const InsideTest& inside) {
   const std::vector<NodeState> before = nodes.state;
   const auto fixed = [&](std::int32_t n) { return before[n] == NodeState::Fixed; };
@@ -65,7 +65,7 @@ bool expand(NodeSet& nodes, const std::vector<Tet>& tets, const InsideTest& insi
   return grown;
 }
 
-/// Model edges with samples that take part, ascending.
+/// Model edges with active or border-active samples, ascending.
 std::vector<std::int32_t> active_edges(const Samples& samples, const ActiveSamples& active) {
   std::vector<std::int32_t> edges;
   for (const std::uint32_t s : active.participants())
@@ -119,7 +119,7 @@ OptimiseResult optimise(NodeSet& nodes, StartMesh start, const BoundaryModel& bo
       active.refresh(nodes, run);
     if (options.iterations == 0 && k >= options.auto_min && now - quality < options.auto_gain)
       break;
-    quality = filled ? 0 : now;  // nodes that are new spoil the mesh before they better it
+    quality = filled ? 0 : now;  // new nodes lower the quality at first: do not stop
   }
   thaw_boundary(nodes);
   pull_in(pull);

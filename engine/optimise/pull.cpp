@@ -30,7 +30,8 @@ bool sharp_along(const BoundaryModel& boundary, const BoundaryEdge& edge) {
   });
 }
 
-/// What one set of samples, those of one face or edge, pulls on one node with.
+/// How the samples of one face or edge, `entity`, pull on one node: their weights and their
+/// weighted positions, summed.
 struct Pull {
   std::int32_t node;
   std::int32_t entity;
@@ -38,7 +39,9 @@ struct Pull {
   Vec3 moment;
 };
 
-/// Sums up the pulls of the active samples in [begin, end) by node and entity, in that order.
+/// Sums up the pulls of the active samples, which are of faces alone or of edges alone; the result
+/// is sorted by node, then entity. Appends to `pulling` the samples whose nearest node is free, in
+/// reach or not.
 std::vector<Pull> gather(const NodeSet& nodes, const Samples& samples,
                          std::span<const std::uint32_t> active, NearestToPoints& nearest,
                          const PullOptions& options, std::vector<std::uint32_t>& pulling,
@@ -84,8 +87,9 @@ Vec3 target(const BoundaryModel& boundary, Support support, const Pull& pull) {
   return project(boundary, support, pull.moment / pull.weight);
 }
 
-/// Moves every pulled node to its strongest set and splits it where sets that are not adjacent
-/// contend for it.
+/// Moves every pulled node to the face or edge with the strongest pull on it. Each other one whose
+/// pull is at least `split_ratio` of that gets a new node, unless the two meet bluntly, or sharply
+/// with their places near each other.
 void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& adjacency,
                 Support::Kind kind, const std::vector<Pull>& pulls, const PullOptions& options) {
   for (std::size_t first = 0; first < pulls.size();) {
@@ -112,7 +116,8 @@ void reposition(NodeSet& nodes, const BoundaryModel& boundary, const Adjacency& 
   }
 }
 
-/// Puts a node at every active vertex: the nearest free one within reach, else a new one.
+/// Puts a node at every active model vertex without one: the nearest within reach, even if fixed,
+/// that is neither at another vertex nor at the patch's interface; else a new one.
 void claim_vertices(NodeSet& nodes, const Samples& samples, std::span<const std::uint32_t> active,
                     const NearestNode& grid, const PullOptions& options) {
   std::vector<std::uint8_t> taken(nodes.size(), 0);

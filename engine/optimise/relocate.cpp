@@ -16,13 +16,13 @@ std::vector<std::uint8_t> relocated(const NodeSet& nodes) {
 
 namespace {
 
-/// What moves a node: sums over its tets.
+/// Sums over the tets of a node; it moves by moment / mass.
 struct MassMoment {
   Vec3 moment;
   double mass = 0;
 };
 
-/// Adds a tet of a density to the sums of those of its nodes that have a 1 in `at`.
+/// Adds a tet, its volume times `weight`, to the sums of those of its nodes with a 1 in `at`.
 void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at, double weight,
          std::vector<MassMoment>& sums) {
   const Vec3 &a = nodes.positions[t[0]], &b = nodes.positions[t[1]], &c = nodes.positions[t[2]],
@@ -39,7 +39,8 @@ void add(const NodeSet& nodes, const Tet& t, const std::vector<std::uint8_t>& at
   }
 }
 
-/// The density of nodes in a tet, relative to where edges are longest: 1 / h^3, h its nodes' mean.
+/// The density of nodes asked for in a tet, relative to that at the base length: (base / h)^3,
+/// where h is the mean edge length at its nodes.
 double density(const Tet& t, const NodeLengths& lengths) {
   if (lengths.even()) return 1;
   const double of_four = lengths[t[0]] + lengths[t[1]] + lengths[t[2]] + lengths[t[3]];

@@ -16,13 +16,13 @@ namespace remeshd {
 std::vector<std::uint8_t> relocated(const NodeSet& nodes);
 
 /// Moves every free interior node to the volume-weighted mean of the circumcentres of its tets
-/// (formula 1 of Sect. 3.3; Chen 2003), with step 1. Where the field is not even, volumes count by
-/// the density of nodes that it asks for, 1 / h^3 (Alliez et al. 2005). A node that this would move
-/// out of the model, for one in a crowd on the boundary may have no samples and tets on both sides,
-/// goes by its tets inside alone, or stays.
+/// (formula 1 of Sect. 3.3; Chen 2003), with step 1. Where the size field is not even, volumes are
+/// weighted by the density of nodes that it asks for, 1 / h^3 (Alliez et al. 2005). Where a node
+/// would leave the model, only its tets inside count, and if it still would, it stays: in a crowd
+/// on the boundary a node may have no samples, and tets on both sides.
 ///
-/// `tets`: all those at such nodes; others may be among them. `lengths`: of the nodes where they
-/// are now.
+/// `tets`: all tets at free interior nodes; others may be among them. `lengths`: up to date with
+/// the nodes' positions.
 void relocate(NodeSet& nodes, std::span<const Tet> tets, const InsideTest& inside,
               const NodeLengths& lengths, const Run& run);
 

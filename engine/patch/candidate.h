@@ -21,9 +21,9 @@ struct Candidate {
   Verification verification;  ///< of the whole
   bool too_fine = false;      ///< the boundary would need many more nodes than the edge length says
   std::uint32_t bad_at_interface =
-      0;  ///< bad tets left by the clean-up beside what is not in the patch
+      0;  ///< ImproveResult::bad_at_interface: bad tets beside what is not in the patch
   double verify_seconds = 0;
-  std::vector<TriedStrategy> given_up;  ///< on the way to it, by a strategy that has several tries
+  std::vector<TriedStrategy> given_up;  ///< earlier tries, by a strategy that makes several
 };
 
 }  // namespace remeshd

@@ -16,7 +16,7 @@ namespace {
 /// A facet of a changed tet by its two larger nodes; the smallest names the bucket it stands in.
 struct BucketFacet {
   std::int32_t mid, high;
-  std::int32_t owner;  ///< among the changed tets
+  std::int32_t owner;  ///< index among the changed tets
   bool even;           ///< which side of the facet the tet is on
 };
 
@@ -47,7 +47,7 @@ bool in_both(const FacetOwners& owners) {
 
 void join_at_facet(const FacetOwners& owners, CavityExtent extent, UnionFind& sets) {
   const bool by_side = extent == CavityExtent::Least && in_both(owners);
-  std::array<std::int32_t, 2> first{-1, -1};  // by side, or at 0 of both
+  std::array<std::int32_t, 2> first{-1, -1};  // by side; unless by_side, [0] for both
   for (int side = 0; side < 2; ++side)
     for (const auto& of_mesh : owners) {
       if (of_mesh[side] < 0) continue;
@@ -57,8 +57,8 @@ void join_at_facet(const FacetOwners& owners, CavityExtent extent, UnionFind& se
     }
 }
 
-/// Joins the tets of one cavity. `delaunay_count`: so many of them are of the Delaunay mesh, the
-/// others of the output.
+/// Joins the changed tets that belong to one cavity. `delaunay_count`: the first so many are of the
+/// Delaunay mesh, the others of the output.
 void join_across_facets(std::span<const Tet> tets, std::size_t delaunay_count,
                         std::size_t node_count, CavityExtent extent, UnionFind& sets,
                         Polling& poll) {
@@ -82,7 +82,7 @@ void join_across_facets(std::span<const Tet> tets, std::size_t delaunay_count,
         done[b] = 1;
         const bool output = static_cast<std::size_t>(at[b].owner) >= delaunay_count;
         std::int32_t& owner = owners[output ? 1 : 0][at[b].even ? 1 : 0];
-        if (owner >= 0) sets.join(owner, at[b].owner);  // of a mesh that is wrong
+        if (owner >= 0) sets.join(owner, at[b].owner);  // two on one side: the mesh is wrong there
         owner = at[b].owner;
       }
       join_at_facet(owners, extent, sets);
@@ -119,9 +119,10 @@ class Exchange {
                  place(of_output, delaunay_count_, changed_.size()));
   }
 
-  /// Where a last resort has made output tets of what no Delaunay tet fills they would be in a
-  /// cavity without any, by which nobody finds them again. They get the Delaunay tet with most of
-  /// their nodes, which stands for itself no more. Returns whether there were any.
+  /// A last resort may have made output tets where no changed Delaunay tet is. A cavity without
+  /// Delaunay tets could never be found again, so each such cavity is joined with the Delaunay tet
+  /// that has most nodes of one of its tets, which then does not stand for itself any more. Returns
+  /// whether there were any; if so, `join` has to be called again.
   bool anchor(std::span<std::int32_t> same) {
     std::vector<std::uint8_t> has(changed_.size(), 0);
     for (std::size_t c = 0; c < delaunay_count_; ++c) has[root(c)] = 1;

@@ -8,7 +8,7 @@ namespace remeshd {
 
 namespace {
 
-/// Makes each element the number that it has.
+/// Makes each element its own index; pages where that is so already stay shared.
 void count_up(CowVector<std::int32_t>& values, std::size_t size) {
   values.resize(size);
   for (std::size_t begin = 0; begin < size; begin += values.kPage) {
@@ -27,7 +27,7 @@ void count_up(CowVector<std::int32_t>& values, std::size_t size) {
 NodeMap map_to_itself(const Revision& original, const CowVector<Vec3>& nodes,
                       std::int32_t identity) {
   const OutputMesh& then = original.output;
-  // Out of the original's own, which is much the same where it was an edit too.
+  // Begins with the original's own map, to share pages: much of it is the same after an edit.
   NodeMap map{.node_origin = then.map.node_origin,
               .original_node = then.map.original_node,
               .node_transform = then.map.node_transform,

@@ -5,16 +5,17 @@
 
 namespace remeshd {
 
-/// Where the nodes and tets of a mesh come from where every one has the original's number, and
-/// nodes may have moved; but for the transformations. `identity`: which of them is none.
+/// The NodeMap of a mesh all of whose nodes and tets have their numbers of the original, while
+/// nodes may have moved. Its lists of transformations are left empty; `identity`: index of the
+/// identity in them.
 NodeMap map_to_itself(const Revision& original, const CowVector<Vec3>& nodes,
                       std::int32_t identity);
 
-/// The same for the original's own tets, with the one transformation that there is then.
+/// The same with the identity as its only transformation.
 NodeMap map_kept(const Revision& original, const CowVector<Vec3>& nodes);
 
-/// The original's mesh as one that was verified when it was made. `node`, `tet`: of another mesh,
-/// which of the original's each may be.
+/// The original's mesh, which was verified when it was made, as the verified parent of another one.
+/// `node`, `tet`: by node and tet of that, the original's that it claims to be, or -1.
 VerifiedParent verified_parent(const Revision& original, const CowVector<std::int32_t>& node,
                                const CowVector<std::int32_t>& tet);
 /// The same of a mesh that has all nodes and tets of the original under their numbers.

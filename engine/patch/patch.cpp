@@ -7,8 +7,8 @@ namespace remeshd {
 
 namespace {
 
-/// The tets at inner nodes, those of cavities that one of them is in, and tets outside of the model
-/// that changing nodes may lie in the balls of: these may reach far.
+/// Slots of the tets at inner nodes, of those in cavities with one of these, and of tets outside of
+/// the model whose circumballs, which may be large, nodes may enter that move or come; ascending.
 std::vector<std::int32_t> slots_at(const DelaunayState& delaunay_state,
                                    const std::vector<std::uint8_t>& inner,
                                    const Surroundings* changing) {
@@ -72,7 +72,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
   MeshPatch patch;
   const std::vector<std::int32_t> slots = slots_at(delaunay_state, inner, changing);
 
-  // The output tets of all cavities, and which slots have them.
+  // The patch's output tets: of each cavity, and of each slot whose tet stands for itself.
   std::vector<std::int32_t> output_number(slots.size(), -1);
   std::vector<std::int32_t> cavity_number(delaunay_state.cavities.size(), -1);
   const auto deliver = [&](std::int32_t tet) {

@@ -23,20 +23,21 @@ struct MeshPatch {
   std::vector<std::int32_t> nodes;  ///< by node: that of the original, ascending
   std::vector<std::uint8_t> inner;  ///< by node
   std::vector<Vec3> positions;      ///< as in the Delaunay mesh
-  std::vector<Vec3> output_nodes;   ///< as the Delaunay mesh gave them
+  std::vector<Vec3> output_nodes;   ///< as in Revision::delaunay_nodes()
   DelaunayMesh mesh;
   PagedDelaunay::Cut cut;
-  std::vector<Tet> tets;                      ///< peeled
+  std::vector<Tet> tets;                      ///< those of `mesh` that are in the model
   Cavities cavities;                          ///< of `tets` and `output`
-  std::vector<Tet> output;                    ///< output tets that these cavities have
-  std::vector<std::int32_t> output_tet;       ///< by output tet: that of the original, ascending
+  std::vector<Tet> output;                    ///< output tets in the place of `tets`
+  std::vector<std::int32_t> output_tet;       ///< by output tet: that of the original
   std::vector<std::int32_t> parent_cavities;  ///< by cavity: its number in the Delaunay state
   std::vector<std::uint8_t> inside;           ///< by slot of `mesh`: 1 if among `tets`
   std::vector<std::uint8_t> exterior;         ///< by element of `cut.exterior`: 1 if in the model
 };
 
-/// `inner`: by node of the original. `changing`: where nodes may move or come; null: nowhere that
-/// is not at inner nodes.
+/// Cuts out the tets at inner nodes and those in cavities with such a tet; outside of the model
+/// also those whose circumballs nodes may enter that move or come. `inner`: by node of the
+/// original. `changing`: where nodes may move or come; null: at inner nodes alone.
 MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
                     const std::vector<std::uint8_t>& inner, const Surroundings* changing);
 
@@ -44,15 +45,16 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
 struct PatchNodes {
   NodeSet nodes;
   MeshPatch patch;          ///< empty for a first mesh
-  std::int32_t placed = 0;  ///< nodes below have their supports in the modified boundary
+  std::int32_t placed = 0;  ///< nodes with smaller numbers have supports in the modified boundary
 };
 
-/// Cuts the patch out of the original that lies within `reach` (length) of what changes: `near` are
-/// the nodes that the plan made of the original's `candidates`, by their numbers in the
-/// original, new ones too. With `reach` infinite all of the original is in it.
+/// Cuts out of the original the patch within `reach` (length) of what changes; all of the original
+/// where `reach` is infinite. `near`: the nodes that the plan made of `candidates`, nodes of the
+/// original, and the new nodes.
 ///
-/// Candidates keep their supports of the original; others that come along stand
-/// before them and get theirs by `map`. Returns nothing where it has none for one.
+/// The patch's other nodes, and those at its interface, come first, with supports translated by
+/// `map`. Nodes of `near` follow with the supports that they have there, in the original's
+/// boundary. Returns nothing where `map` has no support for a node.
 std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
                                         const DelaunayState& delaunay_state,

@@ -13,7 +13,7 @@ namespace {
 /// A tet of a lower measure next to reused ones is beyond the clean-up.
 constexpr double kSpoilt = 0.02;
 
-/// The new mesh seen through the original's cavities.
+/// Finds the cavities of the original that are in the new mesh and may be replaced again.
 class TetReuse {
  public:
   TetReuse(const NodeSet& nodes, const PeeledMesh& peeled, const MeshPatch& original,
@@ -50,7 +50,7 @@ class TetReuse {
     for (std::size_t s = 0; s < at_slot.size(); ++s)
       if (original_.inside[s] != 0) at_slot[s] = next++;
     std::vector<std::uint8_t> taken(original_.tets.size(), 0);
-    std::vector<std::int32_t> others;  // that do not stand where they stood
+    std::vector<std::int32_t> others;  // tets not in the slot of their original
     image_.assign(tets_.size(), -1);
     Tet originals{};
     for (std::size_t k = 0; k < tets_.size(); ++k) {
@@ -92,7 +92,8 @@ class TetReuse {
       if (transform[cavity] != t) whole[cavity] = 0;
       ++found[cavity];
     }
-    // Where a cavity is whole, its output tets speak of nodes that the new mesh has once each.
+    // A cavity all of whose Delaunay tets are in the new mesh, with one transformation, is reused:
+    // its output tets, with their nodes renamed to the copies.
     cavity_tets_.resize(cavities_.list.size());
     reused_cavity_.assign(cavities_.list.size(), 0);
     std::vector<std::int32_t> copy(original_.positions.size(), -1);
@@ -100,7 +101,7 @@ class TetReuse {
       if (unmoved_[n]) copy[nodes_.original[n]] = n;
     for (std::size_t p = 0; p < cavities_.list.size(); ++p) {
       if (!whole[p] || found[p] != cavities_.list[p].delaunay.size()) continue;
-      // Delivered tets may have nodes that none of the cavity's Delaunay tets has.
+      // Output tets may have nodes that none of the cavity's Delaunay tets has.
       const auto came_along = [&](std::int32_t n) {
         return copy[n] >= 0 && nodes_.transform[copy[n]] == transform[p];
       };
@@ -202,7 +203,7 @@ class TetReuse {
       result.same.output.push_back(output);
     };
     for (std::size_t k = 0; k < tets_.size(); ++k) {
-      if (reused_[k] && !stands_for_itself(k)) continue;  // its cavity stands for it
+      if (reused_[k] && !stands_for_itself(k)) continue;  // its cavity's tets are added below
       add(tets_[k], !reused_[k], static_cast<std::int32_t>(k),
           image_[k] < 0 ? -1 : cavities_.same[image_[k]]);
     }
@@ -222,7 +223,7 @@ class TetReuse {
   Polling poll_;
   const Cavities& cavities_;
   std::vector<std::uint8_t> unmoved_;  ///< by node: still the exact copy of its original
-  std::vector<std::uint8_t> held_;     ///< by node: a reused tet holds it
+  std::vector<std::uint8_t> held_;     ///< by node: 1 at reused tets and at the interface
   std::vector<std::int32_t> image_;    ///< by tet: the same Delaunay tet of the original, or -1
   std::vector<std::uint8_t> reused_;   ///< by tet
   std::vector<std::uint8_t> reused_cavity_;    ///< by cavity

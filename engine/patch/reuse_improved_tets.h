@@ -9,8 +9,8 @@
 
 namespace remeshd {
 
-/// Tets of two other meshes with the same nodes as those of a mesh: by tet, -1 where none is known;
-/// empty where nothing is.
+/// By tet of a mesh: the tets with the same nodes in two other meshes, -1 where none is known. Both
+/// lists are empty where nothing is known.
 struct SameTets {
   std::vector<std::int32_t> peeled;  ///< of the new peeled Delaunay mesh
   std::vector<std::int32_t> output;  ///< of MeshPatch::output

@@ -12,29 +12,30 @@ namespace remeshd {
 
 namespace {
 
-constexpr double kMostSpare = 0.1;  // of the tets: as many free slots may stay with a revision
+constexpr double kMostSpare = 0.1;  // x tets: free slots that a revision may keep
 
-/// Numbers for what comes, out of those that what goes leaves behind.
+/// Numbers for new elements: first those of the elements that go, then further ones at the end.
 class FreeNumbers {
  public:
-  /// `count`: how many there were; `gone`: which of them go, ascending.
+  /// `count`: elements before; `gone`: which of them go, ascending.
   FreeNumbers(std::int32_t count, std::vector<std::int32_t> gone)
       : end_(count), gone_(std::move(gone)) {}
 
   std::int32_t take() { return used_ < gone_.size() ? gone_[used_++] : end_++; }
-  /// Above all of them once `more` have been taken.
+  /// More than every number in use once `more` have been taken.
   [[nodiscard]] std::size_t end_after(std::size_t more) const {
     const std::size_t gaps = gone_.size() - used_;
     return static_cast<std::size_t>(end_) + (more > gaps ? more - gaps : 0);
   }
 
-  /// How many there are in the end.
+  /// Number of elements once the gaps are closed.
   [[nodiscard]] std::int32_t count() const {
     return end_ - static_cast<std::int32_t>(gone_.size() - used_);
   }
   /// Whether there are gaps that the last ones have to fill.
   [[nodiscard]] bool has_gaps() const { return used_ < gone_.size(); }
-  /// Where those from `count()` on go, by how far beyond it they are; -1 for the gaps among them.
+  /// By number less `count()`, for the elements from `count()` on: the gap that each one moves to,
+  /// -1 where it is a gap itself.
   [[nodiscard]] std::vector<std::int32_t> moves() const {
     std::vector<std::int32_t> to(static_cast<std::size_t>(end_ - count()), 0);
     std::size_t gap = used_;
@@ -89,7 +90,7 @@ class Stitcher {
   }
 
  private:
-  /// As if everything stayed.
+  /// Fills in the map as if all of the original stayed.
   void map_all() {
     NodeMap& map = whole_.map;
     map = map_to_itself(original_, whole_.mesh.nodes, source_.identity());
@@ -168,7 +169,8 @@ class Stitcher {
     whole_.new_tets.resize(tets.size());
     std::vector<std::int32_t> order(tets.size());
     std::iota(order.begin(), order.end(), 0);
-    // Near in space is to be near in memory; of an edit it is, by the numbers that became free.
+    // Tets near in space should be near in memory. In an edit they are: they take numbers of tets
+    // that were there.
     if (cut_.output_tet.empty()) order = by_lowest_node(patch_.mesh);
     for (const std::int32_t k : order) {
       const std::int32_t at = was[k] >= 0 ? cut_.output_tet[was[k]] : places.take();
@@ -183,7 +185,7 @@ class Stitcher {
     }
   }
 
-  /// The patch's Delaunay mesh, and which of its tets are output.
+  /// Puts the patch's Delaunay mesh back, with its cavities and the output tet of each slot.
   void put_back() {
     DelaunayState& delaunay_state = whole_.delaunay_state;
     const std::vector<std::int32_t> slot = delaunay_state.mesh.put_back(
@@ -242,7 +244,7 @@ class Stitcher {
     whole_.delaunay_state.mesh.rename_last(moves, count);
     const CowVector<Tet> tets = whole_.mesh.tets;
     const OutputMesh& then = original_.output;
-    std::vector<Vec3> last;  // where the original has those that are renamed
+    std::vector<Vec3> last;  // positions in the original of nodes that get other numbers
     for (std::size_t n = count; n < then.mesh.nodes.size(); ++n) last.push_back(then.mesh.nodes[n]);
     const PagesNear at_last(then.mesh.tets, original_.boxes, last);
     for (std::size_t k = 0; k < tets.pages(); ++k) {
@@ -290,7 +292,7 @@ class Stitcher {
   const Run& run_;
   Polling poll_;
   StitchedMesh whole_;
-  std::vector<std::int32_t> names_;  ///< by node of the patch
+  std::vector<std::int32_t> names_;  ///< by node of the patch: its number in the whole
   std::vector<FreeNumbers> node_places_, tet_places_;
 };
 

@@ -8,14 +8,14 @@
 
 namespace remeshd {
 
-/// What came of the nodes of a patch.
+/// The mesh that was made of a patch's nodes, to be put back.
 struct PatchMesh {
   const NodeSet& nodes;
   const DelaunayMesh& delaunay;  ///< of all nodes
   const PeeledMesh& peeled;      ///< its tets in the model
   const TetMesh& mesh;           ///< cleaned up
   const SameTets& same;          ///< by tet of `mesh`; empty where nothing is known
-  CavityExtent cavities = CavityExtent::Connected;  ///< as what it gives is to have them
+  CavityExtent cavities = CavityExtent::Connected;  ///< how to find its cavities
 };
 
 /// A whole mesh with where it came from.
@@ -23,7 +23,7 @@ struct StitchedMesh {
   PagedMesh mesh;
   DelaunayState delaunay_state;  ///< but for permanent ids
   NodeMap map;
-  std::vector<std::int32_t> new_tets;  ///< by tet of the patch's mesh: its number
+  std::vector<std::int32_t> new_tets;  ///< by tet of the patch's mesh: its number in `mesh`
 };
 
 /// Puts a patch's mesh back in the place of what was cut out. Copies keep the number of their

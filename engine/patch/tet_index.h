@@ -10,12 +10,12 @@
 
 namespace remeshd {
 
-/// Finds a tet by its four nodes, whatever their order. Tets stand by their smallest node: those of
-/// neighbours are looked up near each other.
+/// Finds a tet by its four nodes, whatever their order. Tets are grouped by their smallest node, so
+/// that look-ups of neighbouring tets are near each other in memory.
 class TetIndex {
  public:
-  /// `left_out`: by tet, 1 for those that are not to be found. `node_count`: above every node of
-  /// the tets.
+  /// `left_out`: by tet, 1 for those that are not to be found. `node_count`: more than every node
+  /// number of the tets.
   TetIndex(std::span<const Tet> tets, std::span<const std::uint8_t> left_out,
            std::size_t node_count, Polling& poll);
   /// Index of the tet with these nodes, -1 if there is none.

@@ -13,8 +13,8 @@ namespace {
 
 struct PlanLimits {
   double step = 1.0;       ///< of the measuring lattice, x the edge length
-  double points = 20000;   ///< of it at most; the order of sources needs no more
-  double of_extent = 0.1;  ///< x a feature's least extent: as far as `in_place` holds
+  double points = 20000;   ///< of that lattice, at most; the order of sources needs no more
+  double of_extent = 0.1;  ///< x a feature's least extent: less is a motion in place
 };
 constexpr PlanLimits kPlanLimits;
 
@@ -114,7 +114,7 @@ void CopyPlan::match(const FeatureModel& original, const FeatureModel& modified,
   }
   for (std::size_t o = 0; o < matched.size(); ++o)
     if (!matched[o]) changed_.push_back(original_.solids()[o].bounds());
-  for (Box& box : changed_) box = grown(box, 10 * probe_);  // its own rounding must not decide
+  for (Box& box : changed_) box = grown(box, 10 * probe_);  // rounding at its sides must not decide
 }
 
 void CopyPlan::measure(double edge_length, const Run& run) {

@@ -18,17 +18,18 @@ struct SourceFeature {
   int original = -1;            ///< index in the original model
   int modified = -1;            ///< index in the modified model
   std::int32_t transform = -1;  ///< index into CopyPlan::transforms
-  Transform to_original;        ///< A_orig * A_mod^-1
-  /// The original, moved by the transformation, is the modified one; not where it is left in place.
+  Transform to_original;        ///< A_orig * A_mod^-1; the identity where copied in place
+  /// Whether the original feature, moved by the transformation, is the modified one; false where it
+  /// moved and is copied in place.
   bool same_shape = false;
   double volume = 0;  ///< of the copycells it covers, estimated on a lattice
 };
 
 struct CopyLengths {
-  double edge_length = 0;  ///< target; sets how finely the copying volumes are measured
-  /// A feature that moves by less, and by little of its own extents, is copied where it is, not
-  /// with its motion as the paper has it: its faces move less than its nodes stand apart, and what
-  /// crosses it stays.
+  double edge_length = 0;  ///< target; copycells' volumes are measured on no finer lattice
+  /// A length. A feature that moves by less, and by less than a tenth of its least extent, is
+  /// copied where it is, not with its motion as in the paper: its faces move by less than its nodes
+  /// are apart, and the mesh of what crosses it stays.
   double in_place = 0;
 };
 
@@ -51,9 +52,11 @@ class CopyPlan {
   /// What of a region is made anew, not copied.
   enum class Anew : std::uint8_t {
     Everything,
-    InPlace,  ///< what would stay where it is; what moves there with its feature is copied
+    InPlace,  ///< what would be copied in place; what moves with its feature is copied still
   };
-  /// The same with the material in a region new; or where `holds` says so, which is in the boxes.
+  /// This plan, but with all material in a region made anew; or with what `which` says of the
+  /// material for which `holds` is true, which is asked only in `boxes` and in changed() of this
+  /// plan.
   [[nodiscard]] CopyPlan with_new_in(const Region& region) const;
   [[nodiscard]] CopyPlan with_new_in(InsideTest holds, std::span<const Box> boxes,
                                      Anew which) const;
@@ -61,22 +64,24 @@ class CopyPlan {
   /// kOutside, kNew or the index of the transformation that carries the material at p.
   [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
 
-  /// Whether the face through p with unit normal n needs attention (Sect. 7): its two sides come
-  /// from different places, or it is boundary in one model only.
+  /// Whether the face through p with unit normal n is active (Sect. 7): its two sides come from
+  /// different places, or it is boundary in one model only, unless all its material is new.
   [[nodiscard]] bool active_face(const Vec3& p, const Vec3& n) const;
 
   /// Distinct transformations from original to modified coordinates.
   [[nodiscard]] const std::vector<Transform>& transforms() const { return transforms_; }
   [[nodiscard]] const std::vector<Transform>& inverses() const { return inverses_; }
-  /// Of the transformations the one that moves nothing; -1 where every feature has moved.
+  /// The index of the transformation that moves nothing; -1 where there is none.
   [[nodiscard]] std::int32_t identity() const { return identity_; }
-  /// In copying order: largest volume of copycells first; equal volumes in history order.
+  /// The features that both models have, in copying order: largest volume of copycells first, equal
+  /// volumes in history order.
   [[nodiscard]] const std::vector<SourceFeature>& sources() const { return sources_; }
   /// Outside of these boxes the models are the same and everything is copied in place.
   [[nodiscard]] const std::vector<Box>& changed() const { return changed_; }
   [[nodiscard]] bool in_changed(const Vec3& p, double margin = 0) const;
 
-  /// Whether the box round a tet meets one of them. Far corners, negative, are nowhere.
+  /// Whether the box round a tet's nodes meets one of the changed boxes; super vertices, whose
+  /// numbers are negative, do not count.
   template <class Nodes>
   [[nodiscard]] bool meets_changed(const Tet& tet, const Nodes& nodes) const {
     Box box;
@@ -86,8 +91,9 @@ class CopyPlan {
   }
   [[nodiscard]] bool meets_changed(const Box& box) const;
 
-  /// Boxes that hold what of the changed ones is within some bounds: few, for of two that take no
-  /// more room together there is one, as of a feature before and after a small change.
+  /// Boxes that hold all that lies both within `bounds` and in a changed box. Two are merged where
+  /// the box round both has no more volume than the two have, as those of a feature before and
+  /// after a small change.
   [[nodiscard]] std::vector<Box> changed_within(const Box& bounds) const;
 
   [[nodiscard]] const Membership& modified() const { return modified_; }
@@ -113,13 +119,14 @@ class CopyPlan {
     InsideTest holds;
     Anew which;
   };
-  std::vector<NewIn> new_in_;  ///< what is new beside newcells
+  std::vector<NewIn> new_in_;  ///< what is made anew beside newcells
   std::int32_t identity_ = -1;
-  double probe_ = 0;  ///< how far both sides of a face are looked at
+  double probe_ = 0;  ///< how far from a face its two sides are looked at
 };
 
 /// The plan for people: the features that supply nodes in copying order, a line each, with the
-/// volume of their copycells and how far they moved; then the boxes of what changed.
+/// volume of their copycells, the index of their transformation unless it is the identity, and
+/// whether their shape changed; then the boxes of what changed.
 /// `original`: the model that it copies from.
 std::string to_text(const CopyPlan& plan, const FeatureModel& original);
 

@@ -14,14 +14,14 @@ namespace remeshd {
 
 namespace {
 struct AnewLimits {
-  double margin = 2.5;       ///< x edge length: what is made anew round what was wrong
-  int steps = 2;             ///< cubes to that
-  double rim_spacing = 0.5;  ///< x edge length: points on rims that have come or gone
+  double margin = 2.5;       ///< x edge length: how far round a faulty place all is made anew
+  int steps = 2;             ///< cubes of the Region along the margin
+  double rim_spacing = 0.5;  ///< x edge length: largest distance of points along changed rims
 };
 constexpr AnewLimits kAnewLimits;
 
-/// The plan with what would stay in place new within an edge length of some points, which are near
-/// each other.
+/// The plan, but material within an edge length of one of the places is new where it would be
+/// copied in place. The places are spaced closely, along rims.
 CopyPlan with_new_at(const CopyPlan& plan, std::span<const Vec3> places, const SizeField& sizes) {
   double longest = 0;
   for (const Vec3& p : places) longest = std::fmax(longest, sizes(p));

@@ -18,11 +18,12 @@
 
 namespace remeshd {
 
-/// What every strategy starts from: the model to be meshed and the revision that it was edited
-/// from. What several strategies need is made when the first of them asks. Keeps references.
+/// What every strategy starts from: the model to be meshed and the parent, the revision that was
+/// edited. What several strategies need is made when the first of them asks. Keeps references.
 class Problem {
  public:
-  /// `edited`: `Revision::none()` for a first mesh; `to_mesh`: with its model, cells and options.
+  /// `edited`: the parent, `Revision::none()` for a first mesh; `to_mesh`: the revision to be
+  /// meshed, with its model, cells and options already.
   Problem(const Revision& edited, const Revision& to_mesh, const Density& target, const Run& around)
       : parent(edited), modified(to_mesh), density(target), run(around) {}
 
@@ -31,15 +32,15 @@ class Problem {
   const Density density;
   const Run& run;
 
-  /// Copycells and newcells of the modified model (Sect. 5). New too is what the parent has nodes
-  /// in that were made for other edge lengths (`resized`).
+  /// Copycells and newcells of the modified model (Sect. 5). Material whose nodes in the parent
+  /// were made for other edge lengths (`resized`) is new too, and so is that at `changed_rims`.
   [[nodiscard]] const CopyPlan& plan() const;
-  [[nodiscard]] bool is_resized() const;  ///< whether there are such nodes
-  /// Where rims of groups have come or gone, new too: points on them, near each other.
+  [[nodiscard]] bool is_resized() const;  ///< whether `resized` found such nodes
+  /// Closely spaced points on the rims of groups that one of the two boundaries has alone.
   [[nodiscard]] const std::vector<Vec3>& changed_rims() const;
   /// Where the entities of the parent's boundary are in the modified one.
   [[nodiscard]] const EntityMap& entities() const;
-  /// Whether there are features that nodes may be copied of.
+  /// Whether the parent has features, whose nodes may be copied.
   [[nodiscard]] bool copies() const { return plan().copies(); }
 
  private:
@@ -62,19 +63,19 @@ struct Attempt {
   std::variant<std::monostate, MorphedMesh, Candidate> mesh;
   std::string reason;            ///< why it was not taken; empty where it is
   std::optional<Warning> fault;  ///< what is wrong with the mesh, and where
-  std::vector<Vec3> refined_at;  ///< where its edges were to be finer
+  std::vector<Vec3> refined_at;  ///< where it was to have shorter edges
   bool too_fine = false;  ///< the boundary would need many more nodes than the edge length says
-  bool hopeless = false;  ///< another one that is so too, and no mesh is to be had
+  bool hopeless = false;  ///< two such attempts in a row end the request: no mesh is to be had
   bool copies = false;    ///< its nodes may be copies of the parent's
-  bool serves = true;     ///< false: the problem is none for this strategy, or too large for it
+  bool serves = true;     ///< false: the problem does not suit the strategy, or is too large for it
 
   // What the report gets of it.
-  PhaseSeconds seconds;  ///< `total` of all of it
+  PhaseSeconds seconds;  ///< `total`: of the whole attempt
   Counts counts;
   double free_share = 1;
   std::vector<Warning> warnings;
-  std::vector<TriedStrategy> tries;  ///< given up on the way to it
-  double last_resort_share = 0;      ///< of the tets: those made anew where a mesh was wrong
+  std::vector<TriedStrategy> tries;  ///< tries within this attempt that were given up
+  double last_resort_share = 0;      ///< share of tets that were made anew where a mesh was wrong
 
   [[nodiscard]] bool taken() const { return serves && reason.empty(); }
   /// Where its mesh was found to be wrong.
@@ -82,19 +83,20 @@ struct Attempt {
   [[nodiscard]] const Candidate* candidate() const { return std::get_if<Candidate>(&mesh); }
 };
 
-/// Where a mesh was found to be wrong.
+/// Where a mesh was found to be wrong; defects of the mesh as a whole have no place.
 std::vector<Vec3> faulty_places(const Verification& verification);
 
-/// What is made anew round faulty places: some edge lengths about them.
+/// The region that is made anew round faulty places: some edge lengths about each.
 Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes);
 
-/// Of the tets of an attempt's mesh those that are new and have their centroids in a region.
+/// Share of the tets of an attempt's mesh that are new and have their centroids in the region.
+/// Pre: the attempt's mesh is a candidate.
 double share_in(const Region& region, const Attempt& attempt);
 
-/// Each with its reason, as an Error has them: `full: an inverted tet at (1, 2, 3)`.
+/// Each attempt with its reason, as an Error lists them: `full: an inverted tet at (1, 2, 3)`.
 std::vector<std::string> in_words(std::span<const TriedStrategy> tried);
 
-/// Adds the seconds of each phase.
+/// Adds the seconds of each phase, but not the total.
 void add(PhaseSeconds& sum, const PhaseSeconds& more);
 
 /// What is wrong with a mesh of the modified model, and where.

@@ -98,14 +98,16 @@ bool keeps_tets(MeshStrategy strategy) {
   return strategy == MeshStrategy::Unchanged || strategy == MeshStrategy::Morphed;
 }
 
-/// Tets that an edit keeps are as likely of a last resort as those of its parent.
+/// Share of the tets that a last resort made: `made` by this attempt, and of the tets that were
+/// kept the share that the parent has.
 double last_resort_share(const Revision& parent, const Report& report, double made) {
   if (report.strategy == MeshStrategy::TetGen) return 1;
   if (report.counts.tets == 0) return 0;
   return made + parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
 }
 
-/// Sets of the model's groups, what became of them, and whether their policies let that be.
+/// Finds what the model's groups have of the mesh and what became of them, and checks their
+/// policies.
 void complete_groups(const Revision& parent, Revision& revision) {
   OutputMesh& output = revision.output;
   output.groups.of_model = group_members(output, revision.model);
@@ -143,7 +145,7 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());
   report.seconds.total = watch.total();
   const PhaseSeconds& s = report.seconds;
-  // What no step took for itself: names, maps and figures.
+  // The time that no step has counted: names, maps and figures.
   (new_nodes ? report.seconds.extract : report.seconds.copy) +=
       s.total - (s.setup + s.optimise + s.extract + s.difference + s.copy);
 }

@@ -25,7 +25,8 @@ struct NewcellBalls {
 constexpr NewcellBalls kBalls;
 constexpr double kInPlace = 0.25;  // x base size: what moves by less is copied where it is
 
-/// How many nodes there would have to be, and how many edges circles have now.
+/// The warning that rules were weakened: how many edges circles get now, and how many nodes would
+/// satisfy the rules.
 Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
   const auto edges = static_cast<int>(sizing.edges_per_circle / budgeted.weakening);
   return {.code = WarningCode::DetailNotResolved,
@@ -37,7 +38,7 @@ Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
           .nodes_needed = static_cast<std::uint32_t>(std::lround(budgeted.satisfying))};
 }
 
-/// What is smaller than the least size, by the features of its faces.
+/// The warning that faces have details smaller than the least size. It names their features.
 Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
                     const FeatureModel& model, const BoundaryModel& boundary) {
   Warning warning{.code = WarningCode::DetailNotResolved};
@@ -58,7 +59,8 @@ Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
   return warning;
 }
 
-/// What asks for edge lengths beside the rules: the model, and densities that edits were given.
+/// What asks for edge lengths beside the rules: the model's size controls, and the dense places
+/// that edits with a smaller edge length have left.
 std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryModel& boundary,
                                     const std::vector<SizedBall>& dense_places, const Run& run) {
   std::vector<SizeSource> sources = size_sources(model, boundary, run);
@@ -70,7 +72,7 @@ std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryMod
 std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& model,
                                 double edge_length, const Run& run) {
   const CopyPlan plan(parent.delaunay_model(), model, copy_lengths(parent.edge_length, false), run);
-  // No point of space is further from the lattice than the balls and half an edge length.
+  // With this lattice constant no point of space is further than half an edge length from a ball.
   const double constant = kBalls.apart * edge_length;
   std::vector<SizedBall> balls;
   for (const Vec3& p : fill_lattice(
@@ -80,8 +82,8 @@ std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& mode
   return balls;
 }
 
-/// The size field, for which the edge length is the base size, or a guess at it where a number of
-/// nodes is asked for.
+/// Sets the size field and what follows from it. `edge_length`: the base size, or a guess at it
+/// where a number of nodes is asked for.
 void set_sizes(Density& density, double edge_length, const Revision& parent,
                const MeshOptions& options, const FeatureModel& model, const CellularModel& cells,
                const Run& run) {
@@ -92,7 +94,7 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
   if (!density.count) {
     density.dense_places = parent.dense_places;
     if (edge_length < parent.edge_length && !parent.output.mesh.tets.empty()) {
-      // It holds in newcells alone, and in them from now on.
+      // The smaller edge length holds in the newcells alone, for later edits too.
       const std::vector<SizedBall> more = newcells(parent, model, edge_length, run);
       density.dense_places.insert(density.dense_places.end(), more.begin(), more.end());
       edge_length = parent.edge_length;
@@ -145,7 +147,7 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
     if (first) density.count = nodes;
   } else {
     edge_length = parent.edge_length;
-    // What the edge length says, not what the parent has: small errors of many edits would add
+    // By the edge length, not by counting the parent's nodes: small errors of many edits would add
     // up.
     density.nodes_per_volume = expected_nodes(volume, area, edge_length) / volume;
     density.inherited = true;

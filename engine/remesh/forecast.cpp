@@ -23,19 +23,20 @@ struct Cost {
   double bytes_per_node = 1330;                 ///< of an even mesh
   double graded = 420;                          ///< more bytes a node where it is not even
   double quadratic = 540;                       ///< more bytes a node where there are mid-nodes
-  /// x a node's share of a small Delaunay mesh: in the volume, and more for the share of the nodes
-  /// that are on the boundary, to a power, for models that are all walls take many repairs.
+  /// Time of a node, x that of a node of a small Delaunay mesh: per_node + on_boundary * s^power,
+  /// where s is the share of the nodes that are on the boundary: thin models take many repairs.
   double per_node = 6, on_boundary = 125, power = 4;
 };
 constexpr Cost kCost;
 
 struct BoundaryCount {
   double on_face = 0.92;  ///< nodes to a square of an edge length
-  double largest = 2;     ///< x edge length: sides of a triangle that is counted whole
-  double most = 0.95;     ///< of the nodes
+  double largest = 2;     ///< x edge length: longer sides make a triangle be divided for counting
+  double most = 0.95;     ///< of the nodes: no greater share is on the boundary
 };
 constexpr BoundaryCount kBoundaryCount;
 
+/// The small Delaunay mesh by which this machine's speed is measured.
 struct Yardstick {
   std::size_t nodes = 4000;
   int tries = 3;
@@ -47,7 +48,7 @@ struct DetailLimits {
 };
 constexpr DetailLimits kDetails;
 
-/// s a node that a Delaunay mesh takes on this machine: the least of some tries.
+/// Seconds per node of a Delaunay mesh on this machine: the least of some tries.
 double delaunay_seconds() {
   Random random(1);
   const auto coordinate = [&] { return random.uniform(0, 1); };
@@ -99,7 +100,8 @@ double share_on_boundary(const BoundaryModel& boundary, const SizeField& sizes, 
   return std::fmin(on_boundary / nodes, kBoundaryCount.most);
 }
 
-/// The least length that is asked for on each face, by its first name.
+/// The faces that ask for less than the base size, each by its first name with the least length
+/// asked for on it.
 std::vector<Forecast::Detail> details_of(const Density& density, const FeatureModel& model,
                                          const CellularModel& cells, const SizeRules& rules) {
   const double base = density.sizes.base();

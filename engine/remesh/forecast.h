@@ -12,9 +12,9 @@
 
 namespace remeshd {
 
-/// What meshing a whole model comes to, told without meshing it.
+/// What a mesh of a whole model will take, estimated without making it.
 struct Forecast {
-  /// What asks for short edges: a face, by the feature that it is named after first.
+  /// A face that asks for short edges, by its first name.
   struct Detail {
     std::string feature, face;
     double size = 0;  ///< length asked for
@@ -22,12 +22,13 @@ struct Forecast {
   std::uint32_t nodes = 0;
   std::uint64_t bytes = 0;      ///< of memory at the peak, beside what the process has
   double seconds = 0;           ///< on one thread of this machine
-  std::vector<Detail> details;  ///< that ask for less than the base size; the least first, some
+  std::vector<Detail> details;  ///< sizes below the base size, the least first, at most 20
 };
 
-/// Nodes are those of a start of the mesh, which is made and counted where the field is not even;
-/// memory and time follow from them by what meshes have taken (tests/README.md), time by the speed
-/// of this machine in a small Delaunay mesh.
+/// Estimates a mesh of this density. Where the size field is even the number of nodes is the one
+/// asked for, or follows from volume and area; else the nodes that the mesh would start from are
+/// made and counted. Memory and time follow from that by formulas fitted to measured meshes
+/// (tests/README.md), time also from how fast this machine makes a small Delaunay mesh.
 /// @param density  as resolved for these options
 /// @param setup  s that cells and density took
 Forecast forecast(const Density& density, const FeatureModel& model, const CellularModel& cells,

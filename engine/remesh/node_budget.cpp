@@ -15,23 +15,24 @@ namespace remeshd {
 namespace {
 
 struct BudgetLimits {
-  double close = 0.005;       ///< of the nodes asked for
-  double still = 1e-3;        ///< of the base size: less of a change is none
+  double close = 0.005;       ///< of the nodes asked for: a count off by less is good enough
+  double still = 1e-3;        ///< of the base size: a smaller change ends the search
   int tries = 6;              ///< starts that are made and counted
   double coarsest = 2;        ///< x base size of an even mesh: no coarser one is looked for
-  double fewest_edges = 7.2;  ///< asked for on a circle, of which 6 are certain: no fewer
+  double fewest_edges = 7.2;  ///< rules ask for no fewer on a circle, which certainly gets 6 then
   double beside = 0.1;        ///< of a bracket: no try is nearer to its ends
   int bisections = 50;
-  std::size_t sampled = 2500;  ///< nodes of a start that are asked what they stand for
+  std::size_t sampled = 2500;  ///< samples of a start's nodes, and of the area of thin sides
 };
 constexpr BudgetLimits kBudgetLimits;
 
-/// A start with some field, and what the field asks for at a sample of its nodes and at the sides
-/// of walls and gaps. Each node stands for a volume that holds more or fewer nodes as its edge
-/// length changes.
+/// A start, the nodes that a mesh with some size field begins with, and what is asked for at a
+/// sample of these nodes and at the sides of walls and gaps. From that it predicts the number of
+/// nodes for other fields: a node stands for a volume that holds more or fewer as its edge length
+/// changes.
 class Start {
  public:
-  /// `longest`: it matters nowhere by how much more is asked for.
+  /// `longest`: where longer edges than this are asked for, it counts as this.
   Start(SizeField field, std::vector<Vec3> nodes, const std::vector<ThinSide>& sides,
         double longest)
       : field_(std::move(field)), nodes_(std::move(nodes)) {
@@ -44,7 +45,7 @@ class Start {
   [[nodiscard]] const std::vector<Vec3>& places() const { return nodes_; }
   /// Nodes that a mesh with the field has.
   [[nodiscard]] double nodes() const { return expected(field_.base(), 1); }
-  /// Nodes with another base size and with rules that ask for `longer` times longer edges.
+  /// Nodes with another base size, and rules that ask for edges `longer` times as long as here.
   [[nodiscard]] double expected(double base, double longer) const {
     double sum = 0;
     for (const double asked : asked_) {
@@ -64,7 +65,8 @@ class Start {
     double weight, asked;
   };
 
-  /// Of the sides one for each of many equal parts of their area, which it stands for.
+  /// Samples the sides: divides their area into many equal parts and takes the side at the end of
+  /// each, which stands for that part.
   void sample(const std::vector<ThinSide>& sides, double longest) {
     double area = 0, passed = 0;
     for (const ThinSide& side : sides) area += side.area;
@@ -87,19 +89,19 @@ struct Coarseness {
   double base, weakening;
 };
 
-/// The search for the coarseness with which a start has the nodes asked for, on a way from 0,
-/// finest, to 2. Starts that were made bracket it; a start tells where between them it is to be
-/// expected.
+/// The search for the coarseness with which a start has the nodes asked for. Its variable goes from
+/// 0, finest, to 2: up to 1 the base size grows, then the rules are weakened. Starts that were made
+/// bracket it; while they are all on one side, the last one predicts where it is.
 class CoarsenessSearch {
  public:
-  /// `guess`: the base size half-way to the coarsest; `weakest`: the most that rules are weakened.
+  /// `guess`: the base size to begin with, half the coarsest; `weakest`: the largest weakening.
   CoarsenessSearch(double nodes, double guess, double weakest)
       : nodes_(nodes), guess_(guess), weakest_(weakest), now_(0.5) {}
 
   [[nodiscard]] Coarseness now() const { return at(now_); }
 
-  /// Takes the start that was made with the coarseness of now. Whether another is to be made, with
-  /// that of now.
+  /// Takes the start that was made with `now()`. Returns whether another is to be made, with what
+  /// `now()` is after that.
   bool goes_on(const Start& start) {
     const double count = start.nodes();
     const double off = std::fabs(count / nodes_ - 1);
@@ -117,7 +119,7 @@ class CoarsenessSearch {
            std::fabs(now().base / was.base - 1) >= kBudgetLimits.still;
   }
 
-  /// Of the starts that were made the one whose count is nearest to what was asked for.
+  /// The start whose count is nearest to the nodes asked for, of all that were made.
   [[nodiscard]] Budgeted best() && { return std::move(best_); }
 
  private:
@@ -128,13 +130,14 @@ class CoarsenessSearch {
   [[nodiscard]] bool is_bracketed() const {
     return std::isfinite(fine_.log_count) && std::isfinite(coarse_.log_count);
   }
-  /// As the counts of the ends say, but not next to one: counts jump where films get edges.
+  /// Interpolated from the counts at the ends of the bracket, but not next to an end: counts jump
+  /// where films get edges.
   [[nodiscard]] double between() const {
     const double share = fine_.log_count / (fine_.log_count - coarse_.log_count);
     const double beside = kBudgetLimits.beside;
     return std::lerp(fine_.at, coarse_.at, std::clamp(share, beside, 1 - beside));
   }
-  /// As a start that was made says.
+  /// Where a start predicts the nodes asked for.
   [[nodiscard]] double expected(const Start& start) const {
     double fine = fine_.at, coarse = coarse_.at;
     for (int k = 0; k < kBudgetLimits.bisections; ++k) {
@@ -148,12 +151,12 @@ class CoarsenessSearch {
 
   struct End {
     double at;
-    double log_count = HUGE_VAL;  ///< of its nodes, x those asked for; infinite before it is tried
+    double log_count = HUGE_VAL;  ///< log(its nodes / those asked for); infinite: not tried yet
   };
 
   double nodes_, guess_, weakest_;
   double now_;
-  End fine_{0}, coarse_{2};  ///< too many nodes, too few
+  End fine_{0}, coarse_{2};  ///< the bracket: too many nodes, too few
   int tries_ = 0;
   double least_off_ = HUGE_VAL;
   Budgeted best_;
@@ -162,7 +165,7 @@ class CoarsenessSearch {
 /// Makes starts of a model.
 class Starts {
  public:
-  /// `longest`: no start is counted as with a base size of more, for rules as they are in it.
+  /// `longest`: what is asked for beyond this limits no edge, whatever coarseness is tried.
   Starts(const SizeRules& rules, const MeshOptions& options, const FeatureModel& model,
          const Box& bounds, double longest, const Run& run)
       : rules_(rules),
@@ -190,9 +193,10 @@ class Starts {
   const Run& run_;
 };
 
-/// Nodes that make the rules hold without weakening: so many that a start with the coarsest base
-/// size for them has as many. Counts jump where films get edges; of two the larger does.
-/// @param start  any of the unweakened rules
+/// The number of nodes with which the rules hold without weakening: that for which a start with its
+/// coarsest base size has as many. Counts jump where films get edges, so that two starts predict
+/// it, and the larger number is taken.
+/// @param start  made by unweakened rules, with any base size
 double satisfying(const Start& start, const CellularModel& cells, const Starts& starts) {
   const auto told_by = [&](const Start& s, double nodes) {
     for (int i = 0; i < kBudgetLimits.bisections; ++i)

@@ -19,7 +19,7 @@ constexpr const char* kHintForEdit =
 
 constexpr const char* kHintForSizes =
     "ask for longer edges or for a larger least one, or start remeshd with a larger --max-nodes";
-constexpr double kOverstart = 1.05;  // nodes that a mesh begins with, for one asked for, at most
+constexpr double kOverstart = 1.05;  // x nodes asked for: a mesh may begin with so many
 
 /// Whether a number of nodes is above the limit by more than rounding.
 bool exceeds(double nodes, const Run& run) { return !(nodes < run.max_nodes + 0.5); }
@@ -38,7 +38,7 @@ void check_count(const MeshOptions& options, const Run& run) {
                                 kHint);
 }
 
-/// `qualifier`: of the number.
+/// The error that tells the edge length and the nodes needed. `qualifier`: precedes their number.
 Error too_large(const Revision& original, const MeshOptions& options, double edge_length,
                 const LeastNodes& needed, const char* qualifier, const Run& run) {
   const bool base = edge_length == original.edge_length;

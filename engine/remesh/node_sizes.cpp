@@ -15,8 +15,8 @@ namespace remeshd {
 namespace {
 
 struct ResizeLimits {
-  double most_off = 1.25;  ///< of a length wanted and one that was
-  double around = 1;       ///< x edge length: nothing nearest to a node is further away
+  double most_off = 1.25;  ///< largest ratio of two edge lengths that count as the same
+  double around = 1;       ///< x edge length: no material is further from its nearest node
 };
 constexpr ResizeLimits kResizeLimits;
 
@@ -24,19 +24,21 @@ bool differ(double a, double b) {
   return a > kResizeLimits.most_off * b || b > kResizeLimits.most_off * a;
 }
 
-/// Whether that is known: revisions that are not even were stored without it once.
+/// Whether it is known what the parent's nodes were made for: older versions stored sized meshes
+/// without that.
 bool is_known(const Revision& parent) {
   return parent.options.sizing.even || !parent.output.node_sizes.empty();
 }
 
-/// What the parent's node was made for.
+/// The edge length that the parent's node was made for.
 double made_for(const Revision& parent, std::int32_t node) {
   return parent.options.sizing.even ? parent.edge_length : parent.output.node_sizes[node];
 }
 
-/// Whether two size fields follow by the same rules from their boundaries: they differ near what
-/// changed of these alone. How thin a wall is told by pieces of faces, which lie otherwise wherever
-/// a face has changed, so that elsewhere lengths may differ all the same.
+/// Whether two size fields follow from their boundaries by the same rules: then only what changed
+/// of these, and what is near it, is a reason for them to differ. They may differ a little
+/// elsewhere: the thickness of a wall is measured from pieces of its faces, and a face that has
+/// changed anywhere is divided into other pieces.
 bool same_rules(const Revision& parent, const Revision& wanted) {
   return parent.options.sizing == wanted.options.sizing &&
          parent.edge_length == wanted.edge_length &&
@@ -44,7 +46,7 @@ bool same_rules(const Revision& parent, const Revision& wanted) {
          parent.model.sizes == wanted.model.sizes && parent.dense_places == wanted.dense_places;
 }
 
-/// How far from a change edge lengths may follow from it.
+/// Tells how far from a change of the model it may be the reason for other edge lengths.
 class Reach {
  public:
   Reach(const CopyPlan& plan, const Revision& parent, const Revision& wanted, double least)
@@ -53,8 +55,9 @@ class Reach {
         least_(least),
         everywhere_(!same_rules(parent, wanted)) {}
 
-  /// Whether a change may be why the length at a place is `now` and was `before`: it asks for the
-  /// least length or more, which grows from there, or is across a wall.
+  /// Whether a change may be why the length at a place is `now` and was `before`. A change asks for
+  /// the least length or more, and lengths grow with the distance from it; or it is the other side
+  /// of a wall, `layers` edge lengths away.
   [[nodiscard]] bool holds(const Vec3& p, double before, double now) const {
     if (everywhere_) return true;
     const double longer = std::fmax(before, now);
@@ -65,7 +68,7 @@ class Reach {
  private:
   const CopyPlan& plan_;
   const Sizing& sizing_;
-  double least_;  ///< of the edge lengths
+  double least_;  ///< least edge length
   bool everywhere_;
 };
 
@@ -76,7 +79,7 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   if (revision.options.sizing.even) return {};
   const OutputMesh& output = revision.output;
   const SizeField& sizes = *revision.sizes;
-  const CowVector<Vec3>& positions = revision.delaunay_state->positions();  // as it is asked later
+  const CowVector<Vec3>& positions = revision.delaunay_state->positions();  // as in `resized`
   const bool known = is_known(parent), same_tets = plan == nullptr;
   std::optional<Reach> reach;
   if (plan != nullptr) reach.emplace(*plan, parent, revision, sizes.least());
@@ -86,7 +89,7 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
       const bool kept = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept);
       const double was = kept ? made_for(parent, output.map.original_node[n]) : 0;
       const double now = kept && same_tets ? was : sizes(positions[n]);
-      // What was off has been looked at: a node that stays is right for the length there.
+      // `resized` has seen to nodes that are off: one that was kept all the same suits its place.
       const auto off = [&] { return differ(was, now) && reach->holds(positions[n], was, now); };
       all[n] = kept && !same_tets && !off() ? was : now;
     }

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kWidestSlit = 4;  // x the largest tiny motion: two features may move
 
-/// The cellular model (Sect. 4.1) of the revision's model, of which all is kept that no changed
-/// feature touches.
+/// Makes the cellular model (Sect. 4.1) of the revision's model, and keeps of the parent's what no
+/// changed feature touches.
 void build_geometry(const Revision& parent, Revision& revision, const Run& run) {
   const Stopwatch watch;
   Report& report = revision.report;
@@ -35,7 +35,7 @@ void build_geometry(const Revision& parent, Revision& revision, const Run& run) 
   report.geometry_seconds += watch.total() - on_attempts;
 }
 
-/// Groups and their policies, which no mesh is needed for.
+/// Checks the groups and their policies as far as no mesh is needed for that.
 void check_groups(const Revision& parent, Revision& revision, const Run& run) {
   const BoundaryModel& boundary = revision.cells.boundary;
   revision.report.figures = groups_before_meshing(revision.model, boundary, run);
@@ -73,7 +73,7 @@ bool mesh_by(std::span<const Strategy> strategies, const Revision& parent, Revis
   return true;
 }
 
-/// Whether there is anything as narrow as tiny motions leave it between two features.
+/// Whether the boundary has steps or slits as narrow as those that tiny motions of features leave.
 bool has_tiny_slits(const BoundaryModel& boundary) {
   return has_slits(boundary, kWidestSlit * tolerance::kTinyMotion * boundary.bounds.diagonal());
 }
@@ -88,8 +88,9 @@ Warning left_out(const std::vector<std::string>& features) {
           .features = features};
 }
 
-/// Meshes the model with features where they were that have moved by next to nothing, and would
-/// leave steps and slits beside others that no tets fit. Figures stay the exact model's.
+/// Meshes the model with those features put back that have moved by next to nothing: no tets fit
+/// into the steps and slits that they leave beside others. Exact volume and areas stay those of the
+/// model that was asked for.
 void mesh_without(const TinyMotions& tiny, const Revision& parent, Revision& revision,
                   const Run& run, Stopwatch& watch) {
   Report& report = revision.report;
@@ -128,7 +129,7 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
 
 Attempt remesh_nodes(const Strategy& how, const Problem& problem, const Attempt* failed) {
   Attempt attempt(how.name);
-  // With the plan, which tells where material is copied from.
+  // It has the plan, which tells where material is copied from.
   const MeshingTask task(how, problem, failed);
   try {
     // Nodes are copied to copycells (Sect. 6.4) and filled into newcells (Sects. 3.2, 7), fixed and

@@ -24,17 +24,17 @@
 namespace remeshd {
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;   // a factor that leaves nothing out for rounding
+constexpr double kRounding = 1 + 1e-9;   // x a margin, lest rounding leaves something out
 constexpr double kNearChange = 2;        // x edge length: further from the changed boxes nodes stay
-constexpr double kSampledBeyond = 0.5;   // x edge length: from a node to what it is nearest to
-constexpr double kMostRefined = 4;       // x nodes of an even mesh: more new ones are hopeless
-constexpr int kSampledSteps = 4;         // cubes to the reach
+constexpr double kSampledBeyond = 0.5;   // x edge length: from a node to samples it is nearest to
+constexpr double kMostRefined = 4;       // x nodes of an even mesh: most new ones of a refined one
+constexpr int kSampledSteps = 4;         // cubes of a Region along the reach
 constexpr double kThin = 2;              // x edge length: mean thickness of a thin part
 constexpr double kSizedThin = 3.25;      // the same, where edge lengths differ
-constexpr double kSamplesToNodes = 5.4;  // on a square of one edge length, in a cube of it
+constexpr double kSamplesToNodes = 5.4;  // samples on an edge length^2 / nodes in an edge length^3
 
-/// Nodes of the parent that may not stay as they are: those in the changed boxes or within some
-/// edge lengths of them. `everything`: all nodes.
+/// Nodes of the parent that perhaps cannot stay as they are: those in the changed boxes or within
+/// two edge lengths of them. `everything`: all nodes.
 std::vector<std::int32_t> candidate_nodes(const Revision& parent, const CopyPlan& plan,
                                           const SizeField& sizes, bool everything) {
   std::vector<std::int32_t> nodes;
@@ -48,8 +48,8 @@ std::vector<std::int32_t> candidate_nodes(const Revision& parent, const CopyPlan
   return nodes;
 }
 
-/// The tets of the model at some of the nodes. `meets`: takes the boxes that one of these may be
-/// in.
+/// The parent's tets in the model that have one of the nodes. `meets(box)`: false only for a box
+/// that no such tet lies in.
 template <class Meets>
 std::vector<Tet> tets_at(const DelaunayState& delaunay_state, std::span<const std::int32_t> nodes,
                          const Meets& meets) {
@@ -64,8 +64,8 @@ std::vector<Tet> tets_at(const DelaunayState& delaunay_state, std::span<const st
   return tets;
 }
 
-/// Where an edit needs samples of the boundary: near its free nodes, with those that get free
-/// beside them, and near fixed nodes that have to find what they stand on.
+/// Where an edit needs samples of the boundary: round its free nodes, as far out as fixed ones may
+/// be freed by the loop, and near fixed nodes that have to find what they stand on.
 std::vector<Region> sampled_places(const PatchNodes& local, double edge_length, double reach) {
   const NodeSet& nodes = local.nodes;
   std::vector<Vec3> free, to_place;
@@ -88,8 +88,8 @@ InsideTest inside_test(MeshOptions::Inside kind, const Membership& membership,
   return [mesh](const Vec3& p) { return mesh->inside(p); };
 }
 
-/// The Delaunay mesh of the fixed nodes that stayed in place, cut out of the parent's.
-/// Throws PatchTooSmall.
+/// The Delaunay mesh of the fixed nodes, made from the patch's by removing all others; an empty one
+/// where that cannot be done and the patch is the whole mesh. Throws PatchTooSmall.
 StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& bounds,
                      const Run& run) {
   const NodeSet& nodes = local.nodes;
@@ -128,8 +128,9 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
   return start;
 }
 
-/// Whether walls of one to two edge lengths are much of what is meshed, told by its mean thickness.
-/// Of a part with one edge length, which is thick, a mesh is the same as an even one.
+/// Whether walls of one to two edge lengths are much of what is meshed, estimated from its mean
+/// thickness. Not in an even mesh, nor in a thick part whose size field is even: both are meshed
+/// alike.
 bool has_thin_walls(const MeshingTask& task, const NodeSet& nodes, const Samples& samples) {
   const CellularModel& cells = task.cells;
   const SizeField& sizes = task.density.sizes;
@@ -145,8 +146,8 @@ double mean_free_share(const OptimiseResult& loop, std::int32_t nodes) {
   return std::fmin(1.0, sum / static_cast<double>(loop.free_per_iteration.size()) / nodes);
 }
 
-/// For a mesh of new nodes alone: all that the density says, as a number of nodes, where it is not
-/// asked for by an edge length.
+/// The density for a mesh of new nodes alone: they are counted for the whole model, unless the
+/// options ask for an edge length.
 Density counted(Density density, const Revision& modified) {
   density.inherited = false;
   if (!modified.options.size)
@@ -154,7 +155,7 @@ Density counted(Density density, const Revision& modified) {
   return density;
 }
 
-/// Nodes for what is new (Sects. 3.2, 7).
+/// The new nodes, in the material that the plan says is new (Sects. 3.2, 7).
 std::vector<Vec3> new_nodes(const MeshingTask& task) {
   const CopyPlan& plan = task.plan;
   const Density& density = task.density;
@@ -177,7 +178,8 @@ std::vector<Vec3> new_nodes(const MeshingTask& task) {
               task.run);
 }
 
-/// Where the last attempt's mesh was wrong, and those that it was to be better than.
+/// Where the last attempt's mesh was wrong, and the places that it was refined at because earlier
+/// meshes were wrong there.
 std::vector<Vec3> wrong_so_far(const Attempt& failed) {
   std::vector<Vec3> places = failed.refined_at;
   const std::vector<Vec3> more = failed.faulty_places();
@@ -185,15 +187,15 @@ std::vector<Vec3> wrong_so_far(const Attempt& failed) {
   return places;
 }
 
-/// New nodes for a mesh that is refined where it was wrong, at most.
+/// How many new nodes a mesh that is refined where it was wrong may begin with, at most.
 std::size_t most_refined(const MeshingTask& task) {
   const CellularModel& cells = task.cells;
   return static_cast<std::size_t>(
       kMostRefined * expected_nodes(cells.volume, cells.area, task.density.sizes.base()));
 }
 
-/// The plan of a strategy that does not go by the problem's: of a mesh of new nodes, or one with
-/// what was wrong made anew.
+/// A plan of the strategy's own: for a mesh of new nodes alone, or the problem's with what was
+/// wrong made anew. Null where the strategy goes by the problem's plan.
 std::unique_ptr<const CopyPlan> own_plan(const Strategy& how, const Problem& problem,
                                          const Attempt* failed) {
   if (how.reuse == Reuse::Nothing) return plan_of_nothing(problem);
@@ -202,7 +204,7 @@ std::unique_ptr<const CopyPlan> own_plan(const Strategy& how, const Problem& pro
       problem.plan().with_new_in(region_of(wrong_so_far(*failed), problem.density.sizes)));
 }
 
-/// The same with a folder of the strategy's own for dumps.
+/// The run with a folder for dumps of the strategy's own, named after its row in the table.
 Run with_folder(Run run, const Strategy& how) {
   if (run.dumps.empty()) return run;
   const std::span<const Strategy> all = strategies();

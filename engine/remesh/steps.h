@@ -16,8 +16,8 @@ namespace remeshd {
 
 // The steps of remesh_nodes (remesh.cpp). Each writes its counts and seconds into the attempt.
 
-/// What a strategy makes a mesh of: the parent's nodes and what the plan says of them, or nothing.
-/// Keeps references.
+/// What a strategy makes a mesh of: the parent's nodes, as far as the plan copies them, and target
+/// edge lengths. Keeps references.
 class MeshingTask {
  private:
   std::unique_ptr<const CopyPlan> own_plan_;  // before `plan`, which may be this
@@ -27,7 +27,7 @@ class MeshingTask {
   MeshingTask(const Strategy& how, const Problem& problem, const Attempt* failed);
 
   const Revision& parent;  ///< what nodes are copied from; `Revision::none()` where all are new
-  const CopyPlan& plan;    ///< of that
+  const CopyPlan& plan;    ///< from `parent` to the modified model
   const CellularModel& cells;
   const MeshOptions& options;
   Density density;
@@ -35,8 +35,8 @@ class MeshingTask {
   bool all_free;                 ///< copied nodes are optimised too, all of them
   double reach;                  ///< how far from what changes the parent is cut open; length
   std::vector<Vec3> refined_at;  ///< where the last mesh was wrong, for a strategy that refines
-  const EntityMap* entities;     ///< for nodes that are not in the patch; null where all are
-  const Run run;                 ///< with a folder of its own for dumps: `3-local-4-edge-lengths`
+  const EntityMap* entities;     ///< for nodes outside of the patch; null where there are none
+  const Run run;                 ///< with a folder of its own for dumps: `4-local-4-edge-lengths`
 };
 
 /// Copied and new nodes, free and fixed (Sects. 6 and 7), with the patch of the parent's mesh that
@@ -46,7 +46,7 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
 
 /// The modified boundary as the optimisation sees it.
 struct SampledBoundary {
-  Samples samples;    ///< near what is free or has to find what it stands on
+  Samples samples;    ///< near nodes that are free or have to find what they stand on
   InsideTest inside;  ///< keeps a reference to the task's plan
 };
 
@@ -54,8 +54,8 @@ struct SampledBoundary {
 /// on. Throws what ControlMesh::build throws.
 SampledBoundary sample(const MeshingTask& task, PatchNodes& nodes, Attempt& attempt);
 
-/// The optimisation loop (Sect. 8), from the Delaunay mesh of the fixed nodes that stayed in place,
-/// and nodes in missing segments of model edges. Throws PatchTooSmall.
+/// Runs the optimisation loop (Sect. 8), which starts from the Delaunay mesh of the fixed nodes,
+/// then inserts nodes in missing segments of model edges. Throws PatchTooSmall.
 OptimiseResult optimise(const MeshingTask& task, PatchNodes& nodes, const SampledBoundary& boundary,
                         Attempt& attempt);
 
@@ -64,11 +64,12 @@ OptimiseResult optimise(const MeshingTask& task, PatchNodes& nodes, const Sample
 Candidate extract_verified(const MeshingTask& task, PatchNodes nodes, OptimiseResult loop,
                            const SampledBoundary& boundary, Attempt& attempt);
 
-/// Whether the attempt's mesh is taken, else why not: it is not valid, or, where a larger patch
-/// will be tried, could not be cleaned up at the interface.
+/// Decides whether the attempt's mesh is taken. Where not, it sets the attempt's reason: the mesh
+/// is not valid, or, where a larger patch will be tried, could not be cleaned up at the interface.
 void judge(const Strategy& how, const Problem& problem, Attempt& attempt);
 
-/// More nodes beside `nodes` than this no boundary of the edge length asked for needs.
+/// The most nodes that may be inserted beside `nodes`: a boundary that would need more has details
+/// far finer than the edge length.
 double few_more_nodes(double nodes);
 
 }  // namespace remeshd

@@ -16,7 +16,8 @@
 namespace remeshd {
 namespace {
 
-/// Whether edge lengths are one, or everywhere nearly what the parent's nodes were made for.
+/// Whether both meshes are even, or the edge lengths wanted are everywhere nearly those that the
+/// parent's nodes were made for.
 bool is_sized_alike(const Problem& problem) {
   const bool even = problem.modified.options.sizing.even && problem.parent.options.sizing.even;
   return even || !problem.is_resized();
@@ -30,7 +31,7 @@ bool may_keep_tets(const Problem& problem, const Attempt*) {
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {
-  // Sizes last, which are not known before they are asked for.
+  // Edge lengths last: to compare them the plan is made.
   return same_geometry(problem.parent.meshed_model, problem.modified.model) &&
          problem.changed_rims().empty() && may_keep_tets(problem, failed);
 }
@@ -51,8 +52,8 @@ bool is_first_mesh(const Problem& problem, const Attempt*) {
   return problem.parent.model.features.empty();
 }
 
-/// A boundary with details far finer than the edge length is lost by any nodes; a first mesh is
-/// left to TetGen then.
+/// Whether placing nodes may help. Where details are far finer than the edge length it cannot make
+/// the boundary complete; a first mesh goes on to TetGen then.
 bool may_place_nodes(const Problem& problem, const Attempt* failed) {
   return failed == nullptr || !failed->too_fine || !is_first_mesh(problem, failed);
 }
@@ -76,7 +77,8 @@ bool needs_larger_patch(const Problem& problem, const Attempt* failed) {
          (problem.modified.options.sizing.even || !has_places(problem, failed));
 }
 
-/// New places for all nodes would lose the boundary again that the parent has by its many nodes.
+/// Whether all copied nodes may be freed. Where the parent has many more nodes than its edge length
+/// asks for, its boundary needs them as they are, and would be lost.
 bool may_free_nodes(const Problem& problem, const Attempt* failed) {
   const Revision& parent = problem.parent;
   if (!may_place_nodes(problem, failed) || !problem.copies()) return false;
@@ -88,8 +90,8 @@ bool always(const Problem&, const Attempt*) { return true; }
 
 Attempt keep_mesh(const Strategy& how, const Problem&, const Attempt*) { return Attempt(how.name); }
 
-/// The parent's tets over the nodes where `result` has them; `given_up`: how the warning begins
-/// that tells why it has none.
+/// The attempt with the moved mesh of `result`, or with the reason why there is none. `given_up`:
+/// the warning for that case; the reason is added to its message.
 Attempt morphed(const Strategy& how, const Problem& problem,
                 std::variant<MorphedMesh, NotMorphed> result, Warning given_up) {
   Attempt attempt(how.name);
@@ -136,8 +138,8 @@ Attempt by_tetgen(const Strategy& how, const Problem& problem, const Attempt* fa
 
 constexpr std::uint64_t kOtherSeed = 0x5EED;
 
-// Of 136 attempts of the campaign 9 had to go on from a reach of 4 to the next and 22 from 3.5;
-// from 5 it is 3, but patches of the cases are a tenth to a half larger.
+// Of 136 attempts of the campaign 9 needed a larger patch than that of reach 4, 22 than of 3.5 and
+// 3 than of 5; but with 5 the patches of the cases are a tenth to a half larger.
 constexpr std::array kStrategies{
     Strategy{MeshStrategy::Unchanged, "unchanged", is_same_model, keep_mesh, Reuse::Mesh},
     Strategy{MeshStrategy::Morphed, "held", may_hold, hold, Reuse::Mesh},
@@ -164,7 +166,7 @@ constexpr std::array kStrategies{
 constexpr Strategy kRenewed{MeshStrategy::Renewed, "renewed",      always,
                             remesh_nodes,          Reuse::Nothing, HUGE_VAL};
 
-/// The attempt, timed, its phases in those of the report.
+/// Makes an attempt by the strategy and times it.
 Attempt timed(const Strategy& how, const Problem& problem, const Attempt* failed) {
   const Stopwatch watch;
   Attempt attempt = how.make(how, problem, failed);
@@ -173,7 +175,7 @@ Attempt timed(const Strategy& how, const Problem& problem, const Attempt* failed
   return attempt;
 }
 
-/// The same; an Error tells what was tried before.
+/// Makes and times an attempt; an Error that it throws also lists what was tried before.
 Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* failed,
                   const Report& report) {
   try {
@@ -186,7 +188,8 @@ Attempt attempted(const Strategy& how, const Problem& problem, const Attempt* fa
   }
 }
 
-/// One that was given up before there was a mesh has its reason.
+/// The fault of an attempt's mesh; where none was described, as before there was a mesh, the reason
+/// why the attempt was given up.
 Warning fault_of(const Attempt& failed) {
   return failed.fault.value_or(Warning{.code = WarningCode::Fallback, .message = failed.reason});
 }
@@ -198,8 +201,8 @@ Warning made_instead(const Attempt& failed, const char* instead) {
   return warning;
 }
 
-/// That no mesh is to be had, whatever else were tried: the fault of one of two attempts, the one
-/// with more features at its place.
+/// The error after two hopeless attempts: no mesh is to be had. It has the fault of the one with
+/// more features at its place.
 Error refusal(const Attempt& one, const Attempt& other, const Report& report) {
   Warning fault = fault_of(one);
   if (Warning second = fault_of(other); second.features.size() > fault.features.size())
@@ -250,7 +253,7 @@ std::optional<Attempt> first_taken(const Problem& problem, Report& report,
       report.taken = {attempt.name, "", attempt.seconds.total - on_tries};
       return attempt;
     }
-    if (attempt.reason.empty()) continue;  // the problem is none for it
+    if (attempt.reason.empty()) continue;  // the strategy does not suit the problem
     report.attempts.push_back({attempt.name, attempt.reason, attempt.seconds.total - on_tries});
     if (attempt.hopeless && failed && failed->hopeless) throw refusal(attempt, *failed, report);
     if (how.reuse == Reuse::Mesh)

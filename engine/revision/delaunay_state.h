@@ -26,7 +26,7 @@ struct DelaunayState {
   /// By slot of `mesh`: the output tet that is the same, kOutside where the tet is not in the
   /// model, -2 - c where it is in cavity c.
   CowVector<std::int32_t> tet_of_slot;
-  /// Of slots and output tets; those without any are free to be used again.
+  /// Each by slots of `mesh` and output tets; an empty one is a free number, to be used again.
   CowVector<Cavity> cavities;
   std::uint64_t next_node_id = 1;  ///< permanent ids below are taken along the chain of ancestors
   std::uint64_t next_tet_id = 1;

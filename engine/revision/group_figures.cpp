@@ -11,8 +11,8 @@
 namespace remeshd {
 namespace {
 
-/// Exact areas of groups, from the faces of the merged boundary. A face that has one name is the
-/// group of that name; of a plane that several share, the report tells who has how much.
+/// Exact areas of groups of facets. The area of a boundary face with one name belongs to the group
+/// of that name; how planes with several names are shared out is in `Report::groups`.
 class ExactAreas {
  public:
   explicit ExactAreas(const Revision& revision) {
@@ -29,7 +29,7 @@ class ExactAreas {
     for (const GroupArea& group : revision.report.groups) known_[group.group] += group.exact_area;
   }
 
-  /// Nothing where the group may have a part of a face that is no plane and has other names too.
+  /// Nothing where the group may have a part of a curved face with several names.
   [[nodiscard]] std::optional<double> of(const std::vector<std::string>& group) const {
     if (const auto found = shared_.find(group.front()); found != shared_.end())
       for (const std::vector<std::string>& names : found->second)
@@ -44,7 +44,7 @@ class ExactAreas {
 
  private:
   std::unordered_map<std::string, double> known_;  ///< by group
-  /// Names of each such face, by each of them.
+  /// By name: the name lists of the curved faces that have it and other names.
   std::unordered_map<std::string, std::vector<std::vector<std::string>>> shared_;
 };
 
@@ -80,7 +80,7 @@ class FacetCounter {
   }
 
  private:
-  /// Of the facets counted last.
+  /// Number of parts without a common node that the facets counted last fall into.
   [[nodiscard]] std::uint32_t parts(std::span<const std::int32_t> facets,
                                     std::uint32_t nodes) const {
     UnionFind joined(nodes);

@@ -9,8 +9,9 @@
 namespace remeshd {
 namespace {
 
-/// What a group asks of an item, of all of whose kind some names are the same: nothing where it is
-/// selected by name, else that one of the conditions holds.
+/// What a group asks of facets on the same faces, or of tets with the same owners, to have them:
+/// `always`, that their names are enough, else that one of the conditions holds; nothing() where
+/// the group does not name them.
 struct Asked {
   bool always = false;
   std::vector<ConditionTest*> conditions;
@@ -34,7 +35,7 @@ class Terms {
     }
   }
 
-  /// Of facets on some model faces.
+  /// Of facets that lie on these model faces.
   [[nodiscard]] Asked of_faces(const std::vector<std::string>& faces) {
     return asked([&](const Term& term) {
       return std::ranges::any_of(faces, [&](const std::string& face) {
@@ -42,7 +43,7 @@ class Terms {
       });
     });
   }
-  /// Of tets of a cell.
+  /// Of the tets of a cell with these owners.
   [[nodiscard]] Asked of_owners(const std::vector<std::string>& owners) {
     return asked([&](const Term& term) {
       return term.whole && std::ranges::find(owners, term.feature) != owners.end();
@@ -70,7 +71,7 @@ class Terms {
     return asked;
   }
 
-  std::deque<Term> terms_;  ///< tests stay where they are
+  std::deque<Term> terms_;  ///< a deque, since Asked keeps pointers to tests
 };
 
 }  // namespace

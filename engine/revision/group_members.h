@@ -7,9 +7,9 @@
 
 namespace remeshd {
 
-/// What each group of a model has of its mesh: the facets on a face that it names, and the tets of
-/// the features that it names as a whole; of those under a condition the ones at whose centroids it
-/// holds, a facet's with its own normal, a tet's with none. In the order of the model's groups.
+/// What each group of a model has of its mesh: the facets on faces that it names, and the tets of
+/// features that it names as a whole; where it sets a condition, only those at whose centroid that
+/// holds, for a facet with its normal, for a tet without one. In the order of the model's groups.
 std::vector<GroupMembers> group_members(const OutputMesh& output, const FeatureModel& model);
 
 }  // namespace remeshd

@@ -8,10 +8,10 @@
 
 namespace remeshd {
 
-/// What decides a mesh beside the model. Part of a revision's name.
+/// What decides a mesh beside the model. Part of what a revision's id is made of.
 struct MeshOptions {
-  /// Exactly one of the two targets is set in a resolved option; both empty in an edit means: the
-  /// base's density.
+  /// Resolved options have exactly one of the two targets; an edit with none has the base's
+  /// density.
   std::optional<std::uint32_t> nodes;  ///< target count of nodes, from 20 to `Run::max_nodes`
   std::optional<double> size;          ///< target edge length, model's unit, > 0
   std::uint32_t iterations =
@@ -36,10 +36,10 @@ struct MeshOptions {
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
   double threshold = goals::kThreshold;
   std::uint32_t order = 1;  ///< of the tets: 1, or 2, with mid-nodes on the model's boundary
-  /// x edge length: surfaces may move by this from where they were when the connectivity was made,
-  /// before an edit makes another one; 0: by a hundredth.
+  /// x edge length: as long as no surface is further than this from where it was when the
+  /// connectivity was made, edits keep the connectivity; 0: a hundredth.
   double hold = 0;
-  Sizing sizing;            ///< where the mesh is finer than its edge length
+  Sizing sizing;  ///< where the mesh is finer than its edge length
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };
 

@@ -32,7 +32,7 @@ struct MeshFacet {
   std::int32_t group;  ///< index into `MeshGroups::facet_groups`
 };
 
-/// A group of the model as sets of what the mesh has.
+/// A group of the model as sets of facets and tets of the mesh.
 struct GroupMembers {
   std::string name;
   std::vector<std::int32_t> facets;  ///< indices into `MeshGroups::facets`, ascending
@@ -58,7 +58,8 @@ struct MidNodes {
   CowVector<NodeOrigin> origin;
   CowVector<std::int32_t> original;   ///< in the original mesh; -1 where New
   CowVector<std::int32_t> transform;  ///< index into `NodeMap::transforms`; -1 where New
-  /// Those on straight edges where the model's boundary is curved, ascending.
+  /// Mid-nodes that were left in the middle of a straight edge where the model's boundary is
+  /// curved, ascending.
   std::vector<std::int32_t> straightened;
   std::uint64_t next_id = 1;  ///< permanent ids below are taken along the chain of ancestors
 };
@@ -69,8 +70,8 @@ struct OutputMesh {
   CowVector<std::uint64_t>
       node_ids;  ///< permanent: unique along a chain of ancestors, kept nodes keep theirs
   CowVector<std::uint64_t> tet_ids;
-  /// By node the edge length that it was made for; none in an even mesh. What an edit keeps has its
-  /// parent's, so that many small steps do not creep.
+  /// By node the edge length that it was made for; empty in an even mesh. Nodes that an edit keeps
+  /// keep theirs, so that the effect of many small steps does not go unseen.
   CowVector<double> node_sizes;
   MeshGroups groups;
   NodeMap map;

@@ -18,7 +18,7 @@ struct PhaseSeconds {
   double extract = 0;     ///< [t3, t8] peel, clean-up, groups, maps, verification
   double difference = 0;  ///< [t4] classes by membership, copy order
   double copy = 0;        ///< [t5] copying, new nodes, active faces, free and fixed
-  double verify = 0;      ///< of these, verification
+  double verify = 0;      ///< verification, as part of the others
   double total = 0;       ///< decoded request to checked mesh with all that the next edit needs
 };
 
@@ -32,7 +32,8 @@ struct Counts {
   std::uint32_t iterations = 0;
   std::uint32_t nodes_inserted = 0;  ///< to make the boundary complete
   std::uint32_t mid_nodes = 0;       ///< of tets of second order
-  /// Of those, where the boundary is curved, left in the middle lest a tet turns over.
+  /// Mid-nodes at a curved boundary that were left in the middle of a straight edge, for a tet
+  /// would have turned over.
   std::uint32_t straight_edges = 0;
 };
 
@@ -44,17 +45,19 @@ enum class MeshStrategy : std::uint8_t {
   Full,       ///< every node was optimised anew, copied ones included
   Fresh,      ///< a regular mesh from new nodes
   TetGen,     ///< TetGen's mesh of the conforming surface
-  Renewed,    ///< a regular mesh, the remesh was valid, its quality had drifted
+  Renewed,    ///< a regular mesh, in place of a valid remesh whose quality had drifted
 };
 
 /// An attempt as the report tells it: of a strategy at the mesh, or of a route to the boundary.
 struct TriedStrategy {
-  std::string strategy;  ///< with what tells it from others: `local, 4 edge lengths`
+  std::string strategy;  ///< in full, as `local, 4 edge lengths`
   std::string reason;    ///< why it was not taken; empty where it was
   double seconds = 0;
 };
 
-/// A group of coincident feature faces whose exact area the mesh cannot follow facet by facet.
+/// A group of facets on a plane model face with several names. A seam between coplanar feature
+/// faces is no model edge, so facets may cross it and cover the group's part of the face only
+/// roughly.
 struct GroupArea {
   std::string group;  ///< `plate.top`
   double exact_area = 0;
@@ -72,20 +75,20 @@ enum class GroupState : std::uint8_t {
   New,
 };
 
-/// A group of the model, or a group of facets, beside what it stands for and the parent's of that
-/// name.
+/// A group of the model, or a group of facets: its exact area, what the mesh has of it, and what
+/// became of it since the parent.
 struct GroupFigures {
   std::string group;  ///< a name of the model's, or the faces of a group of facets, joined by `+`
   bool of_model = false;  ///< a group of the model
   GroupState state = GroupState::Unspecified;
-  /// Of what it selects of the boundary, conditions by quadrature; nothing where the engine does
-  /// not know it.
+  /// Of what it selects of the boundary, under a condition by quadrature; empty where the engine
+  /// does not know it.
   std::optional<double> exact_area;
   double mesh_area = 0;
   Vec3 centroid;  ///< of the facets
   Vec3 normal;    ///< mean of the facets' outward ones, weighted by area; 1 long for a plane
   std::uint32_t nodes = 0, facets = 0, tets = 0;
-  std::uint32_t parts = 0;  ///< of the facets: those of different parts have no node in common
+  std::uint32_t parts = 0;  ///< that the facets fall into, without common nodes
 };
 
 /// What verification measured of a mesh that it found valid.
@@ -110,20 +113,20 @@ struct Report {
   double volume = 0, exact_volume = 0;
   Quality quality_before;  ///< of the peeled Delaunay mesh
   Quality quality;         ///< as delivered
-  /// Of the tets without a corner where the model itself has an angle below 25 degrees: a wedge of
-  /// material, or edges of one face that meet sharply or touch; and, of a sized mesh, that do not
-  /// lie across a wall thinner than the least size.
+  /// The same without the tets with a corner where the model itself has an angle below 25 degrees
+  /// (a wedge of material, or edges of one face that meet sharply or touch) and, in a sized mesh,
+  /// those across a wall thinner than the least size.
   Quality quality_away;
-  std::uint32_t sharp_tets = 0;  ///< the others
+  std::uint32_t sharp_tets = 0;  ///< tets that `quality_away` leaves out
   VerificationFigures verification;
   std::vector<GroupArea> groups;
   std::vector<GroupFigures> figures;  ///< of all groups: those of facets, then those of the model
   /// Share of the tets that a last resort (TetGen) made: 1 for its own mesh; of an edit, the base's
   /// share of those that it keeps.
   double last_resort_share = 0;
-  std::string geometry;  ///< how the boundary came about, as BoundaryParts tell it
+  std::string geometry;  ///< how the boundary was made: BoundaryParts::geometry
   double geometry_seconds = 0;
-  std::vector<TriedStrategy> geometry_attempts;  ///< what was tried for it before, in that order
+  std::vector<TriedStrategy> geometry_attempts;  ///< routes to it given up, in the order tried
   std::vector<Warning> warnings;
 };
 

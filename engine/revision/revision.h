@@ -19,7 +19,8 @@ namespace remeshd {
 /// The Delaunay mesh that a revision goes on from; only the engine reads it (delaunay_state.h).
 struct DelaunayState;
 
-/// What the connectivity of a mesh was made for, where its nodes have followed the surfaces since.
+/// The model and nodes that a mesh's connectivity was made for, where its nodes have followed moved
+/// surfaces since.
 struct Anchor {
   ModelSource source;
   FeatureModel model;
@@ -30,27 +31,28 @@ struct Anchor {
 /// What quality drift along a chain of edits is measured against: the chain's last regular mesh.
 struct QualityReference {
   double volume_length_mean = 0;
-  double nodes_over_expected = 1;  ///< its nodes over those that its edge length lets one expect
+  double nodes_over_expected = 1;  ///< ratio of its nodes to those expected of its edge length
 };
 
 /// One design revision as the engine sees it: immutable once made.
 struct Revision {
-  /// What a first mesh is an edit of: no features, no nodes, no tets, edges of whatever length.
+  /// The parent of every first mesh: no features, nodes or tets, and an infinite edge length.
   static const Revision& none();
 
   ModelSource source;  ///< as asked for
-  /// That of the cells: `source` evaluated, but where motions of features from `meshed_source` are
-  /// so tiny that the mesh leaves them out (`without_tiny_motions`).
+  /// The model of `cells`: `source` evaluated, but without motions of features from `meshed_source`
+  /// that are so tiny that the mesh leaves them out (`without_tiny_motions`).
   FeatureModel model;
-  /// What the mesh was made for: the same but for rounding and spelling, so that steps too small to
-  /// count cannot add up unseen.
+  /// What the mesh was made for; of an unchanged mesh its base's. It differs from `source` and
+  /// `model` by spelling and by motions too small to count, which therefore cannot add up unseen.
   ModelSource meshed_source;
   FeatureModel meshed_model;
   MeshOptions options;             ///< as resolved; an edit inherits these
   double edge_length = 0;          ///< target edge length l; an edit inherits it as its density
   double rules_weakening = 1;      ///< of the rules of its size field; an edit inherits it
-  std::optional<SizeField> sizes;  ///< where it is known: it follows from the rest
-  /// Filled by edits with a density of their own, which holds there ever after.
+  std::optional<SizeField> sizes;  ///< empty where it is still to be computed from the rest
+  /// Where an edit asked for a smaller edge length than its base's, the places that it made new:
+  /// that length holds there for later edits, too.
   std::vector<SizedBall> dense_places;
   CellularModel cells;
   std::shared_ptr<const DelaunayState> delaunay_state;  ///< made for `delaunay_model()`

@@ -15,9 +15,9 @@ struct CurvedEdge {
   Vec3 place;
 };
 
-/// Mesh edges on curved faces and edges of the model, and the points of these between their corner
-/// nodes: on a model edge's curve, the point nearest to the middle; else on the face of both
-/// facets. Ascending by mid-node.
+/// Finds the mesh edges on curved faces and edges of the model, with the places of their mid-nodes:
+/// the point nearest to the middle of the corner nodes, on the model edge's curve, else on the face
+/// that both facets are on. Ascending by mid-node.
 ///
 /// `revision`: with its output mesh and the boundary that it is a mesh of.
 std::vector<CurvedEdge> curved_edges(const Revision& revision, const MidNumbers& numbers,

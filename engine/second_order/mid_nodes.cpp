@@ -15,8 +15,8 @@ namespace remeshd {
 namespace {
 
 struct MidLimits {
-  double same_place = 1e-6;     ///< x length of an edge: a mid-node that near is where it was
-  double bend = 0.5;            ///< x length of an edge: none bends more
+  double same_place = 1e-6;     ///< x length of an edge: a mid-node so near to where it was is kept
+  double bend = 0.5;            ///< x length of an edge: one that would bend more is straightened
   double least_jacobian = 0.1;  ///< x that of the straight tet
 };
 constexpr MidLimits kLimits;
@@ -141,7 +141,7 @@ class Mids {
       transforms_[mid] = output_.map.node_transform[numbers_.edges[mid][0]];
       const bool stays_straight =
           bends_[mid] == Bend::Curved && std::ranges::binary_search(was.straightened, o);
-      // Lest it jumps from step to step.
+      // Lest the mid-node jumps from edit to edit.
       if (stays_straight && same_tets_) straighten(static_cast<std::int32_t>(mid));
       const std::int32_t transform = common_transform(mid);
       if (transform < 0) continue;
@@ -155,8 +155,8 @@ class Mids {
     }
   }
 
-  /// Of a tet's mid-nodes the one that is furthest from the middle of its edge, of those that are
-  /// not kept where there is one; -1 where all edges are straight.
+  /// The mid-node of a tet that is furthest from the middle of its edge, x the edge's length; a
+  /// kept one only where no other is curved. -1 where no edge is curved.
   [[nodiscard]] std::int32_t most_bent(const std::array<std::int32_t, 6>& of_tet) const {
     std::int32_t most = -1;
     std::pair<bool, double> furthest{false, 0};
@@ -184,7 +184,7 @@ class Mids {
   std::vector<NodeOrigin> origins_;
   std::vector<std::int32_t> transforms_;
   std::vector<Bend> bends_;
-  bool same_tets_;  ///< as the original's, over nodes that followed their surfaces
+  bool same_tets_;  ///< whether the tets are the original's, over nodes that followed the surfaces
 };
 
 }  // namespace

@@ -57,12 +57,13 @@ class OriginalMids {
   std::vector<Known> known_;
 };
 
-/// The original's mid-nodes of a tet whose corners are the original's; none where it has no such.
+/// The original's mid-nodes of a tet that the original has too, with the same nodes in the same
+/// order; nothing of others.
 std::optional<TetMids> kept_mids(const OutputMesh& output, const OutputMesh& original,
                                  std::size_t t, const Tet& tet) {
   if (original.mids.of_tets.empty()) return std::nullopt;
   std::int32_t was = output.map.original_tet[t];
-  // One with a node that moved is none of the original's, but may have its place.
+  // A tet with a node that moved is not mapped to the original's, but may have its number.
   if (was < 0) was = static_cast<std::int32_t>(t);
   if (static_cast<std::size_t>(was) >= original.mids.of_tets.size()) return std::nullopt;
   const Tet& corners = original.mesh.tets[was];
@@ -71,8 +72,8 @@ std::optional<TetMids> kept_mids(const OutputMesh& output, const OutputMesh& ori
   return original.mids.of_tets[was];
 }
 
-/// Gives out numbers: the original's where they are below the number of edges, what is left to the
-/// others.
+/// Gives out numbers: mid-nodes of the original keep theirs where it is below the number of edges,
+/// the others get what is left.
 class Numbering {
  public:
   /// `kept`: mid-nodes of the original, ascending; `others`: how many there are beside them.
@@ -88,7 +89,7 @@ class Numbering {
   }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::int32_t of_original(std::int32_t mid) const { return number_[mid]; }
-  /// The lowest that is not taken, which it is then.
+  /// Takes the lowest free number.
   std::int32_t next() {
     while (taken_[free_] != 0) ++free_;
     taken_[free_] = 1;

@@ -9,16 +9,17 @@
 
 namespace remeshd {
 
-/// The edges of a mesh, numbered: an edge of the original whose corner nodes are both still there
-/// has the original's mid-node, under its number where there are as many.
+/// The numbers of the edges of a mesh, each with its mid-node.
 struct MidNumbers {
-  std::vector<std::array<std::int32_t, 2>> edges;    ///< corner nodes, the lower first
-  std::vector<std::array<std::int32_t, 6>> of_tets;  ///< in the order of kTetEdges
-  std::vector<std::int32_t> original;                ///< -1 where new
+  std::vector<std::array<std::int32_t, 2>> edges;    ///< by mid-node: corner nodes, the lower first
+  std::vector<std::array<std::int32_t, 6>> of_tets;  ///< by tet, in the order of kTetEdges
+  std::vector<std::int32_t> original;  ///< by mid-node: that of the original; -1 where new
 };
 
-/// `output`: with its node map from `original`, which may be a mesh without mid-nodes. Depends on
-/// the arguments alone.
+/// Numbers the edges of `output`. An edge of the original whose corner nodes are both still there
+/// keeps its mid-node, and its number unless that exceeds the number of edges now. `output`: with
+/// its node map from `original`, which may be a mesh without mid-nodes. Depends on the arguments
+/// alone.
 MidNumbers number_mids(const OutputMesh& output, const OutputMesh& original, const Run& run);
 
 }  // namespace remeshd

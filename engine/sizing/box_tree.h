@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// What hierarchies of boxes are made with.
+/// Parts of bounding volume hierarchies.
 
 /// Square of the distance of p to a box.
 inline double distance2(const Box& box, const Vec3& p) {
@@ -19,8 +19,8 @@ inline double distance2(const Box& box, const Vec3& p) {
 
 inline Vec3 middle_of(const Box& box) { return 0.5 * (box.lo + box.hi); }
 
-/// Puts those of some things first that lie lower along the longest side of the box round their
-/// middles: half of them. Returns how many these are.
+/// Moves the half of the things to the front whose middles are lower along the longest side of the
+/// box round all middles. Returns how many these are.
 template <class Thing, class Middle>
 std::size_t halve(std::span<Thing> things, const Middle& middle) {
   Box middles;

@@ -12,10 +12,11 @@ namespace remeshd {
 namespace {
 
 struct StripLimits {
-  double steepest = 0.3;  ///< sine of the angle between a strip's edges
+  double steepest = 0.3;  ///< sine of the angle between a strip's edges, at most
   double level = 0.1;     ///< the same where it is widest
-  double aside = 0.5;  ///< cosine between an edge and the way to the other: less, or that goes on
-  double share = 0.5;  ///< of the greatest width: the ends of a strip are narrower
+  double aside = 0.5;  ///< cosine between an edge and the shortest way to the other, at most: else
+                       ///< the other goes on from the edge and is not beside it
+  double share = 0.5;  ///< of the greatest width: where a strip is narrower it is left out
 };
 constexpr StripLimits kStripLimits;
 
@@ -39,7 +40,7 @@ struct Side {
 /// Looks for the strips of a face along one edge.
 class StripSearch {
  public:
-  /// `others`: the edges that it may run along.
+  /// `others`: the edges of the face that may run along that one.
   StripSearch(int face, const Side& side, std::vector<Side> others, const NarrowFaceLimits& limits,
               std::vector<NarrowPlace>& places)
       : face_(face), side_(side), others_(std::move(others)), limits_(limits), places_(places) {}
@@ -73,7 +74,7 @@ class StripSearch {
     return found;
   }
 
-  /// Takes a segment of the edge into the strip, in pieces, or ends it.
+  /// Adds a segment of the edge to the strip, in pieces, or ends the strip.
   void visit(const Segment& s, Polling& poll) {
     poll();
     const double length = distance(s.a, s.b);
@@ -119,7 +120,7 @@ class StripSearch {
   std::vector<Piece> strip_;
 };
 
-/// The face beyond an edge of one; the face itself where there is none.
+/// The face on the other side of an edge of a face; that face itself where it lies on both sides.
 int beyond(const BoundaryEdge& edge, int face) {
   return edge.faces.front() == face ? edge.faces.back() : edge.faces.front();
 }

@@ -17,16 +17,17 @@ struct NarrowPlace {
 
 struct NarrowFaceLimits {
   double most;   ///< length: where faces are wider there is no place
-  double least;  ///< length > 0: pieces are hardly shorter than half of this
+  double least;  ///< length > 0: pieces are not made shorter than half of this
   double film;   ///< length: where faces are narrower there is no place
 };
 
 /// Where faces are as narrow as a step between two faces that look the same way and meet elsewhere:
-/// crescents where walls all but coincide, say. Pieces are at most as long as the face is wide.
+/// crescents where walls all but coincide, say. Pieces are no longer than the face is wide there,
+/// or than `least` if that is more.
 ///
-/// Of the narrow sides of walls and gaps, and between faces that do not meet, `thin_places` tells.
+/// The narrow sides of walls and gaps, between faces that do not meet, are found by `thin_places`.
 /// Left out are the ends of a strip, which narrow to nothing, and what widens like a wedge or a
-/// cusp: edges as short as they are narrow would only be many.
+/// cusp: edges as short as these are narrow would only be many.
 std::vector<NarrowPlace> narrow_faces(const BoundaryModel& boundary, const NarrowFaceLimits& limits,
                                       const Run& run);
 

@@ -16,12 +16,12 @@ namespace {
 using Selected = std::vector<SizedFaces>;
 
 struct SelectionLimits {
-  double part_length = 0.5;       ///< of the length asked for: how finely a part of a face is told
-  double material_balls = 50000;  ///< in the boxes of the features named, at most
+  double part_length = 0.5;       ///< of the length asked for: triangles at the border of a part
+  double material_balls = 50000;  ///< in the boxes of all features named, about
 };
 constexpr SelectionLimits kSelectionLimits;
 
-/// Of the faces selected those that a face of the boundary is covered by.
+/// The selected feature faces that cover some part of a face of the boundary.
 std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selected& selected) {
   std::vector<const SizedFaces*> found;
   for (const FaceName& name : face.names) {
@@ -36,7 +36,7 @@ std::vector<const SizedFaces*> selected_on(const BoundaryFace& face, const Selec
 
 bool is_conditional(const SizedFaces& sized) { return !sized.on.condition.text.empty(); }
 
-/// What is selected of a face of the boundary by a condition, as fine as the length asked for.
+/// The part of a face of the boundary where the condition holds, as fine as the length asked for.
 std::vector<std::array<Vec3, 3>> part_of(const BoundaryFace& face, const SizedFaces& sized,
                                          const Run& run) {
   return part_where(face, sized.on.condition, kSelectionLimits.part_length * sized.size, run);
@@ -52,8 +52,9 @@ class MaterialCover {
         features_ += std::ranges::count_if(*selected, [&](const auto& s) { return has_any(s); });
   }
 
-  /// As many balls as a cubic lattice has points in the material where the condition holds, of
-  /// features that are large for their number and the length not all.
+  /// Balls round the points of a cubic lattice in the feature's material where the condition holds.
+  /// The lattice constant is the length asked for, or more where that would be too many points.
+  /// None where the selector does not name the material.
   [[nodiscard]] std::vector<SizedBall> of(const SizedFaces& sized) const {
     if (!has_any(sized)) return {};
     const Box& box = membership_.solids()[sized.on.feature].bounds();
@@ -87,10 +88,10 @@ class MaterialCover {
   const FeatureModel& model_;
   const Run& run_;
   Membership membership_;
-  std::ptrdiff_t features_ = 0;  ///< with material that is named
+  std::ptrdiff_t features_ = 0;  ///< whose material is named
 };
 
-/// What of the box lies below the plane of its top is all of it.
+/// The plane of its top, filled below: that is all of the box.
 SizeSource source_of(const SizedBox& box) {
   return {.piece = Surface{Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
           .box = {box.lo, box.hi},

@@ -10,14 +10,14 @@
 
 namespace remeshd {
 
-/// What the size controls of a model ask for: a source for each face of its boundary and each part
-/// of space that they name, of a face named with a condition one for each triangle of what it holds
-/// on, of a feature's material one for each of the balls that cover it. Of several on one whole
-/// face only the least length is asked for.
+/// What the size controls of a model ask for. They give a source for each face of the boundary that
+/// is named as a whole, with the least length where several controls name it; for each triangle of
+/// the part of a face where a condition holds; for each ball or box; and for each of the balls that
+/// cover the material of a feature.
 std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryModel& boundary,
                                      const Run& run);
 
-/// The same of parts of space that nobody named.
+/// The source of a single ball, as a size control would give it.
 SizeSource size_source(const SizedBall& ball);
 
 /// Ids of the controls whose selectors name nothing of the boundary and no material, in their

@@ -17,13 +17,13 @@ namespace remeshd {
 namespace {
 
 struct TreeLimits {
-  std::size_t leaf = 4;  ///< sources that are asked one by one
-  double cells = 48;     ///< along the diagonal of the bounds
+  std::size_t leaf = 4;  ///< a tree node with at most so many sources has no children
+  double cells = 48;     ///< of the grid, along the diagonal of the bounds
 };
 constexpr TreeLimits kTreeLimits;
 
 struct Refinement {
-  double slope = 0.3;  ///< of what was even
+  double slope = 0.3;  ///< of a refined field that was even
 };
 constexpr Refinement kRefinement;
 
@@ -82,8 +82,8 @@ double SizeSource::at(const Vec3& p, const SizeLimits& limits, double enough) co
          limits.slope * std::max(filled ? beside : std::fabs(beside), to_box);
 }
 
-/// A hierarchy of boxes round the sources, searched for the least of them, and a grid that tells
-/// where to begin.
+/// A bounding volume hierarchy of the sources, searched for the one that asks for the least, and a
+/// grid that tells for each of its cells which source to try first.
 class SizeField::Tree {
  public:
   Tree(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
@@ -104,17 +104,18 @@ class SizeField::Tree {
     }
   }
 
-  /// How steep the field may be, on cones and beside them.
+  /// Bound of the field's gradient: twice the slope where there are cones, along which the length
+  /// varies while it also grows away from them.
   [[nodiscard]] double steepest() const { return steepest_; }
   [[nodiscard]] const std::vector<SizeSource>& sources() const { return sources_; }
-  /// That no rule goes below.
+  /// No rule goes below this.
   [[nodiscard]] double least() const { return limits_.least; }
   /// Memory of a tree of so many sources.
   [[nodiscard]] static std::size_t bytes(std::size_t sources, const Box& bounds) {
     return sources * sizeof(SizeSource) + most_nodes(sources) * sizeof(Node) +
            BoxGrid(bounds).cells() * sizeof(std::int32_t);
   }
-  /// The least that sources ask for, where that is below `enough`, else that.
+  /// The least that sources ask for at p, or `enough` where that is less.
   [[nodiscard]] double operator()(const Vec3& p, double enough = HUGE_VAL) const {
     const Beginning beginning = begin(p, enough);
     if (beginning.none_matters) return enough;
@@ -122,7 +123,7 @@ class SizeField::Tree {
     search(p, least);
     return least.size;
   }
-  /// Whether a source asks for less than a length.
+  /// Whether a source asks for less than `length` at p.
   [[nodiscard]] bool any_below(const Vec3& p, double length) const {
     const Beginning beginning = begin(p, length);
     if (beginning.none_matters || beginning.size < length) return !beginning.none_matters;
@@ -130,26 +131,26 @@ class SizeField::Tree {
     search(p, least);
     return least.source >= 0;
   }
-  /// What one source asks for that is near the point, or `enough` where that is less.
+  /// What one source near p asks for, or `enough` where that is less: no less than the least.
   [[nodiscard]] double of_one(const Vec3& p, double enough) const { return begin(p, enough).size; }
 
  private:
   struct Node {
     Box box;
-    double size;          ///< that all of its sources ask for at least
+    double size;          ///< lower bound of what its sources ask for
     std::int32_t begin;   ///< of its sources
     std::int32_t count;   ///< of them; 0: it has two children
-    std::int32_t second;  ///< the other child; the first comes next
+    std::int32_t second;  ///< the second child; the first is the next node
   };
   static std::size_t most_nodes(std::size_t sources) { return 2 * sources / kTreeLimits.leaf + 1; }
   struct Least {
     double size;
     std::int32_t source;
-    double sought = 0;  ///< the search ends at the first that is less than this
+    double sought = 0;  ///< the search ends once `size` is less than this
   };
   struct Beginning {
-    double size;        ///< what the source to begin at asks for, where less than enough
-    bool none_matters;  ///< no source asks for less than enough
+    double size;        ///< what the source to try first asks for; `enough` if that is less
+    bool none_matters;  ///< no source asks for less than `enough`
   };
   [[nodiscard]] Beginning begin(const Vec3& p, double enough) const {
     const std::optional<std::size_t> cell = grid_.cell_of(p);
@@ -159,13 +160,14 @@ class SizeField::Tree {
     return {std::min(enough, sources_[first].at(p, limits_, enough)), false};
   }
 
-  /// Whether a node, at a distance from the point that is looked at, may have less than `least`.
+  /// Whether a source of a node may ask for less than `least` at a point. `distance2`: square of
+  /// the point's distance from the node's box.
   [[nodiscard]] bool may_have_less(const Node& node, double distance2, const Least& least) const {
     const double reach = least.size - node.size;
     return reach > 0 && distance2 * limits_.slope * limits_.slope < reach * reach;
   }
 
-  /// Adds the node of sources, which it puts in order, and those below it.
+  /// Adds the node of these sources, which it reorders, and its descendants.
   void divide(std::span<SizeSource> sources) {
     const std::size_t at = nodes_.size();
     Node node{{}, HUGE_VAL, static_cast<std::int32_t>(sources.data() - sources_.data()), 0, 0};
@@ -185,7 +187,7 @@ class SizeField::Tree {
     divide(sources.subspan(half));
   }
 
-  /// Looks for less than `least` at a point.
+  /// Lowers `least` to the least that the sources at and below a node ask for at p.
   void search(const Vec3& p, Least& least, std::int32_t at = 0) const {
     const Node& node = nodes_[at];
     if (node.count > 0) {
@@ -212,10 +214,10 @@ class SizeField::Tree {
   double steepest_ = 0;
   std::vector<Node> nodes_;
   BoxGrid grid_;
-  std::vector<std::int32_t> begin_at_;  ///< by cell: the source to begin at; -1: none matters
+  std::vector<std::int32_t> begin_at_;  ///< by cell: the source to try first; -1: the base holds
 };
 
-/// A tree that is made when it is first asked: an edit that keeps all tets never asks.
+/// A tree that is built at its first use: an edit that keeps all tets never uses it.
 class SizeField::LazyTree {
  public:
   LazyTree(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
@@ -232,17 +234,17 @@ class SizeField::LazyTree {
     });
     return *tree_;
   }
-  /// Once it is made.
+  /// Memory of the tree once it is built.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
   SizeLimits limits_;
-  mutable std::vector<SizeSource> sources_;  ///< until it is made
+  mutable std::vector<SizeSource> sources_;  ///< until the tree is built
   Box bounds_;
   std::size_t bytes_;
   mutable std::once_flag made_;
   mutable std::optional<Tree> tree_;
-  mutable std::atomic<const Tree*> ready_ = nullptr;  ///< what asks most of the time
+  mutable std::atomic<const Tree*> ready_ = nullptr;  ///< the tree, once it is built
 };
 
 SizeField::SizeField(double base) : limits_{base, base, 0} {}
@@ -335,7 +337,7 @@ void SizeField::divide(const Box& box, const Box& whole, const Surface& surface,
                        std::vector<EvenPart>& parts) const {
   const Vec3 middle = middle_of(box);
   const double off = std::fabs(signed_distance(surface, middle)) - 0.5 * box.diagonal();
-  if (off > limits_.base) return;  // before the field is asked
+  if (off > limits_.base) return;  // cheaper than a query of the field
   const double asked = asked_for(middle);
   const Range range = around(asked, box);
   if (off > range.greatest) return;

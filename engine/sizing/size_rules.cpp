@@ -15,23 +15,25 @@ namespace {
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
 /// So many more edges are asked for on circles: they come out unevenly long.
 constexpr double kReserve = 1.2;
-/// x least size: walls and gaps thinner than that get no edges for it, which would do no good.
+/// x least size: thinner walls and gaps are films: no edges are asked for across them, which would
+/// do no good.
 constexpr double kFilm = 0.25;
-/// The same of model edges and narrow faces: beside a step finer tets are less flat.
+/// x least size: the same for model edges and narrow faces. Less, for beside a step finer edges do
+/// make tets less flat.
 constexpr double kLowStep = 0.1;
-constexpr double kOnFace = 0.82;    // nodes to a square of an edge length
-constexpr double kInVolume = 1.41;  // to a cube of it
+constexpr double kOnFace = 0.82;    // nodes per square of the edge length
+constexpr double kInVolume = 1.41;  // nodes per cube of the edge length
 
 constexpr double kRounding = 1e-9;  // of a number of edges
 
 struct CircleSteps {
-  double share = 0.5;    ///< of what is asked for, from one circle of a torus to the next
-  double widest = 0.35;  ///< rad
-  double most = 1e4;     ///< to a face
+  double share = 0.5;    ///< x the length asked for: step between circles of a torus
+  double widest = 0.35;  ///< rad: no step is wider
+  double most = 1e4;     ///< circles on a face, about
 };
 constexpr CircleSteps kCircles;
 
-/// A circle as the torus round it that has no tube.
+/// A circle as a torus with minor radius 0.
 Surface circle(const Vec3& centre, const Vec3& axis, double radius) {
   const Vec3 x = any_perpendicular(axis);
   return {Surface::Kind::Torus, Transform::frame(x, cross(axis, x), axis, centre), radius, 0};
@@ -57,8 +59,8 @@ Vec3 nearest_to_axis(const BoundaryFace& face) {
       face.points, {}, [&](const Vec3& p) { return distance(p, foot_on_axis(face.surface, p)); });
 }
 
-/// The circles round the axis of a torus along which it bends more than along its tube: inside of a
-/// ring, round a barrel.
+/// The circles round the axis of a torus along which it bends more than round its tube: on the
+/// inner side of a ring, round a barrel.
 class TightCircles {
  public:
   explicit TightCircles(const Surface& torus)
@@ -67,7 +69,8 @@ class TightCircles {
         axis_(axis_of(torus)),
         side_(torus.r1 > 0 ? -1.0 : 1.0) {}
 
-  /// From where it bends most, the angle at which a point is, rad.
+  /// The angle round the tube at which a point is, rad; 0 on the inner equator, of a lemon (r1 < 0)
+  /// on its only one.
   [[nodiscard]] double angle_of(const Vec3& p) const {
     const double z = dot(axis_, p - centre_);
     return std::atan2(z, side_ * (norm(p - centre_ - z * axis_) - torus_.r1));
@@ -96,7 +99,7 @@ class TightCircles {
 
   const Surface& torus_;
   Vec3 centre_, axis_;
-  double side_;  ///< -1: nearer to the axis than the tube's middle
+  double side_;  ///< -1: angle 0 is on the side of the tube's centre that faces the axis
 };
 
 }  // namespace
@@ -118,7 +121,7 @@ std::vector<SizeRules::Detail> SizeRules::round_details_of(const BoundaryModel& 
       case Kind::Plane:
         break;
       case Kind::Cone:
-        // Where circles grow faster than edges may, the smallest is what counts.
+        // Where circles grow faster than the slope allows, only the smallest counts.
         if (per_radius * std::fabs(surface.r2) > slope) {
           const Vec3 p = nearest_to_axis(face);
           const double size = per_radius * radius_of_curvature(surface, p);
@@ -162,7 +165,7 @@ void SizeRules::add_circles_of(const BoundaryFace& face, int index, double per_r
   for (double angle = lowest; angle <= highest;) {
     const double size = per_radius * circles.radius_of_curvature(angle);
     const Box box = intersection(circles.box(angle), of_face);
-    // Between the tips of an apple there is nothing.
+    // An apple, the outer part of a spindle torus, has nothing between its tips.
     if (circles.radius(angle) > 0 && is_tight(angle) && !box.empty())
       details.push_back({index, {circles.at(angle), box, size}, tapers});
     const double step = kCircles.share * std::fmax(size, least) / torus.r2;
@@ -175,7 +178,7 @@ std::vector<SizeRules::Detail> SizeRules::short_edges_of(const BoundaryModel& bo
   std::vector<Detail> edges;
   for (const BoundaryEdge& edge : boundary.edges) {
     if (edge.closed() || edge.length < step || edge.length >= most) continue;
-    // Its middle as well, for it may be an arc.
+    // The middle of the edge as well, for it may be an arc.
     const std::array<Vec3, 3> piece{edge.points.front(), edge.points[edge.points.size() / 2],
                                     edge.points.back()};
     edges.push_back({edge.faces.front(), {piece, box_of(piece), edge.length}});

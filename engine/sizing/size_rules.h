@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// What no rule goes below in a field of this base size.
+/// The length below which no rule goes in a field of this base size.
 double least_size(const Sizing& sizing, double base);
 
 /// A piece of a side of a wall or gap.
@@ -18,48 +18,50 @@ struct ThinSide {
   Vec3 middle;
   double area, thickness;
 
-  /// Nodes that it needs beyond those of a start, where edges are `length` long: both sides of a
-  /// wall take nodes where a start has a layer of them between.
+  /// Nodes that a mesh with edges of `length` has on it beyond those that the initial filling puts
+  /// into the half of the wall next to it: that may be one layer where both sides take nodes.
   [[nodiscard]] double nodes(double length) const;
 };
 
-/// Base sizes of the fields to be made.
+/// Base sizes of the fields that the rules are to make.
 struct BaseSizes {
   BaseSizes(double only)  // NOLINT(google-explicit-constructor): a length is a range of one
       : greatest(only), expected(only) {}
   BaseSizes(double no_greater_than, double about) : greatest(no_greater_than), expected(about) {}
   double greatest;
-  double expected;  ///< walls and gaps are told apart down to the least size of a field of this one
+  double expected;  ///< details are resolved down to the least size that belongs to this
 };
 
-/// What a model's boundary asks for by the rules: round faces and circular edges of radius r for
-/// edges of 2 pi r / `edges_per_circle`, walls, gaps and narrow faces for `layers` of them across,
-/// model edges that are shorter than the base size for edges no longer than they are, where there
-/// are layers.
-/// Beside them what the model's size controls ask for.
+/// What a model's boundary asks for by the rules, and beside it what the model's size controls do.
+///
+/// Round faces and circular edges of radius r ask for edges of 2 pi r / `edges_per_circle` and a
+/// sixth less, for these come out uneven; walls, gaps and narrow faces for `layers` edges across;
+/// model edges shorter than the base size for edges no longer than they are, unless `layers` is 0.
 class SizeRules {
  public:
   /// `asked`: by controls (`size_sources`). Throws Cancelled.
   SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const BaseSizes& bases,
             const Run& run, std::vector<SizeSource> asked = {});
 
-  /// The size field with that base size.
+  /// The size field with this base size.
   /// @param weakening  >= 1: the rules ask for edges so many times longer, the controls do not
   [[nodiscard]] SizeField field(double base, double weakening) const;
-  /// The sides of all walls and gaps.
+  /// The sides of all walls and gaps, films included.
   [[nodiscard]] std::vector<ThinSide> sides() const;
-  /// By model edge: mesh edges along a circle, or as many of an arc as there are whole ones; else
-  /// 0.
+  /// The least number of links by model edge: on a circle `edges_per_circle`, less by the weakening
+  /// or where the least size holds; on an arc its share of that, rounded down; on other edges 0.
   [[nodiscard]] std::vector<int> fewest_links(const BoundaryModel& boundary, double base,
                                               double weakening) const;
-  /// Faces where the least size of such a field is more than the rules ask for; ascending.
+  /// Faces where the rules ask for less than the least size, which such a field does not go below;
+  /// ascending.
   [[nodiscard]] std::vector<int> unresolved(double base, double weakening) const;
 
   struct AskedOnFace {
     int face;
     double size;
   };
-  /// What the rules ask for on faces and their edges; a face may come several times.
+  /// What the rules ask for on faces and their edges, but for what tapers to a point; a face may
+  /// come several times.
   [[nodiscard]] std::vector<AskedOnFace> asked_on_faces(double weakening) const;
 
  private:
@@ -74,13 +76,14 @@ class SizeRules {
   /// What is round: faces, and edges that are circles.
   static std::vector<Detail> round_details_of(const BoundaryModel& boundary, double per_radius,
                                               double slope, double least);
-  /// Of a face of a torus.
+  /// Adds the circles round the axis of a torus along which a face bends more than round its tube.
   static void add_circles_of(const BoundaryFace& face, int index, double per_radius, double least,
                              std::vector<Detail>& details);
-  /// Edges from `step` to `most` long.
+  /// Model edges from `step` to `most` long, but for closed ones.
   static std::vector<Detail> short_edges_of(const BoundaryModel& boundary, double step,
                                             double most);
-  /// Faces from a low step's width to `layers` times `most` wide.
+  /// Adds narrow faces up to `layers` x `most` wide, but for those so narrow beside `layers` x
+  /// `least` that edges across would not make better tets.
   void add_narrow_faces(const BoundaryModel& boundary, double most, double least, const Run& run);
   /// What is asked for across a thin place.
   [[nodiscard]] double size_of(const ThinPlace& place) const {

@@ -19,11 +19,11 @@ namespace remeshd {
 namespace {
 
 struct PlaceLimits {
-  double even = 1.5;    ///< the greatest thickness of a place over the least
-  double smallest = 1;  ///< x thickness: from its middle to its corners, where it is not even
-  double largest = 1;   ///< x greatest thickness: the same; what lies between is not looked at
-  double cube = 0.15;   ///< x greatest thickness: side of those that one thin place does for
-  double rounding = 1 + 1e-9;     ///< a factor that leaves nothing out for rounding
+  double even = 1.5;           ///< greatest thickness on a place over the least
+  double smallest = 1;         ///< x thickness: radius below which an uneven place is not bisected
+  double largest = 1;          ///< x `most`: radius above which a triangle is always bisected
+  double cube = 0.15;          ///< x `most`: side of the cubes that keep one probe each
+  double rounding = 1 + 1e-9;  ///< factor on a bound, so that rounding leaves nothing out
   std::size_t faces_at_once = 4;  ///< on one thread
 };
 constexpr PlaceLimits kPlaceLimits;
@@ -33,7 +33,7 @@ using Corners = std::array<Vec3, 3>;
 /// A corner of triangles of a face.
 struct Corner {
   Vec3 at;
-  mutable double to_others = -1;  ///< distance to the faces that are no neighbours, once asked for
+  mutable double to_others = -1;  ///< distance to faces that are no neighbours; -1: not yet known
 };
 
 /// A triangle of a face, with a ball round it.
@@ -66,7 +66,7 @@ class Search {
         neighbours_(boundary.faces.size(), 0),
         others_(boundary.faces.size(), 1) {}
 
-  /// `neighbours`: the face itself among them.
+  /// Adds the places of a face. `neighbours`: those of the face, and itself.
   void search(int face, std::span<const int> neighbours) {
     for (const int f : neighbours) neighbours_[f] = 1;
     others_[face] = 0;
@@ -88,9 +88,9 @@ class Search {
     bool film;
   };
 
-  /// Adds the places of a patch: one where the thickness is nearly even all over it, which it tells
-  /// then. `within`: something that is no neighbour is less far from its middle, where that is
-  /// known.
+  /// Adds the places of a patch. Where the thickness is nearly even all over it, that is one place,
+  /// and the thickness is returned. `within`: bound of the distance of its middle from faces that
+  /// are no neighbours; infinite where none is known.
   std::optional<Thickness> visit(const Patch& patch, double within) {
     poll_();
     const TriangleTree::Nearest nearest =
@@ -108,13 +108,15 @@ class Search {
     if (greatest > kPlaceLimits.even * least && patch.radius > kPlaceLimits.smallest * least)
       return visit_halves(patch, nearest.at);
     if (least >= most_) return std::nullopt;
-    // From what is nearest, beside a film, this face is less far than the patch: it ends there.
+    // Beside a film, where this face ends, the nearest point opposite is nearer to this face than
+    // to the patch.
     const double film = tree_.nearest(nearest.at, film_, others_).distance;
     if (film < film_) return add(patch, {film, film, true});
     return add(patch, {least, std::max(least, greatest), false});
   }
 
-  /// `on_other`: a point that is no neighbour's.
+  /// Adds the places of both halves, or one for all of the patch where it is nearly even.
+  /// `on_other`: a point of a face that is no neighbour.
   std::optional<Thickness> visit_halves(const Patch& patch, const Vec3& on_other) {
     const std::size_t before = places_.size();
     const auto visit_half = [&](const Corner* a, const Corner* b, const Corner* c) {
@@ -166,7 +168,8 @@ class Search {
   std::vector<ThinPlace> places_;
 };
 
-/// Thin places, which a place is left out beside where sizes that grow away from them are less.
+/// Thin places that have been kept. One of them covers another place if the thickness that grows
+/// away from it with the slope is at no corner of the other more than the other's.
 class Covering {
  public:
   explicit Covering(const ThinPlaceLimits& limits) : limits_(limits) {}
@@ -199,7 +202,7 @@ class Covering {
   static Cube cube_of(const Vec3& p, double side) {
     return {std::lround(p.x / side), std::lround(p.y / side), std::lround(p.z / side)};
   }
-  /// In a small cube the first is the thinnest, and does for all.
+  /// Places come thinnest first, so that the first in a small cube does for all.
   void add(const Vec3& p, double thickness) {
     if (taken_.insert(cube_of(p, kPlaceLimits.cube * limits_.most)).second)
       probes_[cube_of(p, limits_.most)].push_back({p, thickness});
@@ -212,10 +215,10 @@ class Covering {
 
   ThinPlaceLimits limits_;
   std::map<Cube, std::vector<Probe>> probes_;  ///< by cubes as long as the greatest thickness
-  std::set<Cube> taken_;                       ///< small cubes that have one
+  std::set<Cube> taken_;                       ///< small cubes that have a probe
 };
 
-/// Leaves what matters beside thinner places.
+/// The places that no thinner one covers, thinnest first; all films.
 std::vector<ThinPlace> without_covered(std::vector<ThinPlace> places,
                                        const ThinPlaceLimits& limits) {
   std::ranges::stable_sort(places, {}, &ThinPlace::thickness);

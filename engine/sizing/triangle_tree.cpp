@@ -11,7 +11,7 @@ namespace remeshd {
 
 namespace {
 
-constexpr std::size_t kLeaf = 4;  // triangles that are asked one by one
+constexpr std::size_t kLeaf = 4;  // a node with at most so many triangles has no children
 
 Vec3 middle_of(const std::array<Vec3, 3>& c) { return (1.0 / 3) * (c[0] + c[1] + c[2]); }
 
@@ -31,7 +31,7 @@ TriangleTree::TriangleTree(const BoundaryModel& boundary) {
   if (!faces.empty()) divide(faces);
 }
 
-/// Adds the node of faces, which it puts in order, and those below it.
+/// Adds the node of these faces, which it reorders, and its descendants.
 void TriangleTree::divide(std::span<Face> faces) {
   if (faces.size() == 1) {
     const Face& face = faces.front();
@@ -47,7 +47,7 @@ void TriangleTree::divide(std::span<Face> faces) {
   divide(faces.subspan(half));
 }
 
-/// The same of triangles of a face.
+/// Adds the node of these triangles of a face, which it reorders, and its descendants.
 void TriangleTree::divide(std::span<Triangle> triangles, std::int32_t face) {
   const std::size_t at = nodes_.size();
   nodes_.push_back(

@@ -9,19 +9,19 @@
 
 namespace remeshd {
 
-/// The triangles of all faces of a boundary in a hierarchy of boxes, faces first. Safe from any
-/// number of threads.
+/// A bounding volume hierarchy of the triangles of a boundary: of faces, and below each face of its
+/// triangles. Safe from any number of threads.
 class TriangleTree {
  public:
   explicit TriangleTree(const BoundaryModel& boundary);
 
   struct Nearest {
-    double distance;     ///< as it was given where nothing is nearer
-    Vec3 at;             ///< the point that is nearest
-    bool found = false;  ///< whether anything is nearer than that
+    double distance;     ///< `within` where nothing is nearer
+    Vec3 at;             ///< the nearest point of the triangles
+    bool found = false;  ///< whether anything is nearer than `within`
   };
-  /// What is nearest to p, if nearer than `within`, but for the faces left out.
-  /// @param left_out  by face: not 0 where its triangles are
+  /// The point nearest to p of all faces but those left out, if nearer than `within`.
+  /// @param left_out  by face: not 0 where it is left out
   [[nodiscard]] Nearest nearest(const Vec3& p, double within,
                                 std::span<const std::uint8_t> left_out) const;
 
@@ -31,8 +31,8 @@ class TriangleTree {
     Box box;
     std::int32_t begin = 0;   ///< of its triangles
     std::int32_t count = 0;   ///< of them; 0: it has two children
-    std::int32_t second = 0;  ///< the other child; the first comes next
-    std::int32_t face = -1;   ///< that all of its triangles are of; -1: of several
+    std::int32_t second = 0;  ///< the second child; the first is the next node
+    std::int32_t face = -1;   ///< whose triangles all of these are; -1: of several faces
   };
   struct Face {
     Box box;

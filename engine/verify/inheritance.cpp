@@ -25,10 +25,10 @@ bool has(const Array& array, std::int32_t index) {
   return index >= 0 && static_cast<std::size_t>(index) < array.size();
 }
 
-/// Who took the parent's nodes, and whom the nodes took.
+/// Which nodes of the mesh and of the parent are counterparts.
 struct Taken {
-  std::vector<std::int32_t> by_node;  ///< the parent's node, or -1
-  std::vector<std::int32_t> name;     ///< by node of the parent
+  std::vector<std::int32_t> by_node;  ///< by node of the mesh: the parent's, or -1
+  std::vector<std::int32_t> name;     ///< by node of the parent: the mesh's, or -1
 };
 
 Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const CowVector<Vec3>& then,
@@ -46,8 +46,8 @@ Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const CowVector<Vec
   return taken;
 }
 
-/// Looks for tets with a touched node. In an unchanged page all nodes stand where the parent has
-/// them.
+/// Finds the tets with a touched node. An unchanged page is searched only where the parent's box
+/// round it has a touched node in it, since its nodes stand where the parent has them.
 void find_near(const PagedMesh& mesh, const VerifiedParent& parent, TetCorrespondence& result,
                Polling& poll) {
   const std::vector<std::uint8_t>& touched = result.touched;

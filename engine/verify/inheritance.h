@@ -17,21 +17,21 @@ struct SurfaceFacet {
   friend bool operator==(const SurfaceFacet&, const SurfaceFacet&) = default;
 };
 
-/// A mesh that was found valid, and what another mesh claims to have of it.
+/// A mesh that was found valid, and which of its nodes and tets another mesh claims to have.
 struct VerifiedParent {
   PagedMesh mesh;
-  CowVector<Box> boxes;  ///< round the tets
+  CowVector<Box> boxes;  ///< round the tets, one for each page of them
   std::vector<SurfaceFacet> surface;
   double volume = 0;
   CowVector<std::int32_t> node;  ///< by node of the other: the parent's node, or -1
   CowVector<std::int32_t> tet;   ///< by tet of the other: the parent's tet, or -1
 };
 
-/// By tet of a parent: the tet that is the same, or -1.
+/// By tet of a parent: its counterpart, the tet of the mesh that is the same, or -1.
 class CorrespondingTets {
  public:
-  /// What is unchanged is its own counterpart, all others have none. `tets`: of the mesh; `then`:
-  /// of the parent.
+  /// Unchanged tets are their own counterparts, all others have none. `tets`: number of tets of the
+  /// mesh; `then`: of the parent.
   CorrespondingTets(const Unchanged& unchanged, std::size_t tets, std::size_t then);
 
   std::int32_t operator[](std::int32_t tet) const {
@@ -44,7 +44,7 @@ class CorrespondingTets {
     const std::int32_t begin = begin_[static_cast<std::size_t>(tet) / CowVector<Tet>::kPage];
     same_tet_[begin + tet % static_cast<std::int32_t>(CowVector<Tet>::kPage)] = same_tet;
   }
-  /// Calls f(tet) for those without counterpart, ascending.
+  /// Calls f(tet) for the parent's tets without counterpart, ascending.
   template <class F>
   void for_each_without(F&& f) const {
     for (std::size_t k = 0; k < begin_.size(); ++k) {
@@ -58,25 +58,26 @@ class CorrespondingTets {
  private:
   std::size_t then_;
   std::vector<std::int32_t>
-      begin_;  ///< by page: where its counterparts begin; -1 for unchanged ones
+      begin_;  ///< by page of the parent: where it begins in `same_tet_`; -1: unchanged
   std::vector<std::int32_t> same_tet_;
 };
 
-/// Which claims on a parent hold; a false one costs the inheritance and nothing else. What has not
-/// changed is its own counterpart, whatever is claimed.
+/// Which of a mesh's claims on a verified parent hold. A false claim costs the inheritance there
+/// and nothing else. Unchanged nodes and tets are their own counterparts, whatever is claimed.
 ///
-/// Two tets are the same if the parent's nodes, each taken by one node at most, make them so, in
-/// the same turn. Such tets meet across facets as they did in the parent. Where no node has moved
-/// they are positive as well.
+/// A node of the parent has one counterpart at most. A tet is the counterpart of a parent's tet
+/// only if its nodes are the counterparts of that tet's, in the same orientation. Such tets meet
+/// across facets as they did in the parent, and where none of their nodes has moved they are
+/// positive, too.
 struct TetCorrespondence {
   Unchanged unchanged;  ///< of the parent
   CorrespondingTets same_tet;
-  std::vector<std::int32_t> name;  ///< by node of the parent: the node that took it, or -1
-  /// By node: 1 in tets that are not the parent's, or in the parent in tets that are gone. The
-  /// facets, boundary edges and fans of all others are as they were.
+  std::vector<std::int32_t> name;  ///< by node of the parent: its counterpart, or -1
+  /// By node: 1 if it has a tet without counterpart, or had one in the parent. The facets, boundary
+  /// edges and fans at all other nodes are as they were.
   std::vector<std::uint8_t> touched;
-  /// Tets that are not the parent's in every respect, ascending, and the parent's that have no
-  /// counterpart that is.
+  /// `changed`: tets without counterpart or with a node that has moved, ascending; `gone`: the
+  /// parent's tets without counterpart, or whose counterpart has such a node.
   std::vector<std::int32_t> changed, gone;
   std::vector<std::int32_t> near;  ///< tets with a touched node, ascending
 };

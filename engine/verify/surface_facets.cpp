@@ -15,7 +15,7 @@ struct Entry {
   FacetRef facet;     ///< of the tet that was met first
   std::int32_t next;  ///< entry of the same bucket, -1 at the end
   std::int8_t turn;   ///< sign of the permutation that sorts the outward facet
-  std::int8_t tets;   ///< met so far, 2 standing for more
+  std::int8_t tets;   ///< tets met so far; 2: two or more
 };
 
 /// A tet that clashes with those met before at a facet with this smallest node.
@@ -23,19 +23,19 @@ struct Clash {
   std::int32_t low, tet;
 };
 
-/// Buckets of facets a smallest node, which are near in memory where tets in turn are near each
-/// other. A node of a usual mesh is the smallest of some ten facets.
+/// Hash buckets for the facets with one smallest node: consecutive tets that are near each other
+/// use buckets that are near in memory. A node of a usual mesh is the smallest of some ten facets.
 constexpr std::int32_t kBuckets = 8;
 
 /// One bit for each facet of a tet, by the corner opposite.
 using FacetMask = std::uint8_t;
 constexpr FacetMask kAll = 15;
-/// By a mask of corners: the facets that have no other.
+/// By a mask of corners: the facets whose corners are all in it.
 constexpr std::array<FacetMask, 16> kFacetsBetween{0, 0, 0, 0, 0, 0, 0, 8, 0, 0, 0, 4, 0, 2, 1, 15};
 
 /// Counts the tets at each facet, adds the tets that clash to `clashes`, by the facet's smallest
-/// node, and marks in `alone`, by tet, the facets in one tet only. `each`: calls its argument with
-/// the tets that take part, `count` of them, and their facets that do.
+/// node, and marks in `alone`, by tet, the facets in one tet only. each(f) calls f(tet, mask of its
+/// facets) for the tets and facets that take part; `count`: at least the number of these tets.
 template <class Each>
 void match(const CowVector<Tet>& tets, std::size_t node_count, std::size_t count, const Each& each,
            std::vector<std::int32_t>& clashes, std::vector<FacetMask>& alone, Polling& poll) {
@@ -48,7 +48,7 @@ void match(const CowVector<Tet>& tets, std::size_t node_count, std::size_t count
     const Tet tet = tets[t];
     for (int i = 0; i < 4; ++i) {
       if ((wanted >> i & 1) == 0) continue;
-      // Without branches, for which node is the smallest cannot be foreseen.
+      // Without branches: which node is the smallest cannot be predicted.
       const auto& f = kTetFacets[i];
       const std::int32_t a = tet[f[0]], b = tet[f[1]], c = tet[f[2]];
       const std::int32_t low = std::min(std::min(a, b), c);
@@ -107,8 +107,8 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count, Poll
 FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
                         const VerifiedParent& parent, const TetCorrespondence& inherited,
                         Polling& poll) {
-  // A tet that came or went has touched all its nodes. So at a facet with an untouched node there
-  // are the tets that there were, and those with touched nodes only are matched with each other.
+  // All nodes of a tet that came or went are touched. So a facet with an untouched node has the
+  // tets that it had in the parent; the others are matched with each other.
   const std::vector<std::uint8_t>& touched = inherited.touched;
   const auto each = [&](auto&& f) {
     for (const std::int32_t t : inherited.near) {
@@ -126,7 +126,7 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
     const std::int32_t t = inherited.same_tet[facet.tet];
     if (t < 0) continue;
     bool rim = true;
-    std::int32_t corner = 6;  // what is left of the four corners' sum
+    std::int32_t corner = 6;  // the one opposite: 0 + 1 + 2 + 3 less the facet's
     for (const std::int32_t o : facet.nodes) {
       const std::int32_t n = inherited.name[o];
       rim = rim && touched[n] != 0;
@@ -141,8 +141,8 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
 
 std::vector<std::int32_t> repeated_tets(const CowVector<Tet>& tets, std::size_t node_count,
                                         std::span<const std::int32_t> clashes) {
-  // Whatever is at a repeated tet's facets, a tet that clashes is there, so that these have its
-  // nodes.
+  // Each facet of a repeated tet is in some tet that clashes, so that all its nodes are nodes of
+  // such tets.
   std::vector<std::int32_t> repeated;
   if (clashes.empty()) return repeated;
   std::vector<std::uint8_t> flagged(node_count, 0);

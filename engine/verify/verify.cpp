@@ -85,7 +85,7 @@ class Checker {
       prove(mesh_.tets.size(), [](std::size_t k) { return static_cast<std::int32_t>(k); });
       return;
     }
-    // The parent's tets are still at a node that it had, unless that is touched.
+    // An untouched node of the parent still has its tets.
     for (const std::int32_t n : inherited_->name)
       if (n >= 0 && inherited_->touched[n] == 0) used_[n] = 1;
     for (const std::int32_t t : inherited_->near) use(t);
@@ -97,7 +97,7 @@ class Checker {
       result_.volume -= tet_volume(parent.mesh.nodes, parent.mesh.tets[o]);
   }
 
-  /// Looks at the tets tet(0), ..., tet(count - 1).
+  /// Checks the tets tet_of(0), ..., tet_of(count - 1) and adds their volumes to the mesh's.
   template <class TetOf>
   void prove(std::size_t count, const TetOf& tet_of) {
     struct Bad {
@@ -128,9 +128,9 @@ class Checker {
     }
   }
 
-  /// Whether the tet has a cell: at its centroid or, where a chord has cut that off from the
-  /// material, nearer to one of its corners. What is all behind chords may be off its face as they
-  /// may.
+  /// Whether the tet lies in the material: by its centroid or, as that may lie between a chord and
+  /// a concave face, by points nearer to one of its corners. A tet with all nodes on one face may
+  /// lie there as a whole; then it may be as far off that face as a chord may.
   [[nodiscard]] bool in_material(const Tet& tet) const {
     const Vec3 c = centroid(mesh_.nodes, tet);
     if (options_.material(c)) return true;
@@ -189,7 +189,8 @@ class Checker {
     return std::ranges::find(at, b, &Spoke::first) != at.end();
   }
 
-  /// Every boundary edge that leaves a node comes back once.
+  /// Every edge of the boundary facets at a node has one facet on each side: it leaves the node
+  /// once and comes back.
   void check_boundary_edges(std::int32_t n) {
     const auto at = fan(n);
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -203,7 +204,7 @@ class Checker {
     }
   }
 
-  /// The facets round a boundary node must turn it once.
+  /// The boundary facets at a node form one closed fan.
   void check_fan(std::int32_t n) {
     const auto at = fan(n);
     if (at.empty()) return;
@@ -302,7 +303,8 @@ class Checker {
              "a boundary facet " + std::to_string(off) + " off its face");
       slack[face] += facet_area * std::min(1.0, 0.25 * longest2 / (radius * radius));
     }
-    // On a face beside a curved edge the lens between chord and curve is missing or too much.
+    // Beside a curved edge the facets of a face have too little or too much area: that between the
+    // edge and its chords.
     for (std::size_t e = 0; e < chains_.size(); ++e) {
       if (boundary_.edges[e].curve.kind == Curve::Kind::Line) continue;
       for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {

@@ -48,18 +48,18 @@ struct Verification {
   bool valid = false;
   std::array<std::uint32_t, kMeshFailures> counts{};  ///< by MeshFailure
   std::vector<MeshDefect> failures;                   ///< the first ones of each kind
-  std::vector<SurfaceFacet> surface;                  ///< the mesh's boundary, by tet
+  std::vector<SurfaceFacet> surface;  ///< the mesh's boundary, in the order of its tets
   std::uint32_t boundary_facets = 0;
   double volume = 0;  ///< of the mesh
   double chord_volume =
       0;  ///< between the facets and their curved faces; positive where the mesh lacks it
   double boundary_area = 0;
   double chord_error = 0;  ///< largest distance found between a facet or edge and its face or curve
-  double volume_error = 0;           ///< relative, of the volume with the chords' share
-  std::uint32_t tets_proved = 0;     ///< by themselves
+  double volume_error = 0;           ///< relative, of `volume` + `chord_volume`
+  std::uint32_t tets_proved = 0;     ///< checked by themselves
   std::uint32_t tets_inherited = 0;  ///< the parent's, unchanged
-  /// Tets that are not a parent's own of the same number in place, ascending; without one all of
-  /// them.
+  /// Tets that differ from the parent's of the same number or have a node elsewhere, ascending;
+  /// without a parent all tets.
   std::vector<std::int32_t> changed_tets;
 
   [[nodiscard]] std::uint32_t count(MeshFailure kind) const {
@@ -68,10 +68,10 @@ struct Verification {
 };
 
 struct VerifyOptions {
-  double volume_tolerance = 0.002;  ///< relative
-  InsideTest material;              ///< of the model; empty: whether tets are in it is not asked
+  double volume_tolerance = 0.002;         ///< relative
+  InsideTest material;                     ///< of the model; empty: OutsideTet is not checked
   const VerifiedParent* parent = nullptr;  ///< whose proof unchanged tets inherit
-  std::uint32_t most_failures = 20;        ///< described of each kind
+  std::uint32_t most_failures = 20;        ///< of each kind, described; all are counted
 };
 
 /// For people: whether it is valid, what it counted, and the first failures.
@@ -84,9 +84,10 @@ std::string to_text(const Verification& verification);
 /// while they stay within `kChordShare`: it is integrated and added to the volume, and areas are
 /// compared within the error that the facets' size allows.
 ///
-/// With a parent, unchanged tets are positive and in the material because the parent's are, and
-/// facets are matched, boundary edges and fans turned only at the nodes of tets that came or went.
-/// The model may be another, so the boundary is held against it whole. Says the same as without.
+/// With a parent, unchanged tets are taken to be positive and in the material, as the parent's are,
+/// and facets, boundary edges and fans are checked only at the nodes of tets that came or went. The
+/// model may differ from the parent's, so all of the boundary is checked against it. The verdict is
+/// the same as without a parent.
 ///
 /// A defect of the mesh is a value here. Throws Cancelled only.
 Verification verify(const PagedMesh& mesh, const CowVector<Support>& supports,

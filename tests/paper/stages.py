@@ -58,7 +58,7 @@ def volume_length(nodes, tets):
 
 
 def last_attempt(folder):
-    """The dumps of the attempt that was taken: `3-local-4-edge-lengths`."""
+    """The dumps of the attempt that was taken: `4-local-4-edge-lengths`."""
     return max(folder.iterdir(), key=lambda attempt: int(attempt.name.split("-")[0]))
 
 

@@ -22,10 +22,10 @@ namespace {
 
 struct CoverLimits {
   int rounds = 12;            ///< of adding nodes
-  double film = 0.2;          ///< x edge length: of a face from another across a film
-  double closest = 0.3;       ///< x edge length: of a loose node from a side that has to stay
+  double film = 0.2;          ///< x edge length: nearer faces have a film between them
+  double closest = 0.3;       ///< x edge length: of an inner node from the border, at least
   double shortest = 1e-3;     ///< x edge length: no shorter side is halved
-  double long_share = 0.7;    ///< of a facet's longest side: what is halved with that
+  double long_share = 0.7;    ///< of a facet's longest side: longer sides are halved with it
   double least_cosine = 0.7;  ///< between a facet and its face
 };
 constexpr CoverLimits kCoverLimits;
@@ -81,7 +81,7 @@ class Cover {
     return flat;
   }
 
-  /// Whether a point is so near to what has to stay of a face that a node there would crowd it.
+  /// Whether a point is so near to the border of the open part that a node there would crowd it.
   [[nodiscard]] bool crowds_border(const Vec3& p, const std::vector<BorderSide>& border) const {
     const auto& nodes = open_.mesh.nodes;
     const double closest = kCoverLimits.closest * sizes_(p);
@@ -90,7 +90,8 @@ class Cover {
     });
   }
 
-  /// Where a node's counterpart is to stand across a film: on a face that it is not of.
+  /// Where on a face the counterpart of a node across a film is to stand; nothing where no film is
+  /// between the two, or the node is on that face.
   [[nodiscard]] std::optional<Vec3> across_film(std::int32_t node, std::int32_t face) const {
     const Vec3& p = open_.mesh.nodes[node];
     const Vec3 q = project(boundary_.faces[face].surface, p);
@@ -100,10 +101,11 @@ class Cover {
     return q;
   }
 
-  /// Nodes inside of a face: counterparts of nodes that border other faces across films and of all
-  /// that earlier faces have, loose ones elsewhere that do not crowd what has to stay, and those
-  /// that were added. Where both sides of a film have the same nodes, and so mostly the same
-  /// triangles, TetGen needs few points of its own between them.
+  /// The nodes for the inside of a face. First counterparts of nodes across films: of those on the
+  /// borders of other faces, and of all that faces covered before have. Elsewhere loose nodes that
+  /// do not crowd the border, and the nodes that `refine` has added. Where both sides of a film
+  /// have the same nodes, and so mostly the same triangles, TetGen needs few points of its own
+  /// between them.
   std::vector<std::int32_t> inner_nodes(std::int32_t face, const std::vector<BorderSide>& border) {
     std::vector<std::int32_t> nodes;
     for (const std::int32_t other : film_nodes(face)) {
@@ -132,8 +134,8 @@ class Cover {
         nodes, [&](std::int32_t n) { return norm2(open_.mesh.nodes[n] - p) < closest * closest; });
   }
 
-  /// Nodes that a face may need counterparts of: at the borders of others, and inside of earlier
-  /// ones.
+  /// Nodes that a face may need counterparts of: on the borders of other faces, and of the facets
+  /// that faces covered before have.
   [[nodiscard]] std::vector<std::int32_t> film_nodes(std::int32_t face) const {
     std::vector<std::int32_t> nodes;
     for (const auto& [other, border] : borders_)
@@ -146,7 +148,7 @@ class Cover {
     return nodes;
   }
 
-  /// Whether there is a new facet of an earlier face across a film.
+  /// Whether a new facet, of a face covered before, lies across a film from a node.
   [[nodiscard]] bool is_over_facet(std::int32_t node) const {
     const auto& p = open_.mesh.nodes;
     const double film = kCoverLimits.film * sizes_(p[node]);
@@ -193,6 +195,8 @@ class Cover {
 
   void halve_link(const Side& side) { changed_ = sides_.halve_link(side) || changed_; }
 
+  /// Halves links at places where segments of a border cross. Returns why the face cannot be
+  /// covered where no link there may be halved, else nothing.
   std::string halve_crossing(std::int32_t face, const kernel::Border& flat) {
     const auto side = [&](const kernel::Border::Segment& s) {
       return side_of(flat.corners[s.a].node, flat.corners[s.b].node);
@@ -246,7 +250,7 @@ class Cover {
     }
   }
 
-  /// Makes facets smaller that cut others. Returns whether there are any.
+  /// Makes new facets smaller that cut others. Returns whether there are any.
   bool refine_crossings() {
     SurfaceMesh all = {open_.mesh.nodes, {}, near_facets()};
     const auto crossings = surface_crossings(all, run_);
@@ -262,7 +266,7 @@ class Cover {
     return any;
   }
 
-  /// Makes facets smaller that stand off their curved faces. Returns whether there are any.
+  /// Makes new facets smaller that stand off their curved faces. Returns whether it did.
   bool refine_bent() {
     halved_.clear();
     const std::size_t end = open_.mesh.facets.size();
@@ -275,7 +279,7 @@ class Cover {
     return changed_;
   }
 
-  /// Makes facets smaller, once, that are where smaller ones are asked for. Returns whether it did.
+  /// Makes new facets smaller, once, where that is asked for (`finer_at`). Returns whether it did.
   bool refine_asked() {
     if (std::exchange(asked_, true)) return false;
     halved_.clear();
@@ -293,7 +297,8 @@ class Cover {
     return changed_;
   }
 
-  /// The new facets, the walls, and what stays near them; `from_` has their numbers, -1 for walls.
+  /// The new facets, the walls, and the facets that stay near the new ones. `from_` gets their
+  /// numbers in `open_.mesh`, -1 for walls.
   std::vector<FaceFacet> near_facets() {
     from_.clear();
     std::vector<FaceFacet> near;

@@ -13,21 +13,23 @@ namespace remeshd {
 /// A mesh of the model's boundary of which a part is missing.
 struct OpenSurface {
   SurfaceMesh mesh;  ///< all nodes; the facets that stay
-  /// Nodes on faces where the surface is open, which it may use.
+  /// Nodes in the open part that no facet has that stays. The cover may use those on faces.
   std::vector<std::int32_t> loose;
-  /// Triangles in the material that may not be cut: what parts the open place from tets that stay.
+  /// Triangles in the material that facets may not cut: they separate the open part from tets that
+  /// stay.
   std::vector<Triangle> walls;
-  /// Where facets of the size of those that stay have proved to be too large.
+  /// Where the facets of earlier covers have proved to be too large: smaller ones are made there.
   std::vector<Vec3> finer_at;
 };
 
-/// Covers what the facets that stay leave open of the model's faces: each face by itself, by a
-/// constrained Delaunay triangulation in the plane between these facets and the face's edges, of
-/// the loose nodes. Where its facets cut others, or stand off a curved face, it gets more nodes.
+/// Covers the parts of the model's faces that the facets that stay leave open: each face by itself,
+/// by a constrained Delaunay triangulation of its loose nodes in the plane, bordered by these
+/// facets and the face's edges. Where facets of the cover cut others, or stand off a curved face,
+/// it gets more nodes.
 ///
 /// The new facets come last in `open.mesh`, as do new nodes. Returns why it could not be done;
-/// empty where it was. Pre: the facets that stay lie on their faces without overlapping; nothing
-/// but their sides and the open surface's own facets lies where it is open.
+/// empty where it was. Pre: the facets that stay lie on their faces without overlapping, so that
+/// their sides and the model edges are the whole border of what is open.
 /// Source: Chew 1989, "Constrained Delaunay triangulations", per face.
 std::string cover_open_faces(OpenSurface& open, const BoundaryModel& boundary,
                              const SizeField& sizes, const Run& run);

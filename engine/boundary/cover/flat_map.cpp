@@ -13,7 +13,7 @@ using std::numbers::pi;
 struct FlatMapLimits {
   double least_gap = 2.2;   ///< rad: points that leave more of a circle do not go round it
   double most_growth = 12;  ///< natural logarithm of a ring's outer radius by its inner one
-  double most_power = 3;    ///< of a cone's ring that reaches its apex
+  double most_power = 3;    ///< growth of a cone's ring that reaches its apex, at most
 };
 constexpr FlatMapLimits kFlatMapLimits;
 
@@ -38,7 +38,7 @@ double from_cut(double angle, double cut) {
   return turn < 0 ? turn + 2 * pi : turn;
 }
 
-/// How fast a ring may grow with a height that covers this range.
+/// How fast a ring may grow with a height over this range; at most `wanted`.
 double growth_for(double wanted, double range) {
   return std::fmin(wanted, range > 0 ? kFlatMapLimits.most_growth / range : wanted);
 }
@@ -54,7 +54,7 @@ FlatMap::Parameters FlatMap::parameters(const Vec3& p) const {
   return swapped_ ? Parameters{tube, round} : Parameters{round, tube};
 }
 
-/// The axis direction that is furthest from all points, as seen from the centre.
+/// Takes for the pole, of 26 directions from the centre, the one furthest from all points.
 void FlatMap::fit_pole(std::span<const Vec3> points) {
   double furthest = HUGE_VAL;  // the largest cosine with any of the points
   for (int i = -1; i <= 1; ++i)

@@ -13,8 +13,9 @@ namespace remeshd {
 /// becomes a ring.
 class FlatMap {
  public:
-  /// A map that suits these points of the surface, of which those joined by sides are no further
-  /// round than a third of a circle. Returns nothing for a torus covered both ways round.
+  /// A map for the part of the surface that these points lie on. Points joined by sides have to be
+  /// less than a third of a turn apart. Returns nothing where the part goes round a torus both
+  /// ways.
   static std::optional<FlatMap> of(const Surface& surface, std::span<const Vec3> points);
 
   /// Where a point of the part lies in the plane.
@@ -22,7 +23,8 @@ class FlatMap {
 
  private:
   enum class Shape { Plane, Sphere, Strip, Sector, Ring };
-  /// Angles in rad and heights along them in the same measure; a cone's height is its radius there.
+  /// An angle about the axis, rad, and a height: over the radius on a cylinder, the angle round the
+  /// tube on a torus, the distance from the axis on a cone.
   struct Parameters {
     double angle, height;
   };
@@ -37,12 +39,12 @@ class FlatMap {
   Surface surface_;
   Transform to_local_;
   Shape shape_;
-  bool swapped_ = false;        ///< a torus whose ring goes round the tube
+  bool swapped_ = false;        ///< a torus whose ring goes round the tube: the angles swapped
   double cut_ = 0;              ///< angles begin here
   double height_cut_ = 0;       ///< of a torus, heights too
   double middle_ = 0;           ///< height whose circle has the radius 1
-  double growth_ = 1;           ///< of a ring's radius
-  std::array<Vec3, 3> pole_{};  ///< axes of a sphere: the last points to what the map leaves out
+  double growth_ = 1;           ///< of a ring's radius with height; factor of a strip's heights
+  std::array<Vec3, 3> pole_{};  ///< axes of a sphere: the last points to the pole left out
 };
 
 }  // namespace remeshd

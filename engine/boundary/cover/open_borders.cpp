@@ -85,7 +85,7 @@ bool OpenBorders::halve_link(const Side& side) {
   if (found == links_.end()) return false;
   const int e = found->second.first;
   std::vector<NodeOnEdge>& chain = chains_[e];
-  // Halving what is beside it has changed the places in the chain.
+  // Its place in the chain may have changed, by halving other links of it.
   const auto it = std::ranges::adjacent_find(chain, [&](const NodeOnEdge& a, const NodeOnEdge& b) {
     return side_of(a.node, b.node) == side;
   });

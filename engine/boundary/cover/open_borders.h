@@ -20,30 +20,30 @@ struct BorderSide {
   Side side;
   std::int32_t edge =
       -1;        ///< the model edge that it is a link of; -1: a side of a facet that stays
-  int uses = 1;  ///< 2: open on both sides
+  int uses = 1;  ///< 2: the face is open on both sides of it
 };
 
-/// What is open of the faces of a surface: its borders, and their links along model edges, which
-/// may be halved. Every model vertex gets a node.
+/// The borders of the open parts of a surface's faces. The links among their sides, along model
+/// edges, may be halved. Every model vertex gets a node.
 class OpenBorders {
  public:
   /// Keeps references. `shortest`: length; no shorter link is halved.
   OpenBorders(SurfaceMesh& mesh, const std::vector<Triangle>& walls, const BoundaryModel& boundary,
               double shortest);
 
-  /// By face: the links of its edges that no facet has that stays, and sides of such facets that
-  /// are no links.
+  /// The borders by face: links of the face's edges that no facet has that stays, and sides that
+  /// just one such facet has and that are no links.
   [[nodiscard]] std::map<std::int32_t, std::vector<BorderSide>> find();
 
-  /// Of those found last.
+  /// Whether a side is a link that `find` found last, and not halved since.
   [[nodiscard]] bool is_link(const Side& side) const { return links_.contains(side); }
   [[nodiscard]] double length(const Side& side) const;
-  /// Whether a side is of no facet that stays, nor of a wall, and long enough.
+  /// Whether a side is longer than `shortest`, and of no facet that stays and of no wall.
   [[nodiscard]] bool may_halve(const Side& side) const;
-  /// Halves a link; false where that has been done since they were found.
+  /// Halves a link that `find` found last; false where it has been halved since.
   bool halve_link(const Side& side);
 
-  /// A new node where `near` is nearest to on the support.
+  /// Adds a node at the point of the support that is nearest to `near`.
   std::int32_t add_node(const Support& support, const Vec3& near);
 
  private:

@@ -30,7 +30,8 @@ void append_encoded(std::string& out, std::uint32_t code) {
   out += text.data();
 }
 
-/// A string with its quotes; what is no UTF-8 becomes a question mark.
+/// A string with its quotes, encoded; control characters and bytes that are no UTF-8 become
+/// question marks.
 std::string encoded(const std::string& string) {
   std::string out;
   for (std::size_t at = 0; at < string.size();) {
@@ -47,7 +48,8 @@ std::string encoded(const std::string& string) {
   return out;
 }
 
-/// The number at the front of a text: its end, and where its zeros begin. Pre: a digit is there.
+/// The number at the front of a text: where its mantissa ends, and where the trailing zeros of its
+/// fraction begin. Pre: a digit is there.
 struct Number {
   std::size_t zeros = 0, mantissa = 0;
   explicit Number(std::string_view text) {
@@ -67,7 +69,7 @@ std::string tidy_exchange_text(std::string_view text) {
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
-    if (c == '\'') {  // two quotes within a string begin another one
+    if (c == '\'') {  // a doubled quote in a string is taken for the start of another one
       const std::size_t end = std::min(text.find('\'', at + 1), text.size() - 1) + 1;
       std::string string(text.substr(at, end - at));
       std::erase(string, '\n');

@@ -5,8 +5,8 @@
 
 namespace remeshd::kernel {
 
-/// What OpenCASCADE writes, easier to read and as ISO 10303-21 has it: a line an entity, numbers
-/// without the zeros behind their last digit, characters beyond ASCII as `\X2\00E9\X0\`.
+/// Makes the STEP text that OpenCASCADE writes easier to read and conform to ISO 10303-21: one
+/// entity a line, numbers without trailing zeros, characters beyond ASCII as `\X2\00E9\X0\`.
 std::string tidy_exchange_text(std::string_view text);
 
 }  // namespace remeshd::kernel

@@ -47,7 +47,7 @@ int count_edges(const TopoDS_Shape& shape) {
   return out;
 }
 
-/// Lengths from kernel units to the file's.
+/// Fills in area, volume and box, in the file's unit.
 void measure(const TopoDS_Shape& shape, double scale, StepContent& out) {
   const double l = 1 / scale;
   TopTools_IndexedMapOfShape faces;

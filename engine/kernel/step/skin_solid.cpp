@@ -25,14 +25,14 @@
 namespace remeshd::kernel {
 namespace {
 
-/// Faces that close one shell, the material behind them.
+/// The faces of one closed shell, oriented with the material behind them.
 struct ShellFaces {
   std::vector<TopoDS_Face> faces;
-  std::vector<int> wholes;  ///< of each face
+  std::vector<int> wholes;  ///< of each face: its number in Skin::names
   double volume = 0;        ///< swept from the reference point; below 0 where the shell is a void
 };
 
-/// Which shell each face of a skin is in: those that hang together by edges.
+/// The shell that each face of a skin is in: shells are connected by edges.
 std::vector<int> shells_of(const Brep& brep, const Skin& skin) {
   UnionFind joined(skin.faces.size());
   std::vector<int> at_edge(brep.edges.size(), -1);
@@ -83,7 +83,7 @@ std::vector<ShellFaces> part_shells(const Brep& brep, const Skin& skin, const Co
   }
   std::vector<ShellFaces> out;
   for (auto& [number, shell] : shells) out.push_back(std::move(shell));
-  // What is round the others comes first.
+  // The outer shell comes first, then the voids.
   std::ranges::stable_partition(out, [](const ShellFaces& shell) { return shell.volume > 0; });
   return out;
 }
@@ -103,8 +103,8 @@ TopoDS_Solid solid_of(const std::vector<ShellFaces>& shells) {
   return solid;
 }
 
-/// The faces of the joined solid in the place of their parts, in the order of these: the kernel's
-/// own order is that of addresses.
+/// The shells of the joined solid: each joined face where the first of its parts was, because the
+/// kernel's own order is that of addresses.
 std::vector<ShellFaces> joined_shells(const std::vector<ShellFaces>& parts,
                                       ShapeUpgrade_UnifySameDomain& unify) {
   TopTools_IndexedMapOfShape result;
@@ -131,12 +131,12 @@ std::vector<ShellFaces> joined_shells(const std::vector<ShellFaces>& parts,
   return shells;
 }
 
-/// Of a face of the model, kernel units.
+/// Of a face of the model: area and swept volume, kernel units.
 struct Measures {
   double area = 0, volume = 0;
 };
 
-/// Throws Error(KERNEL_FAILURE).
+/// Throws Error(KERNEL_FAILURE) where a joined face has not the area and swept volume of its parts.
 void check_measures(const Brep& brep, const Skin& skin, const std::vector<ShellFaces>& shells) {
   std::vector<Measures> parts(skin.names.size()), joined(skin.names.size());
   const double l = brep.scale;

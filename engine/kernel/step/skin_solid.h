@@ -12,11 +12,12 @@ namespace remeshd::kernel {
 /// Skin::names.
 using WholeFaces = std::vector<int>;
 
-/// The solid that a skin closes, in kernel units; its shapes are copies. Where `join`, faces of one
-/// face of the model are one, as are edges that no vertex of the skin parts.
+/// The solid that a skin bounds, in kernel units; its shapes are copies. With `join`, the faces
+/// that are parts of one face of the model are joined, and so are edges unless a vertex of the skin
+/// is between them. Fills in `wholes`.
 ///
-/// Throws Error(KERNEL_FAILURE) where area or volume behind a joined face are not the sums of its
-/// parts'.
+/// Throws Error(KERNEL_FAILURE) where area or swept volume of a joined face are not the sums of
+/// those of its parts.
 TopoDS_Shape skin_solid(const Brep& brep, const Skin& skin, bool join, WholeFaces& wholes);
 
 }  // namespace remeshd::kernel

@@ -17,15 +17,15 @@ struct SkinFace {
   int whole = -1;               ///< the face of the model that it is a part of, 0 ..
 };
 
-/// All faces of a B-rep with material on one side, and what to join them to.
+/// All faces of a B-rep with material on one side, and the faces of the model they are parts of.
 struct Skin {
   std::vector<SkinFace> faces;
   std::vector<std::string> names;  ///< of the faces of the model
-  std::vector<int> edges;          ///< of the B-rep, that no joined face may swallow
-  std::vector<int> vertices;       ///< likewise, that no joined edge may
+  std::vector<int> edges;          ///< of the B-rep, which remain edges where faces are joined
+  std::vector<int> vertices;       ///< likewise, where edges are
 };
 
-/// The unit that a file tells of its lengths.
+/// The unit of lengths that a file declares.
 struct LengthUnit {
   const char* name = "MM";  ///< as OpenCASCADE's `write.step.unit` spells it
   double millimetres = 1;
@@ -42,7 +42,8 @@ struct StepLabels {
 
 /// The material as an exact B-rep in a STEP file (ISO 10303-21, AP214): one solid, with its voids.
 /// Coordinates are the model's to 16 digits. The bytes depend on the arguments alone. Where the
-/// parts of a face do not join they all stand there, under its name.
+/// parts of some face cannot be joined none are: all parts are faces, each under the name of its
+/// face of the model.
 ///
 /// Pre: the skin is closed and manifold, its material in one piece.
 /// Throws Error(KERNEL_FAILURE), Error(Cancelled).
@@ -64,7 +65,8 @@ struct StepContent {
   Box box;                      ///< may be a little larger than need be
 };
 
-/// Reads a file of one unit. `scale`: as Brep::scale, about that of the model in the file.
+/// Reads a file whose lengths are all in `unit`. `scale`: about Brep::scale of the model in the
+/// file.
 ///
 /// Throws Error(KERNEL_FAILURE) where it is no STEP file or nothing can be made of it,
 /// Error(Cancelled).

@@ -44,7 +44,7 @@ namespace remeshd::kernel {
 namespace {
 
 struct ArcSpans {
-  double most = 0.25;       ///< rad, of an arc
+  double most = 0.25;       ///< rad, of a span
   double same_knot = 1e-6;  ///< rad
 };
 constexpr ArcSpans kSpans;
@@ -81,7 +81,7 @@ bool has_pole(const TopoDS_Face& face) {
   return false;
 }
 
-/// Values between two, so that none is further than a span from the next.
+/// Values strictly between two, none further than a span from the next.
 std::vector<double> cuts(double first, double last) {
   std::vector<double> out;
   const int spans = static_cast<int>(std::ceil((last - first) / kSpans.most));
@@ -89,8 +89,8 @@ std::vector<double> cuts(double first, double last) {
   return out;
 }
 
-/// The surface of a face swept by an arc that ends on the axis, as of a lemon, of itself and no
-/// more; null where the face lies on anything else.
+/// The surface of a face on a surface of revolution whose meridian is an arc that ends on the axis,
+/// as a lemon's does: as a B-spline surface of that arc and no more. Null for all other faces.
 ///
 /// The translator would sweep the whole circle, of which readers take the wrong part where a face
 /// ends in a pole. In short spans, because integrals take a fixed number of points in each.
@@ -117,7 +117,8 @@ Handle(StepRepr_RepresentationItem) name_item(const Handle(Transfer_FinderProces
   return item;
 }
 
-/// The translator counts the products of a process in their names.
+/// Names the products: the translator would number them by their count in the process, so that the
+/// bytes were not the same each time.
 void name_products(const Handle(StepData_StepModel) & model, const std::string& name) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Value(i));
@@ -141,7 +142,7 @@ std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, con
   Interface_Static::SetCVal("write.step.unit", labels.unit.name);
   STEPControl_Writer writer;
   const Handle(StepData_StepModel) model = writer.Model(/*newone=*/true);
-  // Lengths are divided by the one over the other: kernel units become the model's.
+  // The translator divides lengths by write unit / local unit: kernel units become the model's.
   model->SetLocalLengthUnit(1);
   model->SetWriteLengthUnit(brep.scale);
   writer.SetTolerance(1e-7);
@@ -169,7 +170,7 @@ std::string write_solid(const TopoDS_Shape& solid, const WholeFaces& wholes, con
   return print(model);
 }
 
-/// Null where faces do not join.
+/// Null where faces cannot be joined.
 TopoDS_Shape joined_solid(const Brep& brep, const Skin& skin, WholeFaces& wholes) {
   try {
     return skin_solid(brep, skin, /*join=*/true, wholes);

@@ -1,5 +1,5 @@
 // remeshd-tetgen: TetGen in a process of its own, because TetGen may abort, hang or eat memory.
-// Started by run_tetgen (engine/kernel/tetgen.h); says what engine/kernel/tetgen_protocol.h tells.
+// Started by run_tetgen (engine/kernel/tetgen.h); speaks engine/kernel/tetgen_protocol.h.
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -73,7 +73,7 @@ bool read_request(Request& request) {
                                        read_values(request.segment_markers, header.segments));
 }
 
-/// What would make TetGen read beyond its lists, or loop.
+/// False where numbers would make TetGen read beyond its lists, or loop.
 bool numbers_are_sound(const Request& request) {
   const auto points = static_cast<std::int64_t>(request.points.size() / 3);
   const auto is_point = [&](std::int32_t p) { return p >= 0 && p < points; };
@@ -147,7 +147,7 @@ Status mesh(const Request& request, tetgenio& out) {
   }
 }
 
-/// Markers, zeros where TetGen gives none.
+/// The markers as a vector; zeros where TetGen gives none.
 std::vector<std::int32_t> markers(const int* list, std::size_t count) {
   return list != nullptr ? std::vector<std::int32_t>(list, list + count)
                          : std::vector<std::int32_t>(count, 0);
@@ -208,7 +208,7 @@ int main(int argc, char** argv) {
   limit(RLIMIT_CPU, seconds);
   limit(RLIMIT_FSIZE, 0);
 
-  // TetGen prints what it meets to stdout, Q or not.
+  // TetGen prints to stdout what it comes across, with Q or without.
   const int to_parent = dup(STDOUT_FILENO);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (to_parent < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0) return kExitBrokenStream;

@@ -10,18 +10,19 @@
 namespace remeshd {
 namespace {
 
-/// Sines of angles that are in doubt, and counts beyond which a fuse takes no longer.
+/// Sines of angles below which it is in doubt what meets, and counts beyond which a fuse by the CAD
+/// kernel takes no longer.
 struct CrossingLimits {
-  double parallel = 1e-11;     ///< no angle
+  double parallel = 1e-11;     ///< no angle at all
   double shallow = 1e-3;       ///< between planes, or a line and a plane
   double wall_to_plane = 0.1;  ///< between a plane and a round wall's axis
-  double near_tangent = 0.01;  ///< x half axis
-  std::size_t patches = 250;   ///< pairs of them are looked at
+  double near_tangent = 0.01;  ///< from touching a plane, x the curve's reach along its normal
+  std::size_t patches = 250;   ///< all pairs of them are looked at
   std::size_t curves = 1000;
 };
 constexpr CrossingLimits kCrossingLimits;
 
-/// Between two segments, at least.
+/// The least distance between two segments.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
@@ -109,7 +110,8 @@ class CurveFinder {
     return *it;
   }
 
-  /// Where a plane through a point of a wall's axis cuts its cylinder.
+  /// The curve in which a plane cuts a wall's cylinder; `plane`: its normal, `centre`: where it
+  /// meets the axis.
   IntersectionCurve& add_round(const Patch& wall, const Vec3& centre, const Vec3& plane) {
     const Vec3 axis = wall.axis();
     auto it = std::ranges::find_if(out_, [&](const IntersectionCurve& c) {
@@ -145,7 +147,7 @@ class CurveFinder {
     }
     return *it;
   }
-  /// Where the curve meets an upright border of the wall, or its seam.
+  /// Splits the curve where it meets the wall's upright border, or seam, at `angle` about the axis.
   void add_end(IntersectionCurve& curve, const Patch& wall, double angle, bool seam) const {
     const Vec3 d = rigid_inverse(wall.into).rotate({std::cos(angle), std::sin(angle), 0});
     const double t = curve.parameter(curve.origin + d);
@@ -160,7 +162,7 @@ class CurveFinder {
     a.round ? cross_wall(j, i) : cross_wall(i, j);
   }
 
-  /// Adds the part of a line that may lie in two patches.
+  /// Adds the part of a line that lies in the boxes of both patches.
   void add_clipped(const Vec3& p, const Vec3& direction, int i, int j) {
     const Box box = intersection(boxes_[i], boxes_[j]);
     double low = -HUGE_VAL, high = HUGE_VAL;
@@ -190,7 +192,7 @@ class CurveFinder {
       return;
     }
     if (sine < kCrossingLimits.shallow) return doubt("two planes meet at a very small angle");
-    // Near the middle of the box, where it matters.
+    // A point of both planes near the middle of the box, where it has to be most exact.
     const Box box = intersection(boxes_[i], boxes_[j]);
     Vec3 p = 0.5 * (box.lo + box.hi);
     for (int round = 0; round < 2; ++round) {
@@ -253,8 +255,8 @@ class CurveFinder {
       add_clipped(frame.apply({(along * c.x - s * c.y) / d, (along * c.y + s * c.x) / d, c.z}),
                   a.axis(), i, j);
   }
-  /// Of two circles that cross: how far from the first one's centre towards the other's, and how
-  /// far to the sides.
+  /// Where two circles cross, whose centres are d apart: how far from the first one's centre
+  /// towards the other's, and how far to both sides of that line.
   static std::pair<double, double> common_points(double r, double other, double d) {
     const double along = (d * d + r * r - other * other) / (2 * d);
     return {along, std::sqrt(std::max(0.0, r * r - along * along))};
@@ -263,7 +265,8 @@ class CurveFinder {
   void add_split(IntersectionCurve& curve, double t, std::size_t p) {
     if (boxes_[p].contains(curve.at(t).p)) curve.splits.push_back({t, false});
   }
-  /// A curve touches a patch's surface there, or nearly: fine where both are of one feature.
+  /// For a curve that touches a patch's surface at t, or nearly: in doubt unless the curve comes
+  /// from the patch's own feature; then it is split there where they touch exactly.
   void touch_at(IntersectionCurve& curve, double t, std::size_t p, bool exactly) {
     if (!boxes_[p].contains(curve.at(t).p)) return;
     const bool own = std::ranges::find(curve.features, patches_[p].feature) != curve.features.end();
@@ -322,8 +325,9 @@ class CurveFinder {
     for (const double t : {middle - half, middle + half}) add_split(curve, t, p);
   }
 
-  /// Other walls than those along its own are clear of that, and those of the same feature meet it
-  /// where it ends.
+  /// Splits a round curve where a wall with a parallel axis crosses its cylinder. Walls with other
+  /// axes stay clear of that, else cross_walls gives up; walls that only touch it are of the same
+  /// feature, and do so where it is split already.
   void split_by_wall(IntersectionCurve& curve, std::size_t p) {
     const Patch& wall = patches_[p];
     if (norm(cross(wall.axis(), curve.axis)) > kCrossingLimits.parallel) return;

@@ -12,11 +12,11 @@ struct IntersectionCurve {
   /// Where an edge may end.
   struct Split {
     double t = 0;
-    bool seam = false;  ///< of a round wall, where there always is a vertex
+    bool seam = false;  ///< at a round wall's seam, where there always is a vertex
   };
 
   bool round = false, circle = false;
-  Vec3 origin, direction;    ///< of a line
+  Vec3 origin, direction;    ///< of a line; `origin` of a round one is its centre
   double low = 0, high = 0;  ///< of a line: parameters where edges may lie
   Vec3 u, v;                 ///< of a round one: origin + cos t u + sin t v
   Vec3 x, y, axis;           ///< of a round one: the cylinder's; t is the angle about the axis
@@ -34,8 +34,9 @@ struct Clearance {
   double same = 0, clear = 0;
 };
 
-/// The curves of all edges of patches and of where two features' patches cross, split wherever
-/// another patch may cross them. There are more of them, and more splits, than edges.
+/// The curves on which the patches' own edges lie, and those in which patches of two features
+/// cross, split wherever another patch may cross them. Not every part between two splits is an
+/// edge.
 ///
 /// Gives up where round walls cross whose axes are not parallel, or patches nearly touch or
 /// coincide, or there are very many.

@@ -7,7 +7,7 @@
 namespace remeshd {
 namespace {
 
-/// Of a circle about a unit axis.
+/// Adds the box of a circle about a unit axis.
 void add_circle(Box& box, const Vec3& centre, const Vec3& axis, double radius) {
   const auto reach = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
   const Vec3 r{reach(axis.x), reach(axis.y), reach(axis.z)};
@@ -82,7 +82,7 @@ class Collector {
     for (const bool top : {false, true})
       add_circle(patch.box, at(side.centre, top), patch.axis(), patch.radius);
     if (side.closed()) {
-      // The kernel's seam.
+      // The seam, where the CAD kernel has it.
       const Transform& own = side.face->surface.frame;
       const Vec3 low = own.apply({patch.radius, 0, patch.low});
       const Vec3 high = own.apply({patch.radius, 0, patch.high});
@@ -90,7 +90,7 @@ class Collector {
       add_edge(low, high, -1, number);
       return;
     }
-    // From where the axis' own turning begins.
+    // From the end from which the wall goes counter-clockwise about its axis.
     const Vec3 from = at(side.from, false), to = at(side.to, false);
     const Vec3 turning = frame_->rotate({0, 0, side.left_turn ? 1.0 : -1.0});
     const bool same_way = dot(turning, patch.axis()) > 0;

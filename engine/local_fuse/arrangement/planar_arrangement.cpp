@@ -23,7 +23,8 @@ double distance_to_segment(const Vec3& p, const SweepSide& s) {
   return distance(p, s.from + std::clamp(dot(p - s.from, d) / norm2(d), 0.0, 1.0) * d);
 }
 
-/// Between a whole circle and a side; an arc stands for its circle.
+/// The distance between a circle and a side, where an arc counts as its whole circle; negative
+/// where they cross.
 double gap(const SweepSide& circle, const SweepSide& side) {
   const Vec3& c = circle.centre;
   double nearest = 0, furthest = 0;  // of the side, from the circle's centre
@@ -67,7 +68,7 @@ class Arrangement {
     int sweep;
     std::array<int, 2> ends;
     std::vector<int> on = {};  ///< nodes on a line between its ends
-    bool doubled = false;      ///< a circle that is there already
+    bool doubled = false;      ///< a circle that coincides with an earlier one
   };
 
   void doubt(const char* why) {
@@ -87,7 +88,7 @@ class Arrangement {
 
   void meet(Placed& a, Placed& b) {
     if (!a.side.round && !b.side.round) return meet_lines(a, b);
-    // The sides of one outline do not cross, and its chords are looked at where it is meshed.
+    // The sides of one outline do not cross; their chords are checked when faces are meshed.
     if (a.sweep == b.sweep) return;
     if (a.side.closed() && b.side.closed() && distance(a.side.centre, b.side.centre) <= same_ &&
         std::fabs(a.side.radius - b.side.radius) <= same_) {
@@ -114,11 +115,11 @@ class Arrangement {
           other.on.push_back(n);
       }
     }
-    if (touch) return;  // lines that share a point and cross elsewhere are one line
+    if (touch) return;  // lines with a common point cross nowhere else
     const Vec3 u = a.side.to - a.side.from, v = b.side.to - b.side.from;
     const Vec3 w = b.side.from - a.side.from;
     const double det = cross(u, v).z;
-    if (std::fabs(det) <= 1e-9 * norm(u) * norm(v)) return;  // apart by more than that can bridge
+    if (std::fabs(det) <= 1e-9 * norm(u) * norm(v)) return;  // too nearly parallel to cross
     const double s = cross(w, v).z / det, t = cross(w, u).z / det;
     if (s <= 0 || s >= 1 || t <= 0 || t >= 1) return;
     const int n = node(a.side.from + s * u);
@@ -164,8 +165,8 @@ class Arrangement {
     }
   }
 
-  /// Which sweeps lie left and right of a piece: those it bounds by themselves, others on both
-  /// sides or on none.
+  /// Finds the sweeps left and right of a piece: those that it bounds by their covers; any other is
+  /// on both sides or on none, as the middle of the piece tells.
   void find_sides(ArrangementEdge& piece) const {
     std::ranges::sort(piece.covers, {}, &ArrangementCover::sweep);
     Vec3 middle = 0.5 * (out_.nodes[piece.a] + out_.nodes[piece.b]);
@@ -196,7 +197,7 @@ class Arrangement {
   std::optional<GaveUp> doubt_;  ///< the first
   int searches_ = 0;
   std::vector<Placed> sides_;
-  std::map<std::array<int, 2>, int> line_;  ///< pieces by nodes
+  std::map<std::array<int, 2>, int> line_;  ///< lines among the pieces, by their nodes
   PlanarArrangement out_;
 };
 

@@ -6,18 +6,19 @@
 
 namespace remeshd {
 
-/// A side of a sweep on a piece of the outlines.
+/// A side of a sweep's outline that runs along a piece of the arrangement.
 struct ArrangementCover {
   int sweep = -1;
   const SolidFace* face = nullptr;
-  bool left = true;  ///< where the sweep lies
+  bool left = true;  ///< the sweep lies on the piece's left
   friend bool operator==(const ArrangementCover&, const ArrangementCover&) = default;
 };
 
-/// A part of a line, an arc or a circle between two nodes; no other piece meets it but there.
+/// A piece of the arrangement: a part of a line, an arc or a circle between two nodes. Pieces meet
+/// at nodes only.
 struct ArrangementEdge {
-  int a = -1, b = -1;  ///< nodes; the same of a circle
-  bool round = false;  ///< then it turns left from a to b
+  int a = -1, b = -1;  ///< nodes; equal for a circle
+  bool round = false;  ///< an arc or a circle, which turns left from a to b
   Vec3 centre;
   double radius = 0, angle = 0;
   std::vector<ArrangementCover> covers;  ///< ascending by sweep
@@ -32,13 +33,14 @@ struct PlanarArrangement {
 
 /// Splits outlines by each other and merges what coincides.
 ///
-/// Gives up where round sides meet others but at their ends, which a kernel is for, or
-/// anything comes so near to something else that it is not clear whether they meet, or there are
-/// very many.
+/// Gives up where a round side meets or nearly meets one of another outline, unless both are the
+/// same whole circle, or where other sides come so near to each other that it is not clear whether
+/// they meet, or there are very many.
 Tried<PlanarArrangement> arrange(const Sweeps& sweeps, const Membership& membership,
                                  double diagonal);
 
-/// Of the diagonal: what is nearer is the same, and where nothing may lie beyond.
+/// x the diagonal: what is nearer than the first is the same, what is further than the second is
+/// apart; between them it is in doubt.
 constexpr double kSameOutline = 1e-11, kClearOutline = 1e-5;
 
 }  // namespace remeshd

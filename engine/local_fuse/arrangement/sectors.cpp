@@ -12,13 +12,15 @@ namespace remeshd {
 namespace {
 
 struct SectorLimits {
-  double near = 10;           ///< steps: nothing else may be nearer
+  double near = 10;           ///< steps: a face that is nearer must contain the curve
   double same_angle = 1e-7;   ///< rad
   double clear_angle = 0.02;  ///< rad: between half-faces
 };
 constexpr SectorLimits kSectorLimits;
 
-/// Of patches with the same normal at a point of both.
+/// Whether two patches lie on one surface.
+///
+/// Pre: p is on both, and their normals there are parallel.
 bool same_patch_surface(const Patch& a, const Patch& b, const Vec3& p, double same) {
   if (a.round != b.round) return false;
   if (!a.round) return true;
@@ -53,8 +55,8 @@ FeatureSet Sectors::owners(const Vec3& p, FeatureSet candidates) const {
   return out;
 }
 
-/// The patches that part what lies before a half-face from what lies behind it, one of each
-/// feature.
+/// Adds the patches that a half-face consists of: one of each feature that lies either before or
+/// behind it, not both.
 Tried<void> Sectors::add_covers(HalfFace& half_face, const Vec3& p,
                                 const std::vector<const Patch*>& through) const {
   const Vec3 on = p + step_ * half_face.direction;
@@ -115,7 +117,7 @@ Tried<std::vector<HalfFace>> Sectors::around(const IntersectionCurve& curve, dou
   for (std::size_t k = 0; k < boxes_.size(); ++k)
     if (boxes_[k].contains(p)) candidates |= FeatureSet{1} << k;
   const auto towards = [&](double a) { return std::cos(a) * u + std::sin(a) * v; };
-  std::vector<FeatureSet> between;  // an angle and the next
+  std::vector<FeatureSet> between;  // by angle: the owners between it and the next
   for (std::size_t i = 0; i < apart.size(); ++i) {
     const double next = i + 1 < apart.size() ? apart[i + 1] : apart.front() + kTurn;
     if (next - apart[i] < kSectorLimits.clear_angle)

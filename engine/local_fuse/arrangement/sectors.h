@@ -8,27 +8,28 @@
 
 namespace remeshd {
 
-/// Features by place in a list of at most 64.
+/// A set of features: bit k stands for the k-th of a list of at most 64.
 using FeatureSet = std::uint64_t;
 
-/// A half-face of feature faces that ends at a point of a curve, or passes through it: what lies
-/// before and behind it, turning about the curve.
+/// A half-face at a point of a curve: feature faces on one side of the curve, which end at it or
+/// pass through it, and the features that lie before and behind them as one turns about the curve.
 struct HalfFace {
   Vec3 direction;  ///< unit, away from the curve
-  Vec3 ahead;      ///< unit, at right angles to the half-face, to what is behind it
+  Vec3 ahead;      ///< unit, normal to the half-face, towards `behind`
   FeatureSet before = 0, behind = 0;
   std::vector<const Patch*> covers;  ///< ascending by feature
 };
 
-/// Looks round the points of curves by the features' closed formulas.
+/// Tells which features and faces lie round a point of a curve, by the features' closed formulas.
 class Sectors {
  public:
-  /// Pre: at most 64 features; patches are theirs.
+  /// Pre: at most 64 features, ascending; patches are theirs.
   Sectors(const Membership& membership, std::span<const int> features, const Patches& patches,
           double diagonal, const Clearance& clearance);
 
-  /// The half-faces where what lies on both sides differs, as they turn about the curve from the
-  /// same direction in its own frame at every point. Gives up where that is in doubt.
+  /// The half-faces at parameter t that have different features before and behind them, in the
+  /// order of turning about the curve's tangent, from a direction fixed in the curve's frame. Gives
+  /// up where they are in doubt.
   Tried<std::vector<HalfFace>> around(const IntersectionCurve& curve, double t) const;
 
   [[nodiscard]] bool material(FeatureSet owners) const;
@@ -42,7 +43,7 @@ class Sectors {
   std::span<const int> features_;
   const Patches& patches_;
   Clearance clearance_;
-  double step_;             ///< to where is looked
+  double step_;             ///< distance from a curve at which owners are tested
   std::vector<Box> boxes_;  ///< of features, a little larger
 };
 

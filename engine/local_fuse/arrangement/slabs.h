@@ -7,9 +7,9 @@
 
 namespace remeshd {
 
-/// The heights where sweeps begin and end, and what lies beside the pieces of their outlines in the
-/// slabs between: slab s reaches from height s to s + 1; the first and the last are the outside,
-/// below and above all.
+/// The heights where sweeps begin and end, and what lies beside the arrangement's pieces in the
+/// slabs between: slab s reaches from height s - 1 to height s; the first and the last are the
+/// outside, below and above all.
 class Slabs {
  public:
   /// What lies on one side of a piece, in a slab.
@@ -27,6 +27,7 @@ class Slabs {
   /// Slabs count from 0, below the lowest height, to `heights()`.
   [[nodiscard]] const Column& left(int piece, int slab) const { return at(piece, slab)[0]; }
   [[nodiscard]] const Column& right(int piece, int slab) const { return at(piece, slab)[1]; }
+  /// Whether a sweep reaches through a slab.
   [[nodiscard]] bool active(int sweep, int slab) const {
     return low_[sweep] < slab && slab <= high_[sweep];
   }
@@ -35,10 +36,11 @@ class Slabs {
   [[nodiscard]] bool wall(int piece, int slab) const {
     return left(piece, slab).owners != right(piece, slab).owners;
   }
+  /// Whether there is one, and it bounds material.
   [[nodiscard]] bool boundary(int piece, int slab) const {
     return left(piece, slab).material != right(piece, slab).material;
   }
-  /// Whether all is the same below and above a height.
+  /// Whether the owners on both sides of a piece are the same below and above a height.
   [[nodiscard]] bool passes(int piece, int height) const {
     return left(piece, height).owners == left(piece, height + 1).owners &&
            right(piece, height).owners == right(piece, height + 1).owners;
@@ -50,8 +52,8 @@ class Slabs {
   }
 
   std::vector<double> z_;
-  std::vector<int> low_, high_;  ///< by sweep: heights
-  std::vector<std::array<Column, 2>> columns_;
+  std::vector<int> low_, high_;                 ///< by sweep: the heights of its ends, by number
+  std::vector<std::array<Column, 2>> columns_;  ///< by piece and slab: left, right
 };
 
 }  // namespace remeshd

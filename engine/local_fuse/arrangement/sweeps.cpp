@@ -13,7 +13,7 @@ Vec3 column(const Transform& t, int k) { return {t.m[k], t.m[4 + k], t.m[8 + k]}
 
 bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) <= tolerance::kRounding; }
 
-/// The axes of a feature that it is swept along: all three of a block, none of what is no sweep.
+/// The local axes (0 is x) along which a shape is swept: all three of a block, none of a sphere.
 std::vector<int> axes_of(const Shape& shape) {
   if (std::holds_alternative<Block>(shape)) return {2, 0, 1};
   if (const auto* cone = std::get_if<Cone>(&shape))
@@ -24,7 +24,7 @@ std::vector<int> axes_of(const Shape& shape) {
   return {};
 }
 
-/// The axis of a feature that is parallel to a direction; -1 where there is none.
+/// Which of these axes of a feature is parallel to a direction; -1 where none is.
 int axis_along(const Feature& feature, const Vec3& direction) {
   for (const int k : axes_of(feature.shape))
     if (parallel(column(feature.placement, k), direction)) return k;
@@ -105,7 +105,7 @@ struct LocalSweep {
   }
 };
 
-/// Twice the area of the polygon of the chords; a circle's counts as it turns.
+/// Twice the signed area within an outline: positive where it runs counter-clockwise.
 double turning(const std::vector<SweepSide>& sides) {
   double area = 0;
   for (const SweepSide& side : sides) {
@@ -121,7 +121,7 @@ double turning(const std::vector<SweepSide>& sides) {
   return area;
 }
 
-/// Into another frame, whose z axis may look the other way.
+/// A sweep along a local axis, put into a frame whose z axis is parallel to that or opposite.
 Sweep moved(Sweep sweep, const Transform& to, int axis) {
   const auto flat = [&](const Vec3& p) {
     const Vec3 q = to.apply(p);
@@ -152,7 +152,9 @@ Sweep moved(Sweep sweep, const Transform& to, int axis) {
   return sweep;
 }
 
-/// The directions that all features, one at least, may have in common.
+/// The sweep directions that the features may have in common: those of one with the fewest.
+///
+/// Pre: there is a feature.
 std::vector<Vec3> candidates(const FeatureModel& model, std::span<const int> features) {
   const int fewest = *std::ranges::min_element(
       features, {}, [&](int f) { return axes_of(model.features[f].shape).size(); });

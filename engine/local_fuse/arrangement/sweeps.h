@@ -30,12 +30,12 @@ struct Sweep {
 
 /// Features in a frame along whose z axis all of them are swept.
 struct Sweeps {
-  Transform frame;
+  Transform frame;            ///< from the sweeps' coordinates to the model's
   std::vector<Sweep> sweeps;  ///< in the order of the features
 };
 
-/// Takes these features of a model for sweeps, where one direction does for all of them. The faces
-/// are the membership's own.
+/// Describes features of a model as sweeps along one direction. The faces pointed to are the
+/// membership's own.
 ///
 /// Gives up where a feature is no prism or cylinder, or no direction does for all.
 ///

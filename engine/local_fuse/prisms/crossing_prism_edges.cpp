@@ -10,11 +10,11 @@
 namespace remeshd {
 namespace {
 
-/// Whether the same lies round two points of a curve.
+/// Whether the same half-faces, whatever their directions, lie round two points of a curve.
 bool alike(const std::vector<HalfFace>& a, const std::vector<HalfFace>& b) {
   const std::size_t n = a.size();
   if (b.size() != n) return false;
-  // An ellipse's half-faces turn in its frame.
+  // Along an ellipse half-faces turn in the curve's frame, so that another may come first.
   for (std::size_t shift = 0; shift < n; ++shift) {
     bool same = true;
     for (std::size_t i = 0; same && i < n; ++i) {
@@ -26,7 +26,7 @@ bool alike(const std::vector<HalfFace>& a, const std::vector<HalfFace>& b) {
   return n == 0;
 }
 
-/// Whether all there is is one face that goes on.
+/// Whether a single smooth face passes through the curve, and nothing else is there.
 bool passes(const std::vector<HalfFace>& half_faces) {
   return half_faces.size() == 2 && half_faces[0].covers == half_faces[1].covers &&
          half_faces[0].before == half_faces[1].behind &&
@@ -54,7 +54,7 @@ class EdgeFinder {
   }
 
   int node(const Vec3& p) {
-    // Along a direction in which few nodes lie at the same place.
+    // The coordinate along a skew direction, which few nodes share, to look up those nearby.
     const double key = 0.5377 * p.x + 0.6113 * p.y + 0.5806 * p.z;
     for (auto it = by_key_.lower_bound(key - clear_);
          it != by_key_.end() && it->first <= key + clear_; ++it) {
@@ -69,7 +69,8 @@ class EdgeFinder {
     return static_cast<int>(out_.nodes.size()) - 1;
   }
 
-  /// The splits of a curve in order, each place once; a closed one's first again at the end.
+  /// The splits of a curve in order, each place once; of a round curve the first again at the end,
+  /// a turn later.
   [[nodiscard]] std::vector<IntersectionCurve::Split> splits_of(
       const IntersectionCurve& curve) const {
     std::vector<IntersectionCurve::Split> all = curve.splits, out;
@@ -143,8 +144,8 @@ class EdgeFinder {
   const Sectors& sectors_;
   double same_, clear_;
   std::optional<GaveUp> doubt_;        ///< the first
-  std::multimap<double, int> by_key_;  ///< nodes
-  std::vector<char> seam_;             ///< by node
+  std::multimap<double, int> by_key_;  ///< nodes by the key that `node` computes
+  std::vector<char> seam_;             ///< by node: whether a seam has a vertex there, which stays
   PrismEdges out_;
 };
 

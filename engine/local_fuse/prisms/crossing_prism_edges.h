@@ -10,8 +10,8 @@ namespace remeshd {
 struct PrismEdge {
   int curve = -1;
   double from = 0, to = 0;  ///< parameters, ascending
-  int a = -1, b = -1;       ///< nodes; the same of a closed one
-  double seen_at = 0;       ///< parameter of the half-faces' directions
+  int a = -1, b = -1;       ///< nodes; equal for a closed edge
+  double seen_at = 0;       ///< parameter of the point round which `half_faces` lie
   std::vector<HalfFace> half_faces;
 };
 
@@ -20,8 +20,8 @@ struct PrismEdges {
   std::vector<PrismEdge> edges;
 };
 
-/// The parts of curves where faces of a general fuse end, seams too, each as long as what lies
-/// round it stays the same and no other edge ends at it.
+/// The edges of a general fuse, seams included: the parts of the curves where faces end. Each is as
+/// long as the half-faces round it stay the same and no other edge ends on it.
 ///
 /// Gives up where that is in doubt.
 Tried<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,

@@ -58,7 +58,7 @@ class CrossedParts {
     BoundaryPiece piece;
     bool along = true;    ///< the outward normal is the surface's
     bool walled = false;  ///< on a cylinder
-    double cut = 0;       ///< then, where to open it
+    double cut = 0;       ///< of a cylinder: angle at which to open it, see cylinder_faces
     std::vector<CylinderUse> uses;
   };
 
@@ -83,7 +83,8 @@ class CrossedParts {
     }
   }
 
-  /// The family of a half-face, by its covers and by what lies behind it.
+  /// The family of a half-face, by its covers; `material`: the features on its side with material.
+  /// `outward`: its normal at the point `at`, away from the material.
   Family& family_of(const HalfFace& half_face, FeatureSet material, const Vec3& outward,
                     const Vec3& at) {
     Family fresh;
@@ -174,7 +175,8 @@ class CrossedParts {
   std::vector<std::pair<BrepFace, int>> walls_;  ///< with their families
 };
 
-/// Whether all nodes lie on a round wall or further from it than polylines stand off it.
+/// Whether every node lies either on a round wall or further from it than polylines stand off it,
+/// for each round wall.
 bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clearance& clearance) {
   for (const Patch& patch : patches.patches) {
     if (!patch.round) continue;

@@ -74,7 +74,8 @@ int ParallelPrismEdges::add_arc(const ArrangementEdge& piece, int height) {
   brep_.edges.push_back(std::move(edge));
   return static_cast<int>(brep_.edges.size()) - 1;
 }
-/// A node that is no vertex: below zero until all vertices are known.
+/// Adds a point of a polyline that is no vertex. Its number is negative until `finish`, which knows
+/// how many vertices come before it.
 int ParallelPrismEdges::add_inner(const Vec3& p) {
   inner_.push_back(p);
   return -static_cast<int>(inner_.size());
@@ -88,7 +89,8 @@ int ParallelPrismEdges::level(int p, int height) {
                          : add_line(vertex(piece.a, height), vertex(piece.b, height));
 }
 
-/// Whether two lines at a node go on straight with the same on both sides.
+/// Whether, in a slab, line q continues line p straight at a node, with the same owners on both
+/// sides and the same covers.
 bool ParallelPrismEdges::straight(int node, int p, int q, int slab) const {
   const ArrangementEdge &a = arrangement_.pieces[p], &b = arrangement_.pieces[q];
   if (a.round || b.round || p == q) return false;
@@ -111,7 +113,8 @@ bool ParallelPrismEdges::straight(int node, int p, int q, int slab) const {
   return slabs_.left(p, slab).owners == left.owners && covers(a, false) == covers(b, turned);
 }
 
-/// Whether walls meet at a node in a slab in more than one straight wall that goes on.
+/// Whether there is an upright edge at a node in a slab: walls end there, and they are not just two
+/// that continue each other straight.
 bool ParallelPrismEdges::stands(int node, int slab) const {
   std::vector<int> walls;
   for (const int p : ends_at_[node])

@@ -20,7 +20,7 @@ class SweptParts {
         frame_(frame),
         edges_(sweeps, arrangement, slabs) {}
 
-  /// Gives up where a round wall is not as simple as it seemed.
+  /// Gives up where an upright border of a round wall is not a single edge.
   Tried<FusedPrisms> build() {
     for (int p = 0; p < static_cast<int>(arrangement_.pieces.size()); ++p) {
       for (int slab = 1; slab < slabs_.heights(); ++slab) {
@@ -44,7 +44,8 @@ class SweptParts {
   }
 
  private:
-  /// Names of a face by the sweeps that end there, and by what lies behind it.
+  /// The names and surface of a face; `covers`: the feature faces on it, `behind`: the sweeps that
+  /// own the material behind it.
   BoundaryPiece named(std::vector<ArrangementCover> covers, const std::vector<int>& behind) const {
     BoundaryPiece piece;
     piece.boundary = true;
@@ -53,7 +54,7 @@ class SweptParts {
       const bool owns = std::ranges::binary_search(behind, cover.sweep);
       auto& names = owns ? piece.material_names : piece.other_names;
       if (names.empty() && (owns || piece.material_names.empty()))
-        piece.surface = cover.face->surface;  // that of the first name of all
+        piece.surface = cover.face->surface;  // of the first material name, else of the first other
       names.push_back({sweeps_.sweeps[cover.sweep].feature, cover.face->name});
     }
     return piece;
@@ -82,7 +83,7 @@ class SweptParts {
     const ArrangementEdge& outline = arrangement_.pieces[p];
     const std::vector<int>& below = edges_[edges[0]].chain;
     const std::vector<int>& above = edges_[edges[1]].chain;
-    // An edge beside it has another vertex: the strip would not do.
+    // A vertex within an upright border would be missing from the strip.
     if (edges.size() != 4) simple_ = false;
     BrepFace face;
     face.cells = {0, -1};
@@ -93,7 +94,7 @@ class SweptParts {
     if (!material_left)
       for (auto& t : face.triangles) std::swap(t[1], t[2]);
     const double height = slabs_.z(high) - slabs_.z(low), r = outline.radius;
-    // Of the unit vectors from the axis, times the angle; nought all round.
+    // The integral over the angle of the unit vectors away from the axis; nought of a whole circle.
     const Vec3 a = arrangement_.nodes[outline.a], b = arrangement_.nodes[outline.b];
     const Vec3 outward = sweeps_.frame.rotate(Vec3{b.y - a.y, a.x - b.x, 0} / r);
     const Vec3 centre = edges_.place(outline.centre, low) + (0.5 * height) * edges_.axis();
@@ -107,7 +108,7 @@ class SweptParts {
     along_.push_back(material_left ? 1 : 0);  // a cylinder's normal points away from its axis
   }
 
-  /// Faces left and right of a piece at a height.
+  /// Adds the edge on a piece at a height to the level faces on its left and right.
   void add_level_faces(int p, int height) {
     const auto &lb = slabs_.left(p, height), &rb = slabs_.right(p, height);
     const auto &la = slabs_.left(p, height + 1), &ra = slabs_.right(p, height + 1);
@@ -127,7 +128,8 @@ class SweptParts {
     }
   }
 
-  /// Adds edges to the face that stands for a plane, seen from outside along its names.
+  /// Adds edges to the face that stands for all with this plane, outward direction and names; makes
+  /// the face if need be.
   void add_to_plane(const BoundaryPiece& piece, const Vec3& outward,
                     const std::vector<int>& edges) {
     const bool along = dot(outward, piece.surface.frame.rotate({0, 0, 1})) > 0;

@@ -17,10 +17,11 @@ struct FusedPrisms {
 };
 
 /// The boundary of features that are swept along one direction, as a fuse of them gives it, but
-/// without the CAD kernel: level by level of the arrangement of their outlines. Faces of planes
-/// have their edges only, and one stands for all with the same plane, side and names.
+/// without the CAD kernel: from the arrangement of their outlines, slab by slab. A plane face has
+/// its edges only, no triangles or measures, and stands for all with the same plane, side and
+/// names.
 ///
-/// Gives up where they are no such features, or their outlines are not simple enough.
+/// Gives up where the features have no such direction, or their outlines are not simple enough.
 ///
 /// Pre: the membership is the model's.
 Tried<FusedPrisms> fuse_parallel_prisms(const FeatureModel& model, const Membership& membership,

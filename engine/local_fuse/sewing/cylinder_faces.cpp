@@ -17,12 +17,13 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-/// Integrals over a region of the cylinder, in its frame.
+/// Integrals over a region of the cylinder, in its frame, as sums along its border.
 struct WallMoments {
-  double area = 0, height = 0;  ///< of 1 and of z
-  double normal_x = 0, normal_y = 0;
+  double area = 0, height = 0;        ///< of 1 and of z
+  double normal_x = 0, normal_y = 0;  ///< of the outward unit normal's x and y
 
-  /// A part of the border at a height, forward through so much angle.
+  /// Adds a part of the border at height z that runs through `angle` (rad) about the axis; `cosine`
+  /// and `sine` are the integrals of the angle's cosine and sine along it.
   void add(double z, double radius, double angle, double cosine, double sine) {
     area -= radius * z * angle;
     height -= radius * 0.5 * z * z * angle;
@@ -31,7 +32,7 @@ struct WallMoments {
   }
 };
 
-/// Edges of a cylinder unrolled into a plane, where triangles stand along the axis.
+/// Edges of a cylinder unrolled into a plane, where plane_faces finds and triangulates the faces.
 class Unrolled {
  public:
   Unrolled(const Brep& brep, const Surface& cylinder, double cut)
@@ -53,7 +54,8 @@ class Unrolled {
     return wrapped(std::atan2(q.y, q.x) - cut_);
   }
 
-  /// Straight lines count little: so triangles stand along them and cut nothing short.
+  /// Scales heights so that all of them together span no more than an arc of kFaceTurning. So the
+  /// triangles stand along the axis and not across it, where they would cut the cylinder short.
   void flatten(std::span<const CylinderUse> uses) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const CylinderUse& use : uses)
@@ -65,7 +67,8 @@ class Unrolled {
     flat_height_ = std::min(1.0, kernel::kFaceTurning * cylinder_.r1 / (high - low));
   }
 
-  /// A node where it is seen from an angle.
+  /// The plane's point for a node. A node at the cut has two, at the angles 0 and kTurn; it is the
+  /// one on the side of `from`, the angle of a place on the edge beside it.
   int point(int node, double from) {
     const Vec3 q = into_.apply(brep_.points[node]);
     double angle = angle_at(q);
@@ -100,7 +103,8 @@ class Unrolled {
         ++uses_[e];
         return;
       }
-    // Its moments tell plane_faces that triangles cover the face; the face's own are of the curves.
+    // Chords alone, for plane_faces to check that the triangles cover what they enclose; the
+    // moments of the face itself are taken from the curves, in roll_up.
     flat.kind = BrepEdge::Kind::Other;
     for (std::size_t i = 0; i + 1 < flat.chain.size(); ++i) {
       const Vec3 &p = flat_.points[flat.chain[i]], &q = flat_.points[flat.chain[i + 1]];
@@ -112,14 +116,14 @@ class Unrolled {
   }
 
   void roll_up(BrepFace& face) const {
-    std::vector<std::array<int, 2>> sides;  // of triangles, as they turn
+    std::vector<std::array<int, 2>> sides;  // of all triangles, directed
     for (const auto& t : face.triangles)
       for (int i = 0; i < 3; ++i) sides.push_back({t[i], t[(i + 1) % 3]});
     std::ranges::sort(sides);
     WallMoments moments;
     for (int& e : face.edges) {
       const std::vector<int>& chain = flat_.edges[e].chain;
-      // An edge with the face on both sides adds nothing.
+      // An edge with the face on both sides is added in both directions, which cancel.
       for (const int sign : {1, -1}) {
         const std::array<int, 2> side =
             sign > 0 ? std::array{chain[0], chain[1]} : std::array{chain[1], chain[0]};
@@ -165,7 +169,7 @@ class Unrolled {
   double cut_, flat_height_ = 1;
   Brep flat_;
   std::vector<int> node_;                      ///< by point of the plane
-  std::map<std::pair<int, bool>, int> point_;  ///< by node, and whether it is beyond the last angle
+  std::map<std::pair<int, bool>, int> point_;  ///< by node, and whether it is the one at kTurn
   std::vector<int> source_, uses_;             ///< by edge of the plane
 };
 

@@ -18,14 +18,15 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-constexpr double kArc = 0.5;  // rad, of a circle: one part of an integral
+constexpr double kArc = 0.5;  // rad: longest part of an arc that the rule below integrates at once
 
-/// Sums over a border about a point of the plane: the fans' areas, and these times their centroids.
+/// Area and first moment of a region about an origin in its plane, as sums over its border: of the
+/// triangles between the origin and each step along the border.
 struct Moments {
   double area = 0;
   Vec3 moment;
 
-  /// A point of the border and the step along it there.
+  /// Adds the step `along` the border at p, which is relative to the origin.
   void add(const Vec3& p, const Vec3& along, const Vec3& normal) {
     const double fan = 0.5 * dot(cross(p, along), normal);
     area += fan;
@@ -76,8 +77,8 @@ void add_edge(const BrepEdge& edge, const Vec3& origin, double sign, const Vec3&
     out.add(a - origin + (0.5 + 0.5 * x) * along, sign * weight * along, normal);
 }
 
-/// Finds the triangle to the left of a directed pair of nodes. A table of its own: faces may have
-/// tens of thousands of triangles.
+/// A hash table from directed pairs of nodes to a number: the triangle on their left, or the edge
+/// whose polyline has them. Written for speed: faces may have tens of thousands of triangles.
 class HalfEdges {
  public:
   explicit HalfEdges(std::size_t triangles)
@@ -120,8 +121,8 @@ struct Segment {
   int a, b, edge, index, uses;
 };
 
-/// What the known triangles leave open: between their rim and those sides of segments that have
-/// none.
+/// The border of what the known triangles leave open: the sides on their rim, and the segments that
+/// lack a triangle on one side or both.
 class OpenBorder {
  public:
   OpenBorder(const Brep& brep, const Surface& plane)
@@ -150,7 +151,7 @@ class OpenBorder {
   std::unordered_map<int, int> corner_of_;
 };
 
-/// All triangles of the region.
+/// The triangles of the region, known and added, and its connected parts.
 class Region {
  public:
   Region(const Brep& brep, const std::vector<PlaneEdge>& edges, const Triangles& known)
@@ -191,7 +192,8 @@ class Region {
     return {};
   }
 
-  /// Parts that only segments part, and for each segment those to its left, from a to b and back.
+  /// Finds the connected parts, which segments separate, and for each segment the parts on its left
+  /// and right.
   Tried<void> divide() {
     HalfEdges left(triangles_.size()), of_segment(segments_.size());
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
@@ -236,7 +238,8 @@ class Region {
       faces[part_of_[t]].triangles.push_back(triangles_[t]);
     return faces;
   }
-  /// Calls visit(edge, part, sign), a use of an edge at a time.
+  /// Calls visit(edge, part, sign) once for each use of an edge; `sign`: 1 where the part lies on
+  /// the edge's left, -1 on its right.
   template <typename Visit>
   void each_use(Visit visit) const {
     for (std::size_t k = 0; k < segments_.size(); ++k)
@@ -254,7 +257,7 @@ class Region {
   std::vector<Segment> segments_;
   std::vector<int> part_of_;  ///< by triangle
   int parts_ = 0;
-  std::vector<std::array<int, 2>> sides_;  ///< by segment; -1: none
+  std::vector<std::array<int, 2>> sides_;  ///< by segment: parts on its left and right; -1: none
 };
 
 }  // namespace

@@ -17,14 +17,14 @@ struct PlaneEdge {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// The faces that edges bound on a plane: what an odd number of them parts from the outside, in
-/// pieces that hang together. Edges, area, centroid, swept volume and triangles of each are filled
-/// in as for a face that looks along the plane's normal; areas are exact.
+/// The faces that edges bound on a plane: the inside by the even-odd rule, one face for each
+/// connected piece. Edges, area, centroid, swept volume and triangles of each are filled in as for
+/// a face whose normal is the plane's; areas are exact.
 ///
 /// `known`: triangles that are right already, counter-clockwise about the normal; the rest of the
 /// region is triangulated.
 ///
-/// Gives up where the edges do not close or their polylines cross.
+/// Gives up where the edges do not close, their polylines cross, or `known` does not fit them.
 Tried<std::vector<kernel::BrepFace>> plane_faces(const kernel::Brep& brep,
                                                  const std::vector<PlaneEdge>& edges,
                                                  const Surface& plane, const Triangles& known);

@@ -14,7 +14,7 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-constexpr double kSamePoint = 20;  // x the kernel's own tolerance, a tenth of kernel_tolerance
+constexpr double kSamePoint = 20;  // x the CAD kernel's own tolerance, 0.1 kernel_tolerance
 
 class Sewing {
  public:
@@ -45,7 +45,7 @@ class Sewing {
   }
 
  private:
-  /// Numbers of what has been taken over from one of the two.
+  /// Numbers in the result of what was taken over from the base or from the fuse; -1: was not.
   struct Taken {
     std::vector<int> vertices, edges, points;
     explicit Taken(const Brep& brep)
@@ -67,7 +67,7 @@ class Sewing {
     return number;
   }
 
-  /// Edges of the base that no change can have met.
+  /// Takes over the edges of the base that meet no box, with their vertices.
   void keep_edges() {
     const Brep& from = base_.brep;
     for (std::size_t e = 0; e < from.edges.size(); ++e) {
@@ -85,7 +85,7 @@ class Sewing {
     kept_edges_ = static_cast<int>(out_.brep.edges.size());
   }
 
-  /// The name in the edited model; false where its feature changed.
+  /// Puts the edited model's feature numbers into the names; false where one was not kept.
   [[nodiscard]] bool rename(BoundaryPiece& piece) const {
     for (auto* names : {&piece.material_names, &piece.other_names})
       for (FaceName& name : *names) {
@@ -112,7 +112,8 @@ class Sewing {
     return {};
   }
 
-  /// The vertex that is there already, or a new one; -1 where two are near.
+  /// The number of a vertex of the fuse in the result: of the kept one at the same place, or of a
+  /// new one; -1 where two kept ones are near.
   int take_vertex(int v) {
     int& number = taken_.vertices[v];
     if (number >= 0) return number;
@@ -126,8 +127,8 @@ class Sewing {
     return number;
   }
 
-  /// The edges of the fuse that meet a box are new; then all points can be numbered, vertices
-  /// first.
+  /// Adds the edges of the fuse that meet a box; other edges of its round faces have to be among
+  /// the kept ones. All points are numbered here, vertices first. `touched`: of the fuse.
   Tried<void> take_edges(const TouchedParts& touched) {
     const Brep& from = fused_.brep;
     std::vector<char> needed(from.edges.size(), 0);
@@ -167,7 +168,8 @@ class Sewing {
     return {};
   }
 
-  /// The edge of the base that an edge of the fuse is, node by node.
+  /// Finds the kept edge with the same vertices, kind and polyline as edge e of the fuse and takes
+  /// it for that; false where there is none.
   bool find_kept(int e) {
     const BrepEdge& edge = fused_.brep.edges[e];
     const std::array<int, 2> ends{taken_.vertices[edge.vertices[0]],
@@ -211,7 +213,7 @@ class Sewing {
     const BoundaryPiece* piece;
     bool along;
     std::map<int, int> uses;  ///< by edge
-    Triangles known;          ///< outward, where nothing changed
+    Triangles known;          ///< of the base, that stay; looking outward
   };
 
   Family& family_of(const BoundaryPiece& piece, bool along) {
@@ -225,6 +227,7 @@ class Sewing {
   Tried<void> rebuild_planes(const Membership& membership) {
     std::vector<BoundaryPiece> renamed;  // families point into it
     renamed.reserve(base_.pieces.size());
+    // Adds a face's edges with numbers from `first` on to its family; null where there are none.
     const auto gather = [&](const BoundaryParts& parts, std::size_t f, const BoundaryPiece& piece,
                             bool along, const std::vector<int>& number, int first) {
       Family* family = nullptr;
@@ -239,10 +242,10 @@ class Sewing {
       if (!touched_.faces[f] || !is_plane(base_.pieces[f])) continue;
       BoundaryPiece& piece = renamed.emplace_back(base_.pieces[f]);
       const bool whole = rename(piece);
-      // What a changed feature covered lies in its box, with all its edges.
       const bool along = looks_along(base_.brep, base_.brep.faces[f], piece.surface);
       Family* family = gather(base_, f, piece, along, kept_.edges, 0);
       if (family == nullptr) continue;
+      // A face of a changed feature lies in the feature's box, so that none of its edges is kept.
       if (!whole)
         return GaveUp{"replace_parts", "a plane face of a changed feature has a kept edge"};
       add_known(base_.brep.faces[f], family->known);
@@ -255,7 +258,7 @@ class Sewing {
     return {};
   }
 
-  /// The triangles of a face of the base that stay: between nodes that do, away from what changed.
+  /// Adds the triangles of a face of the base that stay: all their nodes do, and they meet no box.
   void add_known(const BrepFace& face, Triangles& known) const {
     for (std::array<int, 3> triangle : face.triangles) {
       Box box;
@@ -290,7 +293,7 @@ class Sewing {
     return {};
   }
 
-  /// Whether there is material behind the face and none before, at its largest triangle.
+  /// Whether there is material behind the face and none in front of it, at its largest triangle.
   [[nodiscard]] bool parts_material(const BrepFace& face, const Surface& surface,
                                     const Membership& membership) const {
     const auto& points = out_.brep.points;
@@ -305,18 +308,19 @@ class Sewing {
     return membership.inside(at - step) && !membership.inside(at + step);
   }
 
-  /// Two faces have to meet at every edge, and go along it in opposite directions.
+  /// Checks that two faces meet at every edge in use, and at those of new faces that the two go
+  /// along it in opposite directions.
   [[nodiscard]] Tried<void> check_closed() const {
     const Brep& brep = out_.brep;
     std::vector<std::array<int, 2>> directions(brep.edges.size(), {0, 0});
     std::vector<int> uses(brep.edges.size(), 0);
-    std::vector<char> watched(brep.edges.size(), 0);
+    std::vector<char> watched(brep.edges.size(), 0);  // edges of new faces
     for (std::size_t f = 0; f < brep.faces.size(); ++f)
       for (const int e : brep.faces[f].edges) {
         ++uses[e];
         if (static_cast<int>(f) >= kept_faces_) watched[e] = 1;
       }
-    std::vector<std::array<int, 3>> starts;  // first two nodes of watched edges
+    std::vector<std::array<int, 3>> starts;  // first two nodes of watched edges, and the edge
     for (int e = 0; e < static_cast<int>(brep.edges.size()); ++e) {
       if (uses[e] != 0 && uses[e] != 2)
         return GaveUp{"replace_parts", "an edge bounds one face or more than two"};

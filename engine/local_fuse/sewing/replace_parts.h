@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// What of some boundary parts meets the boxes round what changed.
+/// Which edges and faces of some boundary parts meet the boxes round what changed, by number.
 struct TouchedParts {
   std::vector<char> edges, faces;
 
@@ -21,7 +21,8 @@ struct TouchedParts {
   }
 
  private:
-  /// A round face or a frame may go all round a box: a part of it has to meet one.
+  /// The box of a face may meet one that the face itself goes round, as a round face or one with a
+  /// hole may: so an edge or a triangle of it must meet one too.
   [[nodiscard]] bool face_meets(const BoundaryParts& parts, int f,
                                 const std::vector<Box>& boxes) const {
     const BoundaryPiece& piece = parts.pieces[f];
@@ -36,8 +37,9 @@ inline bool is_plane(const BoundaryPiece& piece) {
   return piece.surface.kind == Surface::Kind::Plane;
 }
 
-/// The parts of a boundary with those that meet the boxes of the changes replaced by fused ones.
-/// `touched`: of `base` with these boxes; `membership`: of the edited model.
+/// The boundary parts of an edited model: those of its base, with those that meet the boxes of the
+/// changes replaced by fused ones. `touched`: which of `base` meet these boxes; `membership`: of
+/// the edited model.
 ///
 /// Gives up where what comes out does not fit together or the material is in more than one piece.
 Tried<BoundaryParts> replace_parts(const BoundaryParts& base, const Changes& changes,

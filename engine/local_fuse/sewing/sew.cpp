@@ -14,9 +14,10 @@
 namespace remeshd {
 namespace {
 
-constexpr double kFarReference = 8;  // diagonals: beyond, volumes lose digits
+constexpr double kFarReference = 8;  // diagonals from the model: beyond, swept volumes lose digits
 
-/// The features, by index in the edited model, that decide inside of the boxes.
+/// The features to fuse, by index in the edited model: those that reach into the boxes, or to edges
+/// and round faces of the base that meet a box and are replaced as a whole.
 std::vector<int> features_to_fuse(const FeatureModel& model, const BoundaryParts& base,
                                   const TouchedParts& touched, const std::vector<Box>& boxes) {
   const double margin = kernel_tolerance(base.brep);
@@ -38,7 +39,7 @@ std::vector<int> features_to_fuse(const FeatureModel& model, const BoundaryParts
   return features;
 }
 
-/// By the CAD kernel. Gives up where that would be the whole model.
+/// Fuses these features by the CAD kernel. Gives up where they are all of the model's.
 ///
 /// Throws what fuse_features throws.
 Tried<FusedPrisms> fuse_some(const EditedModel& edited, const std::vector<int>& features,

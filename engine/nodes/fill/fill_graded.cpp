@@ -19,21 +19,21 @@ struct GradedFilling {
   double constant = 1.122462048309373;
   /// A cube is divided where it is so many times larger than that of the local edge length.
   double largest = 1.2;
-  double jitter = 0.05;   ///< x side of the cube: how far off its place a node may be an axis
+  double jitter = 0.05;   ///< x side of the cube: of a node from its place, along each axis
   double closest = 0.72;  ///< x local edge length: no node is nearer to another
-  int deepest = 12;       ///< levels
-  double most = 4;        ///< x limit on nodes: more are not made
-  double places = 4.5;    ///< to a node
+  int deepest = 12;       ///< levels below the lattice's cubes, at most
+  double most = 4;        ///< x limit on nodes: more places for nodes are refused
+  double places = 4.5;    ///< listed per node: 9 by each cube, which has 2 of its own
 };
 constexpr GradedFilling kGradedFilling;
 
 /// A place for a node: the corner or the centre of a cube of an octree.
 struct Place {
   std::array<long, 3> at;  ///< in halves of the smallest cubes
-  int level;               ///< of a cube that it belongs to
+  int level;               ///< of a cube whose corner or centre it is
 };
 
-/// Leaves each place once, with its smallest cube.
+/// Takes out duplicates of places; the one of the smallest cube is left.
 void leave_once(std::vector<Place>& places) {
   std::ranges::sort(places, [](const Place& a, const Place& b) {
     return std::tie(a.at, b.level) < std::tie(b.at, a.level);
@@ -70,7 +70,7 @@ class Octrees {
     for (long y = cubes.lo[1]; y <= cubes.hi[1]; ++y)
       for (long x = cubes.lo[0]; x <= cubes.hi[0]; ++x) divide({x, y, z}, 0, box, poll, places);
   }
-  /// Where a place is, shaken.
+  /// The position of the node for a place: jittered.
   [[nodiscard]] Vec3 position(const Place& place) const {
     Random random = TurnedLattice::draw(place.at, seed_);
     const double unit = 1.0 / static_cast<double>(2L << levels_);
@@ -117,7 +117,7 @@ class Octrees {
   int levels_;
 };
 
-/// All places in the boxes that are inside, those of small cubes first.
+/// The places in the boxes where `inside` holds, each once, those of small cubes first.
 std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& boxes,
                              const InsideTest& inside, const Run& run) {
   std::vector<Place> places;
@@ -146,14 +146,14 @@ std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& box
   return places;
 }
 
-/// Leaves out what is nearer to an earlier one than the field allows.
+/// Leaves out nodes that are nearer to an earlier one than the field allows.
 void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) {
   const NearestNode grid(nodes, kGridCell * sizes.grid_length());
   std::vector<std::uint8_t> stays(nodes.size(), 0);
   Polling poll(run);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     poll();
-    double nearest2 = HUGE_VAL;  // within what may be too near
+    double nearest2 = HUGE_VAL;  // of nodes that may be too near
     grid.for_each_within(nodes[n], kGradedFilling.closest * sizes.bound(nodes[n]),
                          [&](std::int32_t other, double d2) {
                            if (stays[other] != 0) nearest2 = std::fmin(nearest2, d2);

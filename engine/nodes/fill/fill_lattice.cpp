@@ -14,10 +14,10 @@ struct LatticeFilling {
   /// Share of the lattice constant by which a node may be off its place along each axis. From .02
   /// to .1 the meshes are equally good; without it cospherical nodes leave worse ones.
   double jitter = 0.05;
-  /// The lattice of a count may hold so many times more nodes, which are then left out evenly.
+  /// x the count: a lattice for a count may hold so many nodes, which are then thinned out evenly.
   double surplus = 1.004;
   int tries = 12;       ///< to find the lattice constant for a count
-  int empty_tries = 3;  ///< of these with no node at all, each at half the constant
+  int empty_tries = 3;  ///< of these while there is no node; each halves the constant
 };
 constexpr LatticeFilling kLatticeFilling;
 constexpr double kShaken = 2;  // x jitter: no node is further from its place than sqrt(3) of it
@@ -46,7 +46,7 @@ class Lattice {
   }
 
  private:
-  /// The shaking depends on the place in the lattice alone: overlapping boxes see the same node.
+  /// The jitter depends on the place in the lattice alone: overlapping boxes see the same node.
   [[nodiscard]] Vec3 node(long x, long y, long z, int centre) const {
     Random random = TurnedLattice::draw({2 * x + centre, y, z}, seed_);
     const auto along = [&](long v) {

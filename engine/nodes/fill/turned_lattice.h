@@ -9,7 +9,7 @@
 namespace remeshd {
 
 /// A cubic lattice that is turned against the axes, so that no flat face of a usual model lies
-/// along its planes, and set off by what a seed draws.
+/// along its planes, and shifted by a random offset that depends on a seed.
 class TurnedLattice {
  public:
   /// `constant`: side of its cubes, length.
@@ -21,16 +21,16 @@ class TurnedLattice {
     return offset_ + a_ * (u * axes_[0] + v * axes_[1] + w * axes_[2]);
   }
 
-  /// Cubes of the lattice from `lo` to `hi` along each of its axes.
+  /// Cubes of the lattice from `lo` to `hi`, both included, along each of its axes.
   struct Cubes {
     std::array<long, 3> lo{}, hi{};
 
     [[nodiscard]] std::size_t layers() const { return hi[2] - lo[2] + 1; }
   };
-  /// All that touch a box.
+  /// Cubes that include all that touch a box.
   [[nodiscard]] Cubes cubes_of(const Box& box) const;
 
-  /// Draws for a place of the lattice, the same whoever asks.
+  /// The random stream of a place of the lattice: it depends on the place and the seed alone.
   static Random draw(const std::array<long, 3>& place, std::uint64_t seed);
 
  private:

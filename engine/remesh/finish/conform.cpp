@@ -16,9 +16,9 @@ namespace remeshd {
 namespace {
 
 struct ConformLimits {
-  int rounds = 8;      ///< of nodes near facets, and of nodes where verification finds faults
-  double fewer = 0.7;  ///< of the faults before a round, for the next to be made
-  double few = 12;     ///< faults that are worth all rounds
+  int rounds = 8;      ///< at facets, and as many where verification finds faults
+  double fewer = 0.7;  ///< x faults before a round: a round that leaves more has not helped
+  double few = 12;     ///< faults: with no more, rounds go on though one has not helped
   double few_inserted = 200, most_inserted = 0.2;
 };
 constexpr ConformLimits kConformLimits;
@@ -48,15 +48,15 @@ class Conforming {
   }
 
  private:
-  /// Nodes near facets that lie on no face, which no clean-up brings onto one.
+  /// Inserts nodes near facets that lie on no face: no clean-up brings such a facet onto one.
   void insert_at_facets() {
     for (; facet_rounds_ < kConformLimits.rounds && !c_.delaunay.nonconforming.empty();
          ++facet_rounds_)
       if (!insert_at(nonconforming_facets(c_.delaunay))) return;
   }
 
-  /// Gives nodes on faces their supports, and makes nodes on both sides of what is thin mirror
-  /// images of each other. Returns whether any were not.
+  /// In a sized mesh, gives interior nodes on faces their supports, and makes nodes on both sides
+  /// of thin places mirror images of each other. Returns whether that changed anything.
   bool set_right(std::span<const MeshDefect> defects) {
     if (!sized_) return false;
     const BoundaryModel& boundary = task_.cells.boundary;
@@ -65,8 +65,8 @@ class Conforming {
     return stranded + OppositeNodes(c_.nodes, boundary, sizes).set(defects) > 0;
   }
 
-  /// Nodes where the boundary is not all there, on both sides of what is thin, and the mesh
-  /// extracted anew. Returns false where there is no room for any, or the boundary takes too many.
+  /// Moves or inserts nodes near the defects, and extracts the mesh anew. Returns false where there
+  /// is no room for any, or too many have been inserted.
   bool insert_at(std::span<const MeshDefect> defects) {
     const BoundaryModel& boundary = task_.cells.boundary;
     const SizeField& sizes = task_.density.sizes;
@@ -87,8 +87,9 @@ class Conforming {
     return true;
   }
 
-  /// `again`: a mesh with nodes inserted where another was wrong. What lacks a part of the boundary
-  /// is not cleaned up.
+  /// Puts the mesh back into the parent's and verifies it. One that is finished `again`, after
+  /// nodes were inserted at faults, or a sized one with any nodes inserted is cleaned up only if it
+  /// has all of the boundary without that.
   void finish(bool again) {
     const bool clean_up = task_.options.clean_up;
     const bool draft_first = again || (sized_ && inserted_ > 0);
@@ -114,7 +115,8 @@ class Conforming {
     if (!stalled_) stalled_ = Stalled{c_, inserted_};
     return true;
   }
-  /// What was inserted since rounds stopped helping would be in the way of what comes after.
+  /// Goes back to the mesh before rounds stopped helping: nodes inserted since would be in the way
+  /// of the last resort.
   void take_back() {
     stalled_->mesh.verify_seconds = c_.verify_seconds;
     c_ = std::move(stalled_->mesh);
@@ -130,11 +132,11 @@ class Conforming {
   const MeshingTask& task_;
   const MeshPatch& patch_;
   const SampledBoundary& boundary_;
-  bool sized_;  ///< even meshes are what they always were
+  bool sized_;  ///< not even: even meshes are to stay as older versions made them
   std::uint32_t most_;
   std::uint32_t inserted_ = 0;
   int facet_rounds_ = 0;
-  double faults_ = HUGE_VAL;        ///< of the mesh before
+  double faults_ = HUGE_VAL;        ///< of the mesh verified last
   std::optional<Stalled> stalled_;  ///< before the first of the rounds that did not help
 };
 

@@ -6,8 +6,8 @@
 namespace remeshd {
 
 namespace {
-constexpr double kLeastPart = 0.25;  // of a link: what a node leaves of it on either side
-constexpr double kShortest = 0.06;   // x edge length: of a link that gets a node
+constexpr double kLeastPart = 0.25;  // of a link: a node on it is no nearer to its ends
+constexpr double kShortest = 0.06;   // x edge length: a link that is shorter gets no node
 }  // namespace
 
 CrowdedLinks::CrowdedLinks(NodeSet& nodes, const BoundaryModel& boundary, const SizeField& sizes)
@@ -19,7 +19,7 @@ CrowdedLinks::CrowdedLinks(NodeSet& nodes, const BoundaryModel& boundary, const 
       changed_(nodes.positions.size(), 0) {}
 
 bool CrowdedLinks::clear(std::int32_t edge, std::int32_t a, std::int32_t b) {
-  if (changed_[a] != 0 || changed_[b] != 0) return true;  // it is not what it was
+  if (changed_[a] != 0 || changed_[b] != 0) return true;  // the link has changed already
   const Link link = link_between(edge, a, b);
   if (link.length == 0) return false;
   const std::int32_t node = in_the_way(link);
@@ -108,7 +108,7 @@ bool CrowdedLinks::set_opposite(const Link& link, std::int32_t node) {
   const Vec3 here = (b - a) / link.length;
   Vec3 there = along(node);
   if (dot(here, there) < 0) there = -there;
-  const Vec3 across = here + there;  // normal of the plane in which both edges are seen alike
+  const Vec3 across = here + there;  // a plane with this normal meets both edges at one angle
   const double at = dot(p - a, across) / dot(b - a, across);
   if (at >= kLeastPart && at <= 1 - kLeastPart) return split(link, at);
   if (there == Vec3{}) return false;

@@ -13,20 +13,21 @@
 namespace remeshd {
 
 /// Links of model edges between nodes that leave no room for another one. A facet beside a link is
-/// Delaunay only if it is not much more than a right angle that it sees the link under: no node of
-/// the faces beside it may stand in the ball on the link.
+/// Delaunay only if its angle opposite to the link is not much more than a right angle: no node of
+/// the faces beside the link may stand in the ball whose diameter the link is.
 class CrowdedLinks {
  public:
   /// Keeps references; `nodes` change.
   CrowdedLinks(NodeSet& nodes, const BoundaryModel& boundary, const SizeField& sizes);
 
-  /// Does away with the node nearest to the middle of the missing link of `edge` from a to b, of
-  /// those in the ball on it. One of a face or of the inside moves onto the link. To one of another
-  /// model edge, which runs beside the link as edges of a strip do or as those of a sharp corner,
-  /// the link gets a node opposite; where the link has one next to that place, at its end, the
-  /// other node moves opposite to that. Returns whether something has changed.
+  /// Makes room for the missing link of `edge` from a to b. Of the nodes in its ball the one
+  /// nearest to its middle is in the way. If that is on a face or in the interior, it moves onto
+  /// the link. If it is on another model edge, which runs beside the link as in a narrow strip or
+  /// from a sharp corner, the link gets a node opposite to it; where that place is too near to an
+  /// end of the link, the node in the way moves to be opposite to that end. Returns whether
+  /// something has changed.
   bool clear(std::int32_t edge, std::int32_t a, std::int32_t b);
-  /// The same for a link that verification misses, which is halved where no node is in its way.
+  /// The same for a link that verification found missing; it is halved where no node is in its way.
   bool clear(const MeshDefect& missing);
 
  private:
@@ -38,8 +39,11 @@ class CrowdedLinks {
   [[nodiscard]] Vec3 middle_of(const Link& link) const {
     return 0.5 * (nodes_.positions[link.a] + nodes_.positions[link.b]);
   }
-  /// The place on the model edge at a part of the link, where its projection lies between its ends.
+  /// The point of the model edge at a fraction of the link; nothing where it does not lie between
+  /// the link's ends, well away from both.
   [[nodiscard]] std::optional<Vec3> place_on(const Link& link, double part) const;
+  /// The node in the link's ball that is nearest to its middle, but for interface nodes and those
+  /// that have changed; -1: none.
   [[nodiscard]] std::int32_t in_the_way(const Link& link) const;
   /// Direction of its model edge at a node, as a unit vector; 0 at a vertex.
   [[nodiscard]] Vec3 along(std::int32_t node) const;

@@ -7,11 +7,11 @@
 
 namespace remeshd {
 
-/// The nonconforming facets of a peeled mesh as verification would name them.
+/// The nonconforming facets of a peeled mesh as defects of a verification.
 std::vector<MeshDefect> nonconforming_facets(const PeeledMesh& mesh);
 
-/// Whether all that is wrong with a mesh is its tets: its surface is closed and has the model's
-/// vertices, edges and faces.
+/// Whether the boundary of a mesh is complete, whatever is wrong with its tets: a closed manifold
+/// with all of the model's vertices, edges and faces.
 bool boundary_is_complete(const Verification& verification);
 
 /// Whether `improve` may be asked to clean a mesh up: no tet inverted, the boundary a closed

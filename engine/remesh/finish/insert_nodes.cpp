@@ -58,8 +58,8 @@ int fewest(const SegmentOptions& options, int edge) {
   return options.fewest_links.empty() ? 0 : options.fewest_links[edge];
 }
 
-/// As many of the longest links as a chain lacks, all of them at most, by the number of their
-/// second node.
+/// The longest links of a chain, as many as it lacks or all that it has, each by the index of its
+/// second node in the chain.
 std::vector<std::size_t> longest_links(const std::vector<NodeOnEdge>& chain, int fewest) {
   if (chain.empty()) return {};
   const auto lacking = static_cast<std::ptrdiff_t>(fewest) - std::ssize(chain) + 1;
@@ -72,7 +72,7 @@ std::vector<std::size_t> longest_links(const std::vector<NodeOnEdge>& chain, int
   return links;
 }
 
-/// The same with a mesh that follows the nodes.
+/// `insert_in_segments` with a mesh that follows the nodes.
 int insert_until_present(NodeSet& nodes, LiveMesh& live, const BoundaryModel& boundary,
                          const SegmentOptions& options) {
   const int most = 200 + static_cast<int>(options.most * nodes.size());
@@ -148,8 +148,8 @@ class RoomForNodes {
     return to_taken2(middle, to_node2(middle)) > closest2(missing.place);
   }
 
-  /// The middle of a missing segment; else the sample near the defect that is farthest from any
-  /// node. Takes none where there is no room.
+  /// Takes the middle of a missing segment that has room there; for other defects the sample near
+  /// the defect that is farthest from any node, or nothing where that has no room.
   void take_place_for(const MeshDefect& defect) {
     if (defect.kind == MeshFailure::MissingSegment && has_room_in_middle(defect))
       return take({middle_of(defect), 0, {Support::Kind::Edge, defect.entity}});
@@ -191,7 +191,7 @@ class RoomForNodes {
   [[nodiscard]] double to_node2(const Vec3& p) const {
     return norm2(p - nodes_.positions[grid_of_nodes_.nearest(p)]);
   }
-  /// To what was taken, but at most `most2`.
+  /// Square of the distance to the nearest place that was taken, but at most `most2`.
   [[nodiscard]] double to_taken2(const Vec3& p, double most2) const {
     const std::int32_t other = grid_of_taken_.nearest(p);
     return other < 0 ? most2 : std::fmin(most2, norm2(p - places_[other]));
@@ -209,11 +209,11 @@ class RoomForNodes {
   const Samples& samples_;
   const SizeField& sizes_;
   std::vector<Sample> taken_;
-  std::vector<Vec3> places_;  ///< of those
+  std::vector<Vec3> places_;  ///< positions of those taken
   double cell_;
   const NearestNode grid_of_nodes_, grid_of_samples_;
   NearestNode grid_of_taken_;
-  std::vector<double> sample_to_node2_;  ///< once asked; -1 before
+  std::vector<double> sample_to_node2_;  ///< by sample: squared, to the nearest node; -1: not known
 };
 
 }  // namespace
@@ -232,7 +232,7 @@ int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
 int insert_where_missing(NodeSet& nodes, std::span<const MeshDefect> defects,
                          const BoundaryModel& boundary, const Samples& samples,
                          const SizeField& sizes, bool make_room) {
-  if (nodes.positions.empty()) return 0;  // a patch that nothing is in
+  if (nodes.positions.empty()) return 0;  // an empty patch
   RoomForNodes room(nodes, boundary, samples, sizes);
   std::vector<MeshDefect> crowded;
   for (const MeshDefect& defect : defects)

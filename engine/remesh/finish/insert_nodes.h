@@ -11,8 +11,8 @@
 #include "engine/sizing/size_field.h"
 #include "engine/verify/verify.h"
 
-/// Where a Delaunay mesh gets nodes to have the boundary: in segments of model edges that are
-/// missing, then beside facets that are.
+/// Inserts nodes until a Delaunay mesh has the model's boundary: in missing segments of model
+/// edges, then beside missing facets.
 namespace remeshd {
 
 struct SegmentOptions {
@@ -21,10 +21,10 @@ struct SegmentOptions {
   /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
   /// nearer to each other than the edge length would split each other into pieces as short as that.
   double most = 0.2;
-  /// Edges that have to have nodes, ascending. In a patch of a mesh others may have theirs
-  /// elsewhere.
+  /// Model edges that need nodes in a patch of a mesh, ascending; others without any in it may have
+  /// theirs elsewhere.
   std::vector<std::int32_t> wanted;
-  /// By model edge: links that it has to have; empty: any number does.
+  /// By model edge: links that it has to have at least; empty: any number does.
   std::vector<int> fewest_links;
   bool make_room = false;  ///< whether what is in the way of a link moves or gets a node opposite
 };
@@ -35,17 +35,18 @@ struct SegmentOptions {
 /// keeps to shells of radius l / 2^k round it, so that edges meeting at a sharp angle do not split
 /// each other for ever (Ruppert 1995).
 ///
-/// `mesh`: of the first `in_mesh` nodes. Post: of all nodes; links are still missing where `rounds`
-/// or `most` did not do. Returns the number of nodes inserted. Throws PatchTooSmall.
+/// `mesh`: of the first `in_mesh` nodes. Post: it is of all nodes; links are still missing where
+/// `rounds` or `most` did not suffice. Returns the number of nodes inserted or moved. Throws
+/// PatchTooSmall.
 int insert_in_segments(NodeSet& nodes, DelaunayMesh& mesh, std::int32_t in_mesh,
                        const BoundaryModel& boundary, const SegmentOptions& options,
                        const Run& run);
 
 /// Inserts boundary nodes where a mesh failed to represent the boundary. A link of a model edge
-/// that is no boundary edge is halved; near the other defects a node goes to the sample that is
-/// farthest from any. That is where the boundary is too thinly occupied for its facets to be
-/// Delaunay. `make_room`: what is in the way of a link without room moves or gets a node opposite
-/// (`CrowdedLinks`).
+/// that is no boundary edge is halved; near the other defects, or where the link has no room, a
+/// node goes to the sample that is farthest from any node. That is where the boundary has too few
+/// nodes for its facets to be Delaunay. `make_room`: what is in the way of a link without room
+/// moves or gets a node opposite (`CrowdedLinks`).
 ///
 /// Returns the number of nodes inserted and moved; 0 where everything near the defects has its
 /// node.

@@ -13,12 +13,12 @@ namespace {
 struct OppositeLimits {
   double around = 3;       ///< x edge length: how far from a defect
   double across = 0.5;     ///< x edge length: between a node and its image, at most
-  double thinnest = 1e-4;  ///< x edge length: the same, at least
+  double thinnest = 1e-4;  ///< x edge length: between a node and its image, at least
   double facing = 0.8;     ///< cosine between a normal and minus the other, at least
   double partner = 0.6;    ///< x edge length: between an image and a node that moves to it
   double room = 0.35;      ///< x edge length: from a new node to any other of its face
   double apart = 0.1;      ///< x edge length: from a node that moves to any other of its face
-  double same = 1e-3;      ///< x edge length: a node so near to an image stands in it
+  double same = 1e-3;      ///< x edge length: a node so near to an image need not move
   double off_face = 0.05;  ///< x edge length: of an image from a face's triangles, for their chords
   int rounds = 3;          ///< of the search for an image on a curved face
 };
@@ -78,7 +78,8 @@ std::optional<OppositeNodes::Image> OppositeNodes::nearest_image(std::int32_t no
   return nearest;
 }
 
-/// The mirror's normal is halfway between those of the faces.
+/// The image in a mirror whose normal is halfway between those of the faces, one of them reversed.
+/// Nothing where the faces do not look at each other, or it is not on the face.
 std::optional<Vec3> OppositeNodes::image(std::int32_t node, std::int32_t face) const {
   const Vec3& p = nodes_.positions[node];
   const BoundaryFace& to = boundary_.faces[face];
@@ -99,7 +100,7 @@ std::optional<Vec3> OppositeNodes::image(std::int32_t node, std::int32_t face) c
   return std::nullopt;
 }
 
-/// The nearest first.
+/// All pairs of an image and a node of its face near it, those at the least distance first.
 std::vector<OppositeNodes::Pair> OppositeNodes::pairs_of(const std::vector<Image>& images) const {
   std::vector<Pair> pairs;
   for (std::int32_t i = 0; i < std::ssize(images); ++i) {
@@ -148,7 +149,7 @@ int OppositeNodes::insert(const std::vector<Image>& images,
 bool OppositeNodes::is_taken(const Image& image, double room, std::int32_t but) const {
   const Support on{Support::Kind::Face, image.face};
   bool taken = false;
-  // Those that have moved stand in the grid where they were.
+  // The grid has nodes that have moved where they were before: it is searched further out.
   grid_.for_each_within(
       image.place, (room + kOpposite.partner) * image.edge_length, [&](std::int32_t n, double) {
         taken = taken || (n != but &&

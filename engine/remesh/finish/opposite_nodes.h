@@ -13,21 +13,23 @@
 
 namespace remeshd {
 
-/// Nodes of two faces that look at each other over less than an edge length, as those of a film, a
-/// narrow gap or a sharp wedge do. Facets of both are Delaunay where the nodes of one are mirror
-/// images of the other's: a ball round a facet with no node of its own face in it has no image of
-/// one in it either, because images are further from its centre.
+/// Nodes of two faces that look at each other over half an edge length or less, as those of a film,
+/// a narrow gap or a sharp wedge do. Facets of both are Delaunay where the nodes of one face are
+/// mirror images of the other's: a ball round a facet, with its centre on the facet's side of the
+/// mirror and no node of its own face in it, has no image of such a node in it either, because an
+/// image is further from the centre than its node.
 class OppositeNodes {
  public:
   /// Keeps references; `nodes` change.
   OppositeNodes(NodeSet& nodes, const BoundaryModel& boundary, const SizeField& sizes);
 
-  /// Near the defects, moves nodes of faces to the images of others, and of nodes of edges, and
-  /// inserts nodes where none is near enough to move. Returns how many were moved and inserted.
+  /// Near the defects, moves nodes of a face to the mirror images, on this face, of nodes of other
+  /// faces and edges; where none is near enough to an image to move, inserts a node there. Returns
+  /// how many were moved and inserted.
   int set(std::span<const MeshDefect> defects);
 
  private:
-  /// Where a face that a node does not stand on has its mirror image.
+  /// The mirror image of a node on a face that it does not stand on.
   struct Image {
     std::int32_t node, face;
     Vec3 place;

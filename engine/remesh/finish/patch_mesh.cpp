@@ -15,7 +15,8 @@
 namespace remeshd {
 namespace {
 
-/// Finds what is known of the tets of a patch and their neighbours beyond it, from before.
+/// Finds what is known from before the edit of the tets of a patch's new Delaunay mesh and of their
+/// exterior neighbours: which are in the model.
 class PatchClassifier {
  public:
   PatchClassifier(const NodeSet& nodes, const DelaunayMesh& mesh, const MeshPatch& patch,
@@ -33,7 +34,7 @@ class PatchClassifier {
   }
 
  private:
-  /// Seen from one side, the first node the least.
+  /// The nodes counterclockwise as seen from outside of the tet, the least of them first.
   using Facet = std::array<std::int32_t, 3>;
 
   static Facet facet_of(const Tet& t, int opposite) {
@@ -43,17 +44,17 @@ class PatchClassifier {
     return facet;
   }
 
-  /// A node's number in the patch as it was, where it is where it was then; else -1.
+  /// The number that a node had in the patch before the edit; -1: it is new or has moved.
   [[nodiscard]] std::int32_t before(std::int32_t node) const {
     if (node < 0) return -1;
     const std::int32_t then = nodes_.original[node];
     return then >= 0 && nodes_.positions[node] == patch_.positions[then] ? then : -1;
   }
 
-  /// The tets that are as they were, and whether they meet a changed box; notes the others as
-  /// gone.
+  /// Classifies tets that are as before, by whether they meet a changed box; notes the tets that
+  /// are gone.
   void find_unchanged() {
-    // A mesh that began anew has other slots, and may have fewer.
+    // A mesh that was built anew has its tets in other slots, and may have fewer slots.
     const auto then_slots = static_cast<std::int32_t>(patch_.mesh.slots());
     for (std::int32_t s = 0; s < then_slots; ++s) {
       if (!patch_.mesh.in_use(s)) continue;
@@ -76,7 +77,7 @@ class PatchClassifier {
     });
   }
 
-  /// Of a tet whose place was outside of the model.
+  /// The class of a tet in a place that was outside of the model.
   [[nodiscard]] KnownClassification::Known outside_before(std::int32_t slot) const {
     using enum KnownClassification::Known;
     return meets_changed(slot) ? WasOutside : Outside;
@@ -85,9 +86,9 @@ class PatchClassifier {
     return plan_.meets_changed(mesh_.corners(slot), nodes_.positions);
   }
 
-  /// Other tets of nodes that stayed, in the place of tets outside of the model: a node that moves
-  /// outside of a round face, however far, lets tets go whose balls it was in, and what comes
-  /// instead may lie against the face, inside of it.
+  /// Classifies new tets of nodes that stayed, in the place of tets that were outside of the model.
+  /// A node that moves outside of a round face, however far away, changes the tets whose balls it
+  /// enters or leaves; one that comes instead may lie against the face, its centroid inside of it.
   void find_outside_still() {
     const std::vector<Other> others = other_tets();
     const std::vector<GoneFacet> gone = gone_facets(others);
@@ -102,12 +103,12 @@ class PatchClassifier {
     }
   }
 
-  /// A tet that is not as it was, of nodes that stayed; their numbers then.
+  /// A tet that is not known from before, but whose nodes all stayed; `then`: their numbers before.
   struct Other {
     std::int32_t slot;
     Tet then;
   };
-  using GoneFacet = std::pair<Facet, std::uint8_t>;  ///< of a tet that is not any more; 1: inside
+  using GoneFacet = std::pair<Facet, std::uint8_t>;  ///< of a tet that is gone; 1: it was inside
 
   [[nodiscard]] std::vector<Other> other_tets() const {
     std::vector<Other> others;
@@ -120,7 +121,7 @@ class PatchClassifier {
     return others;
   }
 
-  /// Those that the others may have; ascending.
+  /// Facets of tets that are gone, between nodes of the others; ascending.
   [[nodiscard]] std::vector<GoneFacet> gone_facets(const std::vector<Other>& others) const {
     std::vector<std::uint8_t> asked(patch_.positions.size(), 0);
     for (const Other& other : others)
@@ -141,10 +142,11 @@ class PatchClassifier {
   const MeshPatch& patch_;
   const CopyPlan& plan_;
   KnownClassification known_;
-  std::vector<std::int32_t> gone_;  ///< slots of the patch's tets, of nodes, that are not any more
+  std::vector<std::int32_t> gone_;  ///< slots of patch tets that are gone, none at super vertices
 };
 
-/// Supports of the nodes that are not in the patch; of the others any.
+/// Supports of the parent's nodes in the modified boundary; nodes in the patch may have any.
+/// Throws PatchTooSmall where another one has none there.
 CowVector<Support> supports_left(const Revision& parent, const MeshPatch& cut,
                                  const EntityMap* entities) {
   const CowVector<Support>& then = parent.supports();
@@ -165,7 +167,7 @@ CowVector<Support> supports_left(const Revision& parent, const MeshPatch& cut,
   return supports;
 }
 
-/// The patch's mesh as it comes from the loop, all of it to be cleaned up.
+/// The patch's peeled Delaunay mesh, all of it dirty.
 ReusedMesh all_new(const Candidate& c) {
   const std::vector<Tet>& tets = c.delaunay.tets;
   return {{c.nodes.positions, tets}, std::vector<std::uint8_t>(tets.size(), 1), {}};
@@ -256,8 +258,8 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
 void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
               std::uint32_t most_failures) {
   const CellularModel& cells = task.cells;
-  c.whole = {};  // its memory, where it is made again
-  // In an even mesh, which is to be what it always was, a cavity is all that hangs together.
+  c.whole = {};  // frees its memory before it is made again
+  // Even meshes are to stay as older versions made them, with connected cavities.
   const PatchMesh made{
       c.nodes,    c.loop.mesh,
       c.delaunay, mesh.mesh,

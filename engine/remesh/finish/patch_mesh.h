@@ -11,7 +11,7 @@
 #include "engine/patch/reuse_improved_tets.h"
 #include "engine/remesh/steps.h"
 
-/// The steps from a patch's optimised nodes to its mesh in the parent's.
+/// The steps from a patch's optimised nodes to its mesh, put back into the parent's.
 namespace remeshd {
 
 /// The peeled Delaunay mesh of optimised nodes; nodes in no tet are left out. Throws PatchTooSmall.
@@ -28,7 +28,8 @@ PeeledMesh peeled(const Candidate& c, const MeshingTask& task, const MeshPatch& 
 std::vector<std::int32_t> drop_unused(NodeSet& nodes, std::vector<Tet>& tets, DelaunayMesh& mesh,
                                       const Run& run);
 
-/// The patch's mesh: improved tets reused where nothing changed, the rest cleaned up.
+/// The patch's mesh: improved tets reused where nothing changed, the rest cleaned up if `clean_up`.
+/// Sets `c.bad_at_interface`. Throws PatchTooSmall.
 ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& patch, bool clean_up);
 
 /// Puts a patch's mesh into the parent's and verifies the whole; `most_failures` as in
@@ -36,7 +37,7 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
 void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
               std::uint32_t most_failures = VerifyOptions{}.most_failures);
 
-/// The values at some places, -1 where a place is.
+/// `values[at[k]]` for each k; -1 where `at[k]` is negative.
 std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
                                     std::span<const std::int32_t> at);
 

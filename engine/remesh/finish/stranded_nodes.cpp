@@ -14,7 +14,7 @@ namespace {
 
 struct StrandedLimits {
   double around = 1;       ///< x edge length: how far from a defect
-  double beside = 1;       ///< x edge length: from a node of the face
+  double beside = 1;       ///< x edge length: from some node of the face
   double on_face = 1e-7;   ///< x edge length: from the face's surface
   double off_face = 0.05;  ///< x edge length: from the face's triangles, for their chords
 };

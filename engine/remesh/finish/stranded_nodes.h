@@ -8,10 +8,10 @@
 
 namespace remeshd {
 
-/// Gives nodes of the inside near the defects that stand on a face that face as their support. The
-/// boundary procedure (Sect. 3.3) leaves such where nodes are crowded: each sample is nearest to
-/// another node in the last iteration, and no iteration follows that would move the node inside.
-/// Facets with it would be on no face. Returns their number.
+/// Gives each interior node near the defects that lies on a face this face as its support. The
+/// boundary procedure (Sect. 3.3) leaves such nodes where they crowd: in the last iteration every
+/// sample is nearest to another node, and no iteration follows that would move the node inside.
+/// Its facets would be on no face. Returns the number of nodes that got a support.
 int support_stranded_nodes(NodeSet& nodes, std::span<const MeshDefect> defects,
                            const BoundaryModel& boundary, const SizeField& sizes);
 

@@ -21,8 +21,8 @@ namespace remeshd {
 namespace {
 
 struct ConfineLimits {
-  std::uint32_t all_failures = 100'000;
-  double most = 0.15;  ///< of the tets: a mesh with more faults is wrong all over
+  std::uint32_t all_failures = 100'000;  ///< of each kind: as good as all
+  double most = 0.15;                    ///< of the tets: a mesh with more faults is wrong all over
   double hopeless =
       0.1;  ///< of a refill's tets: with so many faults no clean-up or other try helps
   /// Of the faults of the refill before: another is made only after one with fewer. Of 81 meshes of
@@ -39,8 +39,9 @@ bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
          kConfineLimits.hopeless * static_cast<double>(made);
 }
 
-/// The mesh before clean-up, which mends nothing, or, where clean-up is what is wrong, after it;
-/// put back, with all that is wrong told. Throws PatchTooSmall.
+/// The patch's mesh, put back and verified with all faults described: without clean-up, which mends
+/// no boundary; with it where the mesh is valid without, so that clean-up has spoilt it. Throws
+/// PatchTooSmall.
 ReusedMesh with_all_faults(Candidate& c, const MeshingTask& task, const MeshPatch& patch) {
   ReusedMesh mesh = cleaned_up(c, task, patch, false);
   put_back(c, mesh, task, patch, kConfineLimits.all_failures);
@@ -50,7 +51,7 @@ ReusedMesh with_all_faults(Candidate& c, const MeshingTask& task, const MeshPatc
   return mesh;
 }
 
-/// Whether there is no place that is wrong, and its nodes were not too few.
+/// Whether the mesh is wrong all over rather than at some places, though many nodes were inserted.
 bool is_wrong_all_over(const Candidate& c, std::size_t places, std::size_t tets) {
   return c.too_fine &&
          static_cast<double>(places) > kConfineLimits.most * static_cast<double>(tets);
@@ -147,7 +148,7 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
   } last;
   for (const double margin : kRefillMargins) {
     if (places.empty()) return;
-    if (margin == last.margin && wrong_again.size() == last.wrong_again) continue;  // the same
+    if (margin == last.margin && wrong_again.size() == last.wrong_again) continue;  // same refill
     last.margin = margin;
     last.wrong_again = wrong_again.size();
     const Stopwatch watch;
@@ -184,7 +185,7 @@ void confine(Candidate& c, const MeshingTask& task, const MeshPatch& patch,
       wrong_again.insert(wrong_again.end(), more.begin(), more.end());
     } catch (const PatchTooSmall& where) {
       give_up(std::string("the part cut out of the base did not suffice for ") + where.where);
-      return;  // nor for more round it
+      return;  // a wider refill needs more
     }
   }
 }

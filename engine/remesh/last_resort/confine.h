@@ -7,12 +7,13 @@
 
 namespace remeshd {
 
-/// The local last resort, where a mesh is not valid: what is wrong is refilled, with smaller facets
-/// where it is wrong again, and more and more round it. A mesh that is wrong all over, many nodes
-/// inserted or not, stays as it is.
+/// The local last resort, where a mesh is not valid: the places where it is wrong are refilled,
+/// then with smaller facets where it is wrong again, and with more and more round them. A mesh that
+/// took too many nodes and is wrong all over all the same is left alone.
 ///
 /// Post: `candidate` is valid, with a warning in `attempt` and the share of the tets that were made
-/// anew; or it is wrong still, and `attempt` has what was tried.
+/// anew; or it is still wrong, and `attempt` has what was tried. Throws PatchTooSmall, and what
+/// `refill` throws.
 void confine(Candidate& candidate, const MeshingTask& task, const MeshPatch& patch,
              const InsideTest& inside, Attempt& attempt);
 

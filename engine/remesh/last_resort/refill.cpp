@@ -24,7 +24,7 @@ namespace {
 
 struct RefillLimits {
   double closest = 0.35;             ///< x edge length: of an inner node from the shell
-  std::uint32_t most_added = 2'000;  ///< points, for the shell's sake, beside as many as it has
+  std::uint32_t most_added = 2'000;  ///< points by TetGen, beside as many as the shell has
 };
 constexpr RefillLimits kRefillLimits;
 
@@ -84,10 +84,11 @@ class Refiller {
     if (std::exchange(goes_[t], 1) == 0) changed_ = true;
   }
 
-  /// What goes: the tets with a node near a faulty place, those whose facets lie on no face, and
-  /// those that would only have an edge or a node on what is open then.
+  /// Marks the tets that go: those with a node near a faulty place, those with a boundary facet on
+  /// no face, and those that would touch the open part of the boundary at an edge or node only.
+  /// Returns why that cannot be done; empty: it is done.
   std::string take_out(double margin) {
-    // A node that is in no tet, or not where it is said to stand, is of no use.
+    // A node that is in no tet, or off its support, is not to be used on the boundary.
     for (const MeshDefect& defect : faulty_.verification.failures)
       if (defect.kind == MeshFailure::NodeOffSupport) open_.mesh.supports[defect.entity] = {};
     for (std::size_t n = 0; n < node_count_; ++n)
@@ -114,6 +115,7 @@ class Refiller {
     return {};
   }
 
+  /// Marks the tets at edges and nodes of the boundary all of whose boundary facets go.
   void take_contacts() {
     std::vector<std::uint8_t> node_open(node_count_, 0), node_stays(node_count_, 0);
     std::map<Side, bool> stays;  // sides of facets that go: whether one that stays has them too
@@ -139,7 +141,8 @@ class Refiller {
           if (std::ranges::count(tets_[t], side.second) > 0) take(t);
   }
 
-  /// The facets between what goes and what stays, and the boundary facets that stay.
+  /// Fills `open_`: the walls between tets that go and those that stay, the boundary facets that
+  /// stay, and the loose nodes. Returns why that cannot be done; empty: it is done.
   std::string find_walls() {
     std::set<Triangle> on_boundary;
     std::vector<std::uint8_t> stays(node_count_, 0);
@@ -173,7 +176,8 @@ class Refiller {
     return {};
   }
 
-  /// Whether walls and cover have every side as often in one direction as in the other.
+  /// Whether walls and cover are a closed surface: they have every side as often in one direction
+  /// as in the other.
   [[nodiscard]] bool is_closed() const {
     std::map<Side, int> turns;
     const auto add = [&](const Triangle& t) {
@@ -196,6 +200,7 @@ class Refiller {
     return true;
   }
 
+  /// The patch with what walls and cover enclose filled by TetGen.
   RefilledMesh filled() const {
     kernel::MarkedSurface shell;
     std::vector<std::int32_t> number(open_.mesh.nodes.size(), -1), node_of;
@@ -226,7 +231,7 @@ class Refiller {
                         node_of);
   }
 
-  /// Nodes of what goes that do not crowd the shell.
+  /// Interior nodes of tets that go; without those too near to the shell.
   [[nodiscard]] std::vector<std::int32_t> inner_nodes(const kernel::TetGenSurface& shell) const {
     std::vector<Box> boxes;
     for (const Triangle& t : shell.triangles) boxes.push_back(box_of(shell.points, t));
@@ -247,8 +252,8 @@ class Refiller {
     return inner;
   }
 
-  /// `used`: nodes that TetGen was given. It leaves out and moves some of those inside as the shell
-  /// needs it, so that they are told by where they are.
+  /// The patch's mesh of the tets that stay and the filling. `used`: nodes that TetGen was given.
+  /// It may leave out or move inner ones, so that its `points` are matched to them by position.
   [[nodiscard]] RefilledMesh put_together(const std::vector<Tet>& filling,
                                           const std::vector<Vec3>& points,
                                           std::span<const std::int32_t> used) const {

@@ -18,7 +18,7 @@ struct FaultyMesh {
   const Verification& verification;
   const TetMesh& patch;          ///< what of it may be made anew
   std::span<const Vec3> places;  ///< where it is wrong
-  /// Where it was wrong again when it had been refilled: the boundary gets smaller facets there.
+  /// Where earlier refills were wrong: the boundary gets smaller facets there.
   std::span<const Vec3> wrong_again;
 };
 
@@ -31,11 +31,11 @@ struct RefilledMesh {
 
 /// The local last resort: takes out the tets within `margin` (x edge length) of what is wrong,
 /// covers the faces of the model that lie open then (`cover_open_faces`) and has TetGen fill what
-/// the cover and the tets that stay enclose, without a point more on it.
+/// the cover and the tets that stay enclose, without points added on this shell.
 ///
 /// Returns why that could not be done where it could not: a tet that would have to go is not the
-/// patch's, a face could not be covered, TetGen refused its shell or crashed. Throws what
-/// run_tetgen throws else: Cancelled, Error(TETGEN_MISSING, TETGEN_TOO_SLOW, TETGEN_OUT_OF_MEMORY).
+/// patch's, a face could not be covered, TetGen refused the shell or crashed. Throws what else
+/// run_tetgen throws: Cancelled, Error(TETGEN_MISSING, TETGEN_TOO_SLOW, TETGEN_OUT_OF_MEMORY).
 std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
                                                const BoundaryModel& boundary,
                                                const SizeField& sizes, double margin,
@@ -44,10 +44,10 @@ std::variant<RefilledMesh, std::string> refill(const FaultyMesh& faulty,
 /// Whether nothing is wrong but some tets, which clean-up may do away with.
 bool only_tets_are_wrong(const Verification& verification);
 
-/// By tet of a valid mesh that was refilled: 1 where it is new, or was to be cleaned up before, and
-/// does not lie across a film, where no tet is better.
+/// By tet of a valid mesh that was refilled: 1 where it is new, or was dirty before, and does not
+/// lie across a film, where every tet is flat.
 /// @param was           by tet: that of the mesh before, -1 for new ones
-/// @param thinner_than  length: of a film
+/// @param thinner_than  length: a wall below this is a film
 std::vector<std::uint8_t> worth_improving(const TetMesh& made, std::span<const std::int32_t> was,
                                           const ReusedMesh& before,
                                           std::span<const Support> supports,

@@ -30,8 +30,8 @@ struct Question {
   double surface_length;  ///< x edge length
   bool split_surface;
 };
-// Mostly the first will do. A finer surface comes before points that TetGen adds on it: these go
-// where a thin wall makes its tets bad, by the ten thousand.
+// Mostly the first suffices. A finer surface is tried before TetGen may add points on one: where a
+// thin wall makes its tets bad, it adds them by the ten thousand.
 constexpr std::array kQuestions{
     Question{"TetGen, facets of 1 edge length", 1, false},
     Question{"TetGen, facets of 0.7 edge lengths", 0.7, false},
@@ -44,7 +44,8 @@ struct TetGenBounds {
   double max_volume = 0.2;           ///< x edge length^3; a regular tet has 0.118
 };
 constexpr TetGenBounds kBounds;
-// Markers of segments: TetGen gives 1 to those that it makes of the facets' other sides.
+// First markers of faces and edges. For segments TetGen uses 1 itself: those that it makes of the
+// other sides of facets.
 constexpr std::int32_t kFirstFace = 1, kFirstEdge = 2;
 
 kernel::MarkedSurface mark(const SurfaceMesh& surface) {
@@ -63,7 +64,8 @@ kernel::MarkedSurface mark(const SurfaceMesh& surface) {
   return marked;
 }
 
-/// Supports of all nodes: those of the surface keep theirs, TetGen's stand where markers tell.
+/// Supports of all nodes: those of the surface keep theirs, those that TetGen added on it get
+/// theirs from the markers.
 std::vector<Support> find_supports(const SurfaceMesh& surface, const kernel::QualityMesh& out) {
   std::vector<Support> supports = surface.supports;
   supports.resize(out.filling.mesh.nodes.size());
@@ -80,7 +82,8 @@ std::vector<Support> find_supports(const SurfaceMesh& surface, const kernel::Qua
   return supports;
 }
 
-/// The nodes that tets use, on their supports, and the tets over them.
+/// Adds the points that the tets use to `nodes`, brought onto their supports, and returns the mesh
+/// of the tets over these.
 TetMesh take_used(std::vector<Tet> tets, const std::vector<Vec3>& points,
                   const std::vector<Support>& supports, const BoundaryModel& boundary,
                   NodeSet& nodes) {
@@ -152,7 +155,7 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
       verify(mesh, c.nodes.supports, cells.boundary, cells.volume, run, {.material = inside});
   again.lap(c.verify_seconds);
   if (!c.verification.valid) return unfinished();
-  c.nodes.positions = mesh.nodes;  // where the nodes were matters to no Delaunay mesh
+  c.nodes.positions = mesh.nodes;  // no Delaunay mesh needs them where they were before clean-up
   c.loop.mesh = triangulate(c.nodes, cells.boundary.bounds, run);
   c.delaunay = peel(c.nodes, c.loop.mesh, cells.boundary, inside,
                     KnownClassification::nothing(c.loop.mesh), {}, run);
@@ -163,8 +166,8 @@ Candidate try_tetgen(const SurfaceMesh& surface, bool split_surface, const TetGe
   return c;
 }
 
-/// Whether nothing is wrong but that tets are flat: the model is, there, and will be however fine
-/// the surface.
+/// Whether nothing is wrong but flat tets: then the model itself is flat there, however fine the
+/// surface.
 bool is_flat_only(const Candidate& c) {
   const Verification& v = c.verification;
   const auto& counts = v.counts;

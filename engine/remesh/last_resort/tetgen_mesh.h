@@ -11,19 +11,19 @@ namespace remeshd {
 /// What a mesh of last resort is made of. Keeps references.
 struct TetGenInput {
   const FeatureModel& model;
-  const CopyPlan& plan;  ///< of whatever parent: its modified model is what counts
+  const CopyPlan& plan;  ///< from any parent: only its modified model is used
   const CellularModel& cells;
   SizeField sizes;                       ///< target edge lengths
   bool clean_up = true;                  ///< as in MeshOptions
   double threshold = goals::kThreshold;  ///< as in MeshOptions
-  kernel::TetGenLimits limits = {};      ///< of TetGen; the time for all attempts
+  kernel::TetGenLimits limits = {};      ///< of TetGen; the time is for all tries together
 };
 
 /// The mesher of last resort: TetGen's mesh of a conforming surface mesh, cleaned up and verified.
 /// All nodes are new. Where TetGen fails, or its mesh does not verify, the surface is made finer,
 /// then TetGen may add points on it. A mesh of very many more nodes than the edge length asks for,
-/// as a film or a razor-thin gap would need, is none that anyone has asked for: it is refused. So
-/// is one with nothing wrong but flat tets: there the model is flat.
+/// as a film or a razor-thin gap would need, is refused: nobody has asked for it. No other surface
+/// is tried where nothing is wrong but flat tets: there the model is flat.
 ///
 /// Post: a valid candidate, with the tries that were given up before. Its `loop.mesh` is the
 /// Delaunay mesh of the output mesh's nodes, its `delaunay` what peeling leaves of that: it may
@@ -32,11 +32,11 @@ struct TetGenInput {
 /// another try: a clock decides on errors, never on meshes.
 Candidate mesh_by_tetgen(const TetGenInput& input, const Run& run);
 
-/// The same after other ways to a mesh have failed.
+/// The same after other ways to a mesh have failed, the last with the defects in `failed`.
 ///
-/// Throws Error(BOUNDARY_NOT_RECOVERED) where TetGen fails too: it names the place and the features
-/// of the first defect of TetGen's mesh; where there is none, of `failed`, and what was wrong with
-/// TetGen. Cancelled, TETGEN_MISSING as they are.
+/// Throws Error(BOUNDARY_NOT_RECOVERED) where TetGen fails too. It names the place and the features
+/// of the first defect of TetGen's last mesh; where the last try gave no mesh, of the first one in
+/// `failed`, and why TetGen failed. Passes on Cancelled and TETGEN_MISSING.
 Candidate tetgen_mesh(const TetGenInput& input, const Verification& failed, const Run& run);
 
 }  // namespace remeshd

@@ -14,7 +14,7 @@ namespace remeshd {
 namespace {
 
 struct HoldLimits {
-  double partner_reach = 0.3;  ///< x edge length: how far entities are from where they are expected
+  double partner_reach = 0.3;  ///< x edge length: of an entity from where it is expected, at most
   double least_measure = 0.25;
   double least_dihedral = 10 * std::numbers::pi / 180;
   double largest_dihedral = 165 * std::numbers::pi / 180;
@@ -37,7 +37,7 @@ std::string in_short(double value) {
   return text.data();
 }
 
-/// Of the models' features: whether they are the same but for numbers.
+/// Whether the models have the same features in the same order, but for the values of parameters.
 bool same_features(const FeatureModel& a, const FeatureModel& b) {
   return std::ranges::equal(a.features, b.features, [](const Feature& f, const Feature& g) {
     return f.id == g.id && f.nature == g.nature && f.shape.index() == g.shape.index();

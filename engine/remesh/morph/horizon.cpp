@@ -13,8 +13,8 @@ namespace remeshd {
 namespace {
 
 struct HorizonLimits {
-  double near = 0.01;    ///< of the way: the end is known to this
-  double further = 1.1;  ///< x where the surfaces will have gone as far as they may
+  double near = 0.01;    ///< of the way searched: how exactly the end is found
+  double further = 1.1;  ///< x the change that moves the fastest surface as far as it may go
 };
 constexpr HorizonLimits kHorizon;
 
@@ -41,14 +41,14 @@ std::optional<std::string> ends_at(const Revision& revision, const std::string& 
   }
 }
 
-/// What the model says of the parameter's values.
+/// The bounds that the model gives the parameter; infinite where it gives none.
 std::pair<double, double> bounds_of(const ModelSource& source, const std::string& parameter) {
   const auto found = std::ranges::find(source.parameters, parameter, &ParameterSource::name);
   if (found == source.parameters.end()) return {-HUGE_VAL, HUGE_VAL};
   return {found->lower.value_or(-HUGE_VAL), found->upper.value_or(HUGE_VAL)};
 }
 
-/// Speed of the fastest surface at a node.
+/// The largest speed of a boundary node.
 double fastest(const DesignVelocities& velocities, const Revision& revision,
                const std::string& parameter, const Run& run) {
   const NodalVelocities all = velocities.of(parameter, run);
@@ -64,7 +64,8 @@ struct End {
   std::string reason;
 };
 
-/// Between `good`, where the connectivity stays, and `bad`.
+/// The end of the connectivity, by bisection between `good`, where it stays, and `bad`; `bad`
+/// without a reason where it stays there too.
 End find_end(const Revision& revision, const std::string& parameter, double good, double bad,
              double hold, const Run& run) {
   std::optional<std::string> why = ends_at(revision, parameter, bad, hold, run);

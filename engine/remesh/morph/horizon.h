@@ -14,9 +14,9 @@ struct Horizon {
   std::string lower_reason, upper_reason;  ///< what changes beyond, in words
 };
 
-/// How far a parameter may go, alone, before the connectivity changes under `hold` (x edge length;
-/// 0: as the road's morphing decides). Every value tried is meshed as an edit would be, up to its
-/// verification; the ends are found to a hundredth of the way.
+/// How far a parameter may go, alone, before the connectivity changes. `hold`: as in MeshOptions, x
+/// edge length; 0: where morphing gives up. Every value tried is meshed as an edit would be, up to
+/// its verification; the ends are found to a hundredth of the way searched.
 ///
 /// Throws what `change_of` throws.
 Horizon connectivity_horizon(const Revision& revision, const std::string& parameter, double hold,

@@ -21,13 +21,13 @@ namespace remeshd {
 
 namespace {
 
-/// Where the nodes of the anchor go.
+/// The displacements of the anchor's nodes.
 class Motion {
  public:
   Motion(const CowVector<Vec3>& anchor, const CowVector<Support>& supports, double edge_length)
       : anchor_(anchor), supports_(supports), l_(edge_length), by_(anchor.size()) {}
 
-  /// Boundary nodes to their entities. Post: false where a surface moved too far.
+  /// Moves boundary nodes to their entities. Returns false where a surface moved too far.
   bool follow(const BoundaryModel& boundary) {
     const FacesOf faces(boundary);
     none_ = tolerance::kRounding * boundary.bounds.diagonal();
@@ -45,12 +45,12 @@ class Motion {
     return surface_ < kMorphLimits.surface_motion * l_;
   }
 
-  /// Whether no node moved out of proportion. `hidden`: what hidden faces may have moved edges by.
+  /// Whether no node moved out of proportion. `hidden`: how far hidden faces may have moved edges.
   [[nodiscard]] bool in_proportion(double hidden) const {
     return node_ <= std::max(kMorphLimits.leverage * surface_, hidden) + none_;
   }
 
-  /// Interior nodes near moved ones by harmonic extension, nought further away.
+  /// Moves interior nodes near moved boundary nodes by harmonic extension; the others stay.
   void extend(const CowVector<Tet>& tets, Polling& poll) {
     if (moved_.empty()) return;
     const NearestNode grid(moved_, l_);
@@ -96,11 +96,12 @@ class Motion {
   double l_;
   std::vector<Vec3> by_;     ///< by node
   std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
-  double none_ = 0;          ///< a motion that is rounding
+  double none_ = 0;          ///< a motion up to this is rounding
   double surface_ = 0;       ///< largest distance of a boundary node from a surface it stood on
   double node_ = 0;          ///< largest motion of a boundary node
 };
 
+/// The worst of a tet: its volume-length, its least and its largest dihedral angle (rad).
 struct Worst {
   double measure, least, largest;
 

@@ -36,7 +36,7 @@ class Blocks {
     (add(arrays), ...);
   }
 
-  /// A page of one value throughout may stand in an array many times.
+  /// Each block once: an array may have the same page many times, if it is of one value throughout.
   std::vector<MemoryBlock> take() {
     std::ranges::sort(found_, {}, &MemoryBlock::address);
     const auto same = [](const MemoryBlock& a, const MemoryBlock& b) {

@@ -7,13 +7,13 @@
 
 namespace remeshd {
 
-/// Memory that revisions may have in common; the same block has the same address and size.
+/// A block of memory that revisions may share: it then has the same address and size for each.
 struct MemoryBlock {
   const void* address;
   std::size_t bytes;
 };
 
-/// The blocks that a revision's mesh and its Delaunay mesh stand in, each once.
+/// The blocks that hold a revision's mesh, its Delaunay mesh and what goes with them, each once.
 std::vector<MemoryBlock> memory_blocks(const Revision& revision);
 
 }  // namespace remeshd

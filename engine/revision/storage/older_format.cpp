@@ -31,7 +31,7 @@ class OlderArchive : public StoredArchive<OlderArchive> {
 }  // namespace
 }  // namespace remeshd
 
-/// cereal asks for one; enumerators are read as it writes them.
+/// cereal asks for the matching output archive: enumerators are read as that writes them.
 template <>
 struct cereal::traits::detail::get_output_from_input<remeshd::OlderArchive> {
   using type = cereal::PortableBinaryOutputArchive;
@@ -40,7 +40,7 @@ struct cereal::traits::detail::get_output_from_input<remeshd::OlderArchive> {
 namespace remeshd {
 namespace {
 
-/// A warning from when there were sentences alone.
+/// A warning of a format that had sentences without codes.
 Warning typed(const std::string& sentence) {
   WarningCode code = WarningCode::Fallback;
   if (sentence.starts_with("the mesh had worn")) code = WarningCode::Renewed;
@@ -50,7 +50,7 @@ Warning typed(const std::string& sentence) {
 
 }  // namespace
 
-// One `load` a struct that is not written like that any more, or not in one piece.
+// One `load` for each struct that is now written in another way, or not in one piece any more.
 
 template <class T>
 void load(OlderArchive& a, CowVector<T>& pages) {

@@ -10,10 +10,11 @@
 
 namespace remeshd {
 
-/// Reads what cereal's portable binary archive wrote on a machine like this. No bytes make it take
-/// more memory than some of their own size: a list has no more elements than bytes follow.
+/// Reads what cereal's portable binary archive wrote on a little-endian machine. Whatever the
+/// bytes, the memory it takes is bounded by a multiple of their number: a list with more elements
+/// than bytes that follow is refused.
 ///
-/// Throws Error(Internal) where the bytes end too soon, or are none that were written.
+/// Throws Error(Internal) where the bytes end too soon or cannot have been written so.
 template <class Archive>
 class StoredArchive : public cereal::InputArchive<Archive, cereal::AllowEmptyClassElision> {
  public:

@@ -10,10 +10,11 @@
 namespace remeshd {
 
 namespace {
-/// Raised with every change of what follows: other bytes are refused, never misread. 8 and 9 are
-/// formats of whole revisions. Earlier ones have less of the report, whose latest parts come last,
-/// and not the options' sizing, the models' sizes and dense places, the second order, the models'
-/// groups and the hold after it.
+/// The format of the documents, raised with every change of what follows: bytes of an unknown one
+/// are refused, never misread. Each is named after what it lacks and the next one has, at the end
+/// of the bytes: the report's attempts, those for the boundary, and the one taken; the options'
+/// sizing; the models' sizes and dense places; the second order; the models' groups; the hold. 8
+/// and 9 are formats of whole revisions (older_format.h).
 enum Format : std::uint32_t {
   kNoAttempts = 10,
   kNoGeometryAttempts,
@@ -33,7 +34,7 @@ class DocumentsArchive : public StoredArchive<DocumentsArchive> {
 }  // namespace
 }  // namespace remeshd
 
-/// cereal asks for one; enumerators are read as it writes them.
+/// cereal asks for the matching output archive: enumerators are read as that writes them.
 template <>
 struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> {
   using type = cereal::PortableBinaryOutputArchive;
@@ -41,9 +42,10 @@ struct cereal::traits::detail::get_output_from_input<remeshd::DocumentsArchive> 
 
 namespace remeshd {
 
-/// But for sizes and groups, which came later.
+/// But for sizes and groups, which came later and are written apart.
 void serialize(auto& a, ModelSource& m) { a(m.name, m.unit, m.parameters, m.features); }
-/// But for the id and the seconds, which are not the mesh's own, the attempts and the geometry's.
+/// But for the id and the seconds, which are not the mesh's own, and for what came later and is
+/// written apart.
 void serialize(auto& a, Report& r) {
   a(r.strategy, r.counts, r.free_share, r.edge_length, r.volume, r.exact_volume, r.quality_before,
     r.quality, r.quality_away, r.sharp_tets, r.verification, r.groups, r.last_resort_share,
@@ -62,7 +64,8 @@ void serialize(auto& a, Sizing& s) {
   a(s.even, s.edges_per_circle, s.layers, s.min_size, s.growth);
 }
 
-/// Of each warning, apart: they are stored as they were before there were such numbers.
+/// `nodes_needed` of each warning, to be written apart: warnings had none at first, and are still
+/// written without.
 std::vector<std::uint32_t> nodes_needed(const Report& report) {
   std::vector<std::uint32_t> needed;
   for (const Warning& warning : report.warnings) needed.push_back(warning.nodes_needed);

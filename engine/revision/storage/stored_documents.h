@@ -9,7 +9,8 @@
 namespace remeshd {
 
 /// What a revision has beside its arrays, in one piece: models and options as written, the parts of
-/// its boundary, names of groups and cells, the report, and numbers.
+/// its boundary, names of groups and cells, the report, and single numbers. The struct has what is
+/// not put into the revision on reading.
 struct Documents {
   BoundaryParts parts;
   DelaunayState delaunay_state;  ///< but for its arrays
@@ -20,8 +21,8 @@ struct Documents {
 
 std::string write_documents(const Revision& revision);
 
-/// What belongs into the revision itself is put there.
-/// Throws Error(Internal) on malformed bytes, and on those of another version.
+/// Puts what belongs into the revision itself there, and returns the rest.
+/// Throws Error(Internal) on malformed bytes, and on those of an unknown format.
 Documents read_documents(const std::string& bytes, Revision& revision);
 
 }  // namespace remeshd

@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little,
 constexpr const char* kDocuments = "documents";
 constexpr const char* kNodeSizes = "sizes.nodes";  // of a mesh that is not even
 
-/// Of what numbers an element consists, in memory without gaps.
+/// The numbers that an element consists of, without gaps in memory.
 struct Layout {
   StoredType type;
   std::uint32_t components;
@@ -121,7 +121,8 @@ class Reader {
 // ---------------------------------------------------------------------------------------------
 // What does not lie in memory as it is stored.
 
-/// A support is an entity of a kind; the kinds lie apart, so that no byte is without meaning.
+/// Supports as an array of kinds and one of entities: pairs would have padding, bytes without
+/// meaning.
 struct Supports {
   std::vector<std::uint8_t> kinds;
   std::vector<std::int32_t> entities;
@@ -159,7 +160,7 @@ CowVector<Support> read_supports(const Reader& read, const std::string& name,
   return together(parts, alike);
 }
 
-/// For each cavity: the numbers of its slots and its tets, then those.
+/// For each cavity: how many slots it has, how many output tets, then the slots, then the tets.
 std::vector<std::int32_t> flattened(const CowVector<Cavity>& cavities) {
   std::vector<std::int32_t> flat;
   cavities.for_each([&](std::size_t, const Cavity& c) {
@@ -217,7 +218,7 @@ std::vector<MeshFacet> read_facets(const Reader& read) {
   return facets;
 }
 
-/// The member of a revision that is to share memory with another; null where there is none.
+/// A member of the revision, or of a part of it, to share memory with; null where there is none.
 template <class Of, class T>
 const T* member(const Of* of, T Of::*which) {
   return of != nullptr ? &(of->*which) : nullptr;
@@ -315,7 +316,7 @@ StoredArrays image_of(const Revision& revision) {
   write("master.tet_of_slot", m.tet_of_slot);
   write("master.clusters", flattened(m.cavities));
   if (const Anchor* anchor = revision.anchor.get()) {
-    // When the connectivity is kept for the first time, these are the base's.
+    // In the first revision that has this anchor, these equal the base's arrays named as `like`.
     write("anchor.nodes", anchor->nodes, "delivery.nodes");
     write_supports(write, "anchor.supports", anchor->supports, "master.supports");
   }

@@ -5,15 +5,15 @@
 
 namespace remeshd {
 
-/// Everything in a Revision that cannot be recomputed from its documents at once, as arrays by name
-/// and type. Equal revisions give equal bytes: `report.seconds`, `report.revision` and
-/// `report.cached` stay out. The arrays lie in the revision, which has to outlive them.
+/// Everything in a Revision that cannot be recomputed quickly, as arrays by name and type. Equal
+/// revisions give equal bytes: all seconds of the report, `report.revision` and `report.cached`
+/// stay out. The arrays refer to memory of the revision, which has to outlive them.
 StoredArrays image_of(const Revision& revision);
 
-/// Restores a revision, and its boundary to the bit; also from `kOlderBytes`. `alike`: one that is
-/// to share the memory of what is the same; null for none.
+/// Restores a revision, and its boundary to the bit; also from the older format, `kOlderBytes`.
+/// `alike`: a revision to share memory with where both are the same; null for none.
 /// Throws Error(Internal) where arrays are missing, malformed or contradict each other: every index
-/// is looked at, so that no image makes the engine read beyond an array.
+/// is checked, so that no image makes the engine read beyond an array.
 Revision revision_of(const StoredArrays& image, const Revision* alike, const Run& run);
 
 }  // namespace remeshd

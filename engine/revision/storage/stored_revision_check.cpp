@@ -181,7 +181,7 @@ void check_mids(const OutputMesh& d) {
   if (!std::ranges::is_sorted(m.straightened)) fail("mids.straightened");
 }
 
-/// Of nodes, where there are any, and of places.
+/// The sizes of nodes, where there are any, and the dense places.
 void check_sizes(const Revision& revision) {
   constexpr const char* kArray = "sizes.nodes";
   for (const SizedBall& ball : revision.dense_places)

@@ -10,9 +10,9 @@
 #include "engine/cellular/boundary_model/boundary_parts.h"
 #include "engine/revision/revision.h"
 
-// How structs are written that have been written in the same way ever since: one `serialize` each,
-// in the order of its members; cereal finds them by their arguments. A struct that changes leaves
-// this file: what reads older revisions keeps the old form, what writes takes the new one.
+// How structs are written whose stored form has never changed: one `serialize` each, in the order
+// of its members; cereal finds them by their arguments. A struct whose form changes leaves this
+// file: what reads older revisions keeps the old form, what writes takes the new one.
 namespace remeshd::kernel {
 
 void serialize(auto& a, BrepCell& c) { a(c.faces, c.volume); }
@@ -24,7 +24,7 @@ void serialize(auto& a, BrepEdge& e) {
     e.samples);
 }
 void serialize(auto& a, BrepVertex& v) { a(v.position); }
-/// But for the CAD kernel's shapes, which parts of a boundary have none of.
+/// But for the CAD kernel's shapes, of which the parts of a boundary have none.
 void serialize(auto& a, Brep& b) {
   a(b.cells, b.faces, b.edges, b.vertices, b.points, b.reference, b.scale);
 }
@@ -43,7 +43,7 @@ void serialize(auto& a, FeatureSource& f) {
 void serialize(auto& a, ParameterSource& p) {
   a(p.name, p.value, p.lower, p.upper, p.integer, p.unit, p.description);
 }
-/// But for the sizing and the order, which came later.
+/// But for the sizing, the order and the hold, which came later and are written apart.
 void serialize(auto& a, MeshOptions& o) {
   a(o.nodes, o.size, o.iterations, o.seed, o.inside, o.start, o.rebuild, o.clean_up, o.threshold);
 }
@@ -54,7 +54,7 @@ void serialize(auto& a, BoundaryPiece& p) {
   a(p.boundary, p.outward, p.surface, p.material_names, p.other_names, p.box);
 }
 void serialize(auto& a, BoundaryParts& p) { a(p.brep, p.pieces); }
-/// But for the mid-nodes, which came later.
+/// But for the mid-nodes and straight edges, which came later and are written apart.
 void serialize(auto& a, Counts& c) {
   a(c.nodes, c.tets, c.boundary_facets, c.samples, c.active_samples, c.nodes_copied, c.nodes_new,
     c.free_at_start, c.free_at_end, c.free_per_iteration, c.nodes_kept, c.nodes_moved, c.tets_kept,
