@@ -10,9 +10,10 @@
 
 namespace remeshd {
 
-/// Who may come in, asked before anything of a request is read. As many of a tenant may be prepared
-/// at a time as the computation lane has room for. Where it has none, a few a second come in all
-/// the same: what they ask for may be there already.
+/// Decides which requests are let in, before anything of them is read. A tenant may have as many
+/// requests in preparation at a time as the computation lane has room for. Beyond that a few a
+/// second are let in all the same: what they ask for may be there already, so that nothing is
+/// computed for them.
 class Admission {
  public:
   /// Held while a request is prepared. Must not outlive the admission.
@@ -44,8 +45,8 @@ class Admission {
 
   Pool& computation_;
   std::mutex mutex_;
-  std::map<std::string, std::size_t> preparing_;  ///< by tenant
-  double spare_places_ = 0;                       ///< filled by the second
+  std::map<std::string, std::size_t> preparing_;  ///< requests that hold a ticket, by tenant
+  double spare_places_ = 0;                       ///< refilled over time, see limits::kSparePlaces
 
   Clock::time_point refilled_{};
 };

@@ -2,8 +2,8 @@
 
 namespace remeshd {
 
-/// Calls what must not throw, a client's listener or a job: whatever it throws all the same ends
-/// here, so that the thread and everybody else's requests live on.
+/// Calls `work`, a client's listener or a job, and drops whatever it throws, so that the thread and
+/// the requests of others live on.
 template <typename Work>
 void contained(Work&& work) {
   try {

@@ -6,15 +6,15 @@
 
 namespace remeshd {
 
-/// What each of several may have so that together they have no more than `total`: the same for all,
-/// and as much as fits. Whoever has less keeps what it has, so those that have most give way first.
-/// The greatest number there is where all of it fits.
+/// The greatest cap for which `amounts`, each cut down to the cap, sum up to at most `total`.
+/// Amounts below the cap are kept, so those who have most give way first. The greatest
+/// std::uint64_t where all amounts fit.
 std::uint64_t fair_cap(std::vector<std::uint64_t> amounts, std::uint64_t total);
 
-/// One of several that share a budget. The budget calls the functions under its mutex.
+/// One of several holders that share a budget. The budget calls the functions under its mutex.
 struct BudgetHolder {
-  std::function<std::uint64_t()> bytes;  ///< that it has
-  /// Has it give way until it has no more than `most`, as far as it can.
+  std::function<std::uint64_t()> bytes;  ///< that the holder has
+  /// Makes the holder give way until it has at most `most` bytes, as far as it can.
   std::function<void(std::uint64_t most)> shrink;
   bool gives_way = true;  ///< false: what it has stays until somebody deletes it
 };

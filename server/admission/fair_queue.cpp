@@ -22,7 +22,8 @@ std::size_t FairQueue::room(const std::string& name, Time now) {
   };
   const std::size_t idle = left(workers_, running_ + waiting_);
   if (tenants_.size() == 1) return idle + left(places_, left(waiting_, left(workers_, running_)));
-  // Whoever came first may have filled all places: they are not what the others' shares wait for.
+  // A tenant that came first may have filled all places: the others get their shares all the same,
+  // and more than `places_` may wait.
   const std::size_t share = std::max<std::size_t>(1, places_ / tenants_.size());
   return std::max(idle, left(share, tenant.waiting.size()));
 }

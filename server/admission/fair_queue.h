@@ -15,20 +15,21 @@ namespace remeshd {
 
 /// Something to be done by a worker for a tenant.
 struct Work {
-  std::string tenant;  ///< empty: the only one there is
+  std::string tenant;  ///< empty: that of a daemon without tokens
   std::function<void()> run;
-  /// Instead of `run`, where it waited too long or the daemon ends.
+  /// Called instead of `run` where the work waited too long or the daemon ends.
   std::function<void(const Error&)> refused;
-  /// While it runs, once that has taken too long; may be empty. It has to see to it that `run`
-  /// comes to its end.
+  /// Called while `run` is under way, once that has taken too long; has to make `run` end. May be
+  /// empty.
   std::function<void(const Error&)> overdue{};
 };
 using WorkId = std::uint64_t;
 
-/// Which work is next, by tenants. A tenant that asked within the last 60 s, or has work here, is
-/// active. While more than one is, each has its share of the places, nobody holds more than all
-/// workers but one, and a worker that is free goes to the tenant that holds fewest, of several to
-/// the one that was served longest ago. A tenant's own work goes first come, first served.
+/// Decides which work is next, fairly among tenants. A tenant that asked within the last 60 s, or
+/// has work here, is active. While several are, each has its share of the places, no tenant holds
+/// all workers unless there is only one, and a free worker goes to the tenant that holds fewest,
+/// among equals to the one that was served longest ago. Work of one tenant is first come, first
+/// served.
 ///
 /// Not safe for several threads; does not look at the clock itself.
 class FairQueue {
@@ -41,24 +42,24 @@ class FairQueue {
     Work work;
   };
 
-  /// `places`: of what may wait, beside what idle workers take at once.
+  /// `places`: how much work may wait, beside what idle workers take at once.
   FairQueue(std::size_t workers, std::size_t places) : workers_(workers), places_(places) {}
 
-  /// How much more a tenant may add now. It is active from now on.
+  /// How much more work the tenant may add now. Makes the tenant active.
   std::size_t room(const std::string& tenant, Time now);
   void add(Entry entry);
-  /// Takes out what is next; nothing where nobody may have a worker. It counts as held by its
-  /// tenant until `ended`.
+  /// Takes out the work that is next; nothing where none waits or no tenant may have a worker. It
+  /// counts as running until `ended`.
   std::optional<Entry> take(Time now);
   void ended(const std::string& tenant);
-  /// Takes out what waits; false if it does not.
+  /// Takes out waiting work; false if it does not wait (any more).
   bool withdraw(WorkId id);
   /// Takes out everything.
   std::deque<Entry> clear();
 
-  /// When the oldest came; nothing where none waits.
+  /// When the oldest waiting work came; nothing where none waits.
   [[nodiscard]] std::optional<Time> oldest() const;
-  /// Takes out the oldest, if it came before.
+  /// Takes out the oldest waiting work, if it came at `time` or before.
   std::optional<Entry> take_older_than(Time time);
   [[nodiscard]] std::size_t waiting() const { return waiting_; }
   [[nodiscard]] std::size_t running() const { return running_; }
@@ -74,7 +75,7 @@ class FairQueue {
 
   void forget_idle(Time now);
   Entry pop(Tenant& tenant);
-  /// Whose first entry is the oldest.
+  /// The tenant with the oldest waiting entry; end() where none waits.
   [[nodiscard]] Tenants::const_iterator longest_waiting() const;
 
   const std::size_t workers_, places_;

@@ -11,16 +11,16 @@
 
 namespace remeshd {
 
-/// Gives memory that was freed back to the system now and then: malloc keeps much of what a
-/// computation leaves, between what lives on, and more from hour to hour.
+/// Returns freed memory to the system now and then: fragmentation makes malloc keep much of what a
+/// computation frees, and more from hour to hour.
 class FreedMemory {
  public:
-  /// Looks on a thread of its own, every `limits::kReturnInterval`, and calls `also`.
+  /// Starts a thread that calls `look`, then `also`, every `limits::kReturnInterval`.
   explicit FreedMemory(
       MemoryBudget::Process process, std::function<void()> also = [] {});
 
-  /// Gives back where the process has grown by `limits::kReturnGrowth` since it last did; an idle
-  /// daemon has nothing done to it.
+  /// Returns freed memory if the process has grown by `limits::kReturnGrowth` since the last time,
+  /// so that nothing is done to an idle daemon.
   void look();
 
  private:
@@ -28,7 +28,7 @@ class FreedMemory {
 
   const MemoryBudget::Process process_;
   const std::function<void()> also_;
-  std::uint64_t resident_ = 0;  ///< once it last gave back
+  std::uint64_t resident_ = 0;  ///< bytes, after memory was last returned
   std::mutex mutex_;
   std::condition_variable_any stopping_;
   std::jthread thread_;  ///< last: it uses what stands before it

@@ -6,10 +6,11 @@
 
 namespace remeshd {
 
-/// Has clients that are refused together come back apart. Not locked.
+/// Random jitter for retry delays, so that clients that are refused together do not come back
+/// together. Not thread-safe.
 class Jitter {
  public:
-  /// s, with the share of it added or taken that chance says.
+  /// `seconds`, changed at random by a share of up to `limits::kDelayJitter` either way.
   double of(double seconds) {
     return seconds * std::uniform_real_distribution<double>(1 - limits::kDelayJitter,
                                                             1 + limits::kDelayJitter)(random_);

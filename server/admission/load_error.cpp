@@ -71,7 +71,7 @@ Error shutting_down() {
                 .reason = "SHUTTING_DOWN",
                 .message = "the daemon is shutting down",
                 .stage = "request",
-                .retry_after = 1});  // where it is started again, or another takes its place
+                .retry_after = 1});  // s; by then it may have been restarted or replaced
 }
 
 }  // namespace remeshd::error

@@ -9,7 +9,7 @@
 namespace remeshd {
 namespace {
 
-// s; readers that keep revisions in memory end without a word to the budget.
+// s between looks: a reader whose end frees a revision does not tell the budget.
 constexpr double kLookAgain = 0.1;
 
 }  // namespace
@@ -31,8 +31,8 @@ std::uint64_t MemoryBudget::sum_held() const {
   return sum;
 }
 
-/// Has the holders give way until together they have no more than `most`, as far as they can;
-/// returns how much they have. For what one cannot let go of the others give way.
+/// Makes the holders give way until together they have at most `most` bytes, as far as they can;
+/// returns how many they have. Where one cannot let go of something, the others give way for it.
 std::uint64_t MemoryBudget::reclaim(std::uint64_t most) {
   struct Share {
     const BudgetHolder* holder;
@@ -88,7 +88,7 @@ bool MemoryBudget::take_now(std::uint64_t bytes) {
   if (bytes > total_ || leased_ > total_ - bytes) return false;
   const std::uint64_t left = total_ - leased_ - bytes;
   if (reclaim(left) > left) return false;
-  // What is leased may all be still to come, for all that can be told.
+  // Leased memory may not be allocated yet, so all of it is added to what the process takes now.
   keep_process_within(left);
   leased_ += bytes;
   return true;

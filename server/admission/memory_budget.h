@@ -16,13 +16,13 @@
 
 namespace remeshd {
 
-/// The memory of the daemon as one sum, from which everything that needs much takes its estimate:
-/// computations and loads by a lease for as long as they last, streams by one for what waits in
-/// them, and the revisions held, which give way to the others where they can be read again. They
-/// are held by tenants; of these, those that hold most give way first.
+/// One budget for all memory of the daemon that is worth counting, by estimates. Computations and
+/// loads lease theirs for as long as they last, streams for what waits in them. The rest may be
+/// taken by revisions held in memory, which give way to leases where they can be read again, those
+/// of the tenants that hold most first.
 class MemoryBudget {
  public:
-  /// A share of the budget, given back by its end.
+  /// Bytes of the budget, given back by the destructor.
   class Lease {
    public:
     Lease() = default;
@@ -38,10 +38,10 @@ class MemoryBudget {
     }
     explicit operator bool() const { return budget_ != nullptr; }
 
-    /// Makes it one of so many bytes; false, and nothing done, where there is no room for more.
+    /// Changes the lease to `bytes`; false, and nothing done, where there is no room for more.
     /// Pre: not empty.
     bool try_resize(std::uint64_t bytes);
-    /// The same for what is there already: it counts though there is no room.
+    /// The same for memory that is in use already: it is counted even where there is no room.
     void resize(std::uint64_t bytes);
 
    private:
@@ -50,51 +50,52 @@ class MemoryBudget {
     MemoryBudget* budget_ = nullptr;
     std::uint64_t bytes_ = 0;
   };
-  /// What the process has in fact. Estimates leave out the program itself, what the allocator keeps
-  /// of freed memory, buffers of connections.
+  /// Measures what the process really takes: estimates leave out the program itself, what the
+  /// allocator keeps of freed memory, buffers of connections.
   struct Process {
     std::function<std::uint64_t()> resident;    ///< bytes
     std::function<void()> return_freed_memory;  ///< to the system; takes some ms
   };
 
-  /// `most_held`: bytes of it that revisions held may take; none: as many as are left.
+  /// `most_held`: bytes of `total` that revisions held may take at most; none: all that is not
+  /// leased.
   explicit MemoryBudget(std::uint64_t total, std::optional<std::uint64_t> most_held = std::nullopt)
       : total_(total), most_held_(most_held.value_or(total)) {}
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-  /// Whoever holds revisions, until `remove_holder`, which waits for a call of its functions to
-  /// return. They must not use the budget.
+  /// Adds a holder of revisions, until `remove_holder`, which waits for a running call of the
+  /// holder's functions. These must not use the budget.
   using HolderId = std::uint64_t;
   HolderId add_holder(BudgetHolder holder);
   void remove_holder(HolderId id);
-  /// Has the holders give way where together they have more than they may; for one that has more or
-  /// less than before, which must not lock now what its functions lock.
+  /// Makes the holders give way where together they have more than they may. To be called by a
+  /// holder whose bytes have changed, without a lock that its functions take.
   void trim();
-  /// Hears now and at every change whether holders that do not give way have all that revisions
-  /// may have: nothing more can be made until some of it is deleted. It must not use the budget;
-  /// empty: nobody.
+  /// Tells `listener`, now and whenever `trim` finds a change, whether holders that do not give way
+  /// have all that revisions may have: then nothing more can be made until some of it is deleted.
+  /// The listener must not use the budget; empty: nobody is told.
   void on_full(std::function<void(bool full)> listener);
 
-  /// Before anything is leased: the revisions held give way too where the process would pass the
-  /// budget, though the estimates do not. Nothing is refused for that.
+  /// Makes revisions held give way also where the measured process would exceed the budget and the
+  /// estimates do not; no lease is refused for that. To be called before anything is leased.
   void set_process(Process process) { process_ = std::move(process); }
 
   /// Empty where there is no room now.
   Lease try_take(std::uint64_t bytes);
-  /// Waits until there is room; empty once `stop` asks for it. Throws Error: MESH_TOO_LARGE for
-  /// more than there is in all, MEMORY_FULL where there was none within `seconds`.
+  /// Waits until there is room; empty once `stop` is requested. Throws Error: MESH_TOO_LARGE for
+  /// more than the whole budget, MEMORY_FULL where there was no room within `seconds`.
   Lease take(std::uint64_t bytes, const std::stop_token& stop, double seconds);
 
-  /// What refuses a request that finds no room: MEMORY_FULL.
+  /// The error for a request that finds no room: MEMORY_FULL, with a retry delay.
   [[nodiscard]] Error full();
 
   [[nodiscard]] std::uint64_t total() const { return total_; }
   [[nodiscard]] std::uint64_t most_held() const { return most_held_; }
-  /// What all revisions held take.
+  /// Bytes of all revisions held.
   [[nodiscard]] std::uint64_t held() const;
   [[nodiscard]] std::uint64_t leased() const;
-  /// What the revisions held may take.
+  /// Bytes that are not leased.
   [[nodiscard]] std::uint64_t left() const;
 
  private:

@@ -15,7 +15,7 @@
 namespace remeshd {
 namespace {
 
-// So long does the watching thread sleep at most.
+// Longest sleep of the thread that looks at the clock.
 constexpr std::chrono::hours kLongSleep(1);
 
 /// Lets the calling thread, and those that it starts, give way to others.
@@ -115,12 +115,12 @@ void Pool::work() {
       contained([&] { limits_.waited(waited.count()); });
     }
     contained(next->work.run);
-    // What the work holds is let go of before the pool says that it is done with it.
+    // Frees what the work holds before the pool counts the work as ended.
     next.reset();
     lock.lock();
     auto ended = running_.extract(id);
     queue_.ended(tenant);
-    // Others of this tenant, or of one that had all it may have, may have a worker now.
+    // Waiting work of this tenant, or of one that was at its limit, may get a worker now.
     wake_.notify_all();
     lock.unlock();
     ended = {};
@@ -166,7 +166,7 @@ void Pool::watch() {
     refuse_late(lock);
     tell_overdue(lock);
     if (ending_) return;
-    // What happened while the lock was let go of is looked at again after the wait, at once.
+    // What became due while the lock was released is handled at once, without a wait.
     if (const auto next = next_event(); Clock::now() < next) wake_watch_.wait_until(lock, next);
   }
 }

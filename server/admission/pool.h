@@ -22,12 +22,12 @@ class Pool {
  public:
   struct Limits {
     int workers = 1;
-    std::size_t queue = 64;  ///< of what may wait
+    std::size_t queue = 64;  ///< work that may wait, beside what idle workers take
     double wait = 60;        ///< s; what waits longer is refused
-    double compute = 0;      ///< s; what runs longer hears of it; 0: none
+    double compute = 0;      ///< s; for what runs longer `overdue` is called; 0: no limit
     /// How far its threads give way to others for a processor, as nice(1) counts.
     int niceness = 0;
-    /// Hears, before each work runs, how many seconds it waited; may be empty.
+    /// Called before each work runs, with the seconds that it waited; may be empty.
     std::function<void(double seconds)> waited{};
   };
 
@@ -48,10 +48,10 @@ class Pool {
 
   /// How much more a tenant could submit right now.
   [[nodiscard]] std::size_t room(const std::string& tenant);
-  /// The refusal that `submit` would throw now. The delay is the time after which there should be
-  /// room, up to a fifth off, so that those who are refused together do not come back together.
+  /// The refusal that `submit` would throw now. Its delay is the estimated time until there is
+  /// room, with jitter (`Jitter`).
   [[nodiscard]] Error busy();
-  /// How long work took that came to its end: what delays are told by.
+  /// Tells the pool how many seconds a piece of work took, from which retry delays are estimated.
   void took(double seconds);
 
   [[nodiscard]] std::size_t running() const;
@@ -79,7 +79,7 @@ class Pool {
   FairQueue queue_;
   std::map<WorkId, Running> running_;
   WorkId next_id_ = 1;
-  double mean_seconds_ = 1;  ///< of work, newer weighs more
+  double mean_seconds_ = 1;  ///< of work; an exponential moving average
   Jitter jitter_;
   bool ending_ = false;
   std::vector<std::thread> threads_;

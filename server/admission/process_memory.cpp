@@ -10,8 +10,8 @@
 namespace remeshd {
 namespace {
 
-// With as many heaps as workers these share theirs with the threads that answer calls, and two of
-// them together get 3 % less done (`clients` in tests/service).
+// With as many arenas as workers, workers share theirs with the threads that answer calls, and two
+// workers together get 3 % less done (`clients` in tests/service).
 constexpr int kLeastHeaps = 4;
 
 }  // namespace

@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kMostConnections = 4;
 constexpr std::chrono::seconds kToConnect(2), kToAnswer(3), kToBeFree(3);
-// For which a database that failed, or did not answer, is not asked again.
+// How long a database that failed, or did not answer, is not asked again.
 constexpr std::chrono::milliseconds kRest(500), kRestAfterSilence(3000);
 
 const std::string kSilent = "it does not answer";
@@ -42,7 +42,7 @@ bool wait_for(PGconn* connection, short events, Clock::time_point deadline) {
   }
 }
 
-/// What is wrong with a connection that does not come about in time; else empty.
+/// Finishes connecting, within `kToConnect`. Returns why that failed; empty for success.
 std::string finish_connecting(PGconn* connection) {
   const auto deadline = Clock::now() + kToConnect;
   for (auto next = PGRES_POLLING_WRITING; next != PGRES_POLLING_OK;
@@ -54,7 +54,7 @@ std::string finish_connecting(PGconn* connection) {
   return {};
 }
 
-/// Rows of the answer to what was sent, or why there is none.
+/// Appends the rows of the answer to what was sent. Returns why that failed; empty for success.
 std::string finish_query(PGconn* connection, Postgres::Rows& rows) {
   const auto deadline = Clock::now() + kToAnswer;
   std::string fault;

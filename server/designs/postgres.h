@@ -10,25 +10,25 @@ struct pg_conn;
 
 namespace remeshd {
 
-/// Connections to a PostgreSQL database, a few that stay open and are shared. What does not answer
-/// in time is given up, with its connection; then the database is left alone for a moment. For any
-/// thread.
+/// Connections to a PostgreSQL database, a few that stay open and are shared. A statement that is
+/// not answered in time is given up together with its connection; after any failure the database is
+/// left alone for a moment. For any thread.
 ///
 /// All functions throw Error(CATALOGUE_UNAVAILABLE).
 class Postgres {
  public:
-  /// Of a row, as texts.
+  /// The columns of a row, as text.
   using Row = std::vector<std::string>;
   using Rows = std::vector<Row>;
 
-  /// `address`: as libpq takes it, `postgresql://USER@HOST/DATABASE?...`. `first`: what is done on
-  /// every new connection.
+  /// `address`: as libpq takes it, `postgresql://USER@HOST/DATABASE?...`. `first`: statements that
+  /// are run on every new connection.
   Postgres(std::string address, std::vector<std::string> first);
   ~Postgres();
   Postgres(const Postgres&) = delete;
   Postgres& operator=(const Postgres&) = delete;
 
-  /// One statement. Null becomes an empty text.
+  /// Runs one statement. NULL becomes an empty text.
   Rows query(const char* sql, const std::vector<std::string>& values);
   /// A connection for several statements in a row.
   class Borrowed {
@@ -45,7 +45,7 @@ class Postgres {
     bool whole_ = false;  ///< the connection can be used again
   };
 
-  /// Why an address cannot be right; empty where it may be.
+  /// What is wrong with an address by its syntax; empty for nothing.
   static std::string fault_of(const std::string& address);
 
  private:

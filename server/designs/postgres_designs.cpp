@@ -25,7 +25,7 @@ CREATE INDEX IF NOT EXISTS remeshd_places_by_version ON remeshd_places(tenant, d
 CREATE INDEX IF NOT EXISTS remeshd_places_by_id ON remeshd_places(tenant, id);
 COMMIT)";
 
-// A row, of nulls where there is no such design.
+// Gives one row, of NULLs, where there is no such design.
 constexpr const char* kSince = R"(
 SELECT d.version, d.head, d.next_number, d.changed_ns, d.listed, p.number, p.id, p.record
 FROM (SELECT 1) AS one
@@ -34,7 +34,8 @@ LEFT JOIN remeshd_places p ON p.tenant = d.tenant AND p.design = d.name
   AND p.version > (CASE WHEN d.version < $3::bigint THEN 0 ELSE $3::bigint END)
 ORDER BY p.number)";
 
-// None but a new design is entered where there is none: it may have been lost with others' changes.
+// Where the design is missing, only a change with version 0 inserts it: the table may have been
+// lost, with changes of others.
 constexpr const char* kChange = R"(
 WITH moved AS (
   INSERT INTO remeshd_designs AS d
@@ -120,7 +121,7 @@ std::vector<std::string> PostgresDesigns::designs_of(const std::string& tenant,
 bool PostgresDesigns::change(const std::string& tenant, const std::vector<DesignChange>& changes) {
   Postgres::Borrowed database(database_);
   if (changes.size() == 1) return change_one(database, tenant, changes.front());
-  // In one order, lest two wait for each other.
+  // Always in the same order, so that two changes cannot deadlock.
   std::vector<const DesignChange*> sorted;
   for (const DesignChange& each : changes) sorted.push_back(&each);
   std::ranges::sort(sorted, {}, &DesignChange::name);

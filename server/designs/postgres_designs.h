@@ -9,11 +9,12 @@
 
 namespace remeshd {
 
-/// The table in PostgreSQL, 9.5 or newer: `remeshd_designs` and `remeshd_places`, made if need be.
-/// A change of one design is one statement, that compares and sets.
+/// The table in PostgreSQL, 9.5 or newer: `remeshd_designs` and `remeshd_places`, created where
+/// they are missing. A change of one design is one statement that compares the version and sets the
+/// row.
 class PostgresDesigns final : public DesignTable {
  public:
-  /// As Postgres; connects when it is first used.
+  /// `address`: as of Postgres. Connects when it is first used.
   explicit PostgresDesigns(std::string address);
 
   DesignState since(const std::string& tenant, const std::string& name,

@@ -51,7 +51,7 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
       disk_(store.persistent() ? disk : nullptr),
       saver_(store.persistent() ? std::function<bool()>([this] { return recover(); })
                                 : std::function<bool()>(),
-             // The disk has just failed, and what it did not take is noted in a moment.
+             // Asked when the disk has just failed, a moment before what it did not take is noted.
              Background::Begin::AfterASecond) {
   store_.on_failure([this] { saver_.ask(); });
   if (disk_ == nullptr) return;
@@ -153,7 +153,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     try {
       keep(revision);
     } catch (const Error& failure) {
-      // It has its recipe, and is stored again when there is room.
+      // The store has its recipe; the mesh is stored again when there is room.
       if (failure.info().reason != "STORE_FULL") throw;
     }
   }
@@ -195,7 +195,7 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
     if (written && written->record.bytes == 0) set_not_durable(filing.filed);
     // It may have been dropped, unfiled or deleted, since the caller found it.
     if (!held_.contains(id)) held_.insert(revision);
-    if (!filing.filed.durable && store_.persistent()) {  // it is saved from where it is held
+    if (!filing.filed.durable && store_.persistent()) {  // `recover` saves it from memory
       set_unsaved(id, true);
       saver_.ask();
     }

@@ -26,14 +26,15 @@
 
 namespace remeshd {
 
-/// What a tenant's archive shares with those of other daemons, which takes a persistent store.
+/// What a tenant's archive shares with those of other daemons; sharing needs a persistent store.
 struct SharedParts {
   std::unique_ptr<SharedRevisions> revisions{};  ///< null: none
-  std::unique_ptr<SharedDesigns> designs{};      ///< null: they are its own
-  Homes homes{};                                 ///< of designs that are its own
+  std::unique_ptr<SharedDesigns> designs{};      ///< null: designs are in the store alone
+  Homes homes{};                                 ///< of designs, where there is no `designs`
 };
 
-/// A tenant's revisions: those in memory before the store, and the designs that they stand in.
+/// A tenant's revisions, in memory, in the store and in the shared tier, and the designs that they
+/// are filed in.
 class Archive {
  public:
   struct Removed {
@@ -47,71 +48,76 @@ class Archive {
   };
   struct DesignRemoved {
     std::uint32_t revisions = 0;       ///< taken out
-    std::uint32_t meshes_deleted = 0;  ///< of them, those that no other design has
+    std::uint32_t meshes_deleted = 0;  ///< of those revisions that no other design has
   };
 
-  /// All of these must outlive the archive. `disk`: null for no limit; `metrics`: for none.
+  /// The references and pointers must outlive the archive. `disk`: null for no limit; `metrics`:
+  /// null for none.
   Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskBudget* disk = nullptr,
           Metrics* metrics = nullptr, SharedParts shared = {});
   ~Archive();
   Archive(const Archive&) = delete;
   Archive& operator=(const Archive&) = delete;
 
-  /// Of a full id that the catalogue has not, the shared tier is asked, and the revision entered
-  /// that it knows. Throws Error(TIER_UNAVAILABLE) where it cannot tell.
+  /// Finds the revision that a client's text names, as `resolve` of references.h. For a full id
+  /// that the catalogue does not have, the shared tier is asked, and a revision that it knows is
+  /// entered. Throws also Error(TIER_UNAVAILABLE) where the tier cannot tell, and what
+  /// `look_at_design` throws.
   Reference resolve(const std::string& text);
   /// Whether there is a shared tier.
   [[nodiscard]] bool shares() const { return shared_ != nullptr; }
-  /// Whether the names of a design are here.
+  /// Whether this daemon is the home of a design.
   [[nodiscard]] bool is_home_of(const std::string& design) const {
     return homes_.elsewhere(design).empty();
   }
   /// Throws Error(DESIGN_ELSEWHERE).
   void check_home(const std::string& design) const { homes_.check(design); }
-  /// Before a design is read or changed: where others may change it too, it is brought up to date.
-  /// The first by name, the second by whatever names a revision; then the designs that a revision
-  /// stands in, and all. Throw Error: CATALOGUE_UNAVAILABLE, DESIGN_ELSEWHERE.
+  /// To be called before designs are read or changed: where other daemons may change them too,
+  /// these bring the catalogue up to date. In turn: the design of that name; the one that the text
+  /// names, if it names one; those that a revision stands in; all. Throw Error:
+  /// CATALOGUE_UNAVAILABLE, DESIGN_ELSEWHERE.
   void look_at_design(const std::string& design);
   void look_at_named(const std::string& text);
   void look_at_places(const std::string& id);
   void look_at_designs();
-  /// A revision whose mesh the shared tier has, taken into the store; null where it seems not to
-  /// have it, which it must tell at once. As `find` otherwise. Throws Error(TIER_UNAVAILABLE).
+  /// Takes a revision's mesh from the shared tier into the store; null where the tier has none that
+  /// is right, which it must tell at once. As `find` otherwise. Throws Error(TIER_UNAVAILABLE).
   HeldRevisionPtr find_shared(const std::string& id, const Run& run);
-  /// As SharedRevisions::publish, where there is a shared tier. The revision has been filed.
+  /// As SharedRevisions::publish, where there is a shared tier. Pre: the revision has been filed.
   void publish(const std::string& id);
   /// As SharedRevisions::waiting.
   [[nodiscard]] std::size_t tier_waiting() const { return shared_ ? shared_->waiting() : 0; }
-  /// The revision, read from the store if need be; null if there is none, or if its mesh has gone.
-  /// Throws Error(`STORE_CORRUPTED`).
+  /// The revision, read from the store, or taken from the shared tier, if need be; null if there is
+  /// none, or if its mesh has gone. Throws Error(`STORE_CORRUPTED`).
   HeldRevisionPtr find(const std::string& id, const Run& run);
-  /// The same, for one that was resolved; null where its mesh must be made again of its recipe,
-  /// which `get` does.
+  /// The same, for a revision that was resolved; null only where its mesh must be made again of its
+  /// recipe, which `get` does.
   /// Throws Error: REVISION_NOT_FOUND; STORE_CORRUPTED where there is no recipe; REVISION_OUTDATED.
   HeldRevisionPtr at_hand(const std::string& id, const Run& run);
   /// The same; a mesh that has gone or is damaged is made again of its recipe, which takes as long
-  /// as it took, and stored again. So it belongs in the lane of computations: elsewhere `Fetcher`.
-  /// Nothing is given out that has not the digests of then.
+  /// as the first time, and stored again. So this belongs in the lane of computations; elsewhere
+  /// use `Fetcher`. A mesh made again that does not have the digests of its recipe is not given
+  /// out.
   /// Throws Error: REVISION_NOT_FOUND; STORE_CORRUPTED where there is no recipe; REVISION_OUTDATED,
   /// NOT_REPRODUCIBLE; what `make_revision` throws.
   HeldRevisionPtr get(const std::string& id, const Run& run);
-  /// What a revision is made of again, its mesh being there or not.
-  /// Throws Error(REVISION_NOT_FOUND), also where an older version stored it without.
+  /// The recipe of a revision, whether its mesh is there or not. Throws Error(REVISION_NOT_FOUND),
+  /// also where an older version stored the revision without one.
   Recipe recipe(const std::string& id);
 
-  /// Throws Error: `MESH_TOO_LARGE` where a computation that needs so many bytes can never be,
-  /// `MEMORY_FULL` where it cannot until revisions are deleted.
+  /// Throws Error: `MESH_TOO_LARGE` where the whole budget is too small for a computation of so
+  /// many bytes, `MEMORY_FULL` where there is no room for it until revisions are deleted.
   void check_room(std::uint64_t bytes) const;
   /// Keeps a revision just made in memory, for those who ask for it before it is filed.
   /// Throws Error(NOT_REPRODUCIBLE) where it was there before with other digests.
   void hold(HeldRevisionPtr revision);
-  /// Lets go of it where it was filed nowhere.
+  /// Drops a revision from memory where the catalogue does not have it.
   void drop_unfiled(const std::string& id);
 
   /// Enters a revision in a design, or in none where `design` is empty: bytes on the disk first
-  /// (again, if `find` met a damaged copy), then number and head at once. It keeps the number that
-  /// it has in the design. Where nothing changes by it, it waits for no disk; nor does anybody wait
-  /// while it writes the bytes.
+  /// (again, if `find` met a damaged copy), then number and head at once. A revision that is in the
+  /// design keeps its number there. Where nothing changes, this does not wait for the disk; no
+  /// other call waits while this writes the bytes.
   /// On a full disk the catalogue in memory takes it all the same, `durable` is false, and the
   /// store gets it as soon as there is room; unless `fail_on` lists NotDurable.
   /// Post: where there is no store, the revision is in memory, whatever was dropped meanwhile.
@@ -119,20 +125,20 @@ class Archive {
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
              const std::vector<WarningCode>& fail_on = {});
 
-  /// What filing it would throw as things stand, for one that has not been made yet: of its record,
-  /// id, parent and model count.
+  /// Throws what filing a revision would throw as things stand, for one that has not been made yet:
+  /// of its record only id, parent and model are used.
   /// Throws Error: HEAD_CONFLICT where the rule requires another head, WARNING_IS_ERROR.
   void check_filing(const RevisionRecord& record, const std::string& design, const HeadRule& rule,
                     const std::vector<WarningCode>& fail_on);
 
   /// Takes a revision out of a design (out of all where it is named by its id), and deletes it once
-  /// none has it. The design's head becomes its greatest number left.
+  /// no design has it. The design's head becomes its greatest number left.
   /// Throws Error(`HEAD_PROTECTED`) for a head, unless `allow_head`.
   Removed remove(const std::string& text, bool allow_head);
 
-  /// Makes the revision the head of `design`, or where that is empty of the one that `text` names.
-  /// Throws Error: NotFound, MISSING_FIELD where no design is named, HEAD_CONFLICT where the head
-  /// is not `expected` (empty: any).
+  /// Makes the revision that `text` names the head of `design`, or where that is empty of the
+  /// design in `text`. Throws Error: NotFound, MISSING_FIELD where no design is named,
+  /// HEAD_CONFLICT where the head is not `expected` (empty: any).
   HeadSet set_head(const std::string& text, const std::string& design, const std::string& expected);
 
   /// Takes all revisions out of a design, deletes those that no other has, and takes the design off
@@ -140,22 +146,22 @@ class Archive {
   /// Throws Error: DESIGN_NOT_FOUND, HEAD_CONFLICT.
   DesignRemoved remove_design(const std::string& design, const std::string& expected);
 
-  /// Where meshes are and what they take; of every revision, by id.
+  /// Where the mesh of each revision is, and what it takes; by id.
   std::vector<CacheEntry> cache_entries();
   CacheStats cache_stats();
-  /// Lets meshes go from the disk until no more is taken than asked for, else than the budget
-  /// allows this tenant, as `meshes_to_drop` chooses.
+  /// Drops stored meshes, as `meshes_to_drop` chooses, until they take no more than asked for, or
+  /// by default than the disk budget allows this tenant.
   Collected collect_garbage(const GarbageOptions& options);
   /// The same in the shared tier, which has no budget of its own. Throws
   /// Error(OPTIONS_INVALID) where there is none.
   Collected collect_tier_garbage(const GarbageOptions& options);
-  /// Reads the stored mesh of a revision; what is wrong with it, if anything. That it is
-  /// damaged is kept in mind: whoever files it next stores it again.
+  /// Reads the stored mesh of a revision; returns what is wrong with it, if anything. A damaged one
+  /// is noted, so that it is stored again when the revision is filed next.
   std::optional<CacheFault> check_stored(const std::string& id);
-  /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone; whether
-  /// it is whole now.
+  /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone; returns
+  /// whether it is whole now.
   bool store_again(const HeldRevisionPtr& revision);
-  /// Keeps a mesh from going, or lets it.
+  /// Keeps a mesh from being dropped, here and in the shared tier, or no longer.
   CacheEntry set_pin(const std::string& text, bool pinned);
 
   /// Whether a revision survives the end of the process.
@@ -164,10 +170,10 @@ class Archive {
   [[nodiscard]] const HeldRevisions& held() const { return held_; }
 
  private:
-  /// What is to happen to the catalogue, and what becomes of the revision by it.
+  /// The changes of the catalogue that file a revision, and the result for the revision.
   struct Filing {
     Filed filed;
-    bool add = false;  ///< the catalogue does not have it
+    bool add = false;  ///< the catalogue does not have the revision
     Transaction changes;
   };
   Filing plan_filing(Catalogue& catalogue, const RevisionRecord& record, const std::string& design,
@@ -178,41 +184,44 @@ class Archive {
   void count(Metrics::CacheResult where) const;
   void count_use(const std::string& id, bool hit);
   HeldRevisionPtr look_up(const std::string& id, const Run& run);
-  /// What is at hand; where its mesh is damaged, why.
+  /// The revision, if it is at hand; where its mesh is damaged, the error that told so.
   struct Reading {
     HeldRevisionPtr held;
     std::exception_ptr damage;
   };
   Reading read(const std::string& id, const Run& run);
-  /// Of a revision that is known from its design alone, that of the shared tier. Empty: there is
-  /// none.
+  /// The recipe in the store; for a revision that is known from its design alone, that in the
+  /// shared tier. Empty: there is none.
   std::string recipe_text(const std::string& id);
-  /// What a mesh is made again of, if it can be. Throws Error(REVISION_OUTDATED).
+  /// The recipe to make a mesh again of, if there is one. Throws Error(REVISION_OUTDATED) for a
+  /// recipe of another algorithm version.
   std::optional<Recipe> recipe_to_follow(const std::string& id);
   HeldRevisionPtr load(const RevisionRecord& record, const Run& run);
   /// Null where there is neither a mesh nor a recipe.
   HeldRevisionPtr obtain(const std::string& id, const Run& run);
-  /// `parent`: null for a first mesh. Pre: the turn of remaking is the caller's.
+  /// Makes a mesh again of its recipe. `parent`: null for a first mesh. Pre: the caller has its
+  /// turn of `remaking_`.
   HeldRevisionPtr remake(const std::string& id, const HeldRevisionPtr& parent, const Run& run);
   /// Stores the mesh of a revision that the catalogue has, where it is damaged or has gone.
   void keep(const HeldRevisionPtr& revision);
 
-  /// Of a revision whose mesh the store has not, and has to be made again of its recipe where the
-  /// tier does not tell at once that it has it. Pre: as of `bring`.
+  /// Looks in the shared tier for a mesh that the store does not have; null where the tier does not
+  /// tell at once that it has it, so that it has to be made again of its recipe. Pre: as of
+  /// `bring`.
   HeldRevisionPtr look_up_shared(const std::string& id, const Run& run);
   /// Enters a revision that the shared tier knows.
   void adopt(const std::string& id);
-  /// Takes a mesh out of the shared tier; null where it has none that is right. Pre: the turn of
-  /// loading it is the caller's.
+  /// Takes a mesh from the shared tier into the store and memory; null where the tier has none that
+  /// is right. Pre: the caller has its turn of `loading_`.
   HeldRevisionPtr bring(const std::string& id, const Run& run);
   void take_in(const SharedRevisions::Mesh& mesh);
-  /// A mesh that was stored may have come from another daemon: it is held against its recipe each
-  /// time that it is read. Throws Error(STORE_CORRUPTED).
+  /// Checks a mesh against the digests of its recipe, each time that it is read: where there is a
+  /// shared tier, it may have come from another daemon. Throws Error(STORE_CORRUPTED).
   void check_digests(const HeldRevision& held);
 
   struct Written;
   Written write(const HeldRevision& revision, const PlaceRecord& place, bool by_itself);
-  /// The same; on a full disk nothing is written, and the record tells so.
+  /// The same; on a full disk nothing is written, and the record's `bytes` are 0.
   Written write_if_there_is_room(const HeldRevision& revision, const PlaceRecord& place);
   /// Throws Error(NOT_REPRODUCIBLE) where a recipe tells other digests.
   void check_reproduced(const HeldRevision& revision);
@@ -223,20 +232,22 @@ class Archive {
   bool is_stored(const std::string& id);
   PlaceRecord first_place(const std::string& id);
   void note_use(const std::string& id);
-  /// The catalogue has it, and the disk has not.
+  /// Notes whether the catalogue has a revision that is not on the disk.
   void set_unsaved(const std::string& id, bool unsaved);
-  /// Stores what a full disk kept from it, and finds out when a store that failed works again; true
-  /// where it has to be tried again.
+  /// Stores what a full disk did not take, and finds out whether a store that failed works again.
+  /// Returns false; throws where it has to be tried again.
   bool recover();
 
   CacheEntry entry_of(const RevisionRecord& record, int depth);
   std::vector<StoredMesh> stored_meshes();
   struct Dropped;
   Dropped drop_meshes(const std::vector<std::string>& ids, bool full, std::uint64_t budget);
+  /// Drops a stored mesh, after rewriting the packs whose base it is; false where it has to stay.
   /// Throws what `stand_elsewhere` throws.
   bool drop_mesh(const std::string& id);
+  /// Rewrites the pack of `id`, whose base is `from`, against the base of that, or without one.
   void stand_elsewhere(const std::string& id, const std::string& from);
-  /// Takes a revision that was deleted out of memory too.
+  /// Removes a deleted revision from memory, with all notes on it.
   void forget(const std::string& id);
 
   const Engine& engine_;
@@ -247,7 +258,7 @@ class Archive {
   MemoryBudget& memory_;
   Metrics* const metrics_;  ///< null: none
   HeldRevisions held_;
-  std::mutex filing_;                        ///< catalogue and memory change together
+  std::mutex filing_;                        ///< held while catalogue and memory change together
   OneAtATime writing_, loading_, remaking_;  ///< by id
   std::mutex collecting_;
   DiskBudget* const disk_;  ///< null: no limit, or nothing is on a disk
@@ -256,7 +267,7 @@ class Archive {
   mutable std::mutex notes_;                  ///< guards what follows
   std::set<std::string> damaged_;             ///< ids whose copy in the store cannot be read
   std::set<std::string> unsaved_;             ///< ids that the disk had no room for
-  std::map<std::string, std::int64_t> used_;  ///< ns since 1970, of this process
+  std::map<std::string, std::int64_t> used_;  ///< last use by this process, ns since 1970
   std::uint64_t hits_ = 0, misses_ = 0, evictions_ = 0, remade_ = 0;
 
   Background saver_;  ///< last: it uses what stands before it

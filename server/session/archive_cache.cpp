@@ -24,7 +24,7 @@ std::vector<StoredMesh> Archive::stored_meshes() {
                         .bytes = record.bytes});
       known.erase(record.id);
     }
-    // Of revisions that are no more; which algorithm made them is seen when they are needed.
+    // Revisions that were deleted; which algorithm made them is seen when they are needed.
     for (const auto& [id, parent] : recipes)
       if (known.contains(id)) meshes.push_back({.id = id, .parent = parent, .has_recipe = true});
   });
@@ -97,12 +97,12 @@ CacheStats Archive::cache_stats() {
 /// What came of dropping meshes one by one.
 struct Archive::Dropped {
   std::uint32_t meshes = 0;
-  bool full = false;  ///< one stayed for want of room
+  bool full = false;  ///< one stayed: no room to rewrite the packs whose base it is
 };
 
 Collected Archive::collect_garbage(const GarbageOptions& options) {
   constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
-  // Before the lock: the budget has this archive collect under a lock of its own.
+  // Before the lock, or there might be a deadlock: the budget calls this function under its own.
   const std::uint64_t budget =
       options.disk_bytes ? *options.disk_bytes : (disk_ != nullptr ? disk_->cap() : kAny);
   const std::scoped_lock lock(collecting_);
@@ -115,7 +115,7 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
   std::optional<std::int64_t> unused_before;
   if (options.unused_seconds)
     unused_before = nanoseconds_now() - static_cast<std::int64_t>(1e9 * *options.unused_seconds);
-  bool full = false;  // nothing of which another is told as differences can go now
+  bool full = false;  // no room to rewrite packs: a mesh that is a base cannot go now
   for (;;) {
     const std::uint64_t excess = collected.disk_bytes > budget ? collected.disk_bytes - budget : 0;
     const std::vector<StoredMesh> meshes = stored_meshes();
@@ -131,7 +131,7 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
     const Dropped dropped = drop_meshes(chosen, full, budget);
     collected.meshes += dropped.meshes;
     collected.disk_bytes = on_disk();
-    // What stood on those that went takes more by itself.
+    // Packs that were rewritten, as their base went, take more than before.
     if (collected.disk_bytes <= budget || (dropped.meshes == 0 && (full || !dropped.full))) break;
     full = dropped.meshes == 0;
   }
@@ -139,7 +139,8 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
   return collected;
 }
 
-/// `full`: only those that nothing stands on, until no more than `budget` is taken.
+/// Drops meshes one by one. `full`: only those that are no base of others, until no more than
+/// `budget` is taken.
 Archive::Dropped Archive::drop_meshes(const std::vector<std::string>& ids, bool full,
                                       std::uint64_t budget) {
   Dropped dropped;
@@ -152,7 +153,7 @@ Archive::Dropped Archive::drop_meshes(const std::vector<std::string>& ids, bool 
     try {
       dropped.meshes += drop_mesh(id);
     } catch (const Error& failure) {
-      // It, or what stands on it, cannot be read or written: it stays.
+      // It, or a pack whose base it is, cannot be read or written: it stays.
       dropped.full |= failure.info().reason == "STORE_FULL";
     }
   }
@@ -197,7 +198,7 @@ void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
   }
   store_.commit([&](Catalogue& catalogue) {
     auto now = catalogue.revision(id);
-    if (!now || now->bytes == 0) return Transaction{};  // it went meanwhile
+    if (!now || now->bytes == 0) return Transaction{};  // it was dropped meanwhile
     now->bytes = moved.bytes;
     now->base = moved.base;
     return Transaction{AddRevision{*now}};

@@ -4,7 +4,7 @@
 #include "server/session/changed_now.h"
 #include "server/session/session_error.h"
 
-// What the archive does with designs, be they its own or those of a farm.
+// What the archive does with designs, in its store alone or shared with a farm.
 namespace remeshd {
 namespace {
 
@@ -50,8 +50,8 @@ bool Archive::commit_designs(const SharedDesigns::Make& make, Store::OnFullDisk 
   });
 }
 
-/// The revision itself first, in no design: it has been made, whatever becomes of its place. Other
-/// replicas that find it in the design find it in the tier.
+/// Files the revision in no design first, so that it is kept whatever becomes of its place, and
+/// publishes it, so that replicas that find it in the design find it in the tier.
 Filed Archive::file_with_others(const HeldRevisionPtr& revision, const std::string& design,
                                 const HeadRule& rule, const std::vector<WarningCode>& fail_on) {
   try {

@@ -25,7 +25,7 @@ std::uint64_t remaking_memory(const Recipe& recipe, const RevisionRecord& record
   return limits::kBytesPerNode * nodes;
 }
 
-/// A revision that has no mesh, and the turn to make it again.
+/// A revision without a mesh, and the turn to make that again.
 struct ToRemake {
   std::string id;
   OneAtATime::Turn turn;
@@ -62,7 +62,7 @@ Archive::Reading Archive::read(const std::string& id, const Run& run) {
 
 HeldRevisionPtr Archive::at_hand(const std::string& id, const Run& run) {
   const Reading reading = read(id, run);
-  if (reading.held) count_use(id, true);  // a miss is counted by who has it made again
+  if (reading.held) count_use(id, true);  // a miss is counted where the mesh is made again
   if (reading.held || (store_.persistent() && recipe_to_follow(id))) return reading.held;
   if (reading.damage) std::rethrow_exception(reading.damage);
   throw error::revision_not_found(id, "it was deleted a moment ago");
@@ -87,7 +87,7 @@ HeldRevisionPtr Archive::look_up(const std::string& id, const Run& run) {
   try {
     held = load(*record, run);
   } catch (const Error& failure) {
-    // Where garbage was collected meanwhile, nothing is damaged: there is no mesh.
+    // Where the mesh was dropped meanwhile, nothing is damaged.
     if (failure.info().kind != ErrorKind::Internal || is_stored(id)) throw;
     return look_up_shared(id, run);
   }
@@ -119,7 +119,7 @@ HeldRevisionPtr Archive::get(const std::string& id, const Run& run) {
 }
 
 HeldRevisionPtr Archive::obtain(const std::string& id, const Run& run) {
-  // Up the chain to what is at hand, or to a first mesh: maybe as far as edits were ever made.
+  // Goes up the chain of parents to a mesh that is at hand, or to the first mesh of all.
   std::vector<ToRemake> to_remake;
   HeldRevisionPtr held;
   std::exception_ptr damage;  // of the last that could not be read
@@ -160,7 +160,8 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
   const Recipe& recipe = *followed;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (parent && record && record->bytes > 0) {
-    // What was damaged may have been the parent that it stands on, which is whole again by now.
+    // What was damaged may have been the parent, as the base of its pack, which is whole again by
+    // now.
     try {
       auto held = load(*record, run);
       set_damaged(id, false);
@@ -187,7 +188,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
   tell_seconds(*made);
   if (recipe_of(*made).digests != recipe.digests) throw error::not_reproducible(id);
   held_.insert(made);
-  if (record) note_use(id);  // uses are noted until a revision is deleted
+  if (record) note_use(id);  // a note stays until its revision is deleted
   count(Metrics::CacheResult::Remade);
   {
     const std::scoped_lock lock(notes_);
@@ -197,7 +198,7 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
     keep(made);
     if (shared_) shared_->offer(id);
   } catch (const Error&) {
-    // It is served all the same; whoever reads it next has it made again.
+    // The mesh is served all the same; if it leaves memory, it is made again when it is asked for.
   }
   return made;
 }
@@ -281,7 +282,7 @@ bool Archive::recover() {
     if (const HeldRevisionPtr held = held_.find(id)) keep(held);
     set_unsaved(id, false);
   }
-  store_.try_disk();  // last: the store is not ready while it has no room for what waits
+  store_.try_disk();  // last: until all is saved the store must not count as healthy
   return false;
 }
 
@@ -291,7 +292,7 @@ void Archive::keep(const HeldRevisionPtr& revision) {
   if (!store_.persistent() || !lacking()) return;
   const auto turn = writing_.take(id);
   if (!is_known(id) || !lacking()) return;
-  // A damaged one by itself: what stands on it must not come to need more packs than it does.
+  // A damaged one without a base: packs whose base it is must not get longer chains.
   Written written = write(*revision, first_place(id), is_damaged(id));
   store_.commit([&](Catalogue& catalogue) {
     auto record = catalogue.revision(id);

@@ -6,7 +6,7 @@
 #include "server/session/shared_revisions.h"
 #include "server/store/store_error.h"
 
-// What the archive has of the shared tier.
+// How the archive uses the shared tier.
 namespace remeshd {
 
 void Archive::adopt(const std::string& id) {

@@ -12,8 +12,8 @@
 
 namespace remeshd {
 
-/// Does something on a thread of its own after it is asked to, once for all that asked meanwhile;
-/// again a second later for as long as it returns true or throws. Its end waits for what is under
+/// Calls `work` on a thread of its own after `ask`, once for all calls of `ask` meanwhile; again a
+/// second later for as long as it returns true or throws. The destructor waits for a call under
 /// way.
 class Background {
  public:

@@ -10,7 +10,7 @@ namespace remeshd {
 
 /// Where a revision's mesh is.
 enum class MeshState : std::uint8_t {
-  Stored,    ///< it can be read
+  Stored,    ///< in the store
   Memory,    ///< in memory alone
   Recipe,    ///< gone, and made again when it is asked for
   Outdated,  ///< gone, and of an older algorithm
@@ -19,7 +19,7 @@ enum class MeshState : std::uint8_t {
 struct CacheEntry {
   RevisionRecord record;
   MeshState state = MeshState::Stored;
-  std::uint64_t memory_bytes = 0;  ///< of its own; 0 where it is not in memory
+  std::uint64_t memory_bytes = 0;  ///< that it shares with no other; 0 where it is not in memory
   int depth = 0;                   ///< edits that have to be made again to have it
   std::uint32_t places = 0;        ///< in designs
   std::string design;              ///< of the first place; empty for none
@@ -39,7 +39,8 @@ struct GarbageOptions {
   std::optional<std::uint64_t> disk_bytes;  ///< at most afterwards; else the archive's budget
   std::optional<double> unused_seconds;     ///< also lets go what was not used for so long
   bool dry_run = false;
-  std::optional<double> recipes_unused_seconds;  ///< of the shared tier; else all stay
+  std::optional<double> recipes_unused_seconds;  ///< s; drops recipes of the shared tier that are
+                                                 ///< older and not needed
 };
 
 struct Collected {

@@ -9,7 +9,7 @@
 
 namespace remeshd {
 
-/// Calls `work`; its Error, or what stands for any other exception, goes to `failed`.
+/// Calls `work`; passes its Error, or one that stands for any other exception, to `failed`.
 template <typename Work, typename Failed>
 void catching(Work&& work, Failed&& failed) {
   try {

@@ -7,7 +7,7 @@
 
 namespace remeshd {
 
-/// That a design's head or list changes now.
+/// The operation that notes that a design's head or list changes now.
 inline AddDesign changed_now(const std::string& design) {
   return {.name = design, .changed_ns = nanoseconds_now()};
 }

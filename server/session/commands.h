@@ -51,8 +51,8 @@ struct HeadRule {
   std::optional<bool> file;
 };
 
-/// Adds line and column to an error about a value that the document of a command has. Empty where
-/// the command did not come as one.
+/// Adds line and column to an error about a value in the document that a command came as. Empty
+/// where it did not come as a document.
 using Locate = std::function<void(ErrorInfo&)>;
 
 struct CreateCommand {
@@ -98,15 +98,15 @@ struct Made {
   std::vector<Warning> warnings;  ///< of this answer, beside those of the report
 };
 
-/// Hears of a command: any number of progress calls, then exactly one of the others. Called by any
-/// thread; must not block.
+/// Callbacks of a command: any number of progress calls, then exactly one of the others. Called by
+/// any thread; must not block.
 struct Listener {
   std::function<void(const Progress&)> progress;  ///< may be empty
   std::function<void(const Made&)> made;
   std::function<void(const Error&)> failed;
 };
 
-/// A side of a comparison; an edit is one of the other side's model.
+/// A side of a comparison: a reference to a revision, a model, or an edit of the original's model.
 using ComparisonSide = std::variant<std::string, ModelSource, ModelEdit>;
 
 }  // namespace remeshd

@@ -26,14 +26,14 @@ using ComputationPtr = std::shared_ptr<Computation>;
 
 /// The computations that wait for a worker or are under way.
 ///
-/// Inv: of one id at most one that somebody waits for.
+/// Inv: for each id there is at most one that somebody waits for.
 class Computations {
  public:
-  /// What they come to, on a worker's thread, or for `failed` any.
+  /// Callbacks: `compute` on a worker's thread, `failed` on any, `is_made` under the mutex.
   struct Tasks {
     std::function<void(const ComputationPtr&)> compute;
     std::function<void(const ComputationPtr&, const Error&)> failed;
-    /// Whether a revision is there by now.
+    /// Whether a revision has been made by now.
     std::function<bool(const std::string& id)> is_made;
   };
   enum class Entry {
@@ -48,7 +48,7 @@ class Computations {
   /// Has a request wait for its revision, which is computed if it is not yet. Throws what
   /// Pool::submit throws.
   Entry enter(const WaitingRequestPtr& request, const Prepared& prepared);
-  /// The request waits no more. What nobody waits for is stopped.
+  /// The request waits no more. A computation that nobody waits for is stopped.
   void leave(const WaitingRequestPtr& request);
   /// Takes a computation off the list; returns who waited for it.
   std::vector<WaitingRequestPtr> remove(const ComputationPtr& computation);

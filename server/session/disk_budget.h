@@ -9,9 +9,9 @@
 
 namespace remeshd {
 
-/// The disk that the stored meshes of all tenants may take together. Where they take more, meshes
-/// go, of those tenants first that have most. What a tenant cannot let go of (pins, meshes without
-/// a recipe) nobody else gives way for: then more is taken than there should be.
+/// The disk space that the stored meshes of all tenants may take together. Where they take more,
+/// meshes are dropped, first those of the tenants that have most. For what a tenant cannot drop
+/// (pins, meshes without a recipe) no other gives way: then more is taken than the budget.
 class DiskBudget {
  public:
   /// `most`: bytes; 0: any.
@@ -19,16 +19,15 @@ class DiskBudget {
   DiskBudget(const DiskBudget&) = delete;
   DiskBudget& operator=(const DiskBudget&) = delete;
 
-  /// Whoever stores meshes, until `remove_holder`, which waits for a call of its functions to
-  /// return. They must not call back, but for `look_soon`.
+  /// Adds a holder of stored meshes, until `remove_holder`, which waits for a running call of the
+  /// holder's functions. These must not use the budget, but for `look_soon`.
   using HolderId = std::uint64_t;
   HolderId add_holder(BudgetHolder holder);
   void remove_holder(HolderId id);
 
-  /// Something was stored: what is too much goes soon, on a thread of the budget's own.
+  /// To be called when something was stored: the budget's own thread soon drops what is too much.
   void look_soon() { collector_.ask(); }
-  /// What each holder may have now; the greatest number there is while everything fits. Waits for
-  /// meshes that are just going.
+  /// Bytes that each holder may have now, as `fair_cap`. Waits while meshes are being dropped.
   [[nodiscard]] std::uint64_t cap() const;
   [[nodiscard]] std::uint64_t most() const { return most_; }
 

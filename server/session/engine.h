@@ -33,8 +33,8 @@ struct Engine {
   std::uint32_t algorithm_version = 1;
   std::function<FeatureModel(const ModelSource&)> evaluate;
   std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
-  /// What can be told of `Run::max_nodes` before anything is computed; `base`: null for a first
-  /// mesh. Returns the least number of nodes that the mesh will have. Throws
+  /// Checks the limit `Run::max_nodes` as far as can be told before anything is computed; `base`:
+  /// null for a first mesh. Returns the least number of nodes that the mesh will have. Throws
   /// Error(`MESH_TOO_LARGE`).
   std::function<double(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
       check_node_limit;
@@ -49,7 +49,8 @@ struct Engine {
   std::function<ModelComparison(const FeatureModel& original, const FeatureModel& modified,
                                 const CellularModel*, const CellularModel*, const Run&)>
       compare;
-  /// As DesignVelocities, of each parameter; `seed`: by corner node, then by mid-node.
+  /// As DesignVelocities, for each parameter; `seed`: a vector for each corner node, then each
+  /// mid-node.
   std::function<std::vector<NodalVelocities>(
       const Revision&, const std::vector<std::string>& parameters, const Run&)>
       velocities{};

@@ -18,7 +18,7 @@ struct Fetcher::Remake {
   std::vector<WaiterPtr> waiting;  ///< guarded by the fetcher's mutex
 };
 
-/// Who waits for it.
+/// Who waits for a mesh that is being made again.
 struct Fetcher::Waiter {
   Receiver receiver;
   std::weak_ptr<Remake> remake;
@@ -60,8 +60,8 @@ void Fetcher::wait_for_remake(const std::string& id, const std::stop_token& stop
     remake->waiting.push_back(waiter);
     waiter->remake = remake;
   }
-  // Outside of the lock: where the stop was requested before, this calls `leave`. Not through a
-  // shared pointer, or the waiter would hold itself.
+  // Outside of the lock: where the stop has been requested already, this calls `leave`. By a weak
+  // pointer, or the waiter would hold itself.
   waiter->on_stop.emplace(stop, [this, weak = std::weak_ptr(waiter)] {
     if (const WaiterPtr leaving = weak.lock()) leave(leaving);
   });

@@ -21,7 +21,7 @@ namespace remeshd {
 /// in the lane of preparations afterwards. Those who want the same mesh share one computation.
 class Fetcher {
  public:
-  /// Of these exactly one is called, once. What `got` throws, `failed` hears.
+  /// Exactly one of these is called, once; but where `got` throws, `failed` is called with that.
   struct Receiver {
     std::function<void(const HeldRevisionPtr&)> got;  ///< called in the lane of preparations
     std::function<void(const Error&)> failed;         ///< called by any thread; must not block

@@ -6,7 +6,7 @@
 
 namespace remeshd {
 
-/// How a revision stands to the head of the design that it is filed in.
+/// A revision that is filed in a design, and the design's head, as the decision sees them.
 struct HeadSituation {
   std::string id;           ///< of the revision
   std::string head;         ///< id of the design's head; empty where it has none
@@ -17,8 +17,8 @@ struct HeadSituation {
 
 struct HeadDecision {
   bool move = false;      ///< it becomes the head
-  bool conflict = false;  ///< it was to, but the head is not the expected one
-  bool kept = false;      ///< it does not, for nobody asked for it and its model is another one
+  bool conflict = false;  ///< the head is not the expected one, and the rule moves or requires it
+  bool kept = false;      ///< it does not: the request left that open, and its model is another one
 };
 
 HeadDecision decide_head(const HeadRule& rule, const HeadSituation& now);

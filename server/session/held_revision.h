@@ -10,7 +10,8 @@
 
 namespace remeshd {
 
-/// A revision in memory with what is known of it. Its report names it; `cached` is false.
+/// A revision in memory with what is known of it. In its report `revision` is its id, `cached`
+/// false.
 struct HeldRevision {
   RevisionRecord record;
   Revision revision;

@@ -5,7 +5,7 @@
 namespace remeshd {
 namespace {
 
-/// About how many bytes a revision has for itself, whatever others there are.
+/// Estimates the bytes of a revision that it never shares with others.
 std::uint64_t own_memory(const HeldRevision& held) {
   const Revision& revision = held.revision;
   const auto bytes_of = [](const auto& values) { return values.size() * sizeof(values[0]); };

@@ -16,17 +16,17 @@
 
 namespace remeshd {
 
-/// A tenant's revisions in memory; what several have in common counts once. Where they can be read
-/// from the store again, those used longest ago go as soon as the budget asks for it: it bounds
-/// what all tenants hold. One that is in use stays, since its memory would too; one that is erased
-/// counts for as long as somebody uses it.
+/// A tenant's revisions in memory; memory that several share counts once. Where they can be read
+/// from the store again, those used longest ago are evicted as soon as the budget, which bounds
+/// what all tenants hold, asks for it. One that is in use stays, since its memory would too; one
+/// that is erased counts for as long as somebody uses it.
 class HeldRevisions {
  public:
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;
 
-  /// `blocks_of`: the memory of a revision that others may have a part of.
-  /// `evict`: whether they can be read again. `evicted`: hears of each that went for want of room,
-  /// under locks; may be empty. The budget must outlive it.
+  /// `blocks_of`: the memory of a revision that others may share. `evict`: whether revisions can be
+  /// read again, and so be evicted. `evicted`: called for each that was, under locks; may be empty.
+  /// The budget must outlive it.
   HeldRevisions(MemoryBudget& budget, bool evict, MemoryBlocks blocks_of,
                 std::function<void()> evicted = {});
   ~HeldRevisions();
@@ -40,7 +40,7 @@ class HeldRevisions {
 
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::uint64_t bytes() const;
-  /// Of what a revision has in common with no other; 0 where it is not here.
+  /// Bytes that a revision shares with no other; 0 where it is not held.
   [[nodiscard]] std::uint64_t own_bytes(const std::string& id) const;
 
  private:
@@ -72,7 +72,7 @@ class HeldRevisions {
   mutable std::mutex mutex_;
   Order order_;
   std::unordered_map<std::string, Order::iterator> by_id_;
-  // Looking finds what has left meanwhile.
+  // Mutable: const functions too discount revisions whose last user has gone.
   mutable std::vector<Leaving> leaving_;  ///< erased while in use
   mutable std::unordered_map<const void*, Block> blocks_;
   mutable std::uint64_t bytes_ = 0;

@@ -13,7 +13,7 @@ class Lazy {
   Lazy(const Lazy& /*other*/) {}
   Lazy& operator=(const Lazy&) = delete;
 
-  /// The value, by `make` if nobody has asked before. Where that throws, the next one tries again.
+  /// The value, by `make` if nobody has asked before. Where that throws, the next call tries again.
   template <typename Make>
   const Value& get(Make&& make) const {
     std::call_once(once_, [&] { value_ = make(); });

@@ -13,7 +13,7 @@
 
 namespace remeshd {
 
-/// A command on its way, for whoever gave it.
+/// A command under way, as its caller sees it.
 class MakeRequest {
  public:
   virtual ~MakeRequest() = default;
@@ -36,7 +36,7 @@ class WaitingRequest final : public MakeRequest,
 
   void cancel() override { cancel_(shared_from_this()); }
 
-  /// Marks it as answered; false if it was.
+  /// Marks the request as answered; false if it was already.
   bool close() { return !answered_.exchange(true); }
   [[nodiscard]] bool answered() const { return answered_; }
   /// Tells of progress, unless it is answered.
@@ -46,7 +46,7 @@ class WaitingRequest final : public MakeRequest,
 
   [[nodiscard]] const std::string& tenant() const { return tenant_; }
   [[nodiscard]] const Listener& listener() const { return listener_; }
-  /// Of its preparation.
+  /// Stops its preparation.
   [[nodiscard]] std::stop_source& stop() { return stop_; }
 
   // Once it is prepared: how its revision is to be filed.
@@ -54,7 +54,7 @@ class WaitingRequest final : public MakeRequest,
   HeadRule head;
   std::vector<WarningCode> fail_on;
 
-  /// That it waits for; guarded by the computations' mutex.
+  /// The computation that it waits for; guarded by the computations' mutex.
   std::weak_ptr<Computation> joined;
 
  private:

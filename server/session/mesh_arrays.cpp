@@ -48,7 +48,7 @@ MeshArray array_of(ArrayName name, NumberType type, const CowVector<Row>& rows) 
   return array;
 }
 
-/// An array of what `member` takes out of each of some structs, put together when it is first read.
+/// An array of what `member` takes out of each struct, put together when it is first read.
 template <typename Struct, typename Member>
 MeshArray array_of(ArrayName name, const std::vector<Struct>& structs, Member member) {
   using Row = std::decay_t<decltype(member(structs.front()))>;
@@ -95,7 +95,7 @@ std::string lines(const std::vector<std::string>& names) {
   return text;
 }
 
-//// An array of pairs of a group of the model and a member of it.
+/// An array of pairs: the index of a group of the model, and a member of the group.
 MeshArray members_of(ArrayName name, const std::vector<GroupMembers>& groups,
                      std::vector<std::int32_t> GroupMembers::*which) {
   using Row = std::array<std::int32_t, 2>;

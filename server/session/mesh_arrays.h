@@ -47,7 +47,7 @@ enum class ArrayName : std::uint8_t {
 };
 inline constexpr std::size_t kLastArrayName = 28;
 
-/// Of one number of an array, with the numbers of the protocol's ArrayType.
+/// The type of an array's numbers, with the values of the protocol's ArrayType.
 enum class NumberType : std::uint8_t { F64 = 1, I32, U64, U8, Text };
 
 /// An array as it is sent, little-endian and without gaps, taken from the memory of a revision.
@@ -57,8 +57,8 @@ struct MeshArray {
   std::uint32_t components;  ///< numbers a row; 1 for text
   std::uint32_t count;       ///< rows
   std::uint64_t bytes;
-  /// The bytes from `offset` on that lie together in memory, one at least. They stay as long as the
-  /// delivery and this array or a copy of it. Pre: the array has a byte there.
+  /// The bytes from `offset` on that lie together in memory, one at least. They are valid as long
+  /// as the delivery and this array or a copy of it. Pre: the array has a byte there.
   std::function<std::string_view(std::uint64_t offset)> from;
 
   /// Hands `size` bytes from `offset` on to `take`, piece by piece. Pre: the array has them.
@@ -71,14 +71,14 @@ struct MeshArray {
       size -= piece.size();
     }
   }
-  /// Appends them.
+  /// Appends them to `out`.
   void read(std::uint64_t offset, std::uint64_t size, std::string& out) const {
     pieces(offset, size, [&](std::string_view piece) { out += piece; });
   }
 };
 
-/// The arrays that a mesh has, in the order of their names: all, but for the sizes of an even one
-/// and the mid-nodes of one of first order.
+/// The arrays of a mesh, in the order of their names: all, but for groups where the model has none,
+/// the sizes of an even mesh and the mid-nodes of a mesh of first order.
 /// The delivery must outlive them.
 std::vector<MeshArray> mesh_arrays(const OutputMesh& delivery);
 

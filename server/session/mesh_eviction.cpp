@@ -68,7 +68,8 @@ class Family {
     }
     return kNever;
   }
-  /// Edits from a mesh down to the furthest that would have to be made through it; likewise.
+  /// Edits from a mesh down to its furthest descendant that would have to be made again with it;
+  /// those beyond `kMostRemade` are not counted.
   [[nodiscard]] int height(int mesh) const {
     std::vector<int> generation{mesh};
     for (int edits = 0; edits <= kMostRemade; ++edits) {
@@ -95,7 +96,7 @@ std::vector<int> edits_to_make(const std::vector<StoredMesh>& meshes) {
 
 std::vector<std::string> meshes_to_drop(std::vector<StoredMesh> meshes, std::uint64_t bytes,
                                         std::optional<std::int64_t> unused_before) {
-  const Family family(meshes);  // sees below what has gone
+  const Family family(meshes);  // refers to `meshes`, so it sees what the loop drops
   std::vector<int> by_use(meshes.size());
   std::iota(by_use.begin(), by_use.end(), 0);
   std::ranges::stable_sort(by_use, {},

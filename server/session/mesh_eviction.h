@@ -18,14 +18,14 @@ struct StoredMesh {
   std::uint64_t bytes = 0;   ///< on the disk
 };
 
-/// To have a mesh, so many edits are made again at most.
+/// Most edits that may have to be made again to have a mesh.
 inline constexpr int kMostRemade = 8;
 
-/// How many meshes have to be made again to have each: 0 where it is stored; one of which a recipe
-/// is missing on the way counts as far too many. In the order of `meshes`.
+/// For each of `meshes`, in their order, how many have to be made again to have it: 0 where it is
+/// stored; where a recipe on the way is missing, a number far beyond `kMostRemade`.
 std::vector<int> edits_to_make(const std::vector<StoredMesh>& meshes);
 
-/// The meshes that go, those used longest ago first, until `bytes` are freed; with `unused_before`
+/// The meshes to drop, those used longest ago first, until `bytes` are freed; with `unused_before`
 /// also all that were not used since. Those that are pinned or have no recipe stay, and so does
 /// whatever another one needs so that at most `kMostRemade` edits have to be made again for it.
 std::vector<std::string> meshes_to_drop(std::vector<StoredMesh> meshes, std::uint64_t bytes,

@@ -38,7 +38,7 @@ void check(const OptionsPatch& patch) {
   check(patch.sizing);
 }
 
-/// An even mesh has no rules to leave to its edits: what it says of them is of no account.
+/// For an even mesh all rules are reset: it has none to pass on to its edits.
 Sizing patched(const SizingPatch& patch, const Sizing& base) {
   const bool rules = patch.edges_per_circle || patch.layers || patch.min_size || patch.growth;
   if (patch.even.value_or(base.even && !rules)) return {.even = true};

@@ -5,12 +5,12 @@
 
 namespace remeshd {
 
-/// Options of a first mesh: what the patch leaves out has the defaults of requests, which the
-/// engine's own are not: 15,000 nodes, sized by all rules. Throws Error(`OPTIONS_INVALID`).
+/// Options of a first mesh: what the patch leaves out has the defaults of requests, which are not
+/// the engine's: 15,000 nodes, sized by all rules. Throws Error(`OPTIONS_INVALID`).
 MeshOptions first_options(const OptionsPatch& patch);
 
-/// Options of an edit of a revision that has `base`. Rules of a size field mean that the mesh is
-/// not even, where the patch does not say that it is. Throws Error(`OPTIONS_INVALID`).
+/// Options of an edit of a revision with the options `base`. A patch with rules of a size field
+/// makes the mesh not even, unless it says that it is. Throws Error(`OPTIONS_INVALID`).
 MeshOptions edit_options(const OptionsPatch& patch, const MeshOptions& base);
 
 }  // namespace remeshd

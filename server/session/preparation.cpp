@@ -10,7 +10,7 @@
 namespace remeshd {
 namespace {
 
-/// Whether the rule asks that a head may move.
+/// Whether the rule asks that a head be moved or checked.
 bool concerns_head(const HeadRule& rule) {
   return rule.advance.value_or(false) || rule.require || !rule.expected.empty();
 }
@@ -74,7 +74,7 @@ Prepared Preparation::prepare_create(const CreateCommand& command, const Run& ru
   prepared.options = first_options(command.options);
   std::string design = command.design.empty() ? command.source.name : command.design;
   if (design.empty()) design = "model";
-  // One that nobody named need not be filed where it cannot.
+  // Where the request names no design, and the home of this one is elsewhere, it is filed in none.
   const bool file =
       !command.design.empty() || concerns_head(command.head) || archive_.is_home_of(design);
   if (command.head.file.value_or(file)) {

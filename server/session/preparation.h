@@ -11,7 +11,7 @@
 
 namespace remeshd {
 
-/// A command made definite.
+/// A command with all that its revision depends on resolved.
 struct Prepared {
   std::string id;      ///< of the revision it asks for
   std::string design;  ///< empty: it is filed in none
@@ -25,14 +25,14 @@ struct Prepared {
   double nodes = 0;  ///< at least, as far as can be told before anything is computed
 };
 
-/// What an edit is of, and where it is filed.
+/// The base of an edit, and the design that the edit's revision is filed in.
 struct EditBase {
   std::string id;
   std::string design;  ///< empty: in none
 };
 
-/// Makes commands definite: finds the base, applies the edit, checks options and node limit, finds
-/// the id.
+/// Prepares commands: finds the base, applies the edit, checks options and node limit, computes the
+/// id.
 class Preparation {
  public:
   /// `threads`: at most, for one computation; `max_nodes`: as Run::max_nodes. The references must
@@ -40,11 +40,11 @@ class Preparation {
   Preparation(const Engine& engine, Archive& archive, int threads, std::uint32_t max_nodes)
       : engine_(engine), archive_(archive), threads_(threads), max_nodes_(max_nodes) {}
 
-  /// What `prepare` has to be given of an edit; nothing for a first mesh.
-  /// Throws Error where there is no such revision, or no such design can be.
+  /// Resolves the base of an edit, for `prepare`; nothing for a first mesh. Throws Error where
+  /// there is no such revision, or the design's name cannot be one.
   [[nodiscard]] std::optional<EditBase> base_of(const Command& command) const;
-  /// `revision`: that of the base. Throws what is wrong with the command, with its place in the
-  /// document that it came as.
+  /// `revision`: that of the base, null for a first mesh. Throws Error where something is wrong
+  /// with the command, with the place in the document that it came as.
   [[nodiscard]] Prepared prepare(const Command& command, const std::optional<EditBase>& base,
                                  const HeldRevisionPtr& revision, std::stop_token stop) const;
   /// What can be told of the revision before it is made.

@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// What a mesh is made of again, and what it then has to be.
+/// What a mesh can be made again of, and the digests that it then must have.
 struct Recipe {
   struct Digest {
     ArrayName array;
@@ -27,15 +27,15 @@ struct Recipe {
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
-/// Of the arrays of a revision that are delivered. `alike`: as of `recipe_of`.
+/// Digests of the arrays of a revision that are delivered. `alike`: as of `recipe_of`.
 std::vector<Recipe::Digest> digests_of(const HeldRevision& held,
                                        const HeldRevision* alike = nullptr);
 
-/// The recipe of a revision that tells its options as asked for; an empty one of another. `alike`:
-/// one that has blocks of arrays in common with it, whose digests are taken over; null for none.
+/// The recipe of a revision whose `asked` is set; else an empty one. `alike`: a revision that has
+/// blocks of arrays in common with it, whose digests are taken over; null for none.
 Recipe recipe_of(const HeldRevision& held, const HeldRevision* alike = nullptr);
 
-/// As it is kept: JSON, the same for equal recipes.
+/// The text of a recipe as it is kept: JSON, the same for equal recipes.
 std::string write_recipe(const Recipe& recipe);
 /// Throws Error(Internal) on anything else.
 Recipe read_recipe(const std::string& text);

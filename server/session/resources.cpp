@@ -46,7 +46,7 @@ Resources::Resources(Engine engine, SessionLimits limits, std::shared_ptr<Metric
                     .niceness = limits::kComputationNiceness,
                     .waited = counts_waits(Lane::Computation, metrics_.get())}),
       admission_(computation_),
-      // What a reader kept may have gone without a word to the budget.
+      // A reader that ends may free a revision without telling the budget.
       freed_memory_({resident_bytes, return_freed_memory}, [this] { memory_.trim(); }) {
   memory_.set_process({resident_bytes, return_freed_memory});
 }

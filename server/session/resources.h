@@ -58,7 +58,7 @@ class Resources {
   /// Null: nothing is counted.
   [[nodiscard]] Metrics* metrics() const { return metrics_.get(); }
   Pool& lane(Lane lane);
-  /// To the lane of computations.
+  /// Who is let in to the lane of computations.
   Admission& admission() { return admission_; }
 
   /// Refuses what waits in the lanes, and returns when what runs has ended.

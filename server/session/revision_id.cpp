@@ -8,8 +8,8 @@
 namespace remeshd {
 namespace {
 
-/// Bytes in which every piece says its length or has a fixed one, so that no two values of a type
-/// have the same.
+/// Bytes in which every piece states its length or has a fixed one, so that no two values of a type
+/// have the same bytes.
 class Canonical {
  public:
   void byte(std::uint8_t value) { bytes_ += static_cast<char>(value); }
@@ -93,8 +93,8 @@ class Canonical {
     if (!source.sizes.empty()) sizes(source.sizes);
     if (!source.groups.empty()) groups(source.groups);
   }
-  /// Ids are older than sizes, so of a model without them nothing is said. They begin like a text
-  /// of five bytes; what else may follow a model are options, whose first byte is 0 or 1.
+  /// Ids are older than sizes, so a model without them adds no bytes. Sizes begin with the length
+  /// of a text, 5; what else may follow a model are options, whose first byte is 0 or 1.
   void sizes(const std::vector<SizeControlSource>& sizes) {
     text("sizes");
     number(sizes.size());
@@ -111,7 +111,7 @@ class Canonical {
       scalar(size.size);
     }
   }
-  /// Likewise of a model without groups.
+  /// Likewise, a model without groups adds no bytes.
   void groups(const std::vector<GroupSource>& groups) {
     text("groups");
     number(groups.size());
@@ -137,18 +137,18 @@ class Canonical {
     if (options.hold != 0) hold(options.hold);
     if (!options.sizing.even) sizing(options.sizing);
   }
-  /// Ids are older than the second order, so of the first nothing is said.
+  /// Ids are older than the second order, so the first adds no bytes.
   void order(std::uint32_t order) {
     text("order");
     number(order);
   }
-  /// Ids are older than it, so where nothing is held nothing is said.
+  /// Ids are older than this option, so 0 adds no bytes.
   void hold(double hold) {
     text("hold");
     real(hold);
   }
-  /// Ids are older than sizing, so of an even mesh nothing is said. It begins like a text of six
-  /// bytes, and what else may follow the options is a parent's id, which has none or 64.
+  /// Ids are older than sizing, so an even mesh adds no bytes. Sizing begins with the length of a
+  /// text, 6; what else may follow the options is a parent's id, of length 0 or 64.
   void sizing(const Sizing& sizing) {
     text("sizing");
     number(sizing.edges_per_circle);

@@ -101,7 +101,7 @@ HeldRevisionPtr RevisionScheduler::find_intact(const std::string& id,
   try {
     return parts_.archive.find(id, Run{.stop = stop, .on_progress = {}, .dumps = {}});
   } catch (const Error& failure) {
-    // A damaged copy in the store is made anew: the request tells everything that it takes.
+    // A damaged copy in the store is made anew: the request has all that this needs.
     if (failure.info().kind != ErrorKind::Internal) throw;
     return nullptr;
   }
@@ -113,8 +113,7 @@ void RevisionScheduler::proceed(const WaitingRequestPtr& request, const Prepared
       return complete(request, revision, true);
     parts_.archive.check_room(working_memory(prepared));
     request->report({.stage = "queued"});
-    // It may have been finished, and dropped again, between this look into the archive and the
-    // last.
+    // Where it was made since the look into the archive: look again, for it may be dropped by then.
     if (computations_.enter(request, prepared) != Computations::Entry::IsMade) return;
   }
 }
@@ -126,7 +125,7 @@ RevisionScheduler::Outcome RevisionScheduler::outcome_of(const ComputationPtr& c
   HeldRevisionPtr shared;
   std::stop_source either;
   const std::stop_callback forward(asked, [&] { either.request_stop(); });
-  std::jthread look_up([&](const std::stop_token& stop) {  // which the end of this asks for
+  std::jthread look_up([&](const std::stop_token& stop) {  // requested at the end of this function
     contained([&] {
       shared = parts_.archive.find_shared(computation->prepared.id,
                                           Run{.stop = stop, .on_progress = {}, .dumps = {}});
@@ -187,12 +186,13 @@ void RevisionScheduler::check_waiting(const ComputationPtr& computation,
 void RevisionScheduler::compute(const ComputationPtr& computation) {
   catching(
       [&] {
-        // Until it is filed: what it is written from takes memory too.
+        // Held until the revision is filed: writing it takes memory too.
         const auto share =
             parts_.memory.take(working_memory(computation->prepared), computation->stop.get_token(),
                                parts_.computation.limits().wait);
         const auto [made, computed] = outcome_of(computation);
-        // In memory before it leaves the list, so that no moment is left to compute it twice.
+        // In memory before it leaves the list, so that at no moment another request computes it
+        // again.
         parts_.archive.hold(made);
         bool cached = !computed;
         for (const auto& request : computations_.remove(computation)) {
@@ -226,7 +226,7 @@ void RevisionScheduler::complete(const WaitingRequestPtr& request, const HeldRev
       [&](const Error& why) { fail(request, why); });
 }
 
-/// Marks a request as answered; false if it was.
+/// Marks a request as answered; false if it was already.
 bool RevisionScheduler::close(const WaitingRequestPtr& request) {
   if (!request->close()) return false;
   {

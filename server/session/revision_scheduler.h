@@ -73,7 +73,7 @@ class RevisionScheduler {
   void proceed(const WaitingRequestPtr& request, const Prepared& prepared);
   HeldRevisionPtr find_intact(const std::string& id, const std::stop_token& stop) const;
   void compute(const ComputationPtr& computation);
-  /// What a computation comes to.
+  /// The result of a computation.
   struct Outcome {
     HeldRevisionPtr revision;
     bool computed = true;  ///< else it came from the shared tier

@@ -9,13 +9,13 @@
 namespace remeshd {
 namespace {
 
-/// What a side of a comparison comes to.
+/// A side of a comparison, resolved.
 struct Side {
   HeldRevisionPtr revision;  ///< null for a model that is no revision
   ModelSource source;
 };
 
-/// Ids of two tenants may be the same.
+/// A folder for each tenant: revisions of two tenants may have the same id.
 std::filesystem::path dumps_of(const std::string& tenant, const std::filesystem::path& dumps) {
   return tenant.empty() || dumps.empty() ? dumps : dumps / "tenants" / tenant;
 }

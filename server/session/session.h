@@ -39,15 +39,15 @@ struct Load {
   std::size_t waiting = 0;  ///< requests that wait for these; several may wait for the same
   std::size_t held = 0;
   std::uint64_t held_bytes = 0;
-  /// Those, and what computations and loads of all tenants have taken.
+  /// `held_bytes`, and all that is leased of the memory budget.
   std::uint64_t memory_bytes = 0;
   std::uint32_t revisions = 0, designs = 0;
   std::uint64_t disk_bytes = 0;
   std::size_t tier_waiting = 0;  ///< objects that the shared tier is still to get
 };
 
-/// Everything that the clients of a tenant may do, in the engine's terms, with what is the
-/// tenant's. All functions may be called by any thread at the same time. Those with a Run block and
+/// Everything that the clients of a tenant may do, in the engine's terms, and the tenant's own
+/// data. All functions may be called by any thread at the same time. Those with a Run block and
 /// belong in a lane (`later`).
 class Session {
  public:
@@ -76,10 +76,11 @@ class Session {
     work.tenant = tenant_;
     return resources_.lane(lane).submit(std::move(work));
   }
-  /// For replies of a call that wait for its client, and `more` bytes. Waits as the reading of a
-  /// revision does. Throws what MemoryBudget::take throws, Error(Cancelled).
+  /// Leases memory for the replies of a call that wait for its client (`limits::kUntakenBytes`),
+  /// and for `more` bytes. Waits for `limits::kLoadWait` at most. Throws what MemoryBudget::take
+  /// throws, Error(Cancelled).
   MemoryBudget::Lease take_reply_memory(std::uint64_t more, const std::stop_token& stop);
-  /// For a stream that begins. Throws Error: MEMORY_FULL.
+  /// Leases memory for a stream that begins. Throws Error: MEMORY_FULL.
   MemoryBudget::Lease take_stream_memory();
   [[nodiscard]] Error no_memory() { return resources_.memory().full(); }
   /// As Pool::withdraw.
@@ -87,7 +88,7 @@ class Session {
 
   /// The revision, made again of its recipe if need be: for the lane of computations.
   HeldRevisionPtr get(const std::string& reference, const Run& run);
-  /// The same for the lane of preparations, of an id. As Fetcher::fetch.
+  /// The same of an id, for the lane of preparations. As Fetcher::fetch.
   void fetch(const std::string& id, const std::stop_token& stop,
              const Fetcher::Receiver& receiver) {
     fetcher_.fetch(id, stop, receiver);
@@ -95,13 +96,13 @@ class Session {
   /// The revision that another one was made of; null where there is none any more, or none that
   /// can be read.
   HeldRevisionPtr parent_of(const HeldRevision& revision, const Run& run);
-  /// Of a revision that `reference` resolves to. A mesh that has gone is not made again for it. For
-  /// the lane of preparations. Throws Error: REVISION_NOT_FOUND, Cancelled, what is wrong with a
-  /// mesh that has no recipe.
+  /// All that is known of the revision of a reference. A mesh that has gone is not made again for
+  /// it. For the lane of preparations. Throws Error: REVISION_NOT_FOUND, Cancelled, what is wrong
+  /// with a mesh that has no recipe.
   Description describe(const Reference& reference, const Run& run);
   ModelComparison compare(const ComparisonSide& original, const ComparisonSide& modified,
                           const Run& run);
-  /// Everything that is checked before a mesh is made, the limit on nodes too.
+  /// Does all checks that are done before a mesh is made, that of the node limit too.
   Validated validate(const ModelSource& source, const OptionsPatch& options, const Run& run);
   /// The same for the model that the edit makes of a revision or a model.
   Validated validate_edit(const std::variant<std::string, ModelSource>& base, const ModelEdit& edit,
@@ -147,9 +148,9 @@ class Session {
     return archive_.remove_design(design, expected);
   }
 
-  /// What a revision is made of again, whether its mesh is there or not.
+  /// The recipe of a revision, whether its mesh is there or not.
   Recipe recipe(const std::string& reference) { return archive_.recipe(resolve(reference).id); }
-  /// The same of an id whose revision may have been deleted, while others are made of it.
+  /// The same of an id, whose revision may have been deleted where others are made of it.
   Recipe recipe_of_ancestor(const std::string& id) { return archive_.recipe(id); }
   Reference resolve(const std::string& reference) {
     if (reference.empty()) throw error::reference_missing("revision");
@@ -161,10 +162,10 @@ class Session {
     const auto places = store_->read([&](Catalogue& catalogue) { return catalogue.places(id); });
     return places.empty() ? "" : places.front().design;
   }
-  /// Meshes in memory and on disk: what they take, which of them stay and go.
+  /// The archive, for what meshes take in memory and on disk, and which of them stay or go.
   Archive& cache() { return archive_; }
-  /// Has a damaged mesh made again and stored. `done` hears of the fault, repaired or with the
-  /// reason why not, from any thread, maybe before this returns. For the lane of preparations.
+  /// Has a damaged mesh made again and stored. `done` is called with the fault, repaired or with
+  /// the reason why not, by any thread, maybe before this returns. For the lane of preparations.
   void repair(CacheFault fault, const std::stop_token& stop,
               std::function<void(const CacheFault&)> done);
 
@@ -177,8 +178,7 @@ class Session {
   Load load();
   [[nodiscard]] const SessionLimits& limits() const { return resources_.limits(); }
   [[nodiscard]] std::uint32_t algorithm_version() const { return engine().algorithm_version; }
-  /// False while the store cannot take what it should: its disk is full or fails.
-  /// As Store::on_health.
+  /// As Store::on_health. `healthy`: false while the store's disk is full or fails.
   void on_store_health(std::function<void(bool healthy)> listener) {
     store_->on_health(std::move(listener));
   }

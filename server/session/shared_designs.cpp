@@ -11,7 +11,7 @@
 namespace remeshd {
 namespace {
 
-// Others change a design now and then; who never comes to his turn says so.
+// Attempts at a change while others change the same design, after which it fails.
 constexpr int kMostTries = 1000;
 
 RevisionRecord record_in(const DesignRow& row) {
@@ -51,8 +51,8 @@ std::vector<DesignRow> rows_of(Catalogue& catalogue, const std::string& name) {
   return rows;
 }
 
-/// What makes the catalogue's copy the same as the table. `all`: the state has all rows, and what
-/// has none goes.
+/// The transaction that makes the catalogue's copy of a design the same as `state`. `all`: the
+/// state has all rows, so places without a row go.
 Transaction differences(Catalogue& catalogue, const std::string& name, const DesignState& state,
                         bool all) {
   Transaction changes{AddDesign{.name = name,
@@ -92,7 +92,7 @@ void SharedDesigns::refresh_of(const std::string& id) {
   const std::vector<std::string> designs = table_->designs_of(tenant_, id);
   const std::scoped_lock lock(mutex_);
   for (const std::string& design : designs) refresh_locked(design);
-  // Of a store from before there was a table.
+  // Designs of a store from before there was a table.
   for (const PlaceRecord& place :
        store_.read([&](Catalogue& catalogue) { return catalogue.places(id); }))
     if (std::ranges::find(designs, place.design) == designs.end()) refresh_locked(place.design);
@@ -132,7 +132,8 @@ void SharedDesigns::refresh_locked(const std::string& design) {
   throw error::catalogue_unavailable("others change the design `" + design + "` all the time");
 }
 
-/// Enters what the catalogue has of a design, if anything; false where another one was first.
+/// Enters the catalogue's copy of a design in the table, if it has one; false where another daemon
+/// was first.
 bool SharedDesigns::upload(const std::string& design) {
   DesignState state;
   store_.read([&](Catalogue& catalogue) {

@@ -17,25 +17,26 @@ namespace remeshd {
 /// copy of what was looked at, which is brought up to date before it is read, and changes only
 /// after the table has.
 ///
-/// A design that the table has not is entered as the catalogue has it: so a store from before there
-/// was a table keeps its designs, and a table that was lost is filled again. Where both have one,
-/// the table is right.
+/// A design that the table does not have is entered as the catalogue has it: so a store from before
+/// there was a table keeps its designs, and a table that was lost is filled again. Where both have
+/// a design, the table's counts.
 /// For any thread. All functions throw Error(CATALOGUE_UNAVAILABLE).
 class SharedDesigns {
  public:
   /// `store` must outlive it.
   SharedDesigns(std::shared_ptr<DesignTable> table, std::string tenant, Store& store);
 
-  /// Brings the catalogue up to date: of a design; of those that a revision stands in; of all.
+  /// Bring the catalogue up to date: with one design; with those that a revision stands in; with
+  /// all.
   void refresh(const std::string& design);
   void refresh_of(const std::string& id);
   void refresh_all();
 
   using Make = std::function<Transaction(Catalogue&)>;
-  /// As Store::commit of what was made; whether it is durable.
+  /// Commits a transaction to the store; returns whether it is durable, as Store::commit.
   using Commit = std::function<bool(const Transaction&)>;
   /// Changes the table, then has the store do so. A transaction that was made from a copy which is
-  /// out of date is made again of a newer one. Throws what these throw, too.
+  /// out of date is made again of a newer one. Throws also what `make` and `commit` throw.
   bool commit(const Make& make, const Commit& commit);
 
  private:

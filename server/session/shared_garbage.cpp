@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kReaders = 8;
 
-/// Does `work` for each of them, several at a time. Throws what one threw.
+/// Does `work` for each object, several at a time. Throws what one call threw.
 template <typename Work>
 void for_all(std::vector<SharedObject>& objects, const Work& work) {
   std::vector<std::future<void>> readers;
@@ -46,7 +46,7 @@ std::vector<SharedObject> SharedRevisions::objects_of(const std::string& kind) c
   return objects;
 }
 
-/// Of a pack from its head, which is not proved to be right: what it tells decides what goes alone.
+/// The base of a pack, by its head, which is read unchecked: it decides only what is dropped.
 std::string SharedRevisions::base_of(const std::string& id) const {
   const auto start = sharing_.objects->start_of(key_of(kPack, id), kMostSealBytes + kMostHeadBytes);
   if (!start) return {};
@@ -62,10 +62,10 @@ void SharedRevisions::remove(const std::string& kind, const std::vector<SharedOb
   }
 }
 
-/// Ids of recipes that were marked long ago, of those that `go`. A daemon that has seen one in the
-/// tier writes what is made of it without asking again, but for no longer than `kTierRefresh`: so a
-/// recipe is marked first, and goes when it has been marked for so long and still nothing is made
-/// of it.
+/// Those ids of recipes in `go` that were marked long ago. Unless `dry_run`, marks the others and
+/// unmarks what is not in `go`. A daemon that has seen a recipe in the tier writes what is made of
+/// it without asking again, but for no longer than `kTierRefresh`: so a recipe is marked first, and
+/// goes when it has been marked for so long and still nothing is made of it.
 std::set<std::string> SharedRevisions::marked(const std::vector<SharedObject>& go, bool dry_run) {
   std::map<std::string, SharedObject> marks;
   for (SharedObject& mark : objects_of(kDoomed)) marks[mark.id] = mark;
@@ -86,7 +86,7 @@ std::set<std::string> SharedRevisions::marked(const std::vector<SharedObject>& g
   return due;
 }
 
-/// Recipes of the tier that go: `kept` are those of meshes that stay.
+/// The recipes to drop from the tier; `kept`: ids of meshes that stay, whose recipes stay too.
 std::vector<SharedObject> SharedRevisions::recipes_to_drop(std::vector<SharedObject> recipes,
                                                            const std::set<std::string>& kept,
                                                            const GarbageOptions& options) {

@@ -15,12 +15,14 @@ struct SharedRecord {
   Recipe recipe;
 };
 
-/// A revision and its recipe, which may be empty, in a line: what it is, whatever store has it.
+/// A revision's record and recipe, which may be empty, as a journal line, without what depends on
+/// the store that has it: bytes, base, pin.
 std::string line_of(RevisionRecord record, const std::string& packed_recipe);
-/// The same back; nothing where the line tells of no revision.
+/// Reads such a line; nothing where it tells of no revision.
 std::optional<AddRevision> revision_in(const std::string& line);
 
-/// What a record and its recipe tell, of a revision of that id. Throws WrongObject.
+/// A record with its recipe read. Throws WrongObject where either is not of the revision `id`, or
+/// the recipe does not give that id.
 SharedRecord shared_record(RevisionRecord record, std::string packed_recipe, const std::string& id);
 /// The same of a line. Throws WrongObject.
 SharedRecord shared_record_in(const std::string& line, const std::string& id);

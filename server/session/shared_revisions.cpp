@@ -19,10 +19,10 @@ namespace {
 
 // Longer chains are not written (packs.cpp).
 constexpr std::size_t kMostBases = 64;
-// Meshes that wait for a tier: the recipes of more are written all the same.
+// Most meshes that may wait for a tier; of further revisions only the recipes are written.
 constexpr std::size_t kMostWaiting = 100'000;
 
-/// Of a store, made if need be.
+/// The folder of an outbox of a store, in a folder that is made if need be.
 std::filesystem::path outbox_folder(const Store& store, const char* name) {
   make_folder(store.folder() / "outbox");
   return store.folder() / "outbox" / name;
@@ -135,8 +135,9 @@ std::vector<SharedRevisions::Mesh> SharedRevisions::meshes(const std::string& id
   return chain;
 }
 
-/// Adds what recipes tell beside: when each was made, and how long that took. From the first whose
-/// recipe tells other digests on, the chain is none.
+/// Checks the meshes of a chain against the tier's recipes, and takes over when each was made and
+/// how long that took. Where a recipe tells other digests, the mesh is refused and the chain
+/// emptied.
 void SharedRevisions::hold_against_recipes(std::vector<Mesh>& chain) {
   std::vector<std::future<std::optional<SharedRecord>>> recipes;
   for (const Mesh& mesh : chain)
@@ -149,7 +150,7 @@ void SharedRevisions::hold_against_recipes(std::vector<Mesh>& chain) {
     if (told->recipe.digests != known.recipe.digests) {
       put_away(chain[i], "its recipe tells other digests");
       chain.clear();
-      return;  // the rest is waited for
+      return;  // the futures that are left wait for their threads
     }
     known.record.created_ns = told->record.created_ns;
     known.record.seconds = told->record.seconds;
@@ -170,7 +171,7 @@ std::string SharedRevisions::parent_of(const std::string& id) const {
   return record ? record->parent : std::string();
 }
 
-/// Those whose recipes are still to be written, the eldest first.
+/// Ancestors whose recipes are still to be written, the eldest first.
 std::vector<std::string> SharedRevisions::waiting_ancestors(const std::string& id) const {
   std::vector<std::string> waiting;
   for (std::string next = parent_of(id); recipes_.has(next); next = parent_of(next))
@@ -217,8 +218,8 @@ void SharedRevisions::offer(const std::string& id) {
 
 namespace {
 
-/// What `read` gives; nothing where it throws: what is gone or damaged is written when it has been
-/// made again.
+/// What `read` returns; empty where it throws: what has gone or is damaged is written when it has
+/// been made again.
 template <typename Read>
 std::string where_whole(Read&& read) {
   try {
@@ -231,7 +232,7 @@ std::string where_whole(Read&& read) {
 }  // namespace
 
 void SharedRevisions::write_recipe(const std::string& id) {
-  // Several are written at a time.
+  // Several threads write recipes: an ancestor's may be behind.
   for (const std::string& each : waiting_ancestors(id)) recipes_.write_now(each);
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   const std::string recipe = where_whole([&] { return store_.recipe(id); });

@@ -37,30 +37,33 @@ class SharedRevisions {
   /// `store` must be persistent and, like the objects, outlive it.
   SharedRevisions(Sharing sharing, const std::string& tenant, Store& store);
 
-  /// Throws Error(TIER_UNAVAILABLE), as all that follow.
+  /// The record and recipe of a revision, if the tier has them. Throws Error(TIER_UNAVAILABLE), as
+  /// all functions that ask the tier.
   [[nodiscard]] std::optional<SharedRecord> find(const std::string& id);
-  /// Whether there seems to be a mesh of it; told within so many seconds.
+  /// Whether the tier has an object for the mesh, which is not checked; `within`: as of
+  /// ObjectStore::has.
   [[nodiscard]] bool has_mesh(const std::string& id, double within);
-  /// The mesh of a revision with those that its bytes are differences to and the store has not,
-  /// each after the one that it stands on, its own last. Empty where the tier has not all of them.
+  /// The mesh of a revision, last, after those of its chain of bases that the store does not have,
+  /// each after its base. Empty where the tier does not have all of them.
   [[nodiscard]] std::vector<Mesh> meshes(const std::string& id);
-  /// A mesh of `meshes` is not what its recipe tells.
+  /// Refuses a mesh of `meshes` that is not what its recipe tells.
   void put_away(const Mesh& mesh, std::string_view why);
-  /// The same of one that was taken in before: it is written over when it has been made again.
+  /// Refuses a mesh that was taken in before: it is written over when it has been made again.
   void distrust(const std::string& id);
 
   /// Has the revision and its ancestors written to the tier, as far as this process has not done
   /// so: soon, or, where an edit is acknowledged in the tier, their recipes now. Throws
   /// Error(TIER_UNAVAILABLE) in that case.
   void publish(const std::string& id);
-  /// Has what was wrong of a revision written over; the store has all of it now.
+  /// Has the refused objects of a revision written over. Pre: the store has the revision with its
+  /// mesh.
   void mend(const std::string& id);
   /// The same, and its mesh written where the tier has none.
   void offer(const std::string& id);
-  /// Lets meshes and, where that is asked for, recipes go from the tier; none of which something
-  /// that stays is made, or told as differences to it.
+  /// Drops meshes and, where that is asked for, recipes from the tier, but nothing that something
+  /// that stays is made of or encoded against.
   Collected collect_garbage(const GarbageOptions& options);
-  /// Keeps a mesh in the tier whoever collects garbage there, or no longer.
+  /// Keeps a mesh in the tier, whichever daemon collects garbage there, or no longer.
   void set_pin(const std::string& id, bool pinned);
   /// Objects that are still to be written.
   [[nodiscard]] std::size_t waiting() const { return recipes_.size() + meshes_.size(); }
@@ -91,7 +94,8 @@ class SharedRevisions {
   const std::string prefix_;  ///< of keys
   Store& store_;
   mutable std::mutex mutex_;  ///< guards what follows
-  /// Revisions whose recipes the tier has, by the first digits of their ids, since when.
+  /// First digits of the ids of revisions whose recipes the tier has or is about to get; cleared
+  /// once they are older than `limits::kTierRefresh`.
   std::unordered_set<std::uint64_t> published_;
   std::chrono::steady_clock::time_point published_since_ = std::chrono::steady_clock::now();
   std::set<std::string> wrong_;  ///< keys that are to be written over

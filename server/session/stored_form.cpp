@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kEdit = "session.edit";
 
-/// Members in the order in which a record keeps them. No other can join them: attempts follow.
+/// Members in the order in which a record keeps them. None can be added here: attempts follow.
 constexpr double PhaseSeconds::*kSeconds[] = {&PhaseSeconds::setup,   &PhaseSeconds::optimise,
                                               &PhaseSeconds::extract, &PhaseSeconds::difference,
                                               &PhaseSeconds::copy,    &PhaseSeconds::verify,
@@ -26,8 +26,8 @@ std::string older_edit(const std::string& bytes) {
   return length <= end ? bytes.substr(end - length, length) : std::string();
 }
 
-/// Calls `with` for all seconds of a report, in the order in which a record keeps them: what was
-/// told later comes later, and is not in an older record.
+/// Calls `with` for all seconds of a report, in the order in which a record keeps them: those of
+/// later versions come last, and older records lack them.
 void for_seconds(auto& report, const auto& with) {
   for (const auto member : kSeconds) with(report.seconds.*member);
   for (auto& attempt : report.attempts) with(attempt.seconds);

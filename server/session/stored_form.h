@@ -11,15 +11,15 @@ namespace remeshd {
 /// the revision, which has to outlive them. Equal revisions give equal arrays.
 StoredArrays stored_form(const Engine& engine, const HeldRevision& held);
 
-/// The revision of a record, from its arrays. `alike`: one that shares its memory with what is the
-/// same; null for none. Throws Error(Internal).
+/// The revision of a record, from its arrays. `alike`: a revision whose memory is shared where the
+/// content is the same; null for none. Throws Error(Internal).
 std::shared_ptr<HeldRevision> restored(const Engine& engine, const StoredArrays& arrays,
                                        const RevisionRecord& record, const HeldRevision* alike,
                                        const Run& run);
 
-/// Tells in the report what the record kept of its seconds, if anything.
+/// Puts the seconds that the record has kept, if any, into the report.
 void tell_seconds(HeldRevision& held);
-/// The seconds that a record keeps of a report: those of its phases and attempts.
+/// The seconds of a report that a record keeps: those of its phases, attempts and geometry.
 std::vector<double> seconds_of(const Report& report);
 
 }  // namespace remeshd

@@ -38,15 +38,15 @@ class Tenants {
   /// Never waits for the disk. Throws std::out_of_range for a tenant whose session is not open.
   Session& of(const std::string& tenant);
 
-  /// Of all together.
+  /// The load of all tenants together.
   [[nodiscard]] Load load();
-  /// How much waits for a lane.
+  /// How much work waits for a lane.
   [[nodiscard]] std::size_t queued(Lane lane) { return resources_.lane(lane).queued(); }
   [[nodiscard]] const SessionLimits& limits() const { return resources_.limits(); }
   [[nodiscard]] bool persistent() { return of("").persistent(); }
-  /// Hears of the tenants whose stores cannot be written to.
+  /// Called with the tenants whose stores cannot be written to.
   using HealthListener = std::function<void(const std::set<std::string>& unhealthy)>;
-  /// Has `listener` hear of them now and at every change. It must not call back; empty: nobody.
+  /// Calls `listener` with them now and at every change. It must not call back; empty: nobody.
   void on_store_health(HealthListener listener);
   /// As MemoryBudget::on_full.
   void on_memory_full(std::function<void(bool full)> listener) {
@@ -67,7 +67,7 @@ class Tenants {
   std::set<std::string> unhealthy_;  ///< tenants
   HealthListener health_listener_;
   Resources resources_;
-  std::mutex opening_;  ///< one session at a time
+  std::mutex opening_;  ///< held while a session is opened
   std::mutex mutex_;    ///< guards what follows
   bool stopped_ = false;
   std::map<std::string, std::unique_ptr<Session>> sessions_;  ///< by tenant

@@ -19,7 +19,7 @@ ById by_id(const std::vector<SharedObject>& objects) {
 std::vector<const SharedObject*> with_needs(const SharedObject* object, const ById& objects,
                                             const std::set<std::string>& kept) {
   std::vector<const SharedObject*> chain;
-  std::set<std::string> seen;  // what strangers wrote may go round in circles
+  std::set<std::string> seen;  // what strangers wrote may have cycles
   while (object != nullptr && !kept.contains(object->id) && seen.insert(object->id).second) {
     chain.push_back(object);
     const auto next = objects.find(object->needs);
@@ -58,7 +58,7 @@ std::vector<SharedObject> dropped_objects(const std::vector<SharedObject>& objec
   std::vector<SharedObject> dropped;
   std::set<std::string> listed = kept;
   for (const SharedObject& object : objects) {
-    // Up to one that is listed, which what follows it in the end has to precede.
+    // The chain ends before an object that is listed: once reversed, it comes before that one.
     const auto chain = with_needs(&object, all, listed);
     for (auto each = chain.rbegin(); each != chain.rend(); ++each) {
       dropped.push_back(**each);

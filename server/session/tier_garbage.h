@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// A mesh or a recipe in the shared tier, with what it is of no use without.
+/// A mesh or a recipe in the shared tier, with the object that it needs.
 struct SharedObject {
   std::string id;
   /// Of a mesh: the one that its bytes are differences to; of a recipe: the revision's parent.
@@ -19,12 +19,13 @@ struct SharedObject {
   bool pinned = false;
 };
 
-/// What stays, by id: those that are pinned, then those written since `after`, the newest first,
-/// each with all that it needs, as long as they have no more than `bytes` together.
+/// Ids of the objects that stay: those that are pinned, then those written since `after`, the
+/// newest first, each with all that it needs, as long as they have no more than `bytes` together.
 std::set<std::string> kept_objects(const std::vector<SharedObject>& objects, std::uint64_t bytes,
                                    std::optional<std::int64_t> after);
 
-/// What goes, each before what it needs, so that nothing wants for anything at any moment.
+/// The objects that go, each before the one that it needs, so that at no moment an object lacks
+/// what it needs.
 std::vector<SharedObject> dropped_objects(const std::vector<SharedObject>& objects,
                                           const std::set<std::string>& kept);
 

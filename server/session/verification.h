@@ -17,7 +17,7 @@ class CacheVerification {
   explicit CacheVerification(Archive& archive);
 
   [[nodiscard]] bool ended() const { return next_ == meshes_.size(); }
-  /// Reads the next mesh; what is wrong with it, if anything. Pre: not ended.
+  /// Reads the next mesh; returns what is wrong with it, if anything. Pre: not ended.
   std::optional<CacheFault> next();
 
   [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }

@@ -16,8 +16,8 @@ namespace {
 
 // A higher level saves some 5 % and takes twice as long.
 constexpr int kArrayLevel = 1;
-// Where more of the pages differ, rows may have moved, and a patch may be the shorter. To look for
-// one in a large array takes longer than it saves.
+// Where more than one page in `kFewPages` differs, rows may have moved, and a Patch may be shorter.
+// For arrays of more than `kMostPatched` bytes, trying takes longer than it saves.
 constexpr std::size_t kFewPages = 4;  // one in so many
 constexpr std::size_t kMostPatched = std::size_t{1} << 18;
 constexpr std::uint64_t kMostArrayBytes = std::uint64_t{1} << 36;  // of a decoded array
@@ -34,7 +34,7 @@ Error corrupted(const std::string& array) {
   return error::store_corrupted("", "the array " + array + " cannot be decoded");
 }
 
-/// A context of this thread's, as new: to make one takes longer than to compress a small array.
+/// The context of this thread, reset: making one takes longer than compressing a small array.
 ZSTD_CCtx* compressor() {
   thread_local const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
   ZSTD_CCtx_reset(context.get(), ZSTD_reset_session_and_parameters);
@@ -46,7 +46,7 @@ ZSTD_DCtx* decompressor() {
   return context.get();
 }
 
-/// A window that holds the prefix and the bytes.
+/// zstd's windowLog for so many bytes of prefix and content together.
 int window_for(std::size_t bytes) {
   int log = 17;
   while (log < 30 && (std::size_t{1} << log) < 2 * bytes) ++log;
@@ -85,11 +85,11 @@ std::string decompress(const std::string& name, std::string_view data, std::uint
   return out;
 }
 
-// The loops below go over bare pointers, of which the compiler makes vectors: the check of an
-// index, which a string makes in every build, would keep it from that and take ten times as long.
+// The loops below use bare pointers so that the compiler can vectorise them: the index checks of
+// std::string, which are on in every build, would prevent that and make them ten times slower.
 
-/// Byte 0 of all `numbers`, then byte 1 of all, and so on, for those from the `first` on that
-/// `bytes` are: alike bytes lie together.
+/// Writes byte planes (byte 0 of all `numbers`, then byte 1 of all, ...), so that alike bytes lie
+/// together. `bytes` are some of these numbers, from index `first` on.
 template <std::size_t width>
 void take_apart(std::string_view bytes, std::size_t first, std::size_t numbers, char* planes) {
   const std::size_t count = bytes.size() / width;
@@ -132,7 +132,8 @@ std::string transposed_back(std::string_view planes, std::size_t width) {
                       : std::string(planes);
 }
 
-/// `page` becomes its difference to `base`, or the page again; what the base lacks counts as zero.
+/// XORs `base` into `page`: a page becomes its difference, and a difference the page. What the base
+/// lacks counts as zero.
 void exclusive_or(char* __restrict page, std::size_t size, std::string_view base) {
   const std::size_t common = std::min(size, base.size());
   const char* const other = base.data();
@@ -143,14 +144,14 @@ std::string_view piece_of(const StoredArray& array, std::size_t k) {
   return k < array.pieces.size() ? array.pieces[k] : std::string_view();
 }
 
-/// What Pages writes for each page.
+/// State of a page in the encoding Pages.
 enum : std::uint8_t { kSame = 0, kDifference = 1, kWhole = 2 };
 
 struct Pages {
   std::string states;  ///< a byte a page
   PageDepths depths;
-  std::size_t count = 0;  ///< of those that are not the same
-  std::size_t bytes = 0;  ///< of these
+  std::size_t count = 0;  ///< of pages that differ from the base's
+  std::size_t bytes = 0;  ///< of those pages
 };
 
 Pages differing_pages(const StoredArray& array, const DecodedArray& base) {
@@ -172,7 +173,8 @@ Pages differing_pages(const StoredArray& array, const DecodedArray& base) {
   return out;
 }
 
-/// What Pages writes: states, depths, the pages that are not the same.
+/// The encoding Pages before compression: states, depths, then the pages that differ, as byte
+/// planes.
 std::string plain_pages(const Pages& pages, const StoredArray& array, const DecodedArray& base) {
   const std::size_t width = bytes_of(array.type), start = 2 * pages.states.size();
   std::string plain = pages.states;
@@ -235,7 +237,7 @@ EncodedArray encode(const StoredArray& array, const DecodedArray* base, PageDept
       depths.assign(array.pieces.size(), deepest + 1);
     }
   }
-  // Nearly everything differs.
+  // Little was saved: the array without a base may be shorter.
   if (out.data.size() * kFewPages < out.bytes) return out;
   std::string full = compress(transposed(array, width));
   if (full.size() < out.data.size()) {

@@ -14,7 +14,7 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
-// The first layout's index has this table, in its file or still in what is written ahead of it.
+// The first layout's index has this table, in its file or still in the write-ahead log.
 constexpr std::string_view kIndexTable =
     "CREATE TABLE meta(key TEXT PRIMARY KEY, value INTEGER NOT NULL) WITHOUT ROWID";
 constexpr std::array<std::string_view, 3> kIndex{"index.sqlite", "index.sqlite-wal",
@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 3> kIndex{"index.sqlite", "index.sqlite-w
 
 bool is_plain_file(const fs::path& file) { return fs::is_regular_file(fs::symlink_status(file)); }
 
-/// Calls `fits` with all that is below a folder and no folder; whether each does.
+/// Whether everything below a folder that is not itself a folder fits; false if `folder` is not a
+/// folder.
 template <typename Fits>
 bool all_below(const fs::path& folder, Fits&& fits) {
   if (!fs::is_directory(folder)) return false;
@@ -35,12 +36,13 @@ bool has_no_files(const fs::path& folder) {
   return all_below(folder, [](const fs::path&) { return false; });
 }
 
-/// Whether opening a store makes FORMAT in a folder: not before these two are there.
+/// Whether these two folders are there, before which opening a store does not write FORMAT.
 bool has_what_format_needs(const fs::path& folder) {
   return fs::is_directory(folder / "tmp") && fs::is_directory(folder / "packs");
 }
 
-/// A FORMAT that a crash kept from getting its name, with some of its bytes on the disk or all.
+/// Whether a scratch file is a FORMAT that a crash kept from being renamed, with all of its bytes
+/// on the disk or only some.
 bool is_format_being_written(const fs::path& file) {
   if (!is_scratch_name(file.filename().string()) || !is_plain_file(file)) return false;
   const std::string bytes = read_start(file, kMostHeadBytes);
@@ -54,7 +56,8 @@ bool is_format_being_written(const fs::path& file) {
   return false;
 }
 
-/// A damaged FORMAT, as opening puts it there before it writes another one.
+/// Whether a file in the quarantine is a damaged FORMAT, which opening moves there before it writes
+/// another one.
 bool is_format_put_away(const fs::path& file) {
   return is_plain_file(file) && file.filename().string().find("-FORMAT") != std::string::npos;
 }
@@ -84,7 +87,7 @@ bool has_index(const fs::path& folder) {
   return ours && fs::is_directory(folder / "objects");
 }
 
-/// Whether it is what a store has under that name in which nothing was stored.
+/// Whether an entry of a folder is what an empty store has under that name.
 bool is_ours(const fs::path& path) {
   const std::string name = path.filename().string();
   const fs::path folder = path.parent_path();

@@ -186,7 +186,8 @@ void Catalogue::set_recipe_places(const std::vector<RecipePlace>& places) {
 }
 
 void Catalogue::drop_recipe(std::string id) {
-  // Others may have to be made of it again, and it of its parent.
+  // A recipe stays while its revision, or a child's record or recipe, is there: children are remade
+  // from it. Once it goes, its parent's may be free to go too.
   while (!id.empty() && !revision(id)) {
     auto child = database_.prepare(
         "SELECT 1 FROM revisions WHERE parent = ?1 "

@@ -13,53 +13,58 @@
 
 namespace remeshd {
 
-/// What revisions and designs there are: an index, in memory, over the transactions applied to it.
+/// The revisions and designs that there are: an index in memory (SQLite) of the transactions
+/// applied to it. Not thread-safe.
 class Catalogue {
  public:
   Catalogue();
 
-  /// All or nothing; what is there already is left as it is, so that a transaction may be applied
-  /// again. Throws Error(`INDEX_FAILED`), also where a design's number is another revision's.
+  /// All or nothing. A transaction may be applied again, without effect; AddRevision of an id that
+  /// is there replaces its record. Throws Error(`INDEX_FAILED`), also where a design's number is
+  /// another revision's.
   void apply(const Transaction& transaction);
   /// Throws what `apply` would throw, and changes nothing.
   void check(const Transaction& transaction);
-  /// Applies many, leaving out those that fail; how many did.
+  /// Applies transactions, leaving out those that fail; returns how many failed.
   std::size_t apply_all(const std::vector<Transaction>& transactions);
-  /// Transactions that make an empty catalogue this one.
+  /// Transactions that make any catalogue a copy of this one.
   std::vector<Transaction> snapshot();
 
   std::optional<RevisionRecord> revision(const std::string& id);
   /// Ids that begin with `prefix` (hexadecimal digits), at most `limit`, sorted.
   std::vector<std::string> with_prefix(const std::string& prefix, int limit);
   std::optional<std::string> at(const std::string& design, std::uint32_t number);
-  /// Nothing for a design that was taken off the list.
+  /// Nothing for a design that does not exist or was taken off the list.
   std::optional<DesignRecord> design(const std::string& name);
-  /// The number of a design's next revision, also of one that is made again; 1 of a new one.
+  /// The number that a design's next revision gets; 1 for a new design. One that was taken off the
+  /// list goes on counting if it is made again.
   std::uint32_t next_number(const std::string& design);
-  /// The least number of a design that is left.
+  /// The place with the least number left in a design.
   std::optional<PlaceRecord> first_place(const std::string& design);
-  /// By number.
+  /// All places of a design, by number.
   std::vector<PlaceRecord> places_of(const std::string& design);
-  /// Where a revision stands, in the order in which it got there.
+  /// The places of a revision in designs, in the order in which it got them.
   std::vector<PlaceRecord> places(const std::string& id);
-  /// The greatest number of a design that is not that of `except`.
+  /// The place with the greatest number of a design whose revision is not `except`.
   std::optional<PlaceRecord> last_place(const std::string& design, const std::string& except);
-  /// A row for each place in a design, or for each revision in none.
+  /// A row for each place in a design; with `unfiled`, for each revision in none.
   std::vector<ListedRevision> list(const RevisionFilter& filter, const RevisionPage& page);
-  /// Designs without revisions too, but for those that were taken off the list.
+  /// Designs that are on the list, also those without revisions.
   std::vector<DesignRecord> designs(const DesignFilter& filter, const DesignPage& page);
-  /// Of all that are on the list.
+  /// Names of all designs that are on the list.
   std::vector<std::string> design_names();
   std::vector<std::string> children(const std::string& id, int limit);
-  /// Its recipe, be the revision deleted; empty where there is none.
+  /// The recipe of a revision, even of a deleted one; empty where there is none.
   KeptRecipe recipe(const std::string& id);
-  /// Recipes stand in the journal, all or none of these. Throws Error(`INDEX_FAILED`).
+  /// Has the catalogue keep these recipes by their line in the journal, all or none of them. Throws
+  /// Error(`INDEX_FAILED`).
   void set_recipe_places(const std::vector<RecipePlace>& places);
-  /// Ids of which there is a record or a recipe, at least half of them.
+  /// At least half the number of ids with a record or a recipe, at most all: an exact count takes
+  /// longer.
   std::uint64_t count_kept();
-  /// Ids that have a recipe, with those of their parents.
+  /// Ids that have a recipe, each with its parent's id.
   std::vector<std::pair<std::string, std::string>> recipes();
-  /// All, by id.
+  /// Records of all revisions, by id.
   std::vector<RevisionRecord> revisions();
   /// Whether there is such a revision and it has a file.
   bool is_stored(const std::string& id);
@@ -69,7 +74,7 @@ class Catalogue {
   bool is_base(const std::string& id);
   std::uint32_t count_revisions();
   std::uint32_t count_designs();
-  /// Of the files of all revisions.
+  /// Bytes of the files of all revisions.
   std::uint64_t count_bytes();
 
  private:

@@ -13,7 +13,7 @@
 
 namespace remeshd {
 
-/// A list of numbers as a column has it.
+/// A list of numbers as the bytes of a column, and back.
 inline std::string_view bytes_of(const std::vector<double>& numbers) {
   if (numbers.empty()) return "";  // an empty list may have no address, which would be NULL
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
@@ -55,7 +55,7 @@ inline std::string id_of(const std::string& key) {
   return key.size() == kKeyBytes ? to_hex(key) : key;
 }
 
-/// Of columns that begin with those of a recipe: itself, start and length of its line.
+/// The recipe of a row that begins with the columns recipe, line_start, line_length.
 inline KeptRecipe read_recipe(const Sqlite::Statement& row) {
   if (row.number(2) == 0) return {row.text(0)};
   return {JournalPlace{.start = static_cast<std::uint64_t>(row.number(1)),

@@ -19,7 +19,7 @@ namespace remeshd {
 namespace {
 
 constexpr unsigned kMode = 0600;
-constexpr unsigned kModeWhileWritten = 0400;  // whoever makes a file may write to it all the same
+constexpr unsigned kModeWhileWritten = 0400;  // the open descriptor may write all the same
 
 }  // namespace
 
@@ -92,7 +92,7 @@ void make_unsynced_folder(const std::filesystem::path& folder) {
 
 void make_folder(const std::filesystem::path& folder) {
   make_unsynced_folder(folder);
-  // One that is there may be there since a crash that came before its name was on the disk.
+  // Also for a folder that is there: a crash may have come before its name was on the disk.
   sync_folder(folder.parent_path());
 }
 
@@ -114,7 +114,7 @@ namespace {
 
 /// A name that no file in `scratch` has.
 std::filesystem::path scratch_file(const std::filesystem::path& scratch) {
-  // What an earlier process left there may have had this one's number.
+  // An earlier process that left files there may have had the same process id.
   static const std::string process =
       std::to_string(::getpid()) + "-" + std::to_string(std::random_device{}());
   static std::atomic<unsigned> counter{0};
@@ -181,7 +181,7 @@ void write_in_place(const std::filesystem::path& file, std::string_view bytes, s
     out.write(bytes);
     out.set_time(time_ns);
     out.set_mode(kMode);
-    // One after the other they would take as long as all together.
+    // At the same time: one after the other they would take the sum of their times.
     std::vector<std::future<void>> others;
     for (const std::filesystem::path& folder : folders)
       others.push_back(std::async(std::launch::async, [&folder] { sync_folder(folder); }));

@@ -50,7 +50,7 @@ class File {
 void write_durably(const std::filesystem::path& file, std::string_view bytes,
                    const std::filesystem::path& scratch,
                    std::optional<std::int64_t> time_ns = std::nullopt);
-/// The same for what `write` writes, bit by bit.
+/// The same for what `write` writes, piece by piece.
 void write_durably(const std::filesystem::path& file, const std::function<void(File&)>& write,
                    const std::filesystem::path& scratch,
                    std::optional<std::int64_t> time_ns = std::nullopt);
@@ -59,22 +59,23 @@ void write_durably(const std::filesystem::path& file, const std::function<void(F
 /// Error(STORE_FAILED, STORE_FULL) where that does not work.
 void try_writing(std::size_t bytes, const std::filesystem::path& scratch);
 
-/// Whether a file in `scratch` may be called so by those above, of this version or before.
+/// Whether a name may be one that the functions above give a file in `scratch`, in this version or
+/// earlier ones.
 bool is_scratch_name(std::string_view name);
 
-/// Writes a file that is not there at its place, with `time_ns` (since 1970) for the time of its
-/// last change. File and `folders`, in which names are new, are synced at the same time. Until that
-/// is done a crash may leave anything there; until all is written, with the sign of
-/// `is_being_written`, which is never on the disk after it has returned. Where it throws, the file
-/// is removed, and what the disk has of it is not to be trusted. Throws Error(STORE_FAILED,
+/// Writes a new file directly at its place, with `time_ns` (since 1970) for the time of its last
+/// change. The file and `folders`, which have new names in them, are synced at the same time. A
+/// crash before the return may leave any part of the file; until all of it is written it has the
+/// mark of `is_being_written`, which is never on the disk after the return. Where this throws, the
+/// file is removed, and what the disk has of it is not to be trusted. Throws Error(STORE_FAILED,
 /// STORE_FULL).
 void write_in_place(const std::filesystem::path& file, std::string_view bytes, std::int64_t time_ns,
                     const std::vector<std::filesystem::path>& folders);
 
-/// Whether a file has the sign of one that `write_in_place` has not written whole: not even its
+/// Whether a file has the mark of one that `write_in_place` has not written whole: not even its
 /// owner may write to it. False where that cannot be told.
 bool is_being_written(const std::filesystem::path& file);
-/// Takes the sign off a file that is whole all the same, and waits for the disk. Throws
+/// Takes that mark off a file that is whole all the same, and waits for the disk. Throws
 /// Error(STORE_FAILED).
 void settle_file(const std::filesystem::path& file);
 
@@ -83,9 +84,10 @@ std::string read_whole(const std::filesystem::path& file);
 /// What a file begins with, at most `limit` bytes. Throws Error(STORE_FAILED).
 std::string read_start(const std::filesystem::path& file, std::size_t limit);
 
-/// Makes a folder that may be there; its name is on the disk then. Throws Error(STORE_FAILED).
+/// Makes a folder, unless it is there, and waits until its name is on the disk. Throws
+/// Error(STORE_FAILED).
 void make_folder(const std::filesystem::path& folder);
-/// The same without waiting for its name to be on the disk.
+/// The same without waiting for the disk.
 void make_unsynced_folder(const std::filesystem::path& folder);
 /// Waits until the names in a folder are on the disk.
 void sync_folder(const std::filesystem::path& folder);

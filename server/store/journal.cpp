@@ -20,10 +20,10 @@ struct Reading {
   std::map<std::uint64_t, Transaction> lines;  ///< by number
   std::string unreadable;
   std::uint64_t size = 0;
-  bool whole = true;  ///< every line can be read, and ends
+  bool whole = true;  ///< every line can be read, and ends with a line break
 };
 
-/// Of a line that stands at `place` the recipes are left there.
+/// Replaces the recipes of a transaction by the place of its line.
 void leave_recipes(Transaction& transaction, const JournalPlace& place) {
   for (Operation& operation : transaction)
     if (KeptRecipe* recipe = recipe_in(operation).recipe) *recipe = KeptRecipe(place);
@@ -70,7 +70,7 @@ Journal::Journal(const fs::path& folder, fs::path scratch)
 }
 
 void Journal::read_both() {
-  // Of a file that the disk does not give nothing is used.
+  // Nothing is used of a file that the disk does not give in full.
   const auto read = [&](const fs::path& path, std::optional<File>& file, const auto& what) {
     whole_ = whole_ && fs::exists(path);
     if (!fs::exists(path)) return;
@@ -91,7 +91,8 @@ void Journal::read_both() {
     copy = read_lines(*copy_in_, true);
   });
   unreadable_ = first.unreadable;
-  // Of a copy that was not waited for anything may be on the disk.
+  // The copy was not synced, so anything may be on the disk: its damaged lines count only where the
+  // first file is not whole.
   if (!in_ || !first.whole) unreadable_ += copy.unreadable;
   whole_ = whole_ && first.whole;
   size_ = first.size;
@@ -125,7 +126,8 @@ JournalPlace Journal::append(const Transaction& transaction) {
   try {
     out_->write(line);
   } catch (const Error&) {
-    // Not even half a line may stay before the next one. Where it does, `rewrite` is due.
+    // No part of the line may stay before the next one. Where cutting it off fails too, the journal
+    // stays `uncertain`, and `rewrite` is due.
     out_->truncate(size_);
     uncertain_ = false;
     throw;

@@ -18,7 +18,8 @@ namespace remeshd {
 /// store once its line is on the disk in the first file, `journal.a`; the second, `journal.b`, is
 /// written after it and not waited for.
 ///
-/// Recipes, which are most of it, are left in the files: transactions that were read tell where.
+/// Recipes, which are most of the bytes, are left in the files: transactions that were read have
+/// the place of the line instead.
 ///
 /// Opening changes no file.
 class Journal {
@@ -27,15 +28,15 @@ class Journal {
   /// Scratch files go to `scratch`.
   Journal(const std::filesystem::path& folder, std::filesystem::path scratch);
 
-  /// What was in the files, in order; recipes by the lines that have them, but for those that only
-  /// the second file has. Given once.
+  /// The transactions that were read, in order; to be called once. Recipes are given by the place
+  /// of their line, but in full where only the second file has it.
   std::vector<Transaction> take_transactions() { return std::move(transactions_); }
-  /// Lines of which neither copy could be read; those of an operation that this version does not
-  /// know count.
+  /// Number of lines that could be read in neither file, or that have an operation unknown to this
+  /// version.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   /// Every line that could not be read, as it stands in the files.
   [[nodiscard]] const std::string& unreadable() const { return unreadable_; }
-  /// Files that are there and that the disk does not give: `rewrite` would replace them.
+  /// Files that are there but cannot be read from the disk: `rewrite` would replace them.
   [[nodiscard]] const std::vector<std::filesystem::path>& failed_files() const {
     return failed_files_;
   }
@@ -43,27 +44,27 @@ class Journal {
   [[nodiscard]] bool intact() const {
     return lost_ == 0 && lines_ > 0 && unreadable_.empty() && failed_files_.empty();
   }
-  /// Whether the files are what this version writes, both whole. Else they are to be rewritten.
+  /// Whether both files are there, whole and the same. Else they are to be rewritten.
   [[nodiscard]] bool whole() const { return whole_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
 
-  /// Returns where it stands. Throws Error(STORE_FAILED, STORE_FULL); the transaction is then not
-  /// in the journal, unless `uncertain`: then it may be there after a crash, until `rewrite` has
-  /// succeeded.
+  /// Appends a line and returns its place. Throws Error(STORE_FAILED, STORE_FULL); the transaction
+  /// is then not in the journal, unless `uncertain`: then it may be there after a crash, until
+  /// `rewrite` has succeeded.
   JournalPlace append(const Transaction& transaction);
   /// Whether the journal has to be rewritten before a line can be appended: a write to it failed,
   /// and what the disk has of it is not known.
   [[nodiscard]] bool uncertain() const { return uncertain_; }
 
-  /// Replaces all there is by `transactions`. `moved` hears where their recipes stand from then on;
-  /// until it has returned, places are those of before. Throws Error(STORE_FAILED, STORE_FULL), and
-  /// what `moved` throws; the journal is then as before, or holds all of them, and places are those
-  /// of before.
+  /// Replaces the whole journal by `transactions`. `moved` is called with the new places of their
+  /// recipes; until it has returned, the old places are valid. Throws Error(STORE_FAILED,
+  /// STORE_FULL), and what `moved` throws; the journal is then as before, or holds all of them, and
+  /// the old places stay valid.
   void rewrite(const std::vector<Transaction>& transactions,
                const std::function<void(const std::vector<RecipePlace>&)>& moved);
 
-  /// A recipe as `packed`; empty where its line is damaged in both files. Throws
-  /// Error(STORE_FAILED).
+  /// The recipe of `id` in `line`, as `packed`; empty where the line is damaged in both files.
+  /// Throws Error(STORE_FAILED).
   [[nodiscard]] std::string recipe(const std::string& id, const JournalPlace& line) const;
 
  private:
@@ -72,7 +73,8 @@ class Journal {
   std::string line_of(Transaction transaction, std::uint64_t number) const;
 
   const std::filesystem::path file_, copy_, scratch_;
-  /// What places tell of: the files as they were opened or last rewritten, be others there by now.
+  /// The files that places refer to: as opened or last rewritten, even if they have been replaced
+  /// since.
   std::optional<File> in_, copy_in_;
   std::vector<Transaction> transactions_;
   std::string unreadable_;

@@ -18,7 +18,7 @@ struct JournalLine {
 };
 
 /// The checked line (see `checked_line`) of a transaction, line break included. Pre: its recipes
-/// are there, not told by their place.
+/// are there in full, not by their place.
 std::string write_journal_line(const JournalLine& line);
 
 /// Nothing where the line is damaged, of a newer version, or has an operation that is not known.

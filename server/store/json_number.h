@@ -8,8 +8,8 @@
 
 namespace remeshd {
 
-/// A whole number that the type can hold; nlohmann's own conversion makes some number of any.
-/// Throws nlohmann::json::exception for what is none.
+/// A whole number that the type can hold, where nlohmann's own conversion would silently change
+/// others. Throws nlohmann::json::exception for anything else.
 template <std::integral Number>
 Number whole_number(const nlohmann::json& j) {
   if (j.is_number_unsigned()) {
@@ -22,7 +22,8 @@ Number whole_number(const nlohmann::json& j) {
   throw nlohmann::json::type_error::create(302, "not a whole number of this size", &j);
 }
 
-/// The same of a field, which goes into `out`. The second has a value where there is no such field.
+/// The same of an object's field, into `out`; `number_or` returns `otherwise` where there is no
+/// such field.
 template <std::integral Number>
 void read_number(const nlohmann::json& object, const char* field, Number& out) {
   out = whole_number<Number>(object.at(field));

@@ -9,7 +9,7 @@
 namespace remeshd {
 namespace {
 
-/// A condition with what its question marks stand for.
+/// A WHERE clause with the values of its parameters.
 class Conditions {
  public:
   template <typename... Values>
@@ -36,7 +36,7 @@ class Conditions {
   std::vector<std::variant<std::string, std::int64_t>> values_;
 };
 
-/// The columns that a list goes by, the first foremost.
+/// The columns that a list is sorted by, the most significant first.
 using Columns = std::vector<std::string>;
 
 /// ` ORDER BY a DESC, b DESC LIMIT ?`
@@ -47,7 +47,7 @@ std::string in_order(const Columns& columns, bool descending) {
   return text + " LIMIT ?";
 }
 
-/// `(a, b) < (?, ?)`: of rows that come later.
+/// `(a, b) < (?, ?)`: the condition of rows that come later.
 std::string past(const Columns& columns, bool descending) {
   std::string names, marks;
   for (const std::string& column : columns) {

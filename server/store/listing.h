@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// Which revisions a list has; what is set must hold.
+/// Which revisions are listed: those that meet every condition that is set.
 struct RevisionFilter {
   std::string design, model_name, parent, root;
   bool heads = false;    ///< heads of designs only
@@ -29,7 +29,7 @@ struct ListedRevision {
   RevisionRecord record;
 };
 
-/// Where a row stands in a list; ties of `value` stand by id, then design.
+/// Position of a row in a list; ties of `value` are ordered by id, then design.
 struct RevisionKey {
   std::int64_t value = 0;  ///< what the order goes by; 0 with `Place`
   std::string id;
@@ -45,14 +45,14 @@ struct DesignFilter {
 
 enum class DesignOrder { Name, Changed, Revisions };
 
-/// Where a design stands in a list; ties of `value` stand by name.
+/// Position of a design in a list; ties of `value` are ordered by name.
 struct DesignKey {
   std::int64_t value = 0;  ///< what the order goes by; 0 with `Name`
   std::string name;
 };
 DesignKey key_of(const DesignRecord& row, DesignOrder order);
 
-/// What of a list is wanted: rows after the one that has the key, `limit` at most.
+/// The part of a list that is wanted: at most `limit` rows, after the position `after`.
 template <typename Order, typename Key>
 struct Page {
   Order order{};

@@ -27,7 +27,7 @@ void make_folders(const fs::path& folder) {
   make_folder(folder);
 }
 
-/// Collects what it opens as it goes.
+/// Opens a store, step by step, into `opened_`.
 class Opening {
  public:
   Opening(fs::path folder, double wait) : folder_(std::move(folder)) { open(wait); }
@@ -48,7 +48,7 @@ class Opening {
 
 void Opening::open(double wait) {
   make_folders(folder_);
-  look_at_folder(folder_);  // before `lock` is made in what may be anything
+  look_at_folder(folder_);  // before `lock` is made in a folder that may be anything
   lock_folder(wait);
   const FolderKind kind = look_at_folder(folder_);
   for (const char* name : {"tmp", "packs"}) make_folder(folder_ / name);
@@ -112,7 +112,7 @@ void Opening::lock_folder(double wait) {
   }
 }
 
-/// What earlier processes were writing is deleted later on, and nothing else.
+/// Notes scratch files of earlier processes, to be deleted later; all else goes to the quarantine.
 void Opening::sort_scratch(const fs::path& scratch, Quarantine& quarantine) {
   std::vector<fs::path> strangers;
   for (const auto& entry : fs::directory_iterator(scratch)) {
@@ -137,8 +137,8 @@ void Opening::load(const std::vector<Transaction>& transactions) {
                             " lines of the journal contradict those before them");
 }
 
-/// Whether a pack is what a crash left of a write. Nobody was told of its revision. One that was
-/// written whole is as good as any.
+/// Whether a pack is what a crash left of an incomplete write, of whose revision nobody was told.
+/// One that was written whole is as good as any, and loses its mark.
 bool Opening::was_cut_off(const std::string& id) {
   const fs::path path = opened_.packs->path_of(id);
   if (!is_being_written(path)) return false;
@@ -166,13 +166,13 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
       } else if (!ours) {
         quarantine.take(path, "its head cannot be read");
       } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
-        // The journal may be one of before.
+        // Not deleted: the journal may be an older one.
         quarantine.take(path, "it is damaged, and the journal does not name it");
       } else {
         found.push_back(std::move(*head));
       }
     } catch (const Error& failure) {
-      // What the disk does not give today, the next opening may find.
+      // What cannot be read now, the next opening may be able to read.
       if (deleted) gone[id];
       opened_.notes.push_back(id + " stays as it is: " + failure.what());
     }
@@ -183,7 +183,7 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
            std::tie(b.first.design, b.first.number, b.record.id);
   };
   std::sort(found.begin(), found.end(), by_number);
-  std::map<std::string, std::string> heads;  // of designs; to count their revisions takes long
+  std::map<std::string, std::string> heads;  // by design; a look-up would count all its revisions
   for (const PackHead& head : found) enter_again(head, heads);
   if (found.empty()) return;
   opened_.journal_behind = true;
@@ -203,7 +203,7 @@ void Opening::enter_again(const PackHead& head, std::map<std::string, std::strin
   const auto [now, fresh] = heads.try_emplace(design);
   if (const auto known = fresh ? opened_.catalogue->design(design) : std::nullopt)
     now->second = known->head;
-  // A later line of the journal may have told of its place.
+  // A later line of the journal may have given it a place already.
   const auto places = opened_.catalogue->places(head.record.id);
   if (std::none_of(places.begin(), places.end(),
                    [&](const PlaceRecord& place) { return place.design == design; })) {
@@ -212,7 +212,8 @@ void Opening::enter_again(const PackHead& head, std::map<std::string, std::strin
                                 taken ? opened_.catalogue->next_number(design) : head.first.number,
                                 head.record.id});
   }
-  // As the edit that made it did, unless it asked for something else.
+  // The head moves as the edit that made the revision moved it, unless that asked for something
+  // else.
   if (now->second.empty() || now->second == head.record.parent) {
     adopt.emplace_back(SetHead{design, head.record.id});
     now->second = head.record.id;

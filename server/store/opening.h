@@ -14,13 +14,13 @@
 
 namespace remeshd {
 
-/// Revisions that the journal says were removed, or that could not be added, and that may have a
-/// pack: with its base.
+/// Revisions whose mesh the catalogue does not have (removed, dropped or never added) and that may
+/// still have a pack: by id, with the id of the pack's base, which may be empty.
 using Leftovers = std::map<std::string, std::string>;
 
 /// What a store's folder holds, read and mended.
 struct OpenedStore {
-  File lock;  ///< for as long as it is open
+  File lock;  ///< held as long as the store is open
   std::unique_ptr<Packs> packs;
   std::unique_ptr<Journal> journal;
   std::unique_ptr<Catalogue> catalogue = std::make_unique<Catalogue>();
@@ -36,7 +36,8 @@ struct OpenedStore {
 /// `STORE_LOCKED`, `STORE_FAILED`, `STORE_FULL`.
 OpenedStore open_store(const std::filesystem::path& folder, double wait);
 
-/// A journal that says what the catalogue says, and what became of the leftovers.
+/// The transactions of a rewritten journal: those of the catalogue, and the removals of the
+/// leftovers.
 std::vector<Transaction> lines_of(Catalogue& catalogue, const Leftovers& leftovers);
 
 }  // namespace remeshd

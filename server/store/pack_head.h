@@ -16,7 +16,7 @@ namespace remeshd {
 /// again from the packs alone, and how to read the arrays whose data follow.
 struct PackHead {
   int store_version = 0;  ///< of the store that the pack was written by; 0 before there was one
-  RevisionRecord record;  ///< but for `created_ns`, `seconds` and `bytes`, which are not of its own
+  RevisionRecord record;  ///< without `created_ns`, `seconds`, `bytes`, `pinned`
   PlaceRecord first;      ///< where it was filed first; no design: nowhere
   /// Content of the pack of `record.base`, which the arrays are encoded against.
   std::string base_content;
@@ -42,9 +42,9 @@ std::string write_pack_head(const PackHead& head);
 /// cannot be told.
 std::optional<std::size_t> size_of_pack_head(std::string_view start);
 
-/// Reads what a file begins with; without a recipe where that is cut off or damaged. Nothing where
-/// that is no head of this or an older version. Up to store version 1 the bytes of a revision
-/// follow in one piece: there are no arrays then.
+/// Reads the head that a file begins with; without a recipe where that is cut off or damaged.
+/// Nothing where there is no head of this or an older version. Up to store version 1 the bytes of a
+/// revision follow in one piece: there are no arrays then.
 std::optional<PackHead> read_pack_head(std::string_view start);
 
 /// The version of the store that wrote the file, be it newer than this program; nothing where the

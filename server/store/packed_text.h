@@ -5,7 +5,7 @@
 
 namespace remeshd {
 
-/// A text in fewer bytes. The same text gives the same bytes.
+/// Compresses a text. The same text gives the same bytes.
 std::string packed(std::string_view text);
 /// The reverse. Throws Error(STORE_CORRUPTED) on anything that `packed` did not give.
 std::string unpacked(std::string_view bytes);

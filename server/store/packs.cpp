@@ -16,16 +16,17 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kFolderDigits = 2;
-// To have a revision's arrays so many packs are read at most, and of differences so many times the
-// bytes of the pack that has none: 12 ms a megabyte.
+// Limits on a chain of bases: packs read for a revision's arrays, and bytes of differences per byte
+// of the pack without a base. Reading takes 12 ms a megabyte.
 constexpr std::uint32_t kMostChain = 64;
 constexpr std::uint64_t kMostChainShare = 2;
 constexpr std::size_t kMostBytesOfHead = std::size_t{1} << 28;  // with the recipe
-// What takes a thread's start a few times over.
+// Bytes of arrays from which on threads are worth starting.
 constexpr std::size_t kWorthThreads = std::size_t{1} << 18;
-constexpr std::size_t kStates = 64;  // of packs that edits are likely to come to next
+constexpr std::size_t kStates = 64;  // of packs that the next edits are likely to be based on
 
-/// Calls `visit` with each entry two levels down and the id that its place spells.
+/// Calls `visit` with each entry two levels down and the id that its path spells; also with what is
+/// not a folder of such entries, and no id.
 template <typename Visit>
 void for_each_entry(const fs::path& folder, Visit&& visit) {
   for (const auto& outer : fs::directory_iterator(folder)) {
@@ -64,7 +65,7 @@ Packs::StatePtr Packs::usable_state(const Base& base) {
 
 namespace {
 
-/// An array that is to be written, what it is encoded against, and what comes of that.
+/// An array to be written, the base's array that it is encoded against, and the result.
 struct Encoding {
   const StoredArray* array = nullptr;
   DecodedArray like;  ///< without a name: none
@@ -78,7 +79,7 @@ struct Encoding {
   }
 };
 
-/// The largest first, so that none is still at work when all others are done.
+/// Jobs that encode the arrays, the largest first, so that none is started last and runs on alone.
 std::vector<std::function<void()>> jobs_of(std::vector<Encoding>& encodings) {
   std::vector<Encoding*> by_size;
   for (Encoding& encoding : encodings) by_size.push_back(&encoding);
@@ -117,7 +118,7 @@ Packs::Written Packs::put(const RevisionRecord& record, const PlaceRecord& first
   } else {
     do_side_by_side(jobs);
   }
-  // What is told as differences to other bytes could not be read.
+  // The caller's base is not what its pack holds: differences to it could not be decoded.
   if (before && content_of_base != before->content)
     return put(record, first, recipe, arrays, nullptr);
 
@@ -282,7 +283,7 @@ StoredArrays Packs::get(const std::string& id) {
   StoredArrays arrays;
   for (const std::string& name : decoded.names)
     arrays.arrays.push_back(std::move(decoded.arrays[name].array));
-  if (!decoded.state) return arrays;  // whose bytes have a checksum as they are
+  if (!decoded.state) return arrays;  // of store version 1: read_file has checked the bytes
   if (content_hash(arrays) != decoded.state->content)
     throw error::store_corrupted(id, "its content does not have its checksum");
   remember(id, std::move(decoded.state));
@@ -296,7 +297,7 @@ Packs::StatePtr Packs::state_of(const std::string& id) {
         std::find_if(states_.begin(), states_.end(), [&](const auto& s) { return s.first == id; });
     if (known != states_.end()) {
       states_.splice(states_.begin(), states_, known);
-      // It may be gone all the same.
+      // The pack may be gone all the same.
       if (fs::exists(path_of(id))) return known->second;
     }
   }

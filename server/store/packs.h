@@ -21,11 +21,11 @@ namespace remeshd {
 /// arrays, most of them as differences to those of another pack, its base, whose file has to stay
 /// as long. Packs of store version 1 and before have one array, `kOlderBytes`, and are no base.
 ///
-/// A file that nobody wrote before is written at its place: after a crash it may be there in part,
-/// which `is_whole` tells. One that is replaced is as before or whole.
+/// A new file is written at its place: after a crash it may be there in part, which `is_whole`
+/// tells. A file that is replaced is as before or whole after a crash.
 class Packs {
  public:
-  /// A revision that another one's arrays may be told by.
+  /// A revision that another one's arrays may be encoded against.
   struct Base {
     std::string id;
     const StoredArrays* arrays;
@@ -40,29 +40,30 @@ class Packs {
   Packs(std::filesystem::path folder, std::filesystem::path scratch);
 
   /// Stores a revision, in place of what has its id. A base that has no pack, a damaged one, or one
-  /// with so long a chain of bases that reading it would take long, is not taken.
-  /// The file's time of last change is that of the record's making. One revision may not be put
-  /// twice at a time.
+  /// with so long a chain of bases that reading it would take long, is not used.
+  /// The file's time of last change is the record's `created_ns`. One revision may not be put twice
+  /// at a time.
   /// Throws Error(STORE_FAILED, STORE_FULL); there may then be a pack or not.
   /// `recipe`: as `packed`; may be empty.
   Written put(const RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
               const StoredArrays& arrays, const Base* base);
-  /// Stores a pack as another store of this version has it, in place of what has its id. Its base
+  /// Stores a pack file of another store of this version, in place of what has its id. Its base
   /// must be here. One revision may not be put twice at a time. Throws Error(STORE_CORRUPTED) where
-  /// it is damaged, another revision's or not whole without what is here; STORE_FAILED, STORE_FULL.
+  /// it is damaged, of another revision, or its base is not here or another one; STORE_FAILED,
+  /// STORE_FULL.
   Written take_in(const RevisionRecord& record, std::string_view file);
   /// The file of a revision, whole. Throws Error(STORE_CORRUPTED, STORE_FAILED).
   [[nodiscard]] std::string file(const std::string& id) const;
-  /// What the file of a pack of this version says of itself; nothing where it is none.
+  /// The head of a pack file of this version; nothing where it is no such file.
   [[nodiscard]] static std::optional<PackHead> head_in(std::string_view file);
   /// The arrays of a revision. Throws Error(STORE_CORRUPTED) where they are not what was stored, or
   /// gone, or a base of theirs is; Error(STORE_FAILED).
   [[nodiscard]] StoredArrays get(const std::string& id);
-  /// What the file of a revision says of itself; nothing where there is none, or it says nothing.
-  /// Its time of last change is the record's `created_ns`. Throws Error(STORE_FAILED).
+  /// The head of a revision's file, with `created_ns` from the file's time of last change; nothing
+  /// where there is no file or no readable head. Throws Error(STORE_FAILED).
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
-  /// Whether a file has all that its head tells, to the bit. Bases are not looked at. Throws
-  /// Error(STORE_FAILED).
+  /// Whether a file has all bytes that its head tells of, undamaged. Bases are not looked at.
+  /// Throws Error(STORE_FAILED).
   [[nodiscard]] bool is_whole(const std::string& id) const;
   /// What is wrong with a file, or, by its head, with its base; else empty.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
@@ -71,12 +72,12 @@ class Packs {
 
   /// Ids of all files, sorted.
   [[nodiscard]] std::vector<std::string> list() const;
-  /// What lies in the folder and is named otherwise.
+  /// Everything in the folder but the files of `list`.
   [[nodiscard]] std::vector<std::filesystem::path> strangers() const;
   [[nodiscard]] std::filesystem::path path_of(const std::string& id) const;
 
  private:
-  /// What encoding against a pack takes beside its arrays.
+  /// What encoding against a pack needs beside its arrays.
   struct State {
     std::string content;
     std::uint32_t chain = 1;

@@ -23,7 +23,7 @@ struct RevisionRecord {
   /// Id of the revision whose bytes its own are differences to; empty where they stand alone.
   std::string base;
   std::vector<double> seconds;  ///< that its making took, as its report tells them
-  bool pinned = false;          ///< its mesh is not to go
+  bool pinned = false;          ///< its mesh must not be dropped
   friend bool operator==(const RevisionRecord&, const RevisionRecord&) = default;
 };
 
@@ -42,7 +42,7 @@ struct DesignRecord {
   std::uint32_t head_number = 0;
   std::uint32_t next_number = 1;
   std::uint32_t revisions = 0;
-  std::int64_t changed_ns = 0;  ///< its head or its list; since 1970, UTC
+  std::int64_t changed_ns = 0;  ///< of its head or its list; since 1970, UTC
   friend bool operator==(const DesignRecord&, const DesignRecord&) = default;
 };
 
@@ -66,7 +66,7 @@ struct KeptRecipe {
   friend bool operator==(const KeptRecipe&, const KeptRecipe&) = default;
 };
 
-/// That of a revision.
+/// Where the recipe of a revision stands in the journal.
 struct RecipePlace {
   std::string id;
   JournalPlace line;
@@ -74,15 +74,15 @@ struct RecipePlace {
 
 struct AddRevision {
   RevisionRecord record;
-  KeptRecipe recipe{};  ///< empty: the one that is there, if any
+  KeptRecipe recipe{};  ///< empty: the one that is there, if any, stays
 };
-/// The recipe of a revision that is no more, and that others have to be made of again.
+/// Keeps the recipe of a revision that is no more: others have to be made of it again.
 struct KeepRecipe {
   std::string id;
   std::string parent;
   KeptRecipe recipe;
 };
-/// The mesh goes; the revision stays, and its recipe.
+/// The mesh goes; the revision and its recipe stay.
 struct DropMesh {
   std::string id;
 };
@@ -90,7 +90,8 @@ struct SetPin {
   std::string id;
   bool pinned = false;
 };
-/// Gives the number; the design's next one is at least one more from then on, for good.
+/// Gives a revision a number in a design; the design's next number is at least one more from then
+/// on, for good.
 struct AddPlace {
   std::string design;
   std::uint32_t number = 0;
@@ -107,8 +108,8 @@ struct RemovePlace {
 struct RemoveRevision {
   std::string id;
 };
-/// A design and the number that its next revision gets, or more where it has come further; likewise
-/// the time of its last change.
+/// Enters a design, or raises the next number and the time of last change of one that is there to
+/// at least these.
 struct AddDesign {
   std::string name;
   std::uint32_t next_number = 1;
@@ -121,7 +122,7 @@ struct StartAnew {};
 using Operation = std::variant<AddRevision, AddPlace, SetHead, RemovePlace, RemoveRevision,
                                AddDesign, StartAnew, KeepRecipe, DropMesh, SetPin>;
 
-/// What happens to the catalogue at once, or not at all.
+/// Operations on the catalogue that happen all together or not at all.
 using Transaction = std::vector<Operation>;
 
 /// The recipe that an operation brings, and whose it is; nulls where it brings none.

@@ -10,7 +10,7 @@
 namespace remeshd {
 namespace {
 
-// More help each other little, and others want a processor too.
+// More threads gain little, and others want a processor too.
 constexpr std::size_t kMostThreads = 4;
 
 }  // namespace
@@ -33,7 +33,7 @@ void do_side_by_side(const std::vector<std::function<void()>>& jobs) {
   try {
     while (helpers.size() + 1 < threads) helpers.push_back(std::async(std::launch::async, work));
   } catch (const std::system_error&) {
-    // No thread is to be had: those that there are do it.
+    // No thread is to be had: the jobs are done by those there are.
   }
   work();
   for (std::future<void>& helper : helpers) helper.wait();

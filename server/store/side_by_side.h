@@ -5,9 +5,9 @@
 
 namespace remeshd {
 
-/// Does all jobs, in their order, each as soon as one of the machine's processors is free for it,
-/// this thread's among them. They must not touch the same things. Returns once all are done; throws
-/// what one of them threw, the first in their order.
+/// Runs all jobs, started in their order, on this thread and up to three others. They must not
+/// touch the same data. Returns once all are done; of what they threw, throws that of the first in
+/// their order.
 void do_side_by_side(const std::vector<std::function<void()>>& jobs);
 
 }  // namespace remeshd

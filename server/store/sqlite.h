@@ -16,8 +16,8 @@ namespace remeshd {
 /// Error(Internal, `INDEX_FAILED`).
 class Sqlite {
  public:
-  /// One prepared statement: bind, then step through the rows. To prepare one takes longer than to
-  /// run most, so they are kept for their next use.
+  /// One prepared statement: bind, then step through the rows. Preparing takes longer than running
+  /// most of them, so statements are kept for their next use.
   class Statement {
    public:
     Statement(Sqlite& database, std::string_view sql);
@@ -48,7 +48,7 @@ class Sqlite {
   Sqlite& operator=(const Sqlite&) = delete;
 
   void execute(const char* sql);
-  /// The same; a failure is passed over.
+  /// The same; failures are ignored.
   void try_execute(const char* sql) noexcept;
   Statement prepare(std::string_view sql) { return {*this, sql}; }
 

@@ -83,8 +83,8 @@ void Store::discard(const std::string& id) {
   // Deleted by the next commit: the disk may be in trouble now.
 }
 
-// While a pack is read, it may be written anew, to stand on another one, and the one that it stood
-// on be deleted. What was not found while packs were deleted is looked for again.
+// While a pack is read, it may be rewritten against another base, and its old base be deleted. So a
+// read that fails while packs are being deleted is repeated.
 
 StoredArrays Store::get(const std::string& id) {
   for (;;) {
@@ -200,7 +200,7 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   bool entered = true;
   if (persistent()) {
     try {
-      enter(transaction);  // room for a line of the journal is not yet room for a pack
+      enter(transaction);  // not yet healthy: room for a line is not room for a pack
     } catch (const Error& failure) {
       set_healthy(false);
       entered = false;
@@ -223,8 +223,8 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   return entered;
 }
 
-/// Deletes the packs of what a transaction removes that the journal has no room for, and enters it
-/// then. A crash in between leaves revisions whose mesh is made again of its recipe.
+/// For a transaction that the journal has no room for: deletes the packs of what it removes, then
+/// enters it. A crash in between leaves revisions whose mesh is made again of its recipe.
 bool Store::enter_in_room_of(const Leftovers& removed, const Transaction& transaction) {
   bool entered = false;
   if (!removed.empty()) {
@@ -238,7 +238,7 @@ bool Store::enter_in_room_of(const Leftovers& removed, const Transaction& transa
       entered = true;
       set_healthy(true);
     } catch (const Error&) {
-      // It is in memory, as those for which there was no room before.
+      // It stays in memory alone, as others for which there was no room.
     }
   }
   journal_behind_ = journal_behind_ || !entered;
@@ -302,7 +302,7 @@ bool Store::is_needed(const std::string& id) {
 
 namespace {
 
-/// False where that failed: the next commit tries again.
+/// Whether `remove` succeeded; if not, the next commit tries again.
 template <typename Remove>
 bool removed(Remove&& remove) {
   try {
@@ -325,7 +325,7 @@ void Store::tidy() {
 }
 
 void Store::delete_packs(const std::function<bool(const std::string& id)>& which) {
-  // Deleting one may set free the one that it is told by.
+  // Deleting a pack may set its base free, which the next round deletes.
   for (bool again = true; again;) {
     again = std::erase_if(leftovers_, [&](const auto& leftover) {
               const std::string& id = leftover.first;

@@ -47,47 +47,48 @@ class Store {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   /// Writes a revision's arrays, in place of those that are there; `record` gets `bytes` and
-  /// `base`. `base`: a revision that they may be told by as differences; null for none. `first` is
-  /// written beside them, for the case that the journal is lost.
+  /// `base`. `base`: a revision that they may be encoded against; null for none. `first` is written
+  /// beside them, for the case that the journal is lost.
   ///
-  /// They stay, and so does the base, until a commit adds the revision, fails to, or `discard`
-  /// gives them up. Waits for the disk; other calls do not wait for this one. A revision may not be
-  /// put twice at a time. Throws Error(STORE_FAILED, STORE_FULL); then they are given up.
+  /// The pack and its base stay until a commit adds the revision, fails to, or `discard` gives the
+  /// pack up. Waits for the disk; other calls do not wait for this one. A revision may not be put
+  /// twice at a time. Throws Error(STORE_FAILED, STORE_FULL); then the pack is given up.
   ///
-  /// `recipe`: what the revision can be made of again, beside the arrays; the transaction that adds
-  /// it has it too. Text of the caller's, maybe empty.
+  /// `recipe`: text, maybe empty, that the revision can be remade from; stored beside the arrays,
+  /// and again by the transaction that adds the revision.
   void put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
            const StoredArrays& arrays, const Packs::Base* base = nullptr);
-  /// The same for the pack of a revision as another store has it, as Packs::take_in.
+  /// The same for a pack file of another store, as Packs::take_in. Pre: the store is persistent.
   void take_in(RevisionRecord& record, std::string_view pack);
   /// Gives up what was put and not committed.
   void discard(const std::string& id);
-  /// The arrays of a revision. Throws Error(STORE_CORRUPTED).
+  /// The arrays of a revision. Throws Error(STORE_CORRUPTED, STORE_FAILED).
   StoredArrays get(const std::string& id);
   /// The pack of a revision, whole, for another store. Throws Error(STORE_CORRUPTED, STORE_FAILED).
   std::string pack(const std::string& id);
   /// What is wrong with the file of a revision; else empty. Pre: the store is persistent.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
-  /// The recipe of a revision, be its mesh gone or it deleted: the journal's, else the file's.
-  /// Empty where there is none. Waits for the disk. Throws Error(STORE_FAILED, STORE_CORRUPTED).
+  /// The recipe of a revision, even of one whose mesh has gone or that was deleted: from the
+  /// journal, else from its pack. Empty where there is none. Waits for the disk. Throws
+  /// Error(STORE_FAILED, STORE_CORRUPTED).
   std::string recipe(const std::string& id);
-  /// What the folder and its file system have beside revisions.
+  /// Free space of the file system, and what the quarantine holds.
   struct Room {
     std::uint64_t free_bytes = 0;
     std::uint32_t quarantined = 0;  ///< files
   };
   [[nodiscard]] Room room() const;
-  /// Keeps bytes of another store that are not used, and why; tells where, in a clause. Pre: the
-  /// store is persistent.
+  /// Puts bytes of another store that are refused into the quarantine; returns a clause that tells
+  /// where, and why. Pre: the store is persistent.
   std::string quarantine(std::string_view name, std::string_view bytes, std::string_view why);
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   /// A recipe as a transaction has it.
   static std::string packed_recipe(const std::string& recipe);
 
-  /// Applies a transaction made by `make` from the catalogue as it stands, with nothing in between.
-  /// An empty one changes nothing. The packs of removed revisions are deleted once no other needs
-  /// them, and where it throws, those of revisions that it would have added; so are those whose
-  /// mesh is dropped.
+  /// Applies the transaction that `make` makes of the catalogue, with no other commit in between.
+  /// An empty one changes nothing. The packs of removed revisions and dropped meshes are deleted
+  /// once no other pack needs them; where this throws, so are those of revisions that it would have
+  /// added.
   ///
   /// `GoOn`: on a full disk the catalogue in memory takes the transaction all the same, the packs
   /// of what it removes are deleted to make room for its line, and where that is not enough, the
@@ -97,17 +98,20 @@ class Store {
               OnFullDisk on_full_disk = OnFullDisk::Throw);
   /// Writes what the journal lacks. Throws Error(STORE_FAILED, STORE_FULL).
   void flush();
-  /// Where the store is not healthy, finds out whether it is again. Throws Error(STORE_FAILED,
-  /// STORE_FULL).
+  /// Where the store is not healthy, finds out by a trial file whether it is again. Throws
+  /// Error(STORE_FAILED, STORE_FULL).
   void try_disk();
-  /// False from when something could not be written until a pack was, or as many bytes.
+  /// False after a write failed, until a pack or a trial file has been written, or a line of the
+  /// journal for which packs were deleted.
   [[nodiscard]] bool healthy() const { return healthy_; }
-  /// Has `listener` hear of it now, and of every change. It must not call back; empty: nobody.
+  /// Calls `listener` with `healthy()` now and at every change. It must not call back; empty:
+  /// nobody.
   void on_health(std::function<void(bool healthy)> listener);
-  /// Has `listener` hear when the store ceases to be healthy: it is to see to `flush` and
-  /// `try_disk` until both succeed. It must not call back; empty: nobody.
+  /// Calls `listener` when the store ceases to be healthy, or now if it is not: the listener has to
+  /// see to it that `flush` and `try_disk` are called until both succeed. It must not call back;
+  /// empty: nobody.
   void on_failure(std::function<void()> listener);
-  /// Reads the catalogue with nothing in between. Never waits for the disk.
+  /// Calls `reader` with the catalogue, with no change in between. Never waits for the disk.
   template <typename Read>
   auto read(Read&& reader) {
     const std::scoped_lock lock(reading_);
@@ -126,12 +130,12 @@ class Store {
   std::string packed_recipe_of(const std::string& id);
   bool enter_in_room_of(const Leftovers& removed, const Transaction& transaction);
   void tidy();
-  /// Of the leftovers, those that nothing needs.
+  /// Deletes the packs of leftovers for which `which` holds and that nothing needs.
   void delete_packs(const std::function<bool(const std::string& id)>& which);
   void set_healthy(bool healthy);
 
-  // Whoever changes something holds the first all along, and waits for the disk with it; the second
-  // only for what is in memory. Always in this order.
+  // A change holds `committing_` all along, also while it waits for the disk, and `reading_` only
+  // while it works on memory. Always locked in this order.
   std::mutex committing_;
   std::mutex reading_;  ///< guards the catalogue
   std::filesystem::path folder_;
@@ -145,7 +149,7 @@ class Store {
   std::function<void()> failure_listener_;
   std::atomic<bool> healthy_ = true;
   std::atomic<std::uint64_t> deletions_ = 0;  ///< of packs, counted before they are deleted
-  std::uint64_t many_lines_ = 0;              ///< from where on the journal may have too many
+  std::uint64_t many_lines_ = 0;              ///< beyond which the journal may have too many
   bool journal_behind_ = false;               ///< the journal does not say what the catalogue says
   Leftovers leftovers_;
   std::map<std::string, std::string>

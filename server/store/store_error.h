@@ -6,8 +6,8 @@
 
 namespace remeshd::error {
 
-/// The disk refused; a full one is ResourceExhausted, anything else Internal.
-/// `path`: its last part is told.
+/// An operation on the disk failed: STORE_FULL (ResourceExhausted) for a full disk, else
+/// STORE_FAILED (Internal). `path`: only its last part is told.
 Error store_failed(std::string_view doing, std::string_view path, int error_number);
 /// What was read of a revision is not what was written.
 Error store_corrupted(std::string_view id, std::string_view what);

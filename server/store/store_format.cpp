@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr const char* kMark = "remeshd";
 
-/// Empty where the disk does not give it: no evidence.
+/// The start of a file; empty where the disk does not give it, which is no evidence.
 std::string start_of(const fs::path& file) {
   try {
     return read_start(file, kMostHeadBytes);
@@ -94,7 +94,7 @@ FolderKind look_at_folder(const fs::path& folder) {
       return FolderKind::Unmarked;
     }
     if (has_journal(folder) || is_bare_store(folder)) return FolderKind::Unmarked;
-    // What the disk does not give is no evidence that the folder is somebody else's.
+    // An unreadable FORMAT is no evidence that the folder is somebody else's: this throws then.
     if (fs::is_regular_file(folder / "FORMAT")) read_start(folder / "FORMAT", kMostHeadBytes);
     throw error::store_foreign(folder.string(), *names.begin());
   } catch (const fs::filesystem_error& failure) {

@@ -10,7 +10,7 @@ namespace remeshd {
 inline constexpr int kStoreVersion = 2;
 inline constexpr int kFirstWithArrays = 2;
 
-/// What a folder that is to be a store is.
+/// What a folder is in which a store is to be opened.
 enum class FolderKind {
   Empty,     ///< a store may be made there
   Store,     ///< of this version, with an intact FORMAT

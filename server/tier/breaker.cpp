@@ -24,7 +24,7 @@ void Breaker::begin() {
   const auto now = now_();
   if (now < closed_from_)
     throw error::tier_unavailable(why_, std::chrono::duration<double>(closed_from_ - now).count());
-  closed_from_ = now + limits::kTierRest;  // this one tries, and others hear of it
+  closed_from_ = now + limits::kTierRest;  // this call tries the store; meanwhile others fail
 }
 
 void Breaker::note_success() {
@@ -54,7 +54,7 @@ auto Breaker::tried(Work&& work) {
     }
   } catch (const Error& failure) {
     if (failure.info().reason == "TIER_REFUSED") {
-      note_success();  // it answers
+      note_success();  // the store answers
     } else {
       note_failure(failure.info().message);
     }

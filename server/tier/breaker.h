@@ -10,13 +10,13 @@
 
 namespace remeshd {
 
-/// Leaves a store that fails alone for a while: after some failures in a row whatever is asked of
-/// it fails at once; then one request tries it, and where that goes well all do again.
+/// A circuit breaker before a store: after three failures in a row every call fails at once, for
+/// `limits::kTierRest`; then one call tries the store, and all do again if it succeeds.
 class Breaker final : public ObjectStore {
  public:
   using Clock = std::chrono::steady_clock;
-  /// `tell`: hears when the store is left alone, and why, and when it answers again (an empty
-  /// text); must not call back; may be empty. `now`: a clock for tests.
+  /// `tell`: called with the reason when the store is left alone, and with an empty text when it
+  /// answers again; must not call the breaker; may be empty. `now`: a clock for tests.
   explicit Breaker(std::unique_ptr<ObjectStore> store,
                    std::function<void(const std::string& why)> tell = {},
                    std::function<Clock::time_point()> now = &Clock::now);

@@ -11,7 +11,7 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
-/// What `work` returns; its failures are the tier's.
+/// Returns what `work` does; its failures become TIER_UNAVAILABLE.
 template <typename Work>
 auto as_tier(Work&& work) {
   try {

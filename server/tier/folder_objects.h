@@ -6,8 +6,8 @@
 
 namespace remeshd {
 
-/// Objects as files below a folder that all daemons reach, on a file system of the network. A file
-/// is there whole or not at all.
+/// Objects as files below a folder that all daemons reach, on a network file system. A file is
+/// there whole or not at all.
 class FolderObjects final : public ObjectStore {
  public:
   /// Makes the folder if need be. Throws Error(TIER_UNAVAILABLE).

@@ -12,8 +12,8 @@ using nlohmann::json;
 
 constexpr std::int64_t kNanosecondsOfASecond = 1'000'000'000;
 
-/// Of `Wed, 15 Nov 2023 08:41:34 GMT` and of `2023-11-15T08:41:34.000Z`, which curl knows without
-/// dashes alone.
+/// ns since 1970 of a time such as `Wed, 15 Nov 2023 08:41:34 GMT` or `2023-11-15T08:41:34.000Z`.
+/// Of the latter curl reads the date only without dashes.
 std::int64_t nanoseconds_at(std::string text) {
   constexpr std::size_t kDate = 10, kTime = 8;
   if (text.size() > kDate + kTime && text[kDate] == 'T') {

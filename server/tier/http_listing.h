@@ -8,11 +8,11 @@
 
 namespace remeshd {
 
-/// Lists of objects as servers answer them.
+/// Readers of the lists of objects that servers send.
 
 /// A folder as nginx lists it with `autoindex_format json`.
 struct ListedFolder {
-  std::vector<ObjectInfo> files;     ///< with their names for keys
+  std::vector<ObjectInfo> files;     ///< `key` is the file's name
   std::vector<std::string> folders;  ///< names
 };
 /// Nothing where the text is no such list.
@@ -25,15 +25,15 @@ struct ListedBucket {
 };
 std::optional<ListedBucket> bucket_in(const std::string& xml);
 
-/// The bucket of a URL that objects are appended to, and what their keys begin with there: of
-/// `https://HOST/BUCKET/PREFIX`, and of `https://BUCKET.s3.REGION.HOST/PREFIX`.
+/// The URL of a tier, to which keys are appended, cut into the URL of its bucket and the prefix of
+/// keys in that: of `https://HOST/BUCKET/PREFIX` or `https://BUCKET.s3.REGION.HOST/PREFIX`.
 struct BucketAddress {
   std::string url;     ///< without a slash at the end
   std::string prefix;  ///< empty, or with a slash at the end
 };
 BucketAddress bucket_address(const std::string& url);
 
-/// As in the query of a URL.
+/// A text percent-encoded for the query of a URL.
 std::string query_escaped(const std::string& text);
 
 }  // namespace remeshd

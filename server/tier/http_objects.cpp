@@ -17,7 +17,7 @@ using Method = HttpTransfer::Method;
 
 }  // namespace
 
-/// A transfer of the idle ones, or a new one; idle again afterwards.
+/// Borrows an idle transfer, or a new one, and returns it to the idle ones.
 class HttpObjects::Borrowed {
  public:
   explicit Borrowed(HttpObjects& owner) : owner_(owner) {
@@ -103,7 +103,7 @@ void HttpObjects::list_bucket(const std::string& prefix,
   const BucketAddress bucket = bucket_address(access_.url);
   std::string next;
   do {
-    // By name, as they are signed.
+    // Parameters in the order of their names, as the signature needs them.
     std::string query = next.empty() ? "" : "continuation-token=" + query_escaped(next) + "&";
     query += "list-type=2&prefix=" + query_escaped(bucket.prefix + prefix);
     const auto answer = Borrowed(*this)->ask({.url = bucket.url + "?" + query});

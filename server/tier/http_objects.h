@@ -14,13 +14,14 @@ class HttpTransfer;
 
 struct HttpAccess {
   std::string url;  ///< `http://HOST:PORT/PREFIX`, to which keys are appended
-  /// Of an S3 bucket: requests are signed (AWS signature, version 4). Empty region: they are not.
+  /// For an S3 bucket, whose requests are signed (AWS signature, version 4). Empty region: a plain
+  /// server, and no signature.
   std::string region, access_key, secret_key;
 };
 
-/// Objects over HTTP by GET, PUT and HEAD, as remote caches of builds use it, or of a bucket of S3.
-/// To be cleared up, a plain server has to answer DELETE, and GET of a folder with a list as nginx
-/// gives it as JSON.
+/// Objects on an HTTP server by GET, PUT and HEAD, as remote build caches use it, or in an S3
+/// bucket. For garbage collection a plain server also has to support DELETE, and to answer GET of a
+/// folder with a list in nginx's JSON format.
 class HttpObjects final : public ObjectStore {
  public:
   explicit HttpObjects(HttpAccess access);

@@ -28,7 +28,7 @@ std::size_t append(char* data, std::size_t size, std::size_t count, void* to) {
   return size * count;
 }
 
-/// The code that an S3 service gives of what it refuses, `NoSuchKey`; empty where it gives none.
+/// The error code in an S3 service's answer, such as `NoSuchKey`; empty where there is none.
 std::string_view s3_code(std::string_view body) {
   constexpr std::string_view kBegin = "<Code>", kEnd = "</Code>";
   constexpr std::size_t kMost = 64;
@@ -61,7 +61,8 @@ void HttpTransfer::add_header(const char* line) {
 }
 
 /// S3 asks for the digest of the body in a header of its own, which curl 7.88 does not send unless
-/// it is given. A header without a value, `Expect:`, curl would sign but not send.
+/// it is given. The header `Expect:` without a value curl would sign but not send: here the wait
+/// for a go-ahead is cut to 1 ms instead.
 void HttpTransfer::sign(const std::string& body) {
   set(CURLOPT_EXPECT_100_TIMEOUT_MS, 1L);
   add_header(("x-amz-content-sha256: " + sha256_hex(body)).c_str());
@@ -96,7 +97,7 @@ void HttpTransfer::begin(const Request& request) {
   if (request.method == Method::Head) set(CURLOPT_NOBODY, 1L);
   if (request.method == Method::Delete) set(CURLOPT_CUSTOMREQUEST, "DELETE");
   if (request.method == Method::Put) {
-    // As a body that is there whole, which curl can send again where a connection was closed.
+    // The body as one buffer, which curl can send again where the server has closed the connection.
     set(CURLOPT_CUSTOMREQUEST, "PUT");
     set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request.body->size()));
     set(CURLOPT_POSTFIELDS, request.body->data());

@@ -30,7 +30,8 @@ class HttpTransfer {
     bool found = false;  ///< else its status is 404
     std::string body;
   };
-  /// Throws Error: TIER_UNAVAILABLE for every other status that is none of success, TIER_REFUSED.
+  /// Throws Error: TIER_REFUSED where the object is too large for the server, else TIER_UNAVAILABLE
+  /// for any failure but a missing object (status 404).
   Answer ask(const Request& request);
 
  private:

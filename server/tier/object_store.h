@@ -15,8 +15,8 @@ struct ObjectInfo {
   std::int64_t written_ns = 0;  ///< since 1970, UTC
 };
 
-/// Objects by key that several daemons share: a folder or a service over HTTP. Whoever writes an
-/// object last is right. For any thread.
+/// Objects by key that several daemons share: a folder or a service over HTTP. The last write of an
+/// object wins. For any thread.
 ///
 /// All functions throw Error(TIER_UNAVAILABLE) where the store cannot be reached, does not answer
 /// in time, or fails: that never means that there is no object.
@@ -27,7 +27,8 @@ class ObjectStore {
   ObjectStore(const ObjectStore&) = delete;
   ObjectStore& operator=(const ObjectStore&) = delete;
 
-  /// Whether there is an object, told within so many seconds.
+  /// Whether there is an object. `within`: s until an answer or an Error, where the store can limit
+  /// that.
   [[nodiscard]] virtual bool has(const std::string& key, double within) = 0;
   /// Nothing where there is none.
   [[nodiscard]] virtual std::optional<std::string> get(const std::string& key) = 0;
@@ -35,9 +36,10 @@ class ObjectStore {
   /// for it.
   virtual void put(const std::string& key, const std::string& bytes) = 0;
 
-  // For a store that is cleared up now and then; the daemon's work does without.
+  // For pins and garbage collection only; making and reading revisions does without these.
 
-  /// The first so many bytes of an object, or all of them, or more; nothing where there is none.
+  /// At least the first `bytes` bytes of an object, or all of a shorter one; nothing where there is
+  /// no object.
   [[nodiscard]] virtual std::optional<std::string> start_of(const std::string& key,
                                                             std::size_t bytes) = 0;
   /// Calls `visit` with all objects whose keys begin with `prefix`, which ends with a slash.

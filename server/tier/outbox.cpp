@@ -14,9 +14,9 @@ namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
 
-// So many objects are on their way at a time: a bucket takes 50 to 100 ms for each.
+// Objects that are written at a time: a bucket takes 50 to 100 ms for each.
 constexpr int kWriters = 4;
-// Between tries of what failed; the breaker spares the store more of them.
+// Pause after a failure; the breaker spares the store frequent attempts.
 constexpr std::chrono::milliseconds kPause(250);
 
 }  // namespace
@@ -56,7 +56,7 @@ void Outbox::add(const std::string& name) {
   try {
     const File mark(folder_ / name, O_WRONLY | O_CREAT);
   } catch (const Error&) {
-    // On a disk that is full it waits in memory alone.
+    // On a full disk the name waits in memory alone.
   }
   list(name, next_place_++);
   changed_.notify_all();
@@ -91,7 +91,7 @@ void Outbox::write_taken(const std::string& name, std::uint64_t place) {
   finish(name);
 }
 
-/// Its mark goes, unless it is to be written once more.
+/// Ends the writing of a name: its file goes, unless the name is to be written once more.
 void Outbox::finish(const std::string& name) {
   const std::scoped_lock lock(mutex_);
   writing_.erase(name);
@@ -100,7 +100,7 @@ void Outbox::finish(const std::string& name) {
   try {
     remove_file(folder_ / name);
   } catch (const Error&) {
-    // It is written once more by the next process.
+    // The file stays, and the next process writes the name once more.
   }
 }
 

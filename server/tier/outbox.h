@@ -14,9 +14,9 @@
 
 namespace remeshd {
 
-/// What is still to be written to the shared store, by name, and the threads that do it, several
-/// names at a time. Names are empty files in a folder: what was not written when the process ended,
-/// the next one writes.
+/// A persistent queue of what is still to be written to the shared store, by name, and the threads
+/// that write it, several names at a time. Each name is an empty file in a folder: what was not
+/// written when the process ended, the next one writes.
 class Outbox {
  public:
   /// Writes what the name stands for; throws Error where that has to be tried again, but for
@@ -32,19 +32,21 @@ class Outbox {
   Outbox(const Outbox&) = delete;
   Outbox& operator=(const Outbox&) = delete;
 
-  /// Has it written soon, after what was added before; once more where it is just being written.
+  /// Queues a name, after those added before; one that is just being written is written once more.
   void add(const std::string& name);
-  /// Writes it now, if it is still to be written. Throws what `write` throws; then it stays, unless
-  /// it was given up.
+  /// Writes a name on this thread, if it is still to be written; first waits for another thread
+  /// that is just writing it. Throws what `write` throws; then the name stays queued, unless it was
+  /// given up.
   void write_now(const std::string& name);
-  /// Whether it is still to be written.
+  /// Whether a name is still to be written.
   [[nodiscard]] bool has(const std::string& name) const;
-  /// How many are still to be written.
+  /// How many names are still to be written.
   [[nodiscard]] std::size_t size() const;
 
  private:
   void run(const std::stop_token& stop);
-  /// Writes one that was taken off the list. Throws what `write` throws; then it is on it again.
+  /// Writes a name that was taken off the list, where it had `place`. Throws what `write` throws;
+  /// then the name is on the list again, unless it was given up.
   void write_taken(const std::string& name, std::uint64_t place);
   void list(const std::string& name, std::uint64_t place);
   std::uint64_t unlist(const std::string& name);
@@ -55,8 +57,8 @@ class Outbox {
   const Write write_;
   mutable std::mutex mutex_;  ///< guards what follows
   std::condition_variable_any changed_;
-  std::map<std::string, std::uint64_t> waiting_;  ///< and the place of each in the order
-  std::map<std::uint64_t, std::string> order_;    ///< the same, by place
+  std::map<std::string, std::uint64_t> waiting_;  ///< names, with the place of each in the order
+  std::map<std::uint64_t, std::string> order_;    ///< the same names, by place
   std::uint64_t next_place_ = 0;
   std::set<std::string> writing_;
   std::vector<std::jthread> threads_;  ///< last: they use what stands before them

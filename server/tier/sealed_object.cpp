@@ -50,7 +50,7 @@ std::string unsealed(std::string_view key, std::string_view object, std::string_
   const std::size_t space = line.rfind(' ');
   if (space == std::string_view::npos) throw WrongObject("it is no object of remeshd");
   const std::string_view told = line.substr(0, space);
-  // Before anything is read of what may be a stranger's.
+  // Checked before the text is parsed, which may be a stranger's.
   if (!same(line.substr(space + 1), mac_of(told, farm_key)))
     throw WrongObject("it was not sealed with the farm's key");
   const json content = json::parse(told, nullptr, false);

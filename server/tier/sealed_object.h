@@ -20,8 +20,8 @@ std::string sealed(std::string_view key, std::string_view bytes, std::string_vie
 /// The bytes. Throws WrongObject.
 std::string unsealed(std::string_view key, std::string_view object, std::string_view farm_key);
 
-/// Longest line of a seal, and what follows it at the start of an object, be it right or not; empty
-/// where there is no line.
+/// Most bytes of a seal's line, and what follows that line at the start of an object, unchecked;
+/// empty where there is no such line.
 inline constexpr std::size_t kMostSealBytes = 4096;
 std::string_view after_seal(std::string_view start);
 

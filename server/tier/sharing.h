@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// What opens the shared tier.
+/// The keys of the shared tier.
 struct TierSecrets {
   std::string farm_key;                ///< of all daemons of the farm
   std::string access_key, secret_key;  ///< of an S3 bucket
@@ -20,14 +20,15 @@ struct TierSecrets {
 struct Sharing {
   std::shared_ptr<ObjectStore> objects{};  ///< the shared tier; null: none
   std::string farm_key{};
-  /// An edit is acknowledged when the tier has its recipe; else when the local store has it.
+  /// True: an edit is acknowledged when the tier has its recipe; false: when the local store has
+  /// it.
   bool acknowledge_in_tier = false;
   std::function<void(const std::string&)> tell{};  ///< hears lines for the log; may be empty
   std::shared_ptr<DesignTable> designs{};          ///< null: designs are in the store alone
   Homes homes{};                                   ///< of designs; where there is no table
 };
 
-/// Whether the place of a tier is that of an HTTP server, not a folder.
+/// Whether the place of a tier is an HTTP server's URL, not a folder.
 bool is_http(const std::string& place);
 
 /// The objects at a place, `http://...`, `https://...` or a folder, behind a breaker. `s3_region`:

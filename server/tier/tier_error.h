@@ -7,11 +7,11 @@
 
 namespace remeshd::error {
 
-/// The shared tier cannot be reached or fails, because `why`; to be asked again after so many
-/// seconds.
+/// The shared tier cannot be reached or fails, because `why`; `retry_after`: s until it should be
+/// asked again.
 Error tier_unavailable(std::string_view why, double retry_after);
-/// It answers, and takes no object of so many bytes, with that HTTP status; to try again is
-/// useless.
+/// The shared tier answers, but refuses an object of `bytes` bytes with the HTTP status `status`;
+/// to try again is useless.
 Error tier_refused(std::size_t bytes, long status);
 
 }  // namespace remeshd::error
