@@ -139,6 +139,19 @@ SizeControlSource size_in(const json& j) {
   return s;
 }
 
+json to_json(const GroupSource& g) {
+  json j{{"name", g.name}, {"on", g.on}, {"fail_emptied", g.policy.fail_emptied}};
+  if (g.policy.max_area_change) j["max_area_change"] = *g.policy.max_area_change;
+  return j;
+}
+GroupSource group_in(const json& j) {
+  GroupSource g{.name = j.at("name"), .on = j.at("on")};
+  g.policy.fail_emptied = j.at("fail_emptied");
+  if (j.contains("max_area_change"))
+    g.policy.max_area_change = j.at("max_area_change").get<double>();
+  return g;
+}
+
 json to_json(const ModelSource& m) {
   json j{{"name", m.name},
          {"unit", m.unit},
@@ -147,6 +160,7 @@ json to_json(const ModelSource& m) {
   for (const ParameterSource& p : m.parameters) j["parameters"].push_back(to_json(p));
   for (const FeatureSource& f : m.features) j["features"].push_back(to_json(f));
   for (const SizeControlSource& s : m.sizes) j["sizes"].push_back(to_json(s));
+  for (const GroupSource& g : m.groups) j["groups"].push_back(to_json(g));
   return j;
 }
 ModelSource model_in(const json& j) {
@@ -155,6 +169,8 @@ ModelSource model_in(const json& j) {
   for (const json& f : j.at("features")) m.features.push_back(feature_in(f));
   if (j.contains("sizes"))
     for (const json& s : j.at("sizes")) m.sizes.push_back(size_in(s));
+  if (j.contains("groups"))
+    for (const json& g : j.at("groups")) m.groups.push_back(group_in(g));
   return m;
 }
 

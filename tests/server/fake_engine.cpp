@@ -130,6 +130,8 @@ void name_parts(Revision& r) {
   groups.cell_owners = {{}};
   for (const FeatureSource& feature : r.source.features)
     groups.cell_owners[0].push_back(feature.id);
+  for (const GroupSource& group : r.source.groups)
+    groups.of_model.push_back({.name = group.name, .facets = {1}, .tets = {0}});
   r.output.map.transforms = {Transform{}, Transform::translation({0, 0, 3})};
   r.output.map.transform_features = {"plate", "rib"};
 }
@@ -253,6 +255,7 @@ struct FakeEngine::State {
     }
     run.report("optimise", 0.5, 1);
     run.report("optimise", 0.7, 2);
+    run.report("nodes", 0.2);  // of another attempt
 
     std::size_t nodes = 100;
     if (options.nodes) {

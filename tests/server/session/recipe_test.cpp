@@ -33,6 +33,8 @@ Recipe recipe_with_everything() {
   recipe.model.sizes = {{"holes", "hole*.wall", "radius/4"},
                         {"spot", BallSource{1.0, "p", 0.1, 2.0}, 0.5},
                         {"end", BoxSource{0.0, 0.0, 0.0, 1.0, 2.0, "q"}, 1.0 / 3}};
+  recipe.model.groups = {{"load", "pin*.top", {.max_area_change = 0.1, .fail_emptied = true}},
+                         {"rest", "not load"}};
   recipe.options.size = 0.1;
   recipe.options.seed = ~std::uint64_t{0};
   recipe.options.inside = MeshOptions::Inside::ControlMesh;
@@ -57,6 +59,14 @@ TEST(RecipeText, OfAModelWithoutSizesIsThatOfBeforeThereWereAny) {
   EXPECT_NE(write_recipe(recipe).find("\"sizes\""), std::string::npos);
   recipe.model.sizes.clear();
   EXPECT_EQ(write_recipe(recipe).find("\"sizes\""), std::string::npos);
+  EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
+}
+
+TEST(RecipeText, OfAModelWithoutGroupsIsThatOfBeforeThereWereAny) {
+  Recipe recipe = recipe_with_everything();
+  EXPECT_NE(write_recipe(recipe).find("\"groups\""), std::string::npos);
+  recipe.model.groups.clear();
+  EXPECT_EQ(write_recipe(recipe).find("\"groups\""), std::string::npos);
   EXPECT_EQ(read_recipe(write_recipe(recipe)), recipe);
 }
 

@@ -43,10 +43,12 @@ class RemakeTest : public testing::Test {
   }
   ErrorInfo create(std::uint32_t nodes) {
     Answer answer;
-    session_->make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
-                                 .options = {.nodes = nodes},
-                                 .design = "plate"},
-                   answer.listener());
+    ModelSource source = model_of({block("plate", 80, 40, 10)});
+    source.sizes = {{"fine", "plate.top", 2.0}};
+    source.groups = {{"load", "plate.top"}};
+    session_->make(
+        CreateCommand{.source = std::move(source), .options = {.nodes = nodes}, .design = "plate"},
+        answer.listener());
     EXPECT_TRUE(answer.came());
     return answer.error();
   }
