@@ -147,7 +147,9 @@ HeldRevisionPtr RevisionScheduler::make_revision(const ComputationPtr& computati
   const Prepared& prepared = computation->prepared;
   const Run run{.stop = stop,
                 .on_progress =
-                    [&](const Progress& progress) {
+                    [&, furthest = 0.0](Progress progress) mutable {
+                      // Another attempt at a mesh begins with less again.
+                      progress.fraction = furthest = std::max(furthest, progress.fraction);
                       for (const auto& request : computations_.waiting_for(computation))
                         request->report(progress);
                     },

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -108,6 +109,19 @@ TEST_F(SessionTest, AListenerThatThrowsOnItsRevisionHearsOfTheFailureOnce) {
   EXPECT_TRUE(session.make(command(), next.listener()) && next.made().cached);
   session_.reset();
   EXPECT_EQ(answer.answers(), 1);
+}
+
+TEST_F(SessionTest, ProgressNeverFallsThoughAnotherAttemptBeginsAnew) {
+  Session& session = start();
+  std::vector<double> fractions;
+  Answer answer;
+  Listener listener = answer.listener();
+  listener.progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };
+  session.make(command(), listener);
+  ASSERT_TRUE(answer.made().revision);
+  session_.reset();
+  EXPECT_GT(fractions.size(), 3U);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions)) << testing::PrintToString(fractions);
 }
 
 TEST_F(SessionTest, AListenerThatThrowsWhateverItHearsHurtsNobodyElse) {
