@@ -75,17 +75,19 @@ void Outbox::write_now(const std::string& name) {
 }
 
 void Outbox::write_taken(const std::string& name, std::uint64_t place) {
-  try {
-    write_(name);
-  } catch (const Error& failure) {
-    if (failure.info().reason == "TIER_REFUSED") {
-      finish(name);
-      throw;
-    }
+  const auto again = [&] {
     const std::scoped_lock lock(mutex_);
     writing_.erase(name);
     if (!waiting_.contains(name)) list(name, again_ == Again::InPlace ? place : next_place_++);
     changed_.notify_all();
+  };
+  try {
+    write_(name);
+  } catch (const Error& failure) {
+    failure.info().reason == "TIER_REFUSED" ? finish(name) : again();
+    throw;
+  } catch (...) {
+    again();
     throw;
   }
   finish(name);

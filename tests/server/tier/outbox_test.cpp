@@ -123,6 +123,18 @@ TEST_F(OutboxTest, TriesAgainWhatFailed) {
   EXPECT_EQ(written(), Names{"a"});
 }
 
+TEST_F(OutboxTest, TriesAgainWhateverWasThrown) {
+  std::atomic<bool> fails = true;
+  Outbox outbox(folder_, again_, [&](const std::string&) {
+    if (fails) throw fs::filesystem_error("it is out", {});
+  });
+  outbox.add("a");
+  EXPECT_THROW(outbox.write_now("a"), fs::filesystem_error);
+  EXPECT_EQ(outbox.size(), 1U);
+  fails = false;
+  wait_until_empty(outbox);
+}
+
 TEST_F(OutboxTest, WritesNowWhatIsStillToBeWritten) {
   fails_ = true;
   const auto outbox = open();
