@@ -13,15 +13,17 @@ using nlohmann::json;
 constexpr std::int64_t kNanosecondsOfASecond = 1'000'000'000;
 
 /// ns since 1970 of a time such as `Wed, 15 Nov 2023 08:41:34 GMT` or `2023-11-15T08:41:34.000Z`.
-/// Of the latter curl reads the date only without dashes.
-std::int64_t nanoseconds_at(std::string text) {
+/// Of the latter curl reads the date only without dashes. Nothing where it is no time.
+std::optional<std::int64_t> nanoseconds_at(std::string text) {
   constexpr std::size_t kDate = 10, kTime = 8;
   if (text.size() > kDate + kTime && text[kDate] == 'T') {
     std::string date = text.substr(0, kDate);
     std::erase(date, '-');
     text = date + " " + text.substr(kDate + 1, kTime) + " GMT";
   }
-  return kNanosecondsOfASecond * curl_getdate(text.c_str(), nullptr);
+  const std::int64_t seconds = curl_getdate(text.c_str(), nullptr);
+  if (seconds < 0) return std::nullopt;
+  return kNanosecondsOfASecond * seconds;
 }
 
 }  // namespace
@@ -35,9 +37,10 @@ std::optional<ListedFolder> folder_in(const std::string& text) {
       if (entry.at("type") == "directory") {
         folder.folders.push_back(entry.at("name"));
       } else {
-        folder.files.push_back({.key = entry.at("name"),
-                                .bytes = entry.at("size"),
-                                .written_ns = nanoseconds_at(entry.at("mtime"))});
+        const auto written = nanoseconds_at(entry.at("mtime"));
+        if (!written) return std::nullopt;
+        folder.files.push_back(
+            {.key = entry.at("name"), .bytes = entry.at("size"), .written_ns = *written});
       }
     }
   } catch (const json::exception&) {
@@ -52,10 +55,13 @@ std::optional<ListedBucket> bucket_in(const std::string& text) {
   const pugi::xml_node list = document.child("ListBucketResult");
   if (!list) return std::nullopt;
   ListedBucket bucket;
-  for (const pugi::xml_node object : list.children("Contents"))
+  for (const pugi::xml_node object : list.children("Contents")) {
+    const auto written = nanoseconds_at(object.child_value("LastModified"));
+    if (!written) return std::nullopt;
     bucket.objects.push_back({.key = object.child_value("Key"),
                               .bytes = object.child("Size").text().as_ullong(),
-                              .written_ns = nanoseconds_at(object.child_value("LastModified"))});
+                              .written_ns = *written});
+  }
   if (list.child("IsTruncated").text().as_bool())
     bucket.next = list.child_value("NextContinuationToken");
   return bucket;

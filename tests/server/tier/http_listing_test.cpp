@@ -39,6 +39,13 @@ TEST(HttpListing, ReadsAPageOfABucket) {
   EXPECT_FALSE(bucket_in("nothing"));
 }
 
+TEST(HttpListing, WithATimeThatSaysNothingIsNone) {
+  // An object that seems old is one that nobody needs.
+  EXPECT_FALSE(folder_in(R"([{ "name":"3f9c", "type":"file", "mtime":"yesterday", "size":123 }])"));
+  EXPECT_FALSE(bucket_in(
+      "<ListBucketResult><Contents><Key>a</Key><Size>1</Size></Contents></ListBucketResult>"));
+}
+
 TEST(HttpListing, FindsTheBucketInAnAddress) {
   const auto expect = [](const std::string& url, const std::string& bucket,
                          const std::string& prefix) {
