@@ -14,6 +14,28 @@ namespace {
 /// the facet is: faces that cross at less than 18 degrees.
 constexpr double kSameFit = 0.05;
 
+/// Of the way from a corner of a facet to its centroid: an apex, which is on the axis, does not
+/// count.
+constexpr double kWithin = 0.01;
+/// x square of a coordinate: what rounding leaves of the area of a triangle with its corners on a
+/// line.
+constexpr double kRounding = 1e-9;
+
+using Point2 = std::array<double, 2>;
+
+/// Whether the origin is in a triangle.
+bool has_origin(const std::array<Point2, 3>& corners) {
+  int left = 0, right = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto& [a, b] = corners[i];
+    const auto& [c, d] = corners[(i + 1) % 3];
+    const double area = a * d - b * c, none = kRounding * (a * a + b * b + c * c + d * d);
+    left += area > -none ? 1 : 0;
+    right += area < none ? 1 : 0;
+  }
+  return left == 3 || right == 3;
+}
+
 }  // namespace
 
 FacesOf::FacesOf(const BoundaryModel& boundary)
@@ -116,6 +138,20 @@ int FacetFaces::face_of(const Triangle& facet, const Vec3& a, const Vec3& b, con
 double FacetFaces::face_distance2(int face, const Vec3& p) const {
   const BoundaryFace& f = boundary_.faces[face];
   return remeshd::face_distance2(f, project(f.surface, p));
+}
+
+bool FacetFaces::lies_across(int face, const std::array<Vec3, 3>& corners) const {
+  const Surface& surface = boundary_.faces[face].surface;
+  if (surface.kind == Surface::Kind::Plane || surface.kind == Surface::Kind::Sphere) return false;
+  const Transform into = rigid_inverse(surface.frame);
+  const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+  std::array<Point2, 3> round_axis{}, round_tube{};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 q = into.apply(corners[i] + kWithin * (centroid - corners[i]));
+    round_axis[i] = {q.x, q.y};
+    round_tube[i] = {std::sqrt(q.x * q.x + q.y * q.y) - surface.r1, q.z};
+  }
+  return has_origin(round_axis) || (surface.kind == Surface::Kind::Torus && has_origin(round_tube));
 }
 
 Vec3 FacetFaces::outward(int face, const Vec3& p) const {

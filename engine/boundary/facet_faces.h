@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -47,6 +48,10 @@ class FacetFaces {
   /// whose triangulation is nearest to the facet's centroid.
   [[nodiscard]] int face_of(const Triangle& facet, const Vec3& a, const Vec3& b,
                             const Vec3& c) const;
+  /// Whether the axis of the face's surface, or the circle in the middle of a torus's tube, passes
+  /// through a facet with these corners: it closes off a hole, or cuts through a pin, instead of
+  /// lying along its wall. False for planes and spheres.
+  [[nodiscard]] bool lies_across(int face, const std::array<Vec3, 3>& corners) const;
   /// Unit normal of the face out of the material.
   [[nodiscard]] Vec3 outward(int face, const Vec3& p) const;
   /// Signed distance of p from the face's surface, positive outside of the material.

@@ -28,7 +28,8 @@ enum class MeshFailure : std::uint8_t {
   FaceArea,            ///< a model face that its facets do not cover, or cover twice
   Volume,              ///< off the exact one by more than the tolerance
   RepeatedTet,         ///< a tet with the four nodes of an earlier one
-  FacetOffFace,        ///< a boundary facet further from its curved face than a chord may be
+  FacetOffFace,        ///< a boundary facet further from its curved face than a chord may be, or
+                       ///< across it
   OutsideTet,          ///< a tet in no cell: away from the material
 };
 inline constexpr std::size_t kMeshFailures = 14;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/cellular/cellular_model.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
@@ -87,6 +90,45 @@ TEST(FacetFaces, AFacetAcrossAStripBetweenTwoFacesOfNearlyTheSameNormalIsTheStri
   const FacetFaces faces(boundary, supports);
   EXPECT_EQ(faces.face_of({0, 1, 2}, nodes[0], nodes[1], nodes[2]), strip);
   EXPECT_EQ(faces.face_of({1, 2, 3}, nodes[1], nodes[2], nodes[3]), strip);
+}
+
+/// At an angle round the z axis, in degrees.
+Vec3 round_axis(double radius, double degrees, double z) {
+  const double t = degrees * std::numbers::pi / 180;
+  return {radius * std::cos(t), radius * std::sin(t), z};
+}
+
+/// Whether a facet lies across a face of this surface.
+bool lies_across(const Surface& surface, const std::array<Vec3, 3>& corners) {
+  BoundaryModel boundary;
+  boundary.faces.emplace_back().surface = surface;
+  return FacetFaces(boundary, {}).lies_across(0, corners);
+}
+
+TEST(FacetFaces, AFacetWithTheAxisThroughItLiesAcrossAHoleHoweverLongItIs) {
+  const Surface hole{.kind = Surface::Kind::Cylinder, .r1 = 1};
+  const auto at = [](double degrees, double z) { return round_axis(1, degrees, z); };
+  EXPECT_TRUE(lies_across(hole, {at(0, 0), at(120, 0), at(240, 0)}));
+  EXPECT_TRUE(lies_across(hole, {at(0, 0), at(170, 0), at(190, 800)}));
+  EXPECT_TRUE(lies_across(hole, {at(190, 800), at(170, 0), at(0, 0)})) << "from either side";
+  EXPECT_TRUE(lies_across(hole, {at(0, 0), at(180, 0), at(180, 20)})) << "along the axis";
+  EXPECT_FALSE(lies_across(hole, {at(0, 0), at(120, 0), at(60, 8)})) << "steep, but on one side";
+  EXPECT_FALSE(lies_across(hole, {at(0, 0), at(0, 20), at(170, 0)}));
+}
+
+TEST(FacetFaces, AFacetAtTheApexOfAConeIsOnItsWall) {
+  const Surface cone{.kind = Surface::Kind::Cone, .r1 = 10, .r2 = -1};
+  EXPECT_FALSE(lies_across(cone, {Vec3{0, 0, 10}, round_axis(10, 0, 0), round_axis(10, 120, 0)}));
+  EXPECT_TRUE(
+      lies_across(cone, {round_axis(9, 0, 1), round_axis(10, 120, 0), round_axis(10, 240, 0)}));
+}
+
+TEST(FacetFaces, ATorusHasATubeToBeClosedAndAHole) {
+  const Surface torus{.kind = Surface::Kind::Torus, .r1 = 20, .r2 = 5};
+  EXPECT_TRUE(lies_across(torus, {Vec3{25, 0, 0}, Vec3{17, 0, 4}, Vec3{17, 3, -4}}));
+  EXPECT_FALSE(lies_across(torus, {Vec3{25, 0, 0}, Vec3{24, 0, 3}, Vec3{24, 7, 0}}));
+  EXPECT_TRUE(
+      lies_across(torus, {round_axis(15, 0, 0), round_axis(15, 120, 0), round_axis(15, 240, 0)}));
 }
 
 }  // namespace

@@ -237,14 +237,14 @@ TEST(Verify, FindsAFacetThatIsTurnedOverOnItsFace) {
   EXPECT_GT(check(s).count(MeshFailure::NonconformingFacet), 20U);
 }
 
-/// A flat cylinder of radius 10 with four nodes round each circle; every tet stands on the wall.
-SolidFixture four_sided_cylinder() {
-  SolidFixture s = make_cylinder(10, 2, 24, 1);
+/// A cylinder of radius 10 with four nodes round each circle; every tet stands on the wall.
+SolidFixture four_sided_cylinder(double height = 2) {
+  SolidFixture s = make_cylinder(10, height, 24, 1);
   s.mesh = {};
   s.supports.clear();
   for (int top = 0; top < 2; ++top)
     for (const Vec3& p : {Vec3{10, 0, 0}, Vec3{0, 10, 0}, Vec3{-10, 0, 0}, Vec3{0, -10, 0}})
-      s.add(p + Vec3{0, 0, 2.0 * top}, Support::Kind::Edge, top);
+      s.add(p + Vec3{0, 0, top * height}, Support::Kind::Edge, top);
   for (const auto& [x, y, z] : {std::array{0, 1, 2}, std::array{0, 3, 2}})  // prisms of three tets
     for (Tet t : {Tet{x, y, z, z + 4}, Tet{x, y, z + 4, y + 4}, Tet{x, x + 4, y + 4, z + 4}}) {
       const auto& p = s.mesh.nodes;
@@ -292,6 +292,14 @@ TEST(Verify, FindsFacetsThatRunStraightAcrossACurvedFace) {
   ASSERT_EQ(v.count(MeshFailure::FacetOffFace), 2U) << report(v);
   EXPECT_NEAR(first(v, MeshFailure::FacetOffFace)->place.y, 0, 1e-12);
   EXPECT_NEAR(v.chord_error, 10, 1e-9);
+}
+
+TEST(Verify, FindsFacetsAcrossAFaceHoweverLongTheyAre) {
+  // A pin whose facets are much longer than it is thick, cut through: .05 of their length off it.
+  SolidFixture s = four_sided_cylinder(200);
+  EXPECT_EQ(check(s).count(MeshFailure::FacetOffFace), 0U);
+  s.mesh.tets.resize(3);
+  EXPECT_EQ(check(s).count(MeshFailure::FacetOffFace), 2U);
 }
 
 TEST(Verify, FindsAModelFaceThatIsNotCovered) {
