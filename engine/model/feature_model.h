@@ -56,8 +56,8 @@ struct Slot {
   friend bool operator==(const Slot&, const Slot&) = default;
 };
 
-/// Local geometry of DESIGN's table of types; all lengths positive and finite, but one radius
-/// of a cone may be 0.
+/// Local geometry of the types in client/docs/model.md; all lengths positive and finite, but one
+/// radius of a cone may be 0.
 using Shape = std::variant<Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot>;
 
 /// An evaluated feature: numbers only.

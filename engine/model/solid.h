@@ -75,9 +75,9 @@ std::vector<Box> boxes_round(const Feature& feature);
 /// Exact volume of a shape.
 double volume_of(const Shape& shape);
 
-/// Faces of a feature in the order of DESIGN's table, sides in profile order. Planes' normals point
-/// out of the feature; the other surfaces' point away from their axis or centre. The wall of a slot
-/// takes four entries.
+/// Faces of a feature in the order of client/docs/model.md, sides in profile order. Planes' normals
+/// point out of the feature; the other surfaces' point away from their axis or centre. The wall of
+/// a slot takes four entries.
 std::vector<SolidFace> faces_of(const Feature& feature);
 
 /// Which features contain a point, and so its nature: that of the last owner in history order,

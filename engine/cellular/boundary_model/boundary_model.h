@@ -66,7 +66,7 @@ inline Vec3 outward_normal(const BoundaryFace& face, const Vec3& p) {
 }
 
 /// The merged boundary of a model: faces, edges and vertices that a mesh must represent. Coplanar
-/// splits and seams are unified, so that they are no edges (Sect. 4.1, DESIGN), but for the rims of
+/// splits and seams are unified, so that they are no edges (Sect. 4.1), but for the rims of
 /// faces that a group names.
 ///
 /// Inv: every order is by geometry, never by the CAD kernel's: the same model gives the same value.

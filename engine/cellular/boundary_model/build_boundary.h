@@ -14,7 +14,7 @@ namespace remeshd {
 /// Pre: one piece for each face of `brep`; `unified` is that of the boundary pieces, the side of
 /// each telling whether its outward normal is that of its surface.
 /// Pre: the boundary is manifold (require_manifold).
-/// Source: Sect. 4.1; seams and coplanar splits by DESIGN.
+/// Source: Sect. 4.1, but that seams and splits between coplanar faces are no edges.
 BoundaryModel build_boundary(const kernel::Brep& brep, const std::vector<BoundaryPiece>& pieces,
                              const UnifiedEdges& unified);
 

@@ -1,4 +1,4 @@
-// Every type of DESIGN's table as a model of one feature: what its boundary is made of.
+// Every type of client/docs/model.md as a model of one feature: what its boundary is made of.
 #include <gtest/gtest.h>
 
 #include <map>
