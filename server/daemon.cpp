@@ -75,8 +75,8 @@ std::string why_not_stored(const std::set<std::string>& tenants) {
          " cannot be written to; revisions live in memory";
 }
 
-/// The connections that there may be, told where they are fewer than asked for; 0 where nothing is
-/// listened on.
+/// The most connections at a time; 0 where nothing is listened on. Warns where the limit of
+/// descriptors allows fewer than asked for.
 std::size_t max_connections(const DaemonOptions& options) {
   if (options.listen.empty()) return 0;
   const std::size_t most = connections_within_descriptors(options.max_connections);
@@ -90,8 +90,8 @@ using Acceptor = std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor>
 /// By the descriptor of the listening socket.
 using Acceptors = std::map<int, Acceptor>;
 
-/// The way into gRPC for the connections of each socket: in the clear over a Unix socket, which its
-/// owner alone can reach, else by TLS where there is one.
+/// Makes gRPC's acceptors for the connections of the sockets: without encryption for a Unix socket,
+/// which its owner alone can reach; for others TLS where it is configured.
 Acceptors add_acceptors(grpc::ServerBuilder& builder, const std::vector<ListeningSockets>& sockets,
                         const TlsFiles& tls) {
   using Type = grpc::ServerBuilder::experimental_type::ExternalConnectionType;
@@ -132,7 +132,7 @@ struct Daemon::Parts {
   std::unique_ptr<grpc::Service> service, cache_service;
   std::unique_ptr<grpc::Server> server;
   std::unique_ptr<AcceptLoop> connections;             ///< null where nothing is listened on
-  std::atomic<const AcceptLoop*> accepting = nullptr;  ///< the same, for calls that it brings
+  std::atomic<const AcceptLoop*> accepting = nullptr;  ///< `connections`, atomic: calls read it too
   std::once_flag ended;
 
   Parts(const DaemonOptions& options, Engine engine)
@@ -276,7 +276,7 @@ void Daemon::shutdown(double grace) {
     if (!parts_->server) return;
     parts_->desk->gate->close();
     parts_->readiness.set("end", "the daemon is shutting down");
-    // New connections are still taken, so that probes and callers hear the truth.
+    // New connections are still taken, so that probes hear NOT_SERVING and callers UNAVAILABLE.
     parts_->desk->gate->wait_until_empty(std::chrono::duration<double>(grace));
     if (parts_->desk->metrics) parts_->desk->metrics->set_source("daemon", {});
     if (parts_->connections) parts_->connections->stop();

@@ -30,8 +30,8 @@ struct DaemonOptions {
   std::vector<std::string> listen = {"127.0.0.1:50051"};
   std::size_t max_connections =
       limits::kConnections;  ///< at a time; fewer where descriptors do not suffice
-  /// Of a tenant by tokens the folder `tenants/NAME` in it. Empty: revisions live in memory and end
-  /// with the daemon.
+  /// Folder of the revisions; those of a tenant that tokens name are in `tenants/NAME` in it.
+  /// Empty: revisions live in memory and end with the daemon.
   std::filesystem::path store;
   double store_wait = 0;                   ///< s to wait for another process to let go of the store
   int workers = 0;                         ///< computations at a time; 0: one per processor
@@ -41,22 +41,22 @@ struct DaemonOptions {
   double compute_limit = limits::kComputeTime;  ///< s that one may take; 0: any
   std::uint64_t memory =
       limits::kMemory;                  ///< bytes that computations, loads and revisions may take
-  std::uint64_t cache = limits::kHeld;  ///< bytes of it that revisions held may take
+  std::uint64_t cache = limits::kHeld;  ///< bytes of `memory` that revisions held may take
   std::uint64_t disk = 0;               ///< bytes that stored meshes may take; 0: no limit
-  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< that may be asked for
+  std::uint32_t max_nodes = kDefaultMaxNodes;  ///< most that a request may ask for
   std::filesystem::path dumps;                 ///< for the stages of every computation; empty: none
   std::shared_ptr<spdlog::logger> log;         ///< null: no log
   std::shared_ptr<Metrics> metrics;            ///< null: nothing is counted
-  TlsFiles tls;                                ///< for what is no Unix socket
-  /// Asks callers for tokens, by which they are tenants; it has the daemon open the stores of
-  /// these. Null: everybody is let in, as the one tenant there is.
+  TlsFiles tls;                                ///< for all addresses but Unix sockets
+  /// Asks callers for a token, which tells their tenant; the daemon opens the store of each tenant
+  /// that it knows. Null: everybody is let in, as one and the same tenant.
   std::shared_ptr<Doorman> doorman;
   Sharing sharing;          ///< with other daemons; needs a store
-  bool reflection = false;  ///< whether the protocol can be asked for
+  bool reflection = false;  ///< whether clients can query the protocol by gRPC reflection
 };
 
-/// remeshd as an object: the service over the sessions of its tenants, each over a store of its
-/// own, on a port or in this process.
+/// remeshd as an object: serves the sessions of its tenants, each with a store of its own, on
+/// sockets or within this process.
 class Daemon {
  public:
   /// Serves from when this returns. Throws Error: `LISTEN_INVALID` before anything else, what Store
@@ -86,7 +86,7 @@ class Daemon {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The engine that meshes.
+/// The real engine, of `engine/`; quick tests use a fake one.
 Engine production_engine();
 
 }  // namespace remeshd

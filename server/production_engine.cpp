@@ -17,7 +17,7 @@
 namespace remeshd {
 namespace {
 
-/// A session has no base for a first mesh.
+/// The parent revision; a first mesh has no base (null), and the empty revision for its parent.
 const Revision& parent(const Revision* base) { return base != nullptr ? *base : Revision::none(); }
 
 ModelSummary summary_of(const Revision* base, const FeatureModel& model, const MeshOptions& options,

@@ -50,7 +50,7 @@ void add_global_options(CLI::App& app, Line& line) {
   app.add_flag("-q,--quiet", line.quiet, "Say nothing but errors")->excludes(verbose);
 }
 
-/// The command that was chosen, as deep as it was.
+/// The innermost command that was given.
 const CLI::App& chosen(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : chosen(*parsed.front());

@@ -26,7 +26,7 @@ struct CompletedCommand {
   std::vector<CompletedCommand> commands;
 };
 
-/// The first line of a help text, up to its first clause.
+/// The beginning of a help text, up to its first semicolon or line end.
 std::string brief(const std::string& help) { return help.substr(0, help.find_first_of(";\n")); }
 
 CompletedCommand describe(const CLI::App& app, const std::string& path) {
@@ -120,7 +120,7 @@ std::string value_cases(const CompletedCommand& top,
   return text;
 }
 
-/// `case` lines that set `options` and `words` of each command; bash and zsh.
+/// `case` lines that set `flags` and `words` of each command; bash and zsh.
 std::string word_cases(const CompletedCommand& top,
                        const std::vector<const CompletedCommand*>& all) {
   std::string text;
@@ -220,7 +220,7 @@ std::string zsh_completion(const CLI::App& app) {
   const CompletedCommand top = describe(app, "");
   const auto all = flattened(top);
   std::string words = word_cases(top, all);
-  replace_all(words, "; words=", "; candidates=");  // `words` is the command line there
+  replace_all(words, "; words=", "; candidates=");  // in zsh `words` is the command line
   std::string text = kZsh;
   replace_all(text, "@PATHS@", path_cases(all));
   replace_all(text, "@VALUES@", value_cases(top, all, "compadd --", "_files"));

@@ -10,9 +10,9 @@ namespace remeshd::cli {
 
 enum class Verbosity { Quiet, Normal, Verbose };
 
-/// The stream of messages: notes, warnings, errors and progress. On a terminal progress is a bar in
-/// one line that goes on in place; elsewhere, and only with -v, it is a plain line for each stage
-/// and tenth of the way. May be used from several threads.
+/// The stream of messages: notes, warnings, errors and progress. On a terminal progress is a bar
+/// that is redrawn in one line; elsewhere, and only with -v, it is a plain line for each stage and
+/// tenth of the way. May be used from several threads.
 class Console {
  public:
   Console(std::ostream& err, bool terminal) : err_(err), terminal_(terminal) {}
@@ -21,11 +21,11 @@ class Console {
   [[nodiscard]] bool verbose() const { return verbosity_ == Verbosity::Verbose; }
 
   void error(const std::string& text);
-  /// Unless quiet.
+  /// One line; nothing if quiet.
   void note(const std::string& text);
-  /// Lines with their ends, likewise.
+  /// Lines with their line ends; nothing if quiet.
   void text(const std::string& lines);
-  /// With -v only.
+  /// One line, with -v only.
   void detail(const std::string& text);
   void progress(const remesh::v1::Progress& progress);
   /// Takes the bar away, so that what follows starts on a line of its own.

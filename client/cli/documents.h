@@ -15,7 +15,7 @@ class Documents {
 
   /// The text of a file, or of the standard input where the name is `-`. Throws DocumentError.
   const std::string& text(const std::string& name);
-  /// As `text`, of what has been read already; null where it has not.
+  /// The text of a document that has been read already; null where it has not.
   [[nodiscard]] const std::string* find(const std::string& name) const;
   /// As messages call a document: its file, or `<stdin>`.
   static std::string shown(const std::string& name);

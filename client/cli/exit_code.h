@@ -9,7 +9,7 @@
 
 namespace remeshd::cli {
 
-/// What the shell gets to know. Part of the contract.
+/// Exit codes of `remesh`, which callers may rely on.
 enum ExitCode : int {
   kFine = 0,
   kFault = 1,  ///< what nobody expected: a fault of `remesh` itself

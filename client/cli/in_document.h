@@ -25,12 +25,13 @@ class InDocument : public std::runtime_error {
 /// Throws the error of reading a document as InDocument, unless it could not be read at all: then
 /// its message names the file.
 [[noreturn]] void throw_in_document(const std::string& file, const DocumentError& error);
-/// Likewise an error of the daemon about the model or the edit. The daemon knows no file: the place
-/// is looked for there. Other errors are thrown as they are.
+/// Likewise an error of the daemon about the model or the edit. The daemon does not know the file:
+/// the place is looked for in its text here. Other errors are thrown as they are.
 [[noreturn]] void throw_in_document(const Documents& documents, const std::string& file,
                                     const client::CallError& error);
 
-/// What `work` returns, which reads or sends the document of a file.
+/// Returns what `work` returns, which reads or sends the document of a file; its errors about the
+/// document become InDocument.
 template <typename Work>
 auto in_document(Documents& documents, const std::string& file, Work&& work) {
   try {

@@ -56,7 +56,7 @@ std::size_t used_nodes(const client::FileMesh& mesh) {
   return static_cast<std::size_t>(std::ranges::count(used, 1));
 }
 
-/// Between the two values next to rank share * (n - 1).
+/// Interpolates between the two values next to rank share * (n - 1).
 double percentile(std::vector<double> values, double share) {
   const double rank = share * static_cast<double>(values.size() - 1);
   const auto low = static_cast<std::ptrdiff_t>(rank);

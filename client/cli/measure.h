@@ -8,8 +8,8 @@
 
 namespace remeshd::cli {
 
-/// What `remesh quality` tells about a mesh; names and meaning as in the evaluator used for all
-/// peers, so that figures can be compared.
+/// What `remesh quality` tells about a mesh; names and meaning as in tests/paper/quality.py, which
+/// evaluates meshes of any mesher, so that figures can be compared.
 struct Measures {
   std::size_t nodes = 0;  ///< that a tet uses
   std::size_t tets = 0;
@@ -21,7 +21,7 @@ struct Measures {
   double f10 = 0, f20 = 0;                    ///< share of dihedral angles below 10 and 20 degrees
   double f_tet_10 = 0, f_tet_20 = 0;          ///< share of tets that have such an angle
   std::size_t n_vl_lt_0p2 = 0;                ///< tets of volume-length below 0.2
-  std::size_t neg = 0;                        ///< tets flat or turned against most others
+  std::size_t neg = 0;  ///< tets that are flat, or inverted against most others
   double volume = 0;
   double edge_mean = 0;           ///< over the edges of all tets
   std::optional<double> vol_err;  ///< volume / exact - 1

@@ -20,7 +20,7 @@ const std::string kControlMesh = "control-mesh";
 const std::string kLattice = "lattice";
 const std::string kRandom = "random";
 
-/// Warnings of what a model asks for and its mesh has not.
+/// Warnings of what a model asks for and its mesh lacks.
 constexpr std::array kLosses{Warning::GROUP_EMPTIED,          Warning::FACE_LOST,
                              Warning::FEATURE_WITHOUT_EFFECT, Warning::CHORDS_COARSE,
                              Warning::DETAIL_NOT_RESOLVED,    Warning::EDGES_STRAIGHT};

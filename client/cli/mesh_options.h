@@ -13,7 +13,7 @@ class App;
 
 namespace remeshd::cli {
 
-/// The options of everything that meshes. What is not given stays unset in the request: the daemon
+/// The options of all commands that mesh. What is not given stays unset in the request: the daemon
 /// has the defaults, and an edit inherits what its base has.
 struct MeshingOptions {
   std::optional<std::uint32_t> nodes;
@@ -33,13 +33,13 @@ struct MeshingOptions {
   std::string design;
   bool keep_head = false;
   std::vector<std::string> fail_on;  ///< names of warnings
-  bool strict = false;               ///< those of losses too
+  bool strict = false;               ///< warnings of losses are errors too
 
   void add_to(CLI::App& command);
   /// Those alone that say what the mesh is like, and which warnings are errors.
   void add_mesh_to(CLI::App& command);
   [[nodiscard]] remesh::v1::MeshOptions to_message() const;
-  /// Those of `fail_on` and `strict`, as the field of the message has them.
+  /// The warnings of `fail_on` and `strict`, as values of the message's field `fail_on`.
   [[nodiscard]] google::protobuf::RepeatedField<int> warning_codes() const;
 
   /// Fills everything that both kinds of request have. Without mesh options an edit inherits them;

@@ -22,10 +22,10 @@ struct MeshOutputs {
   /// The options -o and --format.
   void add_to(CLI::App& command);
   /// Throws UsageError unless each file has a format, the folder of each is there, and at most one
-  /// thing goes to stdout. `text_file`: what is written there beside the meshes; may be empty.
-  /// Asked before a mesh is made.
+  /// thing goes to stdout. `text_file`: name of the text file that is written beside the meshes;
+  /// may be empty. To be called before a mesh is made.
   void check(const std::string& text_file) const;
-  /// Pre: `check` found nothing.
+  /// Pre: `check` has not thrown.
   [[nodiscard]] std::string format_of(const std::filesystem::path& file) const;
   /// Whether stdout is taken, so that what people read goes to the messages.
   [[nodiscard]] bool take_stdout() const;

@@ -31,7 +31,8 @@ const std::string& key_of(const Feature& f) { return f.id(); }
 const std::string& key_of(const SizeControl& s) { return s.id(); }
 const std::string& key_of(const Group& g) { return g.name(); }
 
-/// Tells what came and went of a list whose items have names; `changed` tells of what is in both.
+/// Adds the items that came or went, of a list whose items have names; calls `changed` for those in
+/// both that differ.
 template <class List, class Changed>
 void compare(const List& before, const List& after, const std::string& prefix, Words& words,
              const Changed& changed) {
@@ -57,13 +58,13 @@ std::string text_of(const Value& value) {
 }
 
 std::string change_of(const std::string& name, const Value& before, const Value& after) {
-  if (is_same(before, after)) return name + " changed";  // all but its value
+  if (is_same(before, after)) return name + " changed";  // something else than its value
   const std::string was = text_of(before), is = text_of(after);
   if (was.empty() || is.empty()) return name + " changed";
   return name + " " + was + " -> " + is;
 }
 
-/// All of a feature but what is told by itself.
+/// A feature without its parameters and placement, whose changes are told separately.
 Feature rest_of(Feature feature) {
   feature.clear_parameters();
   feature.clear_placement();

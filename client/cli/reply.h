@@ -32,7 +32,7 @@ std::string way_name(remesh::v1::Report::Way way);
 /// `tool1-a@2`, or the id's first 12 digits where it is in no design.
 std::string short_name(const remesh::v1::RevisionInfo& revision);
 
-/// Of an id, as tables show it.
+/// Digits of an id that tables show.
 inline constexpr std::size_t kShownDigits = 12;
 
 }  // namespace remeshd::cli

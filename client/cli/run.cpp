@@ -17,7 +17,7 @@ namespace {
 /// An address that stands for `--local`.
 const std::string kLocal = "local";
 
-/// Those of a list with commas between.
+/// The addresses of a list with commas between, without blanks.
 std::vector<std::string> addresses_in(const std::string& list) {
   std::vector<std::string> addresses;
   std::istringstream in(list);
@@ -28,7 +28,8 @@ std::vector<std::string> addresses_in(const std::string& list) {
   return addresses;
 }
 
-/// What options mean together.
+/// Sets `local` for the address that stands for it. Throws UsageError for options that contradict
+/// each other.
 void settle(GlobalOptions& options) {
   options.local = options.local || options.address == kLocal;
   if (!options.local && std::ranges::count(addresses_in(options.address), kLocal) > 0)
@@ -44,7 +45,8 @@ std::string or_list(const std::string& list) {
   return text;
 }
 
-/// Says what went wrong and which exit code that is. `place`: in a file, else empty.
+/// Says what went wrong and which exit code that is. `place`: where in a file; empty for an error
+/// that is not in one.
 int fail(Console& console, const remesh::v1::Error& error, const GlobalOptions& options,
          const std::string& place = {}) {
   remesh::v1::Error plain = error;

@@ -15,7 +15,7 @@ namespace remeshd::cli {
 
 /// Options that every command takes, before or after its name.
 struct GlobalOptions {
-  /// Of the daemon, or of several, with commas between; environment REMESH_ADDRESS.
+  /// Address of the daemon, or of several, with commas between; environment REMESH_ADDRESS.
   std::string address = "127.0.0.1:50051";
   /// PEM files for TLS: who signs the daemon's certificate, the own one and its key; empty: none.
   std::filesystem::path tls_ca, tls_cert, tls_key;
@@ -33,7 +33,7 @@ struct Surroundings {
   std::ostream& err;      ///< messages
   bool terminal = false;  ///< whether `err` is a terminal that shows progress bars
   std::stop_token stop;   ///< requested by an interrupt
-  /// Makes the way to a daemon; called at most once.
+  /// Connects to the daemon; called at most once.
   std::function<client::Client(const GlobalOptions&)> connect;
 };
 

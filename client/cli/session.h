@@ -57,8 +57,8 @@ class Session {
   std::optional<client::Client> client_;
 };
 
-/// Throws UsageError unless the folder of the file is there; an empty name and `-` are fine. Asked
-/// before something is made to be written there.
+/// Throws UsageError unless the folder of the file is there; an empty name and `-` are fine. To be
+/// called before something is made to be written there.
 void check_text_file(const std::filesystem::path& file);
 
 }  // namespace remeshd::cli

@@ -11,7 +11,7 @@
 namespace remeshd::cli {
 namespace {
 
-/// The number that all of the text is.
+/// The number that the whole text is; nothing where it is none, or not finite.
 std::optional<double> number_in(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -90,7 +90,7 @@ std::vector<double> combination(const std::vector<SweptParameter>& swept, std::u
     const std::uint64_t count = swept[k].values.size();
     const std::uint64_t at = rest % count;
     rest /= count;
-    values[k] = swept[k].values[rest % 2 == 0 ? at : count - 1 - at];  // `rest`: runs before
+    values[k] = swept[k].values[rest % 2 == 0 ? at : count - 1 - at];  // odd `rest`: downwards
   }
   return values;
 }

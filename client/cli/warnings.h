@@ -9,7 +9,7 @@ namespace remeshd::cli {
 
 using Warnings = google::protobuf::RepeatedPtrField<remesh::v1::Warning>;
 
-/// Each as a line of the messages; `about`, e.g. ` (base)`, stands behind the word.
+/// Writes each as a line of the messages; `about`, e.g. ` (base)`, follows the word `warning`.
 void show_warnings(Session& session, const Warnings& warnings, const std::string& about = "");
 
 }  // namespace remeshd::cli

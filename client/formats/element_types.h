@@ -5,7 +5,7 @@
 
 namespace remeshd::client {
 
-// What the formats call a facet and a tet.
+// Numbers of the formats for the element types of facets and tets.
 inline constexpr std::int32_t kGmshTriangle = 2;
 inline constexpr std::int32_t kGmshTetrahedron = 4;
 inline constexpr std::int32_t kGmshTriangle6 = 9;

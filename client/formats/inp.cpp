@@ -108,7 +108,8 @@ struct SetLabels {
   Labels faces, elements;
 };
 
-/// First the groups of the model, which get their names whatever they are.
+/// Appended before features and faces, so that of equal labels the groups' are those without a
+/// suffix.
 void append_groups(std::string& out, const Mesh& mesh, SetLabels& labels) {
   for (const ModelGroup& group : model_groups(mesh)) {
     append_facets(out, "group", group.name, {group.facets.begin(), group.facets.end()}, mesh,
@@ -154,7 +155,7 @@ void append_faces(std::string& out, const Mesh& mesh, Labels& labels) {
 
 std::string to_inp(const Mesh& mesh) {
   std::string out = "*HEADING\ntetrahedral mesh by remeshd\n";
-  // Read back, a file that was cut at the end of a line is told from a whole one by these.
+  // By these counts `parse_inp` finds that a file was cut at the end of a line.
   out += kInpHead;
   append(out, mesh.nodes.size() + mesh.mid_nodes.size());
   out += ", ";

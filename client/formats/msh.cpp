@@ -31,7 +31,8 @@ struct Entities {
   std::vector<std::vector<std::size_t>> elements;  ///< indices of tets or facets, ascending
 };
 
-/// What an entity is of: a cell or facet group, and groups of the model, ascending.
+/// What the elements of an entity have in common: a cell or facet group, and the groups of the
+/// model that they are in, ascending.
 struct EntityKey {
   std::int32_t group = 0;
   std::vector<std::int32_t> of_model;
@@ -39,8 +40,8 @@ struct EntityKey {
 };
 
 /// Names of physical groups, and the tags of those that each cell or facet group is in, its own
-/// first. Tags count on from `offset`: formats that have one kind of groups, as UNV, would merge
-/// those of one number.
+/// first. Tags begin after `offset`, so that surfaces and volumes have different ones: formats with
+/// one kind of groups, such as UNV, would merge groups of the same number.
 struct PhysicalNames {
   std::int32_t offset = 0;
   std::vector<std::string> names;  ///< of tag offset + index + 1
@@ -72,8 +73,8 @@ PhysicalNames physical_names(const std::vector<std::vector<std::string>>& groups
   return out;
 }
 
-/// Sorts elements, each with its key, into entities. A cell or facet group without an element has
-/// one without any, so that it keeps its physical group.
+/// Sorts elements, each with its key, into entities. A cell or facet group without elements gets an
+/// empty entity, so that it keeps its physical group.
 Entities entities(std::int32_t dimension, std::size_t offset,
                   const std::vector<std::vector<std::string>>& groups,
                   const std::vector<std::string>& of_model, const std::vector<EntityKey>& keys) {
@@ -105,7 +106,7 @@ Entities entities(std::int32_t dimension, std::size_t offset,
   return out;
 }
 
-/// Boxes of the entities. `corners_of` an element.
+/// Bounding boxes of the entities; `corners_of(element)`: its corner nodes.
 template <class CornersOf>
 void find_boxes(Entities& list, const Mesh& mesh, const CornersOf& corners_of) {
   for (const auto& elements : list.elements) {
@@ -181,7 +182,7 @@ std::vector<std::int32_t> in_gmsh_order(std::vector<std::int32_t> nodes) {
   return nodes;
 }
 
-/// The edge lengths aimed at, as a view of the nodes: of all, or readers refuse it.
+/// The edge lengths aimed at, as a post-processing view of all nodes (readers refuse one of some).
 void write_sizes(std::string& out, const Mesh& mesh) {
   const std::vector<double> sizes = sizes_of(mesh);
   if (sizes.empty()) return;

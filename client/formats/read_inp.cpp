@@ -41,7 +41,7 @@ Block block_of(const std::string& keyword) {
   return are("TYPE=C3D4") ? Block::Tets : are("TYPE=C3D10") ? Block::QuadraticTets : Block::Other;
 }
 
-/// Entries of its data lines.
+/// Entries of each data line of a block; 0 for other blocks.
 std::size_t entries(Block block) {
   switch (block) {
     case Block::Nodes:
@@ -56,7 +56,7 @@ std::size_t entries(Block block) {
   return 0;
 }
 
-/// Nodes by number.
+/// Index of each node by its number in the file.
 using NodesByNumber = std::map<std::int64_t, std::int32_t>;
 
 void read_node(const std::vector<std::string_view>& parts, FileMesh& mesh, NodesByNumber& places) {
@@ -121,8 +121,8 @@ FileMesh parse_inp(std::string_view bytes) {
       read_node(parts, mesh, places);
     else
       read_tet(parts, mesh, places);
-    // Some programs leave the end of the last line out. It is not missed where the last number
-    // cannot be the beginning of another.
+    // Some programs leave out the end of the last line. That is accepted where its last number
+    // cannot be the beginning of a longer one.
     const bool open = scanner.at_end() && parts.size() == wanted && bytes.back() > ' ';
     if (open && (block == Block::Nodes || may_go_on(parts[wanted - 1], places)))
       throw FileError("its last line may be cut, for it has no end: " + std::string(line));

@@ -10,7 +10,7 @@
 namespace remeshd::client {
 namespace {
 
-/// Numbers of a section, which stand there as words or raw.
+/// Reads the numbers of a section, which is text or binary.
 class Values {
  public:
   Values(Scanner& scanner, bool binary) : scanner_(scanner), binary_(binary) {}
@@ -30,7 +30,7 @@ class Values {
   bool binary_;
 };
 
-/// Nodes by tag.
+/// Index of each node by its tag in the file.
 using NodesByTag = std::unordered_map<std::uint64_t, std::int32_t>;
 
 void read_nodes(Values values, FileMesh& mesh, NodesByTag& places) {

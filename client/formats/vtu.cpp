@@ -132,7 +132,7 @@ void add_point_data(Arrays& arrays, const Mesh& mesh) {
   if (!mesh.node_sizes.empty()) arrays.add("PointData", "size", 1, sizes_of(mesh));
 }
 
-/// Values of the tets, then of the boundary facets: the same one.
+/// Values of the tets, then `of_facets` for each boundary facet.
 template <class T>
 std::vector<T> with_facets(std::vector<T> of_tets, const Mesh& mesh, T of_facets,
                            std::size_t components = 1) {
@@ -216,7 +216,7 @@ void add_provenance(std::string& out, const Mesh& mesh) {
   if (lines.empty()) return;
   out += "<!--\n";
   for (std::string line : lines) {
-    // Two hyphens would end it.
+    // Two hyphens are not allowed in it.
     for (std::size_t at = line.find("--"); at != std::string::npos; at = line.find("--"))
       line.replace(at, 2, "- ");
     out.append(line).append("\n");

@@ -20,7 +20,7 @@ class Rebuilder {
   std::string rebuild(std::uint32_t count) {
     if (delta_.counts_size() != delta_.kinds_size() || delta_.starts_size() != delta_.kinds_size())
       mesh_damaged("the lists of a delta differ in length");
-    // Before any room is taken: a repeated row makes much of few bytes.
+    // Checked before memory is taken: a repeated row makes many bytes of few.
     std::uint64_t rows = 0;
     for (const std::uint32_t run : delta_.counts()) rows += run;
     if (rows != count) mesh_damaged("a delta has the wrong number of rows");

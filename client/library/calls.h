@@ -41,8 +41,8 @@ Reply call_again(Search search, Method<Service, Request, Reply> method, const Re
   }
 }
 
-/// A call that changes something: not made again where the connection breaks, since it may have
-/// been done, but where a daemon refused it or cannot be reached.
+/// A call that changes something: made again where a daemon refused it or cannot be reached, but
+/// not where the connection breaks, since it may have been carried out.
 template <class Service, class Request, class Reply>
 Reply call_once(const Farm& farm, Search search, Method<Service, Request, Reply> method,
                 const Request& request) {
@@ -72,7 +72,7 @@ std::vector<Item> all_pages(Search search, Method<Service, Request, Reply> metho
   while (true) {
     Reply page;
     Replica& replica = search.replica();
-    if (&replica != from) {  // another one's list
+    if (&replica != from) {  // the pages so far are another daemon's
       all.clear();
       request.clear_page_token();
       from = &replica;

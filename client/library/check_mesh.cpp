@@ -13,7 +13,8 @@ void check_index(std::int64_t index, std::int64_t low, std::size_t size, MeshArr
     mesh_damaged(name_of(array) + " has an index out of range");
 }
 
-/// Exactly one corner of a facet's tet is not the facet's; the file formats count on it.
+/// Checks that a facet is one of its tet: exactly one corner of the tet is not the facet's, on
+/// which the file formats rely.
 void check_facets_tet(const Facet& facet, const Mesh& mesh) {
   int shared = 0;
   for (const std::int32_t corner : mesh.tets[static_cast<std::size_t>(facet.tet)])

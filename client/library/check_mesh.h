@@ -8,8 +8,8 @@
 
 namespace remeshd::client {
 
-/// Checks that every index of a mesh that has these arrays leads to something that is there. One
-/// into an array that the mesh has not is not looked at.
+/// Checks that every index in a mesh is in range. `arrays`: those that the mesh has; indices into
+/// other arrays are not checked.
 ///
 /// Throws CallError MESH_DAMAGED.
 void check_mesh(const Mesh& mesh, const std::set<remesh::v1::MeshArray>& arrays);

@@ -20,18 +20,21 @@ struct Client::Impl {
   explicit Impl(std::vector<std::unique_ptr<Replica>> replicas)
       : farm(std::make_shared<Farm>(std::move(replicas))) {}
 
-  /// The search of what asks for a revision; `route`: of the revision by its name alone.
+  /// The search for the daemon that a call goes to; a route in `call` comes before `route`.
+  /// `search_for`: for a call about a revision, by its name alone.
   Search search(const std::string& route, const CallOptions& call) const {
     return {farm, call.route.value_or(route), call};
   }
   Search search_for(const std::string& revision, const CallOptions& call) const {
     return search(route_of(*farm, revision), call);
   }
-  /// Of one whose mesh is read, which the daemon is to have in memory.
+  /// For a call that needs the mesh of a revision: looks its route up where it is not known, to
+  /// find the daemon that has the mesh in memory.
   Search search_mesh(const std::string& revision, const CallOptions& call) const {
     return search(call.route ? *call.route : looked_up_route(farm, revision, call), call);
   }
-  /// Of what each daemon has for itself.
+  /// For calls about the cache, which each daemon has for itself. Throws CallError INVALID_ARGUMENT
+  /// where there are several daemons.
   Search search_cache(const CallOptions& call) const {
     if (farm->several())
       refuse_addresses("each daemon has a cache of its own, and several addresses are given",

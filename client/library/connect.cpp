@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxMessage = 256 << 20;
 /// ms; also TCP_USER_TIMEOUT, which at 1 s cuts slow but live readers.
 constexpr int kKeepaliveTimeout = 20'000;
-/// ms between tries of a daemon that is started again: the first, the most.
+/// ms between attempts to connect to a daemon that is being restarted: the first, the most.
 constexpr int kReconnect = 200, kMostReconnect = 2'000;
 
 bool encrypts(const ConnectOptions& options) {
@@ -32,7 +32,8 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const ConnectOptions& opti
   return grpc::SslCredentials(tls);
 }
 
-/// gRPC would ask a proxy of the environment even for the way to this machine.
+/// Whether an address is one of this machine, for which gRPC would use a proxy of the environment
+/// too.
 bool is_loopback(const std::string& address) {
   return address.starts_with("127.") || address.starts_with("localhost:") ||
          address.starts_with("[::1]:");

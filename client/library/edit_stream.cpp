@@ -46,7 +46,7 @@ Error cancelled_unsent() {
   return error;
 }
 
-/// Answers that have come already.
+/// Answers whose futures throw the error.
 EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
   OpenRequest request(std::move(mesh));
   auto answers = request.answers();
@@ -73,7 +73,7 @@ CallOptions EditStream::Impl::rest() const {
   return rest;
 }
 
-/// May ask the daemon for the loop that a revision is of.
+/// The route of the stream; may look up the base of the first edit (GetRevision).
 std::string EditStream::Impl::route_of_first(const remesh::v1::EditStreamRequest& first) const {
   if (options_.route) return *options_.route;
   if (first.has_create()) return route_of(first.create());
@@ -162,7 +162,7 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
     if (!first) return std::nullopt;
     return on_last(next.message, *last_);
   }
-  // A new call knows nothing of what the last one left off at.
+  // In a new call the daemon does not know the last result, the base of an edit that names none.
   const bool follows = next.message.has_edit() && next.message.edit().base().empty() &&
                        next.message.edit().design().empty();
   if (!follows || call_->used || !last_) return next.message;
@@ -200,8 +200,9 @@ void EditStream::Impl::send_waiting() {
   }
 }
 
-/// Whether another replica is to be asked in place of an error: the whole stream moves, so that
-/// requests keep their order. The request was not done.
+/// Whether an error makes the stream go on at another replica, with all of its requests, so that
+/// these keep their order. Only an error of the first unanswered request does, and one by which
+/// that was not carried out.
 bool EditStream::Impl::moves_on(Call& from, const remesh::v1::EditStreamResponse& response) {
   if (!response.has_error()) return false;
   {
@@ -230,7 +231,7 @@ void EditStream::Impl::take(Call& from, const remesh::v1::EditStreamResponse& re
       entry->result = response.result();
       farm_->remember_route(response.result().revision().id(), search_->route());
     }
-    // Before its future is kept: who has the answer may use the id again.
+    // Taken out before its promise is kept: whoever has the answer may use the id again.
     if (request->is_last(response)) {
       if (entry->result) last_ = entry->result;
       search_->heard(from.replica);
@@ -257,8 +258,9 @@ bool EditStream::Impl::is_over() {
   return cancelled_ || (closed_ && unanswered_.empty());
 }
 
-/// Opens the stream again, where `search_` says; false where it was cancelled. `refused`: the first
-/// request was answered: it was not done.
+/// Opens the stream again at the replica that `search_` names, and sends what is unanswered again;
+/// false where it was cancelled. `refused`: the first request was refused, so it was not carried
+/// out.
 bool EditStream::Impl::reopen(bool refused) {
   Requests lost;
   const std::lock_guard one_write(writing_);

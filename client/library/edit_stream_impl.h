@@ -21,9 +21,10 @@ namespace remeshd::client {
 
 /// The state behind an EditStream.
 ///
-/// Inv: every request sent and not yet answered is in `unanswered_`; the reading thread answers it,
-/// or, when the stream ends, gives all of them the stream's error. Only that thread takes one out.
-/// The first request opens the stream, for its route tells the replica.
+/// Inv: every request that is not answered yet, sent or waiting to be sent, is in `unanswered_`;
+/// the reading thread answers it, or, when the stream ends, gives all of them the stream's error.
+/// Only that thread takes out a request that was sent; `cancel` takes out one that was not. The
+/// first request opens the stream, for its route tells the replica.
 struct EditStream::Impl {
   Impl(std::shared_ptr<Farm> farm, OnProgress listener, const CallOptions& call);
   ~Impl();
@@ -56,9 +57,9 @@ struct EditStream::Impl {
     std::string id;
     remesh::v1::EditStreamRequest message;
     OpenRequest request;
-    std::optional<remesh::v1::RevisionResult> result{};  ///< where its mesh is to come yet
-    bool sent = false;                                   ///< in the call that there is
-    bool sent_before = false;                            ///< in one that broke
+    std::optional<remesh::v1::RevisionResult> result{};  ///< set while its mesh is still to come
+    bool sent = false;                                   ///< in the present call
+    bool sent_before = false;                            ///< in a call that broke
   };
   using Requests = std::list<Unanswered>;
 
@@ -82,15 +83,15 @@ struct EditStream::Impl {
   const OnProgress on_progress_;
   const CallOptions options_;
   const std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  std::shared_ptr<const Mesh> last_mesh_;  ///< that the stream brought; of the reading thread
+  std::shared_ptr<const Mesh> last_mesh_;  ///< of the last request with `delta`; reading thread's
 
   std::mutex writing_;  ///< one write at a time; taken before `state_`
   std::mutex state_;    ///< guards what follows
-  /// Null before the first request; then of the reading thread, but for `rest` and `stop`.
+  /// Null before the first request; then used by the reading thread alone, but for `stop`.
   std::unique_ptr<Search> search_;
   std::shared_ptr<Call> call_;
-  Requests unanswered_;                             ///< in the order of their coming
-  std::optional<remesh::v1::RevisionResult> last_;  ///< of a request that is done with
+  Requests unanswered_;                             ///< in the order of their requests
+  std::optional<remesh::v1::RevisionResult> last_;  ///< of the requests that are done
   bool closed_ = false;                             ///< no more requests
   bool cancelled_ = false;
   std::optional<remesh::v1::Error> end_;  ///< set once the stream has ended: what late requests get

@@ -34,9 +34,9 @@ class Replica {
   Cache::Stub& of(const Cache::Stub* /*service*/) const { return *cache_; }
   Service::Stub& service() const { return *service_; }
   Cache::Stub& cache() const { return *cache_; }
-  /// Whether there is a connection to it, which is made where there is none.
+  /// Whether there is a connection to it; connects where there is none, within `time`.
   [[nodiscard]] bool connects(std::chrono::milliseconds time) const;
-  /// Whether there is one, to it or to a balancer before it.
+  /// Whether there is a connection now, to it or to a balancer before it.
   [[nodiscard]] bool connected() const { return channel_->GetState(false) == GRPC_CHANNEL_READY; }
 
   const std::string address;
@@ -64,7 +64,8 @@ class Farm {
   /// Null where no replica has the address.
   [[nodiscard]] Replica* at(const std::string& address) const;
 
-  /// Of the route of a design: the replica that has its names, where one said so; else null.
+  /// The home of the design that a route stands for, where a replica has told it
+  /// (DESIGN_ELSEWHERE); else null.
   [[nodiscard]] Replica* home_of(const std::string& route) const;
   void remember_home(const std::string& route, Replica& home);
   /// The route of a revision that this client made or looked up, by its id.

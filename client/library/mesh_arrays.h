@@ -12,7 +12,7 @@
 
 namespace remeshd::client {
 
-/// What there is a row for.
+/// What the rows of an array belong to: there is one for each.
 enum class RowOf { Node, Tet, Facet, MidNode, Other };
 
 /// One array of the protocol and its place in a Mesh.

@@ -33,7 +33,7 @@ class MeshAssembler {
   /// The mesh, once the end has come; nothing may be called after it.
   [[nodiscard]] Mesh finish();
 
-  /// Of data as sent.
+  /// Bytes of data as they are sent: of deltas, not of the arrays that these make.
   [[nodiscard]] std::uint64_t bytes_received() const { return received_; }
   [[nodiscard]] std::uint64_t bytes_expected() const { return expected_; }
 
@@ -49,7 +49,7 @@ class MeshAssembler {
 
   std::set<remesh::v1::MeshArray> wanted_;
   std::vector<std::shared_ptr<const Mesh>> bases_;
-  std::shared_ptr<const Mesh> base_;  ///< that of the header
+  std::shared_ptr<const Mesh> base_;  ///< the one that the header names
   remesh::v1::MeshHeader header_;
   bool has_header_ = false;
   bool ended_ = false;

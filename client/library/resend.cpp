@@ -8,7 +8,7 @@
 namespace remeshd::client {
 namespace {
 
-/// An id, its beginning, or a revision of a design by its number: never another one later.
+/// Whether a reference always means the same revision: an id, a prefix of one or `design@number`.
 bool names_one_revision(const std::string& reference) {
   return reference.find('@') != std::string::npos || !is_name(reference);
 }

@@ -10,7 +10,7 @@ namespace remeshd::client {
 /// itself would be done a second time.
 enum class Resend {
   AsItIs,     ///< it says by itself what it is made of
-  OnLast,     ///< once all before it are answered, with the id of the last of them for its base
+  OnLast,     ///< once all before it are answered, with the id of the last result as its base
   Impossible  ///< its base is the head of a design that the stream knows nothing of
 };
 
@@ -18,7 +18,8 @@ enum class Resend {
 Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
                      const remesh::v1::RevisionResult* last);
 
-/// The same request with the id of the last result for its base, filed where it would have been.
+/// The same request with the id of the last result as its base, in the design where it would have
+/// been filed.
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last);
 

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kShortestId = 8, kKeyDigits = 16;
 constexpr const char* kUnnamed = "model";  ///< the design of a model without a name
 
-/// Of the model, after which the design is called that it joins by default; empty where that cannot
-/// be read, which the daemon will say.
+/// Name of the model, and so of the design that it joins by default; empty where the document
+/// cannot be read, which the daemon will tell.
 std::string name_of(const remesh::v1::CreateRevisionRequest& request) {
   std::string name = request.model().name();
   if (!request.document().empty()) {

@@ -10,16 +10,17 @@
 
 namespace remeshd::client {
 
-/// Whether it names a revision by its design; else it is an id, or the beginning of one.
+/// Whether `revision` is `design` or `design@number`; else it is an id or a prefix of one.
 bool is_name(const std::string& revision);
 
-/// The route of what asks for a revision, as the client for Python has it: its design; of an id
-/// that of the loop it is of, where this client has made it or looked it up, else none, so that any
-/// daemon is asked.
+/// The route of a request about a revision, as the client for Python has it: the design in its
+/// name; of an id the route of its loop, where this client has made it or looked it up, else empty,
+/// for which any daemon may be asked.
 std::string route_of(const Farm& farm, const std::string& revision);
 
-/// The same, where the revision is to be in memory: an id that is not known is looked up, for its
-/// design or else its root. Throws CallError where no daemon is available.
+/// The same for a request that needs the revision in memory: an id that is not known is looked up
+/// (GetRevision), and the route is its design, or its root where it is in none; empty where that
+/// fails. Throws CallError where no daemon is available.
 std::string looked_up_route(const std::shared_ptr<Farm>& farm, const std::string& revision,
                             const CallOptions& options);
 

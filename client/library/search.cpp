@@ -18,7 +18,8 @@ namespace {
 using remesh::v1::Error;
 using Seconds = std::chrono::duration<double>;
 
-/// For which a replica that did not answer is passed over, and one daemon alone is left alone.
+/// ms for which one of several replicas that did not answer is passed over, and ms between tries of
+/// a single daemon.
 constexpr std::chrono::milliseconds kAway(1000), kBetweenTries(200);
 
 /// What gRPC says of calls that a balancer in between reset, cut, or answered itself.
@@ -107,11 +108,12 @@ bool Search::goes_on(Replica& failed, const Error& error) { return goes_on(faile
 bool Search::goes_on(Replica& failed, const Error& error, bool broken) {
   if (options_.stop.stop_requested() || stop_.stop_requested()) return false;
   if (!failed_since_) failed_since_ = Clock::now();
-  // It, or a balancer, says so itself.
+  // Something answered at this address: the daemon, or a balancer.
   if (!broken || error.code() != Error::CODE_UNAVAILABLE || has_reason(error) || failed.connected())
     failed.reached = true;
   if (error.reason() == Error::DESIGN_ELSEWHERE) return goes_home(error.home());
-  // What one does not know another one may, that has not yet given it to the tier.
+  // A revision that one does not know another one may have, which has not yet written it to the
+  // tier.
   if (error.reason() == Error::REVISION_NOT_FOUND && ranked_.size() > 1) {
     std::erase(ranked_, &failed);
   } else if (broken || (farm_->several() && error.code() == Error::CODE_UNAVAILABLE)) {
@@ -124,7 +126,8 @@ bool Search::goes_on(Replica& failed, const Error& error, bool broken) {
   return waits();
 }
 
-/// Asks the home of the design alone from now on; once, and only one that it knows.
+/// Asks the home of the design alone from now on. False where no replica has the address, or where
+/// a home was followed before.
 bool Search::goes_home(const std::string& address) {
   Replica* home = farm_->at(address);
   if (home == nullptr || sent_home_) return false;
@@ -134,7 +137,7 @@ bool Search::goes_home(const std::string& address) {
   return true;
 }
 
-/// Until one may be asked; false where that is not to be waited for.
+/// Waits until a replica may be asked; false where that is not to be waited for.
 bool Search::waits() {
   const auto away_until = replica().away_until.load();
   const auto now = Clock::now();

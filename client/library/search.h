@@ -29,18 +29,19 @@ class Search {
   Search(std::shared_ptr<Farm> farm, std::string route, const CallOptions& options);
 
   [[nodiscard]] const std::string& route() const { return route_; }
-  /// The one to ask now.
+  /// The replica to ask now.
   [[nodiscard]] Replica& replica() const;
   /// The options for a call from now on: what is left of the time.
   [[nodiscard]] CallOptions rest() const;
-  /// Something came: the time for which it is tried again begins anew with the next failure, and so
-  /// do the ranks.
+  /// To be called when something came from a replica: the time for which calls are tried again
+  /// begins anew with the next failure, and all replicas are ranked again.
   void heard(Replica& replica);
-  /// Whether `replica()` is to be asked after a call to this one ended so; waits where all are
-  /// away. False after a stop request; where all have been away for `reconnect` seconds, or will be
-  /// when the time of the call is up; where none ever answered, for the addresses may be wrong.
+  /// Whether `replica()` is to be asked after a call to `failed` ended with `status`; waits while
+  /// all are away. False for an error that another one would give too; after a stop request; where
+  /// all are away until after `reconnect` seconds from the first failure, or until after the
+  /// timeout of the call; where none ever answered, for the addresses may be wrong.
   [[nodiscard]] bool goes_on(Replica& failed, const grpc::Status& status);
-  /// The same of an error that the replica answered a request of a stream with.
+  /// The same for an error with which the replica answered a request of a stream.
   [[nodiscard]] bool goes_on(Replica& failed, const remesh::v1::Error& error);
   /// Ends the waiting, and tries no more. May be called from another thread.
   void stop() { stop_.request_stop(); }
@@ -64,7 +65,8 @@ class Search {
 };
 
 /// Whether the connection broke, so that nobody knows whether the request was done: the daemon is
-/// gone, or ended, or a balancer in between cut the call. What the daemon itself refused was not.
+/// gone, or ended, or a balancer in between cut the call. Also true for UNAVAILABLE from a daemon
+/// itself, which then gives a reason and has not done it.
 bool is_broken(const grpc::Status& status);
 
 }  // namespace remeshd::client

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kCodePrefix = "CODE_";
 
-/// Nine digits: a place is there to be looked for, not to be computed with.
+/// Nine digits: coordinates are for people to find a place by, not to compute with.
 std::string short_number(double value) {
   char buffer[64];
   const auto end =

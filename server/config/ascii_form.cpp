@@ -20,7 +20,8 @@ bool is_ascii(char byte) { return static_cast<unsigned char>(byte) < 0x80; }
 
 AsciiForm::AsciiForm(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  // `?` begins neither a key nor a value. The number is one that no escapes of the text spell.
+  // `?` begins neither a key nor a value. The number makes the mark one that does not occur in the
+  // text; it starts at a hash, so that the text's escape sequences do not spell it either.
   std::uint64_t number = std::hash<std::string_view>{}(text);
   do {
     mark_ = fmt::format("?{:x}:", number++);
@@ -42,7 +43,7 @@ std::string AsciiForm::original(std::string_view part) const {
     part.remove_prefix(at + mark_.size());
     const std::string_view digits = part.substr(0, kDigits);
     unsigned byte = 0;
-    // An error may have cut it off.
+    // The text of an error may end within the digits.
     if (std::from_chars(digits.data(), digits.data() + digits.size(), byte, kHexadecimal).ec ==
         std::errc())
       out += static_cast<char>(byte);

@@ -91,7 +91,7 @@ CommandLine read_command_line(std::vector<std::string> arguments) {
   std::vector<Flag> flags;
   for (const Option& option : option_table()) flags.push_back(add_flag(app, option));
 
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a vector
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector from its end
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {

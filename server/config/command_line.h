@@ -16,8 +16,8 @@ struct CommandLine {
   std::vector<GivenOption> given;
   std::string config_file;            ///< --config; empty: none
   std::string health_address;         ///< of `--health ADDRESS`; empty: the daemon's own
-  std::string health_service;         ///< which of its names the health service is asked for
-  std::optional<std::string> answer;  ///< to --help or --version: nothing else is to be done
+  std::string health_service;         ///< name that the health service is asked about
+  std::optional<std::string> answer;  ///< text for --help or --version; nothing else is to be done
 };
 
 /// Reads the arguments after the program's name.

@@ -1,10 +1,10 @@
 #include "server/config/config_file.h"
 
 #include <fmt/format.h>
-// In this file alone, so that the daemon needs no library of it.
+// toml++ is compiled into this file alone, so that no library of it is needed.
 #define TOML_HEADER_ONLY 1
-// Some of its assertions fail at text that is merely wrong, such as `[%`, which the code behind
-// them refuses.
+// Some assertions of toml++ fail at text that is merely wrong, such as `[%`; the code after them
+// refuses it.
 #define TOML_ASSERT(condition) static_assert(true)
 #include <toml++/toml.h>
 

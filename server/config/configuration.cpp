@@ -25,8 +25,8 @@ void set_all(const std::vector<GivenOption>& given, Settings& settings) {
   }
 }
 
-/// What other machines reach is guarded by certificates on both sides: a stranger without one gets
-/// no further than the handshake. A token alone is looked at after gRPC has read the call.
+/// Addresses that other machines can reach need mutual TLS: a stranger without a certificate gets
+/// no further than the handshake, whereas a token is checked after gRPC has read the call.
 void check_reach(const std::string& address, const Settings& settings) {
   if (parse_listen_address(address).is_loopback()) return;
   if (settings.daemon.tls.mutual() || settings.behind_proxy) return;

@@ -23,7 +23,8 @@ struct Configuration {
 Configuration read_configuration(std::vector<std::string> arguments,
                                  const std::vector<std::string>& environment);
 
-/// What can be told of the settings before the daemon starts, beyond each value's range.
+/// Checks the settings as far as that can be done before the daemon starts, beyond the range of
+/// each value.
 /// Throws ConfigError, SecretFileError or Error(LISTEN_INVALID).
 void check_settings(const Settings& settings);
 

@@ -16,8 +16,8 @@ constexpr std::string_view kPrefix = "REMESHD_";
 constexpr std::string_view kConfig = "REMESHD_CONFIG";
 constexpr std::string_view kHelper = "REMESHD_TETGEN";  // read where the helper is started
 
-/// Whether Kubernetes makes it, or a link between containers, for a service whose name begins with
-/// `remeshd`.
+/// Whether a variable is one that Kubernetes, or a link between Docker containers, sets for a
+/// service whose name begins with `remeshd`.
 bool is_of_a_service(const std::string& name) {
   static const std::regex shape(
       "REMESHD(_[A-Z0-9_]+)?_(SERVICE_HOST|SERVICE_PORT(_[A-Z0-9_]+)?|"
@@ -25,8 +25,8 @@ bool is_of_a_service(const std::string& name) {
   return std::regex_match(name, shape);
 }
 
-/// What is wrong with an unknown variable. The prefix, which all have in common, would make all of
-/// them similar.
+/// The error for an unknown variable. Names are compared without the prefix, which all have in
+/// common and which would make all of them similar.
 ConfigError unknown(const std::string& name) {
   std::vector<std::string> endings;
   for (std::string& known : option_names(&Option::variable))

@@ -13,7 +13,8 @@ namespace {
 
 using Numbers = std::numeric_limits<std::int64_t>;
 
-// Each takes the member that it sets as a function `Settings& -> Member*`.
+// The functions below make one option each. `member`, a function `Settings& -> Member*`, tells
+// which member of Settings it sets.
 
 template <typename Member>
 OptionValue read(Member member, const Settings& settings) {

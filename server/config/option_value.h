@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// The value of an option, whichever way it came.
+/// The value of an option, from the file, the environment or the arguments.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>>;
 
 /// Which alternative of OptionValue an option has.
@@ -21,7 +21,8 @@ enum class OptionKind : std::uint8_t { Switch, Whole, Number, Text, List };
 /// `a whole number`, as a message names it.
 std::string_view name_of(OptionKind kind);
 
-/// Reads the text of a flag or of an environment variable. A list's elements have commas between.
+/// Reads the text of a flag or of an environment variable. The elements of a list are separated by
+/// commas.
 /// Throws ConfigError where the text is no value of this kind.
 OptionValue parse_option_value(OptionKind kind, const std::string& text);
 

@@ -11,7 +11,7 @@
 
 namespace remeshd {
 
-/// Knows callers by the tokens of a file. For any thread.
+/// Tells the tenants of callers by the tokens of a file. May be used from any thread.
 class Doorman {
  public:
   /// Throws what Tokens::read throws.
@@ -19,27 +19,29 @@ class Doorman {
 
   /// Makes a tenant ready to be served.
   using Prepare = std::function<void(const std::string& tenant)>;
-  /// Has every tenant of the file prepared now, and each of a file that is read anew before its
-  /// tokens count. Where it throws, so does this, and nothing is kept of it. In place of the one
-  /// before, which is called no more once this has returned; an empty one: nothing is prepared.
+  /// Calls `prepare` now for every tenant of the file, and in each `reload` for every tenant of the
+  /// new file before its tokens take effect. Replaces the former function, which is not called any
+  /// more once this has returned; an empty one prepares nothing. Throws what `prepare` throws; the
+  /// former function then stays.
   void prepare_with(Prepare prepare);
 
-  /// Reads the file anew. Where that, or preparing a tenant, throws, the tokens stay those that
-  /// they were. Takes as long as preparing.
+  /// Reads the file anew. Throws what Tokens::read or preparing a tenant throws; the old tokens
+  /// then stay in force. Takes as long as preparing the tenants does.
   void reload();
   /// The tenant of a call with this `authorization` (none: no such metadata).
   /// Throws Error(Unauthenticated): CREDENTIALS_MISSING, CREDENTIALS_INVALID.
   [[nodiscard]] std::string tenant_of(const std::optional<std::string_view>& authorization) const;
-  /// Whether a call that was let in for a tenant would be let in for it today too.
+  /// Checks that a call that was let in for a tenant would still be let in for it, since the file
+  /// may have been read anew.
   /// Throws Error(Unauthenticated): CREDENTIALS_INVALID.
   void check_again(const std::optional<std::string_view>& authorization,
                    const std::string& tenant) const;
 
  private:
   const std::filesystem::path file_;
-  std::mutex reloading_;  ///< guards what follows, before the other mutex
+  std::mutex reloading_;  ///< guards `prepare_`; locked before `mutex_`
   Prepare prepare_;
-  mutable std::mutex mutex_;  ///< guards what follows; nobody waits with it
+  mutable std::mutex mutex_;  ///< guards `tokens_`; nobody waits while holding it
   Tokens tokens_;
 };
 

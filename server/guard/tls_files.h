@@ -13,7 +13,7 @@ namespace remeshd {
 struct TlsFiles {
   std::filesystem::path certificate;  ///< its own, with the chain behind it; empty: no TLS
   std::filesystem::path key;          ///< of the certificate
-  std::filesystem::path client_ca;    ///< who signs the clients'; empty: none is asked of them
+  std::filesystem::path client_ca;  ///< CAs of the clients' certificates; empty: clients need none
 
   [[nodiscard]] bool used() const {
     return !certificate.empty() || !key.empty() || !client_ca.empty();
@@ -22,8 +22,8 @@ struct TlsFiles {
   [[nodiscard]] bool mutual() const { return !client_ca.empty(); }
 };
 
-/// Throws SecretFileError: one of certificate and key is missing, a file cannot be read or holds
-/// none, others may read the key, the key is not the certificate's.
+/// Throws SecretFileError: certificate or key is missing, a file cannot be read or does not hold
+/// what it should, others may read the key, the key is not that of the certificate.
 void check_tls_files(const TlsFiles& files);
 
 /// Credentials that take new certificates from the files within 10 s: key and certificate should

@@ -27,8 +27,8 @@ Log::Log(const LogOptions& options) : parts_(std::make_unique<Parts>()) {
 }
 
 Log::~Log() {
-  // The thread cannot be ended while nobody reads what it writes: then it is left to the end of
-  // the process, with what it needs; in reach, so that nobody takes it for lost.
+  // A thread that is blocked writing to a pipe cannot be joined: it is left running to the end of
+  // the process, with its data. These stay reachable, so that no leak checker reports them.
   static std::vector<std::unique_ptr<Parts>>& left = *new std::vector<std::unique_ptr<Parts>>;
   if (!flush(std::chrono::seconds(1))) left.push_back(std::move(parts_));
 }

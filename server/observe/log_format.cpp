@@ -39,7 +39,7 @@ struct Field {
   std::string_view name, value;
 };
 
-/// The fields of a message that has nothing else.
+/// The fields of a message of `name=value` words alone; nothing for any other message.
 std::optional<std::vector<Field>> fields_of(std::string_view message) {
   std::vector<Field> fields;
   while (!message.empty()) {
@@ -54,7 +54,8 @@ std::optional<std::vector<Field>> fields_of(std::string_view message) {
   return fields;
 }
 
-/// Numbers by their names, since a client may choose a number for its request's id.
+/// Which fields are numbers goes by their names: a client may choose a number for the id of its
+/// request, which is text.
 ordered_json value_of(const Field& field) {
   constexpr std::array<std::string_view, 4> kNumbers{"call", "ms", "answered", "failed"};
   double number = 0;

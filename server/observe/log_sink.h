@@ -27,14 +27,14 @@ std::unique_ptr<spdlog::formatter> make_json_format();
 /// it could not write.
 class LogSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
-  /// `overrun`: lines that were dropped before they came here, so far.
+  /// `overrun`: returns how many lines the queue before the sink has dropped so far.
   LogSink(std::filesystem::path file, std::unique_ptr<spdlog::formatter> format,
           std::function<std::size_t()> overrun);
   ~LogSink() override;
 
   void reopen() { reopen_ = true; }
   [[nodiscard]] std::uint64_t dropped() const { return overrun_() + unwritten_; }
-  /// How often all that came before a flush has been written.
+  /// Number of flushes so far; at each of them all earlier lines have been written.
   [[nodiscard]] std::uint64_t flushes() const;
   bool wait_for_flush(std::uint64_t number, std::chrono::milliseconds limit);
 
@@ -53,7 +53,7 @@ class LogSink final : public spdlog::sinks::base_sink<std::mutex> {
   int descriptor_ = 2;
   std::atomic<bool> reopen_ = false;
   std::atomic<std::uint64_t> unwritten_ = 0;
-  std::uint64_t told_ = 0;  ///< of the lines that were dropped
+  std::uint64_t told_ = 0;  ///< dropped lines that a warning has told of
 
   mutable std::mutex flush_mutex_;
   std::condition_variable flushed_;

@@ -22,7 +22,7 @@ prometheus::Family<Metric>& family(prometheus::Registry& registry, const char* n
   return prometheus::detail::Builder<Metric>().Name(name).Help(help).Register(registry);
 }
 
-/// A figure that is read now.
+/// Adds a figure with its present value; nothing where it has none.
 void add(std::vector<MetricFamily>& out, const char* name, const char* help,
          const std::optional<double>& value, MetricType type = MetricType::Gauge) {
   if (!value) return;
@@ -31,7 +31,8 @@ void add(std::vector<MetricFamily>& out, const char* name, const char* help,
   out.push_back(std::move(each));
 }
 
-/// Counting must not fail what is counted, nor end the thread of whoever looks.
+/// Drops exceptions: counting must neither fail the work that is counted nor end a scraper's
+/// thread.
 template <typename Count>
 void count(Count&& work) noexcept {
   try {

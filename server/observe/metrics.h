@@ -11,13 +11,13 @@
 
 namespace remeshd {
 
-/// What is read anew at each look at the metrics. A source fills in what it knows; what none knows
-/// is left out.
+/// Figures that are read anew at each scrape. Each source fills in what it knows; figures that no
+/// source fills in are left out.
 struct MetricsReadings {
   std::optional<bool> ready;
   std::vector<std::pair<std::string, double>> queue_depth;  ///< by lane
   std::optional<double> computations_running;
-  std::optional<double> memory_bytes, memory_budget_bytes;  ///< of revisions held
+  std::optional<double> memory_bytes, memory_budget_bytes;  ///< of leases and revisions held
   std::optional<double> disk_bytes, disk_budget_bytes;
   std::optional<double> revisions;
   std::optional<double> connections, streams;
@@ -26,10 +26,10 @@ struct MetricsReadings {
   std::optional<double> tier_waiting;
 };
 
-/// What the making of a revision came to.
+/// Figures of how a revision was made.
 struct RevisionFigures {
   std::vector<std::pair<std::string, double>> phases;  ///< s, by name
-  std::optional<double> reuse;  ///< share of its tets that its base has too; of an edit
+  std::optional<double> reuse;  ///< of an edit: share of its tets kept from its base
   double least_dihedral = 0;    ///< degrees
 };
 
@@ -48,7 +48,8 @@ class Metrics {
 
   /// A call, or a request of a stream, has ended with this code of gRPC's.
   void call_ended(const std::string& method, const std::string& code, double seconds) noexcept;
-  /// It was refused for what the daemon allows, by the reason of its Error.
+  /// A call was refused for want of room or permission, or since the daemon ends; `reason`: that of
+  /// its Error.
   void refused(const std::string& reason) noexcept;
   void queue_waited(const std::string& lane, double seconds) noexcept;
   void computed(const RevisionFigures& figures) noexcept;
@@ -56,8 +57,9 @@ class Metrics {
   void cache_request(CacheResult result) noexcept;
   void evicted(Tier from) noexcept;
 
-  /// `source` is called at each look, by whoever looks; what it throws is dropped. In place of the
-  /// one before of this name, which is called no more once this has returned; an empty one: none.
+  /// Calls `source` at each scrape, on the scraper's thread; what it throws is dropped. Replaces
+  /// the former source of this name, which is not called any more once this has returned; an empty
+  /// one removes it.
   void set_source(const std::string& name, Source source);
 
   /// In Prometheus' text format.

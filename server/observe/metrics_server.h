@@ -7,7 +7,7 @@
 
 namespace remeshd {
 
-/// Serves metrics over HTTP, under `/metrics`, until it goes.
+/// Serves metrics over HTTP, under `/metrics`, as long as it lives.
 class MetricsServer {
  public:
   /// `address`: an IPv4 address or an IPv6 address in brackets, and a port; 0 takes a free one.

@@ -15,10 +15,11 @@ class Readiness {
   /// Told of each change between ready and not ready, one after the other. Must not call back.
   using OnChange = std::function<void(bool ready, const std::string& why_not)>;
 
-  /// Called once now, then at every change. In place of the one before; an empty one: nobody.
+  /// Calls `listener` now and at every change. Replaces the former one; an empty one: nobody is
+  /// told.
   void on_change(OnChange listener);
 
-  /// What hinders the daemon from the point of view of `input`; empty: nothing.
+  /// Sets what hinders the daemon from the point of view of `input`; empty: nothing.
   void set(const std::string& input, const std::string& why_not);
   [[nodiscard]] bool ready() const;
   /// `store: the disk is full; memory: ...`; empty while ready.

@@ -8,7 +8,8 @@
 namespace remeshd {
 namespace {
 
-// gRPC's hook takes a function alone, and calls it from threads that outlive everything.
+// gRPC's hook is a plain function, called from threads that may outlive all static objects: so the
+// target is global and never destroyed.
 struct Target {
   std::mutex mutex;
   std::shared_ptr<spdlog::logger> log;

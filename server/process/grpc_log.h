@@ -6,8 +6,8 @@
 
 namespace remeshd {
 
-/// Sends what gRPC logs by itself to `log`, or to nowhere (null). gRPC would write to stderr on the
-/// thread of whoever calls, which waits for its reader.
+/// Sends what gRPC logs by itself to `log`, or to nowhere (null). By default gRPC writes to stderr
+/// on the calling thread, which then waits for whoever reads that.
 void redirect_grpc_log(std::shared_ptr<spdlog::logger> log);
 
 }  // namespace remeshd

@@ -33,7 +33,8 @@ namespace {
 
 std::string name_of(int signal) { return signal == SIGTERM ? "SIGTERM" : "SIGINT"; }
 
-/// What does not come to rest must not keep the process: what is stored is whole at any moment.
+/// Ends the process by force after so many seconds, unless it has ended by itself: the store is
+/// consistent at any moment.
 void end_within(double seconds, Log& log) {
   std::thread([seconds, &log] {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -50,14 +51,14 @@ void warn_of_risks(const Configuration& configuration, spdlog::logger& log) {
       log.warn("{} can be reached from elsewhere, without mutual TLS", address);
 }
 
-/// civetweb takes addresses alone, and no names.
+/// civetweb takes numeric addresses, no names.
 std::string metrics_address(const std::string& text) {
   const ListenAddress address = parse_listen_address(text);
   return numeric(address.sockets.front());
 }
 
-/// Tokens that cannot be read, or whose tenants' stores cannot be opened, stay what they were: a
-/// slip locks nobody out.
+/// Reopens the log and reads the tokens anew. Where they cannot be read, or the store of a tenant
+/// cannot be opened, the old tokens stay in force: a mistake locks nobody out.
 void reload(Log& log, Doorman* doorman) {
   log.reopen();
   try {
@@ -87,7 +88,7 @@ Sharing sharing_of(const TierSettings& tier, const DesignSettings& designs,
 
 void serve(const Configuration& configuration, Engine engine) {
   const Settings& settings = configuration.settings;
-  ::umask(0077);  // what it writes is its own: revisions, log, dumps
+  ::umask(0077);  // files that it makes are its user's alone: revisions, log, dumps
   raise_descriptor_limit();
   Log log(settings.log);
   const auto logger = log.logger();

@@ -11,7 +11,7 @@
 namespace remeshd {
 
 /// Blocks SIGTERM, SIGINT and SIGHUP in this thread and those that it starts, so that a SignalWatch
-/// alone sees them, and ignores SIGPIPE. First thing in the process.
+/// alone sees them, and ignores SIGPIPE. To be called first in the process.
 void block_signals();
 
 /// Hears the signals of the process on a thread of its own.
@@ -21,7 +21,7 @@ void block_signals();
 /// and a second ends the process at once with 128 plus its number. SIGHUP calls `reload`.
 class SignalWatch {
  public:
-  /// `before_exit`: done before the process is ended here; must not block for long.
+  /// `before_exit`: called before this class ends the process; must not block for long.
   SignalWatch(std::function<void()> reload, std::function<void(int signal)> before_exit);
   ~SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
@@ -29,7 +29,7 @@ class SignalWatch {
 
   /// From now on a first signal does not end the process by itself.
   void serving();
-  /// Returns the signal that is to end the daemon.
+  /// Waits for the signal that is to end the daemon and returns it. To be called once.
   int wait_for_end();
 
  private:

@@ -13,14 +13,15 @@ namespace {
 
 using remesh::v1::ArrayDelta;
 
-// What a run costs beside its rows: kind, count and start as numbers of varying length.
+// What a run costs beside its rows: kind, count and start as varints.
 constexpr std::size_t kRunBytes = 8;
-// Rows that are found elsewhere must be told apart by more than a small number.
+// Shorter rows are not searched for in the base: small numbers recur everywhere.
 constexpr std::size_t kLeastBytesToFind = 8;
-// Rows that went elsewhere come in numbers: a few new ones are not worth a search.
+// Rows without a run before the base is searched: rows that moved come in long runs, and a few new
+// ones are not worth a search.
 constexpr std::size_t kRowsBeforeSearch = 8;
 
-/// Where rows stand, by their bytes. Of rows that are the same, the first.
+/// Hash table of rows by their bytes: the index of the first row of these bytes.
 class RowIndex {
  public:
   RowIndex(std::string_view rows, std::size_t row)
@@ -41,7 +42,7 @@ class RowIndex {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   [[nodiscard]] std::string_view at(std::size_t k) const { return rows_.substr(k * row_, row_); }
-  /// That of the row, or a free one.
+  /// The place of the row, or the free one where it would go.
   [[nodiscard]] std::size_t place_of(std::string_view row) const {
     std::size_t place = std::hash<std::string_view>()(row) & (table_.size() - 1);
     while (table_[place] != kNone && at(table_[place]) != row)
@@ -93,8 +94,8 @@ class Encoder {
     return rows.substr(k * row_, row_);
   }
 
-  /// The run that makes most rows from here on; none where their own bytes are fewer than those of
-  /// a run.
+  /// The run that covers most rows from `at_` on; an empty one where it would take more bytes than
+  /// the rows themselves.
   Run best() {
     Run best = copy(shift_);
     const auto take = [&](const Run& other) {
@@ -114,7 +115,7 @@ class Encoder {
     return run.rows > told && (run.rows - told) * row_ > kRunBytes;
   }
 
-  /// Rows that are the base's, so many rows further on.
+  /// The run of rows that equal the base's rows `shift` further on.
   [[nodiscard]] Run copy(std::int64_t shift) const {
     const std::int64_t from = static_cast<std::int64_t>(at_) + shift;
     if (from < 0 || static_cast<std::size_t>(from) >= base_rows_) return {};
@@ -165,7 +166,7 @@ class Encoder {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
   }
 
-  /// From where the base has the row that comes now.
+  /// A copy from where the base has the row at `at_`; empty where it has not.
   Run found() {
     if (row_ < kLeastBytesToFind || base_rows_ == 0) return {};
     if (!index_) index_.emplace(base_, row_);
@@ -193,7 +194,7 @@ class Encoder {
   const std::size_t rows_, base_rows_;
   std::optional<RowIndex> index_;  ///< of the base, once needed
   std::size_t at_ = 0;
-  std::size_t own_ = 0;     ///< rows before `at_` that no run has made yet
+  std::size_t own_ = 0;     ///< rows before `at_` that no run covers, not written yet
   std::int64_t shift_ = 0;  ///< of the last copy
   ArrayDelta delta_;
 };

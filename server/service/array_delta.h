@@ -7,12 +7,12 @@
 
 namespace remeshd {
 
-/// What makes an array of the base's array of the same name, as ArrayDelta in mesh.proto says. Runs
-/// of rows are copied from where they were in the base, or from wherever they are found there;
-/// numbers that repeat or count up are told as such. A run is only told where it takes fewer bytes
-/// than its rows.
+/// The difference by which the base's array of the same name becomes this one, as ArrayDelta in
+/// mesh.proto says. Runs of rows are copied from where they were in the base, or from wherever they
+/// are found there; numbers that repeat or count up are encoded as such. A run is used only where
+/// it takes fewer bytes than its rows.
 ///
-/// Pre: `array` is one of numbers; `bytes` and `base` are whole rows of it.
+/// Pre: `array` is numeric; `bytes`, its data, and `base`, those of the base's, are whole rows.
 remesh::v1::ArrayDelta delta_of(const MeshArray& array, std::string_view bytes,
                                 std::string_view base);
 

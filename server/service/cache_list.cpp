@@ -14,7 +14,7 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-/// What a list in this order goes by.
+/// The sort key of an entry in this order.
 std::int64_t key_of(const CacheEntry& entry, v1::CacheOrder order) {
   switch (order) {
     case v1::CACHE_ORDER_UNSPECIFIED:

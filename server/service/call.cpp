@@ -58,7 +58,8 @@ void parse(google::protobuf::io::ZeroCopyInputStream& bytes, google::protobuf::M
   if (!message.ParseFromZeroCopyStream(&bytes)) throw damaged();
 }
 
-/// What a client chose goes into the log without line breaks, and not without end.
+/// A client's text as it goes into the log: 128 bytes at most, without blanks and control
+/// characters.
 std::string loggable(std::string text) {
   if (text.size() > 128) text.resize(128);
   for (char& c : text)
@@ -75,7 +76,7 @@ std::string trace_parent_of(const grpc::ServerContextBase& context) {
   return is_trace_parent(text) ? std::string(text) : "";
 }
 
-/// What the client sent to show whose it is, if anything.
+/// The client's `authorization` metadata, where it sent any.
 std::optional<std::string_view> authorization_of(const grpc::ServerContextBase& context) {
   const auto& metadata = context.client_metadata();
   const auto sent = metadata.find("authorization");
@@ -83,7 +84,7 @@ std::optional<std::string_view> authorization_of(const grpc::ServerContextBase& 
   return std::string_view(sent->second.data(), sent->second.size());
 }
 
-/// Counts the end of a call, and that it was refused where that is what its code says.
+/// Counts the end of a call, and counts it as a refusal where its code is one.
 void count(Metrics& metrics, const std::string& method, const std::string& code,
            const std::string& reason, double seconds) noexcept {
   metrics.call_ended(method, code, seconds);
@@ -95,7 +96,7 @@ void count(Metrics& metrics, const std::string& method, const std::string& code,
 }  // namespace
 
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message) {
-  // Straight into what gRPC sends: a mesh's part is a megabyte.
+  // Serialised straight into the slice that gRPC sends: a mesh's part is a megabyte.
   const std::size_t size = message.ByteSizeLong();
   const grpc::Slice slice(grpc_slice_malloc_large(size), grpc::Slice::STEAL_REF);
   google::protobuf::io::ArrayOutputStream stream(const_cast<std::uint8_t*>(slice.begin()),
@@ -202,7 +203,7 @@ void CallRecord::end() noexcept try {
 
 grpc::ServerUnaryReactor* refuse(grpc::CallbackServerContext& context, CallRecord& record,
                                  const Error& why) noexcept {
-  // gRPC runs the end of its own reactor where the call came in, of others on another thread.
+  // gRPC ends its default reactor on the thread on which the call came in, others on another one.
   grpc::ServerUnaryReactor* const reactor = context.DefaultReactor();
   const grpc::Status status = to_status(why);
   add_pushback(why, context);
@@ -269,12 +270,12 @@ void UnaryCall::OnCancel() {
 void UnaryCall::OnDone() {
   record_->end();
   {
-    // The actions may hold what holds this call.
+    // The actions may hold shared_ptrs to this call.
     const std::scoped_lock lock(mutex_);
     done_ = true;
     on_cancel_.clear();
   }
-  // The last hold may be this one.
+  // This may be the last shared_ptr to the call.
   const auto self = std::move(self_);
 }
 

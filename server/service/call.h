@@ -42,10 +42,11 @@ class CallRecord {
  public:
   CallRecord(FrontDeskPtr desk, std::string method, const grpc::ServerContextBase& context);
 
-  /// Lets the call in; it counts as under way until it has ended. Before anything is done for it.
+  /// Lets the call in: finds its tenant and passes the gate; it counts as under way until `end`. To
+  /// be called before anything is done for it.
   /// Throws what Doorman::tenant_of and CallGate::enter throw.
   void admit(const grpc::ServerContextBase& context);
-  /// The same for a stream, of which each request counts by itself: `enter`.
+  /// For a stream: finds its tenant only. Each of its requests passes the gate by itself (`enter`).
   void admit_stream(const grpc::ServerContextBase& context);
   /// For a stream that goes on: the file of tokens may have been read anew since it was let in.
   /// Throws what Doorman::check_again throws.
@@ -57,9 +58,9 @@ class CallRecord {
 
   void set_request_id(std::string id);
   void set_status(const grpc::Status& status, const std::string& reason = {}) noexcept;
-  /// For the calls that do more than one thing: what they did.
+  /// Adds `note`, `name=value` words that say what the call did, to the log's line.
   void set_note(std::string note);
-  /// The call keeps its connection busy for as long as its client likes.
+  /// Counts the call as an open stream until `end`.
   void count_as_stream();
   /// A request of a stream has ended.
   void count_request(grpc::StatusCode code, const std::string& reason,
@@ -82,8 +83,8 @@ class CallRecord {
   std::string request_id_, reason_, note_;
 };
 
-/// Ends a unary call for which nothing was begun: at a fraction of what a UnaryCall takes, for
-/// there may be very many.
+/// Ends a unary call for which nothing was begun, at a fraction of the cost of a UnaryCall: there
+/// may be very many.
 grpc::ServerUnaryReactor* refuse(grpc::CallbackServerContext& context, CallRecord& record,
                                  const Error& why) noexcept;
 
@@ -112,18 +113,18 @@ class UnaryCall final : public grpc::ServerUnaryReactor,
             std::shared_ptr<CallRecord> record)
       : context_(context), reply_(reply), record_(std::move(record)) {}
 
-  /// Ends the call; only the first of these has an effect.
+  /// Ends the call. Of `reply`, `fail` and `give_up` only the first has an effect.
   void reply(const google::protobuf::Message& message);
   void fail(const Error& error) noexcept;
-  /// Without the memory for an Error.
+  /// As `fail`, where there is no memory for an Error.
   void give_up() noexcept;
 
-  /// What to do when the client cancels or its deadline passes, beside what was told before; done
-  /// at once where it has already. Nothing once the call is done.
+  /// Adds an action for when the client cancels or its deadline passes; called at once where that
+  /// has happened already, never once the call is done.
   void on_cancel(std::function<void()> action);
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
-  /// Asks what works for the call to stop.
+  /// Asks the work for this call to stop.
   void stop() { stop_.request_stop(); }
   CallRecord& record() { return *record_; }
 

@@ -5,7 +5,7 @@
 
 namespace remeshd {
 
-/// Counts what a command made, where it was made for it.
+/// Counts in the metrics the revision that a command made, unless it existed already.
 void count_made(const FrontDesk& desk, const Made& made);
 
 }  // namespace remeshd

@@ -40,7 +40,7 @@ ModelSource model_of(const Request& request, const DocumentLimits& limits) {
   }
 }
 
-/// Likewise the edit, as a message.
+/// The edit, as a message, of any request that has it as a message or as text.
 template <typename Request>
 v1::ModelEdit edit_of(const Request& request, const DocumentLimits& limits) {
   switch (request.edit_choice_case()) {

@@ -10,7 +10,7 @@
 
 namespace remeshd {
 
-/// Requests as the session understands them. A model or an edit may come as a message or as the
+/// Translates requests into the session's terms. A model or an edit may come as a message or as the
 /// text of a document, which is read here; `limits` say how long it may be.
 ///
 /// All throw Error(InvalidArgument) for what cannot be right.

@@ -96,7 +96,7 @@ Scalar scalar_of(const Value& value, const DocumentPlace& place) {
   if (value.kind_case() != Value::kNumberValue)
     throw error::wrong_kind(place, "a number or an expression", kind_of(value));
   if (!std::isfinite(value.number_value())) throw error::not_finite(place);
-  return value.number_value() + 0.0;  // zero without a sign, as documents tell it
+  return value.number_value() + 0.0;  // -0 becomes 0, as in documents
 }
 
 std::array<Scalar, 3> triple_of(const Values& values, const DocumentPlace& place) {

@@ -86,7 +86,7 @@ void EditStream::answering(std::uint64_t turn, Work&& work) noexcept {
   if (answered) return;
   {
     const std::scoped_lock lock(mutex_);
-    queue_.answer(turn, {});  // closed, so that it keeps no reply
+    queue_.answer(turn, {});  // `safely` has closed the queue: it keeps no reply
     request_ = nullptr;
     pass_.reset();
   }
@@ -148,7 +148,8 @@ void EditStream::cancel_by_id(const std::string& id) {
 }
 
 void EditStream::begin() {
-  // Here and not where it is read: requests that were sent ahead are not carried out either.
+  // Checked here and not on reading: requests that were sent ahead are not to be carried out
+  // either.
   try {
     record_->check_still_admitted(*context_);
   } catch (const Error& why) {

@@ -27,8 +27,8 @@ namespace remeshd {
 class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public std::enable_shared_from_this<EditStream> {
  public:
-  /// A stream that is not let in ends at once. Which tenant it is of is settled for all its
-  /// requests: where its token does not count for that tenant any more, it ends in place of its
+  /// A stream that is not let in ends at once. Its tenant is the same for all its requests: where
+  /// its token is not valid for that tenant any more, the stream ends instead of carrying out its
   /// next request.
   static grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* start(
       Tenants& tenants, const RequestLimits& limits, grpc::CallbackServerContext* context,
@@ -48,7 +48,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 
   // What is read.
   void take();
-  /// Fills in what `incoming_` asks for; false for a cancellation, which is done at once.
+  /// Fills in `request` from `incoming_`; false for a cancellation, which is carried out at once.
   bool read(Request& request);
   void cancel_by_id(const std::string& id);
 
@@ -56,8 +56,8 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void begin();
   void begin_next();
   void hand_over(Request& request);
-  /// What a request asks for; its bytes are let go of. Throws what is wrong with it.
-  /// `mesh`: gets what of the mesh is wanted, if any is.
+  /// The command in the bytes of a request, which are freed. `mesh` gets the request's selection of
+  /// the mesh to send, if it has one. Throws Error: what is wrong with the request.
   Command command(std::string& bytes, std::optional<remesh::v1::MeshSelection>& mesh);
   Listener listener(std::uint64_t turn, const std::string& id, SelectionPtr mesh);
   void answer(std::uint64_t turn, const std::string& id, remesh::v1::EditStreamResponse reply,
@@ -76,7 +76,7 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   /// An exception that no request can be told of closes the stream.
   template <typename Work>
   void safely(Work&& work) noexcept;
-  /// The same for the work that answers a request, which then has no answer.
+  /// The same for the work that answers request `turn`; after an exception that gets no answer.
   template <typename Work>
   void answering(std::uint64_t turn, Work&& work) noexcept;
 
@@ -86,17 +86,17 @@ class EditStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   const std::shared_ptr<CallRecord> record_;
   std::shared_ptr<EditStream> self_;
 
-  // Touched by the one reading or writing only.
+  // Used by the one read, and the one write, under way only.
   grpc::ByteBuffer incoming_, outgoing_;
 
   std::mutex mutex_;
   StreamQueue queue_;
   MakeRequestPtr request_;  ///< at work; null until the session has returned it
-  CallGate::Pass pass_;  ///< of the one at work: an idle stream does not hold the daemon's end up
-  std::chrono::steady_clock::time_point began_;  ///< the one at work
+  CallGate::Pass pass_;     ///< of the request at work: an idle stream does not delay shutdown
+  std::chrono::steady_clock::time_point began_;  ///< when the request at work was begun
   bool cancel_at_work_ = false;
-  /// What an edit without a base is made of: the design of the last result, or that where it is in
-  /// none.
+  /// The base of an edit that names neither base nor design: the design of the last result, or the
+  /// id of that result where it is in no design.
   std::string next_base_;
   int acting_ = 0;  ///< actions under way that `advance` decided on
   bool beginning_ = false;

@@ -8,7 +8,7 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-/// Of an even mesh no rule holds, so none is told.
+/// No rule of the size field holds for an even mesh, so none is told.
 void put(const Sizing& sizing, v1::Sizing& out) {
   out.set_even(sizing.even);
   if (sizing.even) return;
@@ -51,7 +51,7 @@ v1::MeshOptions encode(const MeshOptions& options) {
 
 std::string in_one_line(const MeshOptions& options) {
   std::string line;
-  // No text of it has a line's end of its own.
+  // No value of the options has a line break of its own.
   for (const char c : write_json(encode(options), {.write_zeros = false})) {
     if (c == '\n') continue;
     const bool indents = c == ' ' && (line.ends_with(' ') || line.ends_with('{'));

@@ -18,10 +18,10 @@ void put_time(std::int64_t ns, google::protobuf::Timestamp& out);
 /// The session's values as messages.
 remesh::v1::RevisionInfo encode(const RevisionRecord& record, const PlaceRecord& place);
 remesh::v1::RevisionResult encode(const Made& made, const std::string& request_id);
-/// `documents`: model and edit as text too.
 remesh::v1::MeshOptions encode(const MeshOptions& options);
-/// The options as JSON without a line's end.
+/// The options as JSON in one line.
 std::string in_one_line(const MeshOptions& options);
+/// `documents`: model and edit as text too.
 remesh::v1::GetRevisionResponse encode(const Description& description, bool documents);
 remesh::v1::DesignPlace encode(const PlaceRecord& place);
 remesh::v1::DesignInfo encode(const DesignRecord& design);

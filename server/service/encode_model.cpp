@@ -49,7 +49,7 @@ Value& add_parameter(const std::string& name, v1::Feature& out) {
   return *parameter.mutable_value();
 }
 
-/// In the order of the type's table; what does not stand there, by name behind it.
+/// Puts parameters in the order of the type's table, then those that it lacks, by name.
 void put_parameters(const FeatureSource& source, v1::Feature& out) {
   auto left = source.parameters;
   bool profile_left = source.profile.has_value();

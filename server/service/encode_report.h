@@ -6,7 +6,7 @@
 
 namespace remeshd {
 
-/// The report of a revision, with the figures of its groups; `cached` is left to the answer.
+/// The report of a revision, with the figures of its groups; the caller sets `cached`.
 remesh::v1::Report encode_report(const HeldRevision& held);
 remesh::v1::Warning encode(const Warning& warning);
 

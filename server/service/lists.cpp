@@ -17,7 +17,7 @@ int rows_of(std::uint32_t wanted) {
   return static_cast<int>(wanted == 0 ? limits::kListRows : std::min(wanted, limits::kListRows));
 }
 
-/// Nanoseconds since 1970; times before or after what these can tell become the first or last.
+/// Nanoseconds since 1970; times out of their range are clamped to it.
 std::int64_t ns_of(const google::protobuf::Timestamp& time) {
   constexpr std::int64_t kNano = 1000000000;
   // A message may have any 32 bits for nanoseconds: up to three seconds more or less.
@@ -73,7 +73,7 @@ DesignOrder order_of(v1::DesignOrder order) {
   }
 }
 
-/// The first `limit` of rows that one more was asked for of; true if it was there.
+/// Cuts rows, of which `limit` + 1 were asked for, to `limit`; whether there were more.
 template <typename Rows>
 bool cut(Rows& rows, int limit) {
   if (rows.size() <= static_cast<std::size_t>(limit)) return false;

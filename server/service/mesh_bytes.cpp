@@ -17,7 +17,7 @@ namespace {
 namespace v1 = remesh::v1;
 namespace wire = google::protobuf::internal;
 
-/// What stands before a field of `size` bytes.
+/// Tag and length of a field of `size` bytes.
 std::string field_head(int number, std::size_t size) {
   std::string head;
   {
@@ -29,7 +29,7 @@ std::string field_head(int number, std::size_t size) {
   return head;
 }
 
-/// A slice that keeps the owner of its bytes.
+/// A slice of bytes that are not copied; it keeps their owner alive.
 grpc::Slice slice_of(std::string_view bytes, const std::shared_ptr<const void>& owner) {
   using Owner = std::shared_ptr<const void>;
   auto kept = std::make_unique<Owner>(owner);
@@ -41,8 +41,8 @@ grpc::Slice slice_of(std::string_view bytes, const std::shared_ptr<const void>& 
   return slice;
 }
 
-/// The fields of the part, then its data: readers take fields in any order. `field`: the message's
-/// number in the reply.
+/// Writes the other fields of the part before its data: readers of protobuf take fields in any
+/// order. `field`: number of the mesh message's field in the reply.
 template <typename Reply>
 grpc::ByteBuffer bytes_of(Reply& reply, int field, const PartData& data) {
   if (!reply.mesh().has_part()) return to_bytes(reply);

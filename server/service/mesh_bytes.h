@@ -8,8 +8,9 @@
 
 namespace remeshd {
 
-/// Bytes of a reply with a message of a mesh, whose data go to gRPC as they lie in memory: copies
-/// take longer than all the rest of a stream. `data`: of its part. Takes the mesh out of the reply.
+/// Serialises a reply that has a message of a mesh. `data`, those of its part, go to gRPC as they
+/// lie in memory: copies take longer than all the rest of a stream. Clears the mesh of a reply with
+/// a part.
 grpc::ByteBuffer mesh_bytes(remesh::v1::GetMeshResponse& reply, const PartData& data);
 grpc::ByteBuffer mesh_bytes(remesh::v1::EditStreamResponse& reply, const PartData& data);
 

@@ -8,7 +8,7 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-/// Messages until the client has to take them first.
+/// Sends messages until enough of them wait for the client, and goes on once it has taken them.
 void write(const std::shared_ptr<MessageStream>& stream,
            const std::shared_ptr<MeshMessages>& messages) {
   const auto go_on = [stream, messages] { write(stream, messages); };
@@ -27,7 +27,7 @@ void begin(const std::shared_ptr<MessageStream>& stream, Session& session,
   const HeldRevisionPtr parent =
       request.selection().delta() ? session.parent_of(*revision, run) : nullptr;
   const auto messages = std::make_shared<MeshMessages>(revision, parent, request.selection());
-  // After what was read, whose memory may be all that there is.
+  // Leased after the reads above have returned their memory, which may be the whole budget.
   stream->keep(session.take_reply_memory(messages->own_bytes(), run.stop));
   if (request.has_resume_from()) messages->resume_from(request.resume_from());
   write(stream, messages);

@@ -22,11 +22,12 @@ struct Format {
 constexpr Format kFormats[] = {
     {"vtu", client::to_vtu}, {"msh", client::to_msh}, {"inp", client::to_inp}, {"step", nullptr}};
 
-/// Peak of a writer by the bytes of the arrays: the copy of the mesh, and the file, which has up to
-/// 2.2 times as many, with the room that its text had before it grew last and what is copied of it.
+/// Peak memory of a writer, x the bytes of the arrays: the copy of the mesh, and the file, which
+/// has up to 2.2 times as many, also while its string grows and both its old and its new buffer
+/// exist.
 constexpr std::uint64_t kPeakShare = 6;
 
-/// Of a model's file: 25 MB was measured for 80 faces.
+/// Peak memory of writing a model's file, and more for each face: 25 MB was measured for 80 faces.
 constexpr std::uint64_t kModelBytes = 16U << 20U, kFaceBytes = 512U << 10U;
 
 /// The mesh as a client has it that received all its arrays.

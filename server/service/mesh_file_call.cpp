@@ -20,7 +20,7 @@ struct Sending {
   std::size_t sent = 0;
 };
 
-/// Parts until the client has to take them first.
+/// Sends parts until enough of them wait for the client, and goes on once it has taken them.
 void write(const std::shared_ptr<MessageStream>& stream, const std::shared_ptr<Sending>& sending) {
   const auto go_on = [stream, sending] { write(stream, sending); };
   const std::string& file = sending->file;

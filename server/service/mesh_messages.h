@@ -11,31 +11,31 @@
 
 namespace remeshd {
 
-/// The data of a part, in pieces that lie in memory as long as there is an owner.
+/// The data of a part, in pieces of memory that `owner` keeps alive.
 struct PartData {
   std::vector<std::string_view> pieces;
   std::size_t bytes = 0;
   std::shared_ptr<const void> owner;
 };
 
-/// The messages of a mesh, one after the other: header, parts, end. Arrays stay where they
-/// lie in the revision's memory, their differences to the parent's are worked out at once; the same
+/// The messages of a mesh, one after the other: header, parts, end. Arrays are not copied out of
+/// the revision; their deltas against the parent's are computed by the constructor. The same
 /// revision and selection give the same messages.
 class MeshMessages {
  public:
-  /// Works out deltas, and what digests of the arrays are not known yet: not for a thread that
-  /// others wait for. `parent`: what a delta is against; null: the mesh comes whole.
+  /// Computes deltas, and digests of arrays that are not known yet, which takes time: not for a
+  /// thread that must not be kept. `parent`: the base of deltas; null: the mesh comes whole.
   /// Throws what `check_selection` throws.
   MeshMessages(HeldRevisionPtr revision, const HeldRevisionPtr& parent,
                const remesh::v1::MeshSelection& selection);
 
-  /// Leaves out what stands before a place in the data. Pre: nothing was taken yet.
-  /// Throws Error: OPTIONS_INVALID where the selection has no such place.
+  /// Leaves out the data before a position. Pre: `next` was not called yet.
+  /// Throws Error: OPTIONS_INVALID where the selection has no such position.
   void resume_from(const remesh::v1::MeshPosition& position);
 
-  /// Fills in the next message, of a part all but its data; false after the last.
+  /// Fills in the next message; the data of a part go to `data` only. False after the last message.
   bool next(remesh::v1::MeshMessage& message, PartData& data);
-  /// What they take in memory beside the revision.
+  /// Bytes that the messages take in memory beside the revision.
   [[nodiscard]] std::uint64_t own_bytes() const;
   /// Whether the last message was taken.
   [[nodiscard]] bool ended() const { return ended_; }
@@ -57,7 +57,7 @@ class MeshMessages {
   void put_header(remesh::v1::MeshHeader& header) const;
   void put_part(remesh::v1::MeshPart& part, PartData& data);
 
-  std::shared_ptr<Content> content_;  ///< of it, once complete, parts take their data
+  std::shared_ptr<Content> content_;  ///< owns the data of parts; not changed after construction
   std::string base_;                  ///< id of the parent, where an array needs it
   bool begun_ = false, ended_ = false;
   std::size_t array_ = 0;     ///< next part: in which array

@@ -42,7 +42,7 @@ void MessageStream::keep(MemoryBudget::Lease memory) {
 }
 
 void MessageStream::OnWriteDone(bool ok) {
-  const auto self = shared_from_this();  // `Finish` may end the call while the lock is held
+  const auto self = shared_from_this();  // `Finish` may lead to OnDone while the lock is held
   std::function<void()> go_on;
   {
     const std::scoped_lock lock(mutex_);
@@ -83,7 +83,7 @@ void MessageStream::drop_waiting() noexcept {
 
 void MessageStream::end(const grpc::Status& status, const std::string& reason) noexcept {
   const auto self = weak_from_this().lock();  // as in OnWriteDone
-  std::function<void()> dropped;              // it may hold what holds this
+  std::function<void()> dropped;              // released after the lock: it may hold this
   const std::scoped_lock lock(mutex_);
   if (std::exchange(ended_, true)) return;
   dropped.swap(go_on_);

@@ -39,23 +39,23 @@ class MessageStream final : public grpc::ServerWriteReactor<grpc::ByteBuffer>,
   void send(const google::protobuf::Message& message) { send(to_bytes(message)); }
   /// Whether nothing waits for the client.
   [[nodiscard]] bool all_taken() const;
-  /// Whether no more may be sent: so much waits, or the call has ended. If so, `go_on` is called
-  /// once the client has taken enough, by a thread of gRPC that must not be kept; never where the
-  /// call ends before.
+  /// True where no more is to be sent now: `limits::kUntakenBytes` wait for the client, or the call
+  /// has ended. Then `go_on` is called once the client has taken enough, by a thread of gRPC that
+  /// must not be kept; never where the call ends before.
   bool wait_for_client(std::function<void()> go_on);
-  /// What the messages take of the memory budget, until the call has ended.
+  /// Keeps the lease of the messages' memory until the call has ended.
   void keep(MemoryBudget::Lease memory);
 
   /// Ends the call once everything is sent. Only the first end has an effect.
   void end() noexcept { end(grpc::Status::OK); }
   /// The same with an error; what the client has not been sent yet is dropped.
   void fail(const Error& why) noexcept;
-  /// Without the memory for an Error.
+  /// As `fail`, where there is no memory for an Error.
   void give_up() noexcept;
 
   /// Stops when the client cancels or its deadline passes.
   [[nodiscard]] std::stop_token stop_token() const { return stop_.get_token(); }
-  /// Asks what works for the call to stop.
+  /// Asks the work for this call to stop.
   void stop() { stop_.request_stop(); }
   CallRecord& record() { return *record_; }
 

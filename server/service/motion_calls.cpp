@@ -18,10 +18,10 @@ namespace {
 namespace v1 = remesh::v1;
 
 constexpr double kMostHold = 10;              // x edge length, as of MeshOptions.hold
-constexpr std::size_t kMostParameters = 100;  // of one request: each has vectors, or takes edits
+constexpr std::size_t kMostParameters = 100;  // of one request: each costs vectors or trial edits
 
-/// Those asked for; else those of the model that may have any value. Throws Error: OPTIONS_INVALID
-/// where these are too many.
+/// The parameters asked for; if none are, those of the model that are not integers. Throws Error:
+/// OPTIONS_INVALID where these are too many.
 template <typename Request>
 std::vector<std::string> parameters_of(const Request& request, const ModelSource& source) {
   std::vector<std::string> names(request.parameters().begin(), request.parameters().end());
@@ -37,13 +37,13 @@ std::size_t nodes_of(const OutputMesh& mesh) {
   return mesh.mesh.nodes.size() + mesh.mids.positions.size();
 }
 
-/// What working out velocities takes beside its result: a row of links for each node.
+/// Bytes that computing velocities takes beside its result: a row of links for each node.
 std::uint64_t memory_of_motion(const OutputMesh& mesh) {
   constexpr std::uint64_t kOfTet = 400, kOfNode = 500;
   return kOfTet * mesh.mesh.tets.size() + kOfNode * nodes_of(mesh);
 }
 
-/// Velocities, then what is undefined, little-endian as this machine has them.
+/// The velocities, then a flag for each node where they are undefined, little-endian as in memory.
 std::string bytes_of(const NodalVelocities& velocities) {
   const std::size_t bytes = velocities.velocities.size() * sizeof(Vec3);
   std::string out(bytes + velocities.undefined.size(), '\0');
@@ -58,7 +58,7 @@ struct SendingVelocities {
   std::size_t parameter = 0, sent = 0;
 };
 
-/// Parts until the client has to take them first.
+/// Sends parts until enough of them wait for the client, and goes on once it has taken them.
 void write_velocities(const std::shared_ptr<MessageStream>& stream,
                       const std::shared_ptr<SendingVelocities>& sending) {
   const auto go_on = [stream, sending] { write_velocities(stream, sending); };

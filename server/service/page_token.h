@@ -7,13 +7,14 @@
 
 namespace remeshd {
 
-/// What a list is, so that a token of one is none of another: its kind, filter and order.
+/// Identifies a list by its kind, filter and order, so that a token of one list is not valid for
+/// another.
 class ListIdentity {
  public:
   ListIdentity(const char* kind, const google::protobuf::Message& filter, int order,
                bool descending);
 
-  /// The token that stands for the row after the one with this key.
+  /// The token of the page that begins after the row with this key.
   [[nodiscard]] std::string token(std::int64_t value, const std::string& id, std::uint32_t number,
                                   const std::string& name) const;
 

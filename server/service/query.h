@@ -16,9 +16,9 @@ struct QueryKind {
   Lane lane;
 };
 
-/// A call that `work(call, session, request)` replies to, at once or later, with the session of its
-/// tenant; it is called in a lane, where the request is read too. The call is withdrawn when its
-/// client goes away before it had its turn.
+/// A call to which `work(call, session, request)` replies, at once or later; `session` is that of
+/// the call's tenant. The request is read, and `work` called, in the lane of `kind`. The call is
+/// withdrawn when its client goes away before its turn.
 template <typename Request, typename Work>
 grpc::ServerUnaryReactor* work_on_query(Tenants& tenants, const ServiceOptions& options,
                                         QueryKind kind, grpc::CallbackServerContext* context,
@@ -53,7 +53,7 @@ grpc::ServerUnaryReactor* work_on_query(Tenants& tenants, const ServiceOptions& 
   return call.get();
 }
 
-/// The same of a call whose reply `answer(session, request, run)` gives.
+/// The same for a call whose reply `answer(session, request, run)` returns.
 template <typename Request, typename Answer>
 grpc::ServerUnaryReactor* answer_query(Tenants& tenants, const ServiceOptions& options,
                                        QueryKind kind, grpc::CallbackServerContext* context,

@@ -37,15 +37,15 @@ OptionsPatch all_of(const MeshOptions& options) {
           .sizing = all_of(options.sizing)};
 }
 
-/// Whether it says that a revision cannot be built on as it is.
+/// Whether an error says that the mesh of a revision cannot be had any more.
 bool is_lost(const Error& failure) {
   const std::string& reason = failure.info().reason;
   return reason == "REVISION_OUTDATED" || reason == "NOT_REPRODUCIBLE" ||
          reason == "STORE_CORRUPTED" || reason == "REVISION_NOT_FOUND";
 }
 
-/// Goes back from a recipe to the first one whose parent can be had, then follows the recipes one
-/// after the other, each on what the one before gave.
+/// Goes back from a recipe to the first one whose parent can be had, then carries the recipes out
+/// one after the other, each as an edit of the revision before.
 class Remaking final : public MakeRequest, public std::enable_shared_from_this<Remaking> {
  public:
   using OnMade = std::function<void(const Made&, const std::vector<std::string>&)>;
@@ -89,8 +89,8 @@ class Remaking final : public MakeRequest, public std::enable_shared_from_this<R
  private:
   void base_failed(const std::string& parent, const Error& why) {
     if (!is_lost(why)) return fail(why);
-    // As work of its own: this may be a thread that others wait for, and a chain of ancestors may
-    // be longer than a stack is deep.
+    // Queued as work of its own: this may be a thread that must not be kept, and recursion along a
+    // long chain of ancestors would overflow the stack.
     catching(
         [&] {
           session_.later(

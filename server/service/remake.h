@@ -9,10 +9,11 @@
 
 namespace remeshd {
 
-/// Makes a new revision of a recipe with the algorithm of today: of the parent where that can be
-/// had, else of one that was made anew for it in the same way. `made` hears of the revision and of
-/// the ids of the ancestors made for it, the furthest first. For the lane of preparations; a parent
-/// whose mesh has gone is made again elsewhere, and what comes after goes on by itself.
+/// Makes a new revision from the recipe of the one that the request names, with the algorithm of
+/// today: as an edit of its parent where the mesh of that can be had, else of a new revision that
+/// is made for the parent in the same way. `made` hears of the revision and of the ids of the
+/// ancestors made for it, the furthest first. For the lane of preparations; does not wait: a parent
+/// whose mesh has gone is fetched, and the steps after that are taken, by other threads.
 ///
 /// Throws Error: what names no revision, or one without a recipe.
 MakeRequestPtr remake(

@@ -10,7 +10,7 @@ namespace remeshd {
 /// What a request may be at most.
 struct RequestLimits {
   std::size_t message_bytes = limits::kRequestBytes;
-  DocumentLimits document;  ///< of text in it
+  DocumentLimits document;  ///< of a model or edit that comes as text
 };
 
 }  // namespace remeshd

@@ -13,7 +13,8 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-// Together below the 4 KB that an error may have; beyond 7 KB gRPC drops it altogether.
+// Bytes of the parts of an error, together below the 4 KB that it may have; beyond 7 KB gRPC drops
+// it altogether.
 constexpr std::size_t kLongText = 500;
 constexpr std::size_t kShortText = 160;
 constexpr std::size_t kAllTexts = 400;  // of a list of names

@@ -23,7 +23,7 @@ class ReplySource {
   virtual grpc::ByteBuffer next() = 0;
   /// Whether `next` has given the last.
   [[nodiscard]] virtual bool ended() const = 0;
-  /// What it takes in memory, beside a revision's.
+  /// Bytes that it takes in memory beside the revision.
   [[nodiscard]] virtual std::uint64_t own_bytes() const { return 0; }
 };
 using ReplySourcePtr = std::shared_ptr<ReplySource>;
@@ -59,8 +59,8 @@ class StreamQueue {
   /// Whether another message may be read. It may have any size: the bounds are passed by one
   /// message at most.
   [[nodiscard]] bool may_read() const;
-  /// Whether the memory budget has room for a request of so many bytes; it is kept for the request
-  /// that is added next.
+  /// Leases memory for a request of so many bytes, which is to be added next; false where the
+  /// budget has no room.
   [[nodiscard]] bool make_room(std::size_t bytes);
   void add(Request request);
 
@@ -68,16 +68,16 @@ class StreamQueue {
   [[nodiscard]] bool may_begin() const;
   /// Takes the first waiting request; it is at work until `answer`. Pre: `may_begin`.
   Request begin();
-  /// The bytes of the one at work are gone.
+  /// The bytes of the request at work have been freed.
   void decoded();
 
-  /// Marks all waiting requests of this id. True if the one at work has it.
+  /// Marks all waiting requests of this id as cancelled. True if the request at work has the id.
   bool cancel(const std::string& id);
   /// Whether the request begun as number `turn` is still at work.
   [[nodiscard]] bool at_work(std::uint64_t turn) const { return at_work_ && turn_ == turn; }
 
-  /// A client that reads slowly gets the latest event instead of all of them, and none of a request
-  /// that has ended.
+  /// Adds a progress event of request `turn`. A client that reads slowly gets the latest event
+  /// instead of all of them, and none of a request that has ended.
   void progress(std::uint64_t turn, grpc::ByteBuffer reply);
   /// Ends the request at work; false, and nothing done, if it is another one. `rest`: more replies
   /// to it; may be null.
@@ -91,7 +91,7 @@ class StreamQueue {
     ReplySourcePtr source;
   };
   Next next_reply();
-  /// The reply that was taken last is on its way.
+  /// The reply that was taken last has been written.
   void written();
 
   /// Drops requests and replies, and keeps none from now on. The request at work stays so.
@@ -107,7 +107,7 @@ class StreamQueue {
   };
   [[nodiscard]] bool room_for_replies() const;
   [[nodiscard]] std::uint64_t bytes() const;
-  /// After each change of `bytes`.
+  /// Adjusts the lease to `bytes`.
   void take_memory();
   void push(Reply reply);
   void drop_progress();

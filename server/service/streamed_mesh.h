@@ -8,8 +8,8 @@
 
 namespace remeshd {
 
-/// The mesh of what an EditStream's request made, as replies to it; where there is no such mesh,
-/// the error that stands in its place.
+/// The replies that carry the mesh of the revision that an EditStream's request made; where it
+/// cannot be had, an error in its place.
 ReplySourcePtr streamed_mesh(Session& session, const Made& made, const std::string& request_id,
                              const remesh::v1::MeshSelection& selection);
 

@@ -23,7 +23,8 @@ Descriptor open_wake() {
 
 Descriptor open_spare() { return Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)); }
 
-/// What gRPC sets on the connections that it accepts itself; fails harmlessly for a Unix socket.
+/// Sets the socket options that gRPC sets on connections which it accepts itself; fails harmlessly
+/// for a Unix socket.
 void prepare(int connection) {
   constexpr int kOn = 1;
   constexpr int kTimeout = limits::kKeepaliveTimeoutMs;
@@ -88,7 +89,7 @@ AcceptLoop::Outcome AcceptLoop::accept_from(int listener) noexcept try {
     case EAGAIN:
       return Outcome::None;
     case EINTR:
-    case ECONNABORTED:  // the peer has gone already: of this and what follows, by accept(2)
+    case ECONNABORTED:  // this and the following: the peer has gone already (accept(2))
     case EPROTO:
     case ENETDOWN:
     case ENOPROTOOPT:

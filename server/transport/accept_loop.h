@@ -34,7 +34,7 @@ class AcceptLoop {
   AcceptLoop& operator=(const AcceptLoop&) = delete;
 
   [[nodiscard]] const std::vector<ListeningSockets>& sockets() const { return sockets_; }
-  /// Connections that are open, at most some milliseconds ago.
+  /// Number of open connections; may be some milliseconds old.
   [[nodiscard]] std::size_t count() const;
   /// Hands nothing over once this has returned, and listens no more.
   void stop();
@@ -54,7 +54,7 @@ class AcceptLoop {
 
   std::vector<ListeningSockets> sockets_;
   mutable std::mutex live_mutex_;
-  mutable LiveConnections live_;  ///< forgets what was closed when it is asked
+  mutable LiveConnections live_;  ///< mutable: `count` drops those that are closed
   HandOver hand_over_;
   std::shared_ptr<spdlog::logger> log_;
   Descriptor wake_;   ///< readable once the loop is to end

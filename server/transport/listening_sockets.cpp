@@ -59,7 +59,7 @@ Descriptor listen_on(const SocketAddress& address, int& error) {
     if (address.storage.ss_family == AF_INET6)
       ::setsockopt(socket.get(), IPPROTO_IPV6, IPV6_V6ONLY, &kOff, sizeof(kOff));
   }
-  // Of a socket without a name yet, the mode is what its file is going to have.
+  // The mode set on a socket that is not bound yet becomes that of its file.
   if (socket.is_open() && address.storage.ss_family == AF_UNIX) ::fchmod(socket.get(), 0600);
   if (!socket.is_open() || ::bind(socket.get(), kernel(address), address.size) != 0 ||
       ::listen(socket.get(), SOMAXCONN) != 0) {
@@ -69,7 +69,8 @@ Descriptor listen_on(const SocketAddress& address, int& error) {
   return socket;
 }
 
-/// Removes the file of a socket of ours on which nobody listens. Throws for any other file.
+/// Removes the file of a socket of this user on which nobody listens. Throws Error `LISTEN_FAILED`
+/// for any other file.
 void remove_stale(const ListenAddress& address) {
   struct stat file {};
   if (::lstat(address.path.c_str(), &file) != 0) return;
@@ -89,7 +90,7 @@ ListeningSockets::ListeningSockets(const ListenAddress& address) : address_(addr
     open_unix();
     return;
   }
-  // A free port of the first address may be taken at the next one.
+  // The free port found for the first address may be in use on the next one: then another is tried.
   for (int attempt = 1; !open_all(); ++attempt)
     if (attempt == 10) throw listen_failed(address_, EADDRINUSE);
 }
@@ -114,7 +115,7 @@ bool ListeningSockets::open_all() {
     Descriptor socket = listen_on(address, error);
     if (!socket.is_open()) {
       last_error = error;
-      // A name may stand for a family of addresses that this machine has not.
+      // A host name may resolve to an address family that this machine lacks.
       if (error == EADDRNOTAVAIL || error == EAFNOSUPPORT) continue;
       if (error == EADDRINUSE && address_.port == 0) return false;
       throw listen_failed(address_, error);

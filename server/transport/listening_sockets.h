@@ -11,13 +11,13 @@
 namespace remeshd {
 
 /// The sockets of an address, bound and listening: connections queue up in the kernel from the
-/// constructor on. A port is taken for one daemon alone. The file of a Unix socket may be used by
-/// its owner only (0600), and goes with the object.
+/// constructor on. No other daemon can listen on the same port. The file of a Unix socket may be
+/// used by its owner only (0600), and is removed with the object.
 class ListeningSockets {
  public:
   /// Throws Error(FailedPrecondition) `LISTEN_FAILED`: the address is in use, or not this
-  /// machine's; where the Unix socket's file is to be there is another file than the socket of an
-  /// own daemon that has ended.
+  /// machine's; at the path of the Unix socket there is a file other than a stale socket of this
+  /// user.
   explicit ListeningSockets(const ListenAddress& address);
   /// As `close`.
   ~ListeningSockets() { close(); }

@@ -7,7 +7,7 @@
 namespace remeshd {
 namespace {
 
-/// Number of the socket; 0 for what is none.
+/// Inode number of a socket; 0 for a descriptor that is none.
 ino_t socket_number(int descriptor) {
   struct stat file {};
   return ::fstat(descriptor, &file) == 0 && S_ISSOCK(file.st_mode) ? file.st_ino : 0;
@@ -16,7 +16,7 @@ ino_t socket_number(int descriptor) {
 }  // namespace
 
 void LiveConnections::forget_closed() {
-  // A flood of connections above the limit does not pay for a look at all others each.
+  // In a flood of connections above the limit not every one is to cost a look at all others.
   constexpr std::chrono::milliseconds kPause(5);
   const Clock::time_point now = Clock::now();
   if (now - looked_ < kPause) return;

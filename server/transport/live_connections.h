@@ -8,16 +8,16 @@
 
 namespace remeshd {
 
-/// Counts connections whose owner (gRPC) closes them without a word. A connection is remembered by
-/// its descriptor and the number of its socket, which no other socket has: once that descriptor is
-/// closed, or stands for another file, the connection is gone.
+/// Counts connections whose owner (gRPC) closes them without telling. A connection is remembered by
+/// its descriptor and the inode number of its socket: once the descriptor is closed, or stands for
+/// another inode, the connection is gone.
 class LiveConnections {
  public:
   explicit LiveConnections(std::size_t limit) : limit_(limit) {}
 
-  /// Remembers an open connection; false, and not remembered, if there are as many as may be.
+  /// Remembers an open connection; false, and not remembered, if the limit is reached.
   bool admit(int descriptor);
-  /// Those that are open.
+  /// Number of open connections.
   [[nodiscard]] std::size_t count();
   [[nodiscard]] std::size_t limit() const { return limit_; }
 

@@ -9,8 +9,8 @@
 namespace remeshd {
 namespace {
 
-/// A kilobyte may be a gigabyte once it is decompressed, and gRPC asks for the size afterwards:
-/// what is compressed is refused unread.
+/// A kilobyte may be a gigabyte once it is decompressed, and gRPC checks the size only afterwards:
+/// compressed messages are refused unread.
 void refuse_compression(grpc::ServerBuilder& builder) {
   builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_DEFLATE, false);
   builder.SetCompressionAlgorithmSupportStatus(GRPC_COMPRESS_GZIP, false);

@@ -16,7 +16,7 @@ namespace {
 
 namespace v1 = remesh::v1;
 
-/// The permanent id that all of the text is.
+/// The permanent id that the whole text is; nothing where it is no number.
 std::optional<std::uint64_t> node_id_in(const std::string& text) {
   std::uint64_t id = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), id);
@@ -65,7 +65,8 @@ client::CallError not_there(const Wanted& wanted, const std::string& revision,
   return client::CallError(std::move(error));
 }
 
-/// A mesh that the daemon has no more ends the walk: its revision was deleted.
+/// Nothing where the daemon does not have the revision any more: it was deleted, which ends the
+/// walk.
 std::optional<v1::GetRevisionResponse> find_revision(Session& session, const std::string& id) {
   try {
     return session.client().get_revision(id, session.call());

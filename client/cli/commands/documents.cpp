@@ -17,7 +17,7 @@ struct ExampleWords {
   std::string_view name, what;
 };
 
-/// One for each file.
+/// One for each of `example_files`.
 constexpr std::array kExampleWords{
     ExampleWords{"bracket", "plate with a back, a rib and a pipe; five parameters with bounds"},
     ExampleWords{"bracket.edit", "edit of bracket: thinner back, other hole, no rib"},
@@ -48,7 +48,8 @@ void list_examples(std::ostream& out) {
   write_table(out, rows);
 }
 
-/// The schema as one document: definitions of the model's that the edit's uses come with it.
+/// The schema as one document: that of edits refers to definitions in that of models, which are
+/// copied into it.
 std::string schema_text(const std::string& name) {
   std::string text(text_of(schema_files(), name));
   if (name == "model") return text;

@@ -18,7 +18,7 @@ namespace {
 
 struct EditArguments {
   std::string base, document;
-  std::vector<std::string> assignments, removed;  ///< after the document
+  std::vector<std::string> assignments, removed;  ///< applied after those of the document
   ReplyFiles files;
   MeshingOptions meshing;
   bool require_head = false;

@@ -12,7 +12,7 @@ namespace {
 using remesh::v1::Report;
 using Rows = std::vector<std::vector<std::string>>;
 
-/// None, as of what the daemon tells no seconds of, is `-`.
+/// 0, for a step of which the daemon tells no seconds, is `-`.
 std::string seconds(double value) {
   if (value <= 0) return "-";
   return value < 0.001 ? "<0.001" : rounded(value, 3);
@@ -23,7 +23,8 @@ void add_attempt(const Report::Attempt& attempt, const std::string& step, Rows& 
       {step, attempt.strategy(), "given up", seconds(attempt.seconds()), attempt.reason()});
 }
 
-/// What made the mesh, after what was tried before it. A renewal is tried when there is a mesh.
+/// Rows for the strategies that were given up, the one that made the mesh, and a renewal that was
+/// given up, since that is tried once there is a mesh.
 void add_mesh(const Report& report, Rows& rows) {
   const std::string renewed = way_name(Report::WAY_RENEWED);
   for (const Report::Attempt& attempt : report.attempts())

@@ -35,7 +35,7 @@ ReportSide read_side(Session& session, const std::string& name) {
   return side;
 }
 
-/// Follows the parents of a revision to another one.
+/// Follows the parents of `modified` to `base`.
 Descent descent_from(Session& session, const remesh::v1::RevisionInfo& base,
                      const remesh::v1::RevisionInfo& modified) {
   std::string parent = modified.parent();

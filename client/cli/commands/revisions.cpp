@@ -46,7 +46,7 @@ std::string change_in_words(Models& models, const remesh::v1::RevisionInfo& revi
   return changes_in_words(*before, *after);
 }
 
-/// `models`: where those of a design come from, whose changes are told; null: they are not.
+/// `models`: source of the models for the column of changes; null: there is no such column.
 void list(Session& session, const Revisions& revisions, const std::string& json_file,
           Models* models) {
   if (!json_file.empty()) {

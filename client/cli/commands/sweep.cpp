@@ -27,8 +27,8 @@ struct SweepArguments {
   std::string format = "vtu";
   std::optional<double> from, to;
   std::optional<int> steps;
-  std::vector<std::string> sets;      ///< in place of the four
-  std::vector<SweptParameter> swept;  ///< what either says
+  std::vector<std::string> sets;      ///< in place of parameter, from, to and steps
+  std::vector<SweptParameter> swept;  ///< from whichever is given
   bool from_base = false;
   MeshingOptions meshing;
 };
@@ -56,8 +56,8 @@ client::CallError unknown_parameter(const std::string& name,
   return client::CallError(std::move(error));
 }
 
-/// A wrong name would fail in every step: it is told before the first. What parameters a feature
-/// may have beside those written the daemon knows.
+/// Throws before the first step for a name that would fail in every step. Whether a feature has a
+/// parameter that its document leaves out, the daemon knows.
 void check_parameters(const remesh::v1::FeatureModel& model,
                       const std::vector<SweptParameter>& swept) {
   std::vector<std::string> known, features;
@@ -122,7 +122,7 @@ std::vector<std::string> row_of(const remesh::v1::RevisionResult& reply) {
           ""};
 }
 
-/// Of what `row_of` has.
+/// Names of the columns of `row_of`.
 const std::vector<std::string> kHeading{"status",
                                         "revision",
                                         "nodes",
@@ -200,7 +200,7 @@ void make_folder(const std::string& folder) {
   if (problem) throw UsageError(folder + ": " + problem.message());
 }
 
-/// What goes on from step to step.
+/// The state of a sweep between its steps.
 struct Sweep {
   const SweepArguments& arguments;
   client::EditStream stream;
@@ -210,7 +210,7 @@ struct Sweep {
   int failures = 0;
 };
 
-/// Makes one revision and its files; what the row tells of it.
+/// Makes one revision and its files; returns its row.
 std::vector<std::string> make_step(Session& session, Sweep& sweep, std::uint64_t step,
                                    const std::vector<double>& values) {
   const SweepArguments& arguments = sweep.arguments;

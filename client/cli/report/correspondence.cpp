@@ -9,7 +9,7 @@ namespace {
 using client::Mesh;
 using client::NodeOrigin;
 
-/// For each row of the new mesh that of the base that it is, or -1.
+/// For each node or tet of the new mesh its index in the base, or -1.
 using Originals = std::vector<std::int32_t>;
 
 struct NodesFound {
@@ -30,7 +30,7 @@ Originals by_ids(const std::vector<std::uint64_t>& base, const std::vector<std::
   return originals;
 }
 
-/// Nodes keep their ids when they move: those at another place have.
+/// A node keeps its id when it moves: one at another place than in the base counts as moved.
 NodesFound find_nodes(const Mesh& base, const Mesh& mesh) {
   NodesFound found{.originals = by_ids(base.node_ids, mesh.node_ids), .origins = {}};
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {

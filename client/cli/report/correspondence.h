@@ -21,16 +21,16 @@ struct StateCounts {
   std::size_t kept = 0, moved = 0, added = 0, gone = 0;
 };
 
-/// What the tets of two meshes are to each other.
+/// How the nodes and tets of two meshes correspond.
 struct Correspondence {
   std::vector<TetState> base;      ///< by tet of the base: Kept or Gone; empty without a base
   std::vector<TetState> modified;  ///< by tet: New, Kept or Moved
   StateCounts nodes, tets;
 };
 
-/// By the maps of the new mesh where it is an edit of the base. Where several edits lie between, by
-/// permanent ids: a node at another place counts as moved, be it with its feature. Else all is new,
-/// and of the base all is gone.
+/// Uses the maps of the new mesh where it is an edit of the base. Where several edits lie between,
+/// uses permanent ids: a node at another place counts as moved, even if it moved with its feature.
+/// Else all is new, and all of the base is gone.
 Correspondence correspond(const ReportContent& content);
 
 }  // namespace remeshd::cli

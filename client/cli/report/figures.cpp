@@ -74,7 +74,7 @@ Json side_json(const ReportSide& side, const MeshFigures& figures,
             {"created", google::protobuf::util::TimeUtil::ToString(revision.created())},
             {"features", std::move(features)},
             {"mesh", mesh_json(side, figures, states)}};
-  // A Report is absent where the mesh was made again since.
+  // There is no Report where the mesh had gone when the revision was looked up.
   json["report"] =
       side.about.has_report() ? Json::parse(write_json(side.about.report())) : Json(nullptr);
   if (side.about.has_report()) json["way"] = way_name(side.about.report().way());

@@ -15,10 +15,11 @@ struct CallOptions {
   /// available, from its first failure on; not where none has ever answered. With 0 the others of
   /// several are asked once.
   double reconnect = 30;
-  /// Requests of one route go to one of several daemons; a balancer in between gets its digest as
-  /// `x-remesh-key`. Default: the design that is named, or else that of the revision that is, which
-  /// is looked up where it is not known, or its root where it is in none; of a first mesh in no
-  /// design its own digest. Of a stream that of its first request, unless this says otherwise.
+  /// Requests of the same route go to the same of several daemons; a balancer in between gets the
+  /// digest of the route as `x-remesh-key`. Default: the design that the request names, else the
+  /// design of the revision that it names (looked up where it is not known), or the root of that
+  /// revision where it is in no design; for a first mesh in no design a digest of the request. A
+  /// stream has the route of its first request, unless this is set.
   std::optional<std::string> route{};
 };
 

@@ -22,8 +22,8 @@ class Channel;
 namespace remeshd::client {
 
 struct ConnectOptions {
-  /// s between signs of life while a call is open; the connection is given up 20 s after one that
-  /// stays unanswered (a shorter limit would cut slow but live readers).
+  /// s between keepalive pings while a call is open; the connection is given up 20 s after a ping
+  /// that stays unanswered (a shorter limit would cut slow but live readers).
   int keepalive = 60;
   /// PEM texts for TLS; all empty: a connection without encryption. With a certificate and key the
   /// client shows who it is.
@@ -39,11 +39,12 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// A connection to a daemon `remeshd`, or to several that share a tier. Cheap to copy; all
 /// functions may be called from any thread.
 ///
-/// Of several, each loop goes to one, by CallOptions::route, and to the next where that does not
-/// answer or is not available: what is asked twice is made once. What changes something is not
-/// asked again where it may have been done. A design that lives at another one (DESIGN_ELSEWHERE)
-/// is asked for there, if that is among them. Lists are those of one daemon, that of the design
-/// they are of.
+/// Of several daemons each loop goes to one, by CallOptions::route, and to the next where that one
+/// does not answer or is not available: a repeated request for a revision does not make it twice.
+/// Other requests that change something are not repeated where they may have been carried out.
+/// Where the home of a design is another daemon (DESIGN_ELSEWHERE), that is asked, if the client
+/// has its address. A list is that of one daemon: for the revisions of a design the one that the
+/// design goes to.
 ///
 /// Every function throws CallError. Where a request names a revision it takes the name of a design
 /// (its head), `design@number`, an id or a unique prefix of at least 8 digits. Where one takes a
@@ -51,9 +52,9 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// sent: INVALID_ARGUMENT, DOCUMENT_TOO_LARGE.
 class Client {
  public:
-  /// Prepares a connection to `host:port` or `unix:/path`, or several with commas between; the
-  /// first call makes it. INVALID_ARGUMENT for no address, and for a token that others could read
-  /// on its way.
+  /// Prepares a connection to `host:port` or `unix:/path`, or to several with commas between; the
+  /// first call connects. Throws INVALID_ARGUMENT for no address, and for a token that would be
+  /// sent unencrypted to another machine.
   static Client connect(const std::string& addresses, const ConnectOptions& options = {});
   /// The same of a list.
   static Client connect_any(const std::vector<std::string>& addresses,
@@ -71,8 +72,8 @@ class Client {
   [[nodiscard]] EditStream stream(EditStream::OnProgress on_progress = {},
                                   const CallOptions& call = {}) const;
 
-  /// Fetches the mesh of a revision, or of it what is wanted. All its checksums, digests, counts
-  /// and indices have been checked; DATA_LOSS, MESH_DAMAGED where one is wrong.
+  /// Fetches the mesh of a revision, or those arrays of it that are wanted. All its checksums,
+  /// digests, counts and indices have been checked; DATA_LOSS, MESH_DAMAGED where one is wrong.
   [[nodiscard]] Mesh get_mesh(const std::string& revision, const CallOptions& call = {},
                               const OnTransfer& on_transfer = {},
                               const MeshWanted& wanted = {}) const;
@@ -86,14 +87,14 @@ class Client {
   /// Everything about a revision but its mesh.
   [[nodiscard]] remesh::v1::GetRevisionResponse get_revision(const std::string& revision,
                                                              const CallOptions& call = {}) const;
-  /// What a revision is made of again, as a message and as JSON.
+  /// The recipe of a revision, from which its mesh can be made again, as a message and as JSON.
   [[nodiscard]] remesh::v1::GetRecipeResponse get_recipe(const std::string& revision,
                                                          const CallOptions& call = {}) const;
-  /// Makes a new revision of a recipe with the algorithm that the daemon has today.
+  /// Makes a new revision from the recipe of one, with the algorithm that the daemon has today.
   [[nodiscard]] remesh::v1::RemakeRevisionResponse remake_revision(
       const remesh::v1::RemakeRevisionRequest& request, const CallOptions& call = {}) const;
-  /// All revisions that pass the filter, in the order asked for; a page of the request stands for
-  /// nothing.
+  /// All revisions that pass the filter, in the order asked for; a page token in the request is
+  /// ignored.
   [[nodiscard]] std::vector<remesh::v1::RevisionInfo> list_revisions(
       remesh::v1::ListRevisionsRequest request = {}, const CallOptions& call = {}) const;
   /// The revisions of one design by number; NOT_FOUND if there is no such design.
@@ -133,7 +134,7 @@ class Client {
   [[nodiscard]] std::vector<remesh::v1::CacheEntry> list_cache(
       remesh::v1::ListCacheEntriesRequest request = {}, const CallOptions& call = {}) const;
   [[nodiscard]] remesh::v1::GetCacheStatsResponse cache_stats(const CallOptions& call = {}) const;
-  /// Lets meshes go until a budget is kept.
+  /// Drops meshes until a budget is kept.
   remesh::v1::CollectGarbageResponse collect_garbage(
       const remesh::v1::CollectGarbageRequest& request, const CallOptions& call = {}) const;
   /// Compares everything stored with its checksums; calls `on_message` with each finding and with
@@ -141,7 +142,7 @@ class Client {
   remesh::v1::VerifyCacheResponse verify_cache(
       bool repair, const std::function<void(const remesh::v1::VerifyCacheResponse&)>& on_message,
       const CallOptions& call = {}) const;
-  /// Keeps a mesh from going, or lets it.
+  /// Pins a mesh, so that it is not dropped, or unpins it.
   remesh::v1::CacheEntry set_pin(const std::string& revision, bool pinned,
                                  const CallOptions& call = {}) const;
 

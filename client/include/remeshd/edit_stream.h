@@ -19,10 +19,11 @@ namespace remeshd::client {
 /// called from any thread.
 ///
 /// Where the connection breaks, or the daemon starts anew, the stream is opened again, of several
-/// daemons at the next in rank, and what is not answered is sent again, edits with the id of the
-/// last result for their base: what a daemon did already it answers from its cache, or the tier's,
-/// and no head moves twice. One request alone cannot be sent again: the first of a stream where its
-/// base is a design, whose head it may have moved. The first request tells which daemon it goes to.
+/// daemons at the next in rank, and requests without an answer are sent again, edits of the head
+/// with the id of the last result as their base: what a daemon has done already it answers from its
+/// cache, or from the tier, and no head moves twice. An edit of the head of a design cannot be sent
+/// again unless the last result is of that design: it may have moved the head already. The first
+/// request decides which daemon the stream goes to.
 class EditStream {
  public:
   /// Called on the reading thread: the id of the request and how far it is. Must not block for
@@ -45,12 +46,14 @@ class EditStream {
   /// Cancels what is still under way.
   ~EditStream();
 
-  /// Sends an edit. An empty `request_id` is filled in; an empty `base` means the head of the
-  /// design of this or the last request.
+  /// Sends an edit. An empty `request_id` is filled in; an empty `base` means the head of `design`,
+  /// or, where that is empty too, of the design of the last result (that result itself where it is
+  /// in no design).
   ///
   /// The future throws CallError: the error of this request, after which the stream goes on, or
   /// that of the whole stream if it broke. A request with a document of more than 4 MiB is not
-  /// sent: DOCUMENT_TOO_LARGE. Throws std::invalid_argument for a request id under way.
+  /// sent: DOCUMENT_TOO_LARGE. Throws std::invalid_argument for a request id under way,
+  /// std::logic_error after `finish`.
   std::future<remesh::v1::RevisionResult> edit(remesh::v1::EditRevisionRequest request);
   /// Sends a model to mesh; otherwise as `edit`.
   std::future<remesh::v1::RevisionResult> create(remesh::v1::CreateRevisionRequest request);
@@ -59,7 +62,8 @@ class EditStream {
   Answers edit(remesh::v1::EditRevisionRequest request, MeshWanted mesh);
   Answers create(remesh::v1::CreateRevisionRequest request, MeshWanted mesh);
 
-  /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED in its turn.
+  /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED, in its turn
+  /// or, if the request was not sent yet, at once.
   void cancel(const std::string& request_id);
   /// Breaks the whole stream off: every open future throws CANCELLED.
   void cancel_all();

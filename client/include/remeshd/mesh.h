@@ -54,7 +54,7 @@ struct Mesh {
   std::vector<std::int32_t> original_node;   ///< in the original mesh; -1 where New
   std::vector<std::int32_t> node_transform;  ///< index into `transforms`; -1 where New
   std::vector<std::int32_t> original_tet;    ///< in the original mesh; -1 where not kept
-  /// The edge length aimed at by node; empty where it is the same everywhere.
+  /// The edge length aimed at, for each node; empty where it is the same everywhere.
   std::vector<double> node_sizes;
   /// Rows of 3x4 matrices. A kept node is the original one times its matrix, row by row, left to
   /// right, without fused operations; the identity copies bits.
