@@ -34,6 +34,7 @@ OptionsPatch all_of(const MeshOptions& options) {
           .threshold = options.threshold,
           .clean_up = options.clean_up,
           .order = options.order,
+          .hold = options.hold,
           .sizing = all_of(options.sizing)};
 }
 

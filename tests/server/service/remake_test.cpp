@@ -49,27 +49,29 @@ TEST_F(RemakingARevision, HoldsNothingOnceItIsAnswered) {
   EXPECT_TRUE(remaking.expired());
 }
 
-TEST_F(RemakingARevision, TakesTheSizingOfItsRecipe) {
+TEST_F(RemakingARevision, TakesTheOptionsOfItsRecipe) {
   const auto make = [&](Command command) {
     const Answer answer;
     session_->make(std::move(command), answer.listener());
     return answer.made().filed.record.id;
   };
-  const auto edit = [](double dx, const SizingPatch& sizing) {
+  const auto edit = [](double dx, const OptionsPatch& options) {
     const std::string document =
         R"({"edits": [{"setFeatureParameter": {"feature": "plate", "name": "dx", "value": )" +
         std::to_string(dx) + "}}]}";
     return EditCommand{.base = "plate",
                        .edit = decode(parse_edit(document)),
                        .document = document,
-                       .options = {.sizing = sizing}};
+                       .options = options};
   };
   const std::vector<std::string> ids{
-      make(CreateCommand{
-          .source = model_of({block("plate", 80, 40, 10)}),
-          .options = {.nodes = 100, .sizing = {.edges_per_circle = 20, .min_size = 0.5}},
-          .design = "plate"}),
-      make(edit(81, {.layers = 3, .growth = 1.5})), make(edit(82, {.even = true}))};
+      make(CreateCommand{.source = model_of({block("plate", 80, 40, 10)}),
+                         .options = {.nodes = 100,
+                                     .hold = 1.5,
+                                     .sizing = {.edges_per_circle = 20, .min_size = 0.5}},
+                         .design = "plate"}),
+      make(edit(81, {.sizing = {.layers = 3, .growth = 1.5}})),
+      make(edit(82, {.hold = 0.5, .sizing = {.even = true}}))};
   for (const std::string& id : ids) {
     remesh::v1::RemakeRevisionRequest request;
     request.set_revision(id);
