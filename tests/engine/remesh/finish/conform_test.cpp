@@ -90,7 +90,7 @@ TEST(Conforming, OfAWallBesideAHoleMuchThinnerThanEdgesAreLongTakesNoLastResort)
 TEST(Conforming, IsFollowedByTheCleanUp) {
   // So coarse that the boundary is not all there at first.
   int repaired = 0;
-  for (const std::uint32_t nodes : {60U, 80U, 150U, 200U}) {
+  for (const std::uint32_t nodes : {60U, 80U, 120U, 200U}) {
     const Report report =
         make_revision(Revision::none(), test::case_model("tool1-a"),
                       {.nodes = nodes, .iterations = 4, .start = MeshOptions::Start::Random}, kRun)
