@@ -17,11 +17,11 @@ struct Cell {
   std::vector<int> owners;  ///< features that contain it, in history order; never empty
   bool positive = false;    ///< nature of the last owner
   double volume = 0;        ///< exact
-  Vec3 inside;              ///< some point well inside
+  Vec3 inside;              ///< some point inside
 };
 
-/// Faces, edges and vertices of the cellular model; `boundary` where part of the merged boundary's
-/// geometry (for edges and vertices: of its unified edges and vertices).
+/// Faces, edges and vertices of the cellular model. `owners`: of the cells that meet there;
+/// `boundary`: whether it is part of the merged boundary (an edge or vertex: of its unified ones).
 struct CellFace {
   std::vector<int> owners;
   std::array<int, 2> cells{-1, -1};  ///< on its two sides; -1 outside of all features
@@ -41,8 +41,8 @@ struct CellVertex {
   int element = -1;  ///< its index in `brep`
 };
 
-/// All cells of a model with all that bounds them, what lies inside the material too: a general
-/// fuse of all features. The difference model is made of these.
+/// All cells of a model with their faces, edges and vertices, those inside the material included: a
+/// general fuse of all features. The difference model is made of these.
 struct CellComplex {
   std::vector<Cell> cells;
   std::vector<CellFace> faces;

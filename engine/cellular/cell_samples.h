@@ -14,9 +14,10 @@ struct CellSample {
   Vec3 from, to;     ///< the facets' points that it lies between
 };
 
-/// Points inside a cell, the deepest first: from the middles of its largest facets straight inwards
-/// to the facet opposite. Facets cut curved faces short, so only a depth above the facets' distance
-/// from the true face proves that a sample lies inside.
+/// At most `count` points inside a cell, the deepest first: each halfway on a ray that goes from
+/// the middle of one of its largest facets straight inwards to the facet opposite. Facets
+/// approximate curved faces, so only a depth above the facets' distance from the true face proves
+/// that a sample lies inside.
 ///
 /// Near a tangency facets may cross, so that a sample lies outside of them after all.
 std::vector<CellSample> sample_cell(const kernel::Brep& brep, int cell, int count);

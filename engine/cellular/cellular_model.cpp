@@ -18,7 +18,7 @@
 
 namespace remeshd {
 
-/// The cells of a model, or how to make them when asked for.
+/// The cells of a model, or the model to make them from when they are first asked for.
 class ComplexOnDemand {
  public:
   explicit ComplexOnDemand(CellComplex made) : made_(std::move(made)) {}
@@ -43,7 +43,7 @@ using kernel::Brep;
 /// A part of the model's material that shares no face with the rest.
 struct Piece {
   double volume = 0;
-  int largest = -1;           ///< cell
+  int largest = -1;           ///< index of its largest cell
   std::vector<int> features;  ///< owners of its cells
 };
 

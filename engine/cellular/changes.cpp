@@ -7,17 +7,17 @@
 namespace remeshd {
 namespace {
 
-// Of the diagonal: far more than the CAD kernel's tolerance, and no round number, so that borders
-// of what changed pass by the borders of what did not.
+// x the diagonal: far more than the CAD kernel's tolerance, and no round number, so that sides of
+// the boxes do not coincide with faces of features that did not change.
 constexpr double kMargin = 3.7e-6;
 
 bool same(const Feature& a, const Feature& b) {
   return a.nature == b.nature && a.placement == b.placement && a.shape == b.shape;
 }
 
-/// Leaves the longest ascending run of the numbers that are not -1; the others become -1.
+/// Leaves the longest ascending subsequence of the numbers that are not -1; the others become -1.
 void keep_ascending(std::vector<int>& numbers) {
-  std::vector<int> ends;  // by length: where the run with the lowest end ends
+  std::vector<int> ends;  // by length - 1: where the subsequence with the lowest last number ends
   std::vector<int> before(numbers.size(), -1);
   for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
     if (numbers[i] < 0) continue;

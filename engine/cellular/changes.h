@@ -8,15 +8,15 @@ namespace remeshd {
 
 /// What an edit changed.
 struct Changes {
-  /// For each feature of the base its index in the edited model; -1 where it is not there, not the
-  /// same to the bit or not in the same order with others. The rest ascends.
+  /// For each feature of the base its index in the edited model; -1 where it is gone, not identical
+  /// in nature, placement and shape, or out of order. Indices other than -1 ascend.
   std::vector<int> kept;
-  /// Round all features that were or are not kept, a little larger: elsewhere both models are the
-  /// same point set.
+  /// Round every feature of either model that is not kept, grown by a small margin: outside of them
+  /// both models are the same point set.
   std::vector<Box> boxes;
 };
 
-/// Pre: the membership is the model's.
+/// Pre: `membership` is that of `model`.
 Changes find_changes(const FeatureModel& base, const FeatureModel& model,
                      const Membership& membership);
 

@@ -15,8 +15,8 @@ constexpr int kSamplesPerCell = 8;
 // are approximated: 1.1e-6 was seen where nothing was wrong.
 constexpr double kVolumeTolerance = 4e-6;
 
-/// How far the facets of a cell stand off the true faces. Samples deeper than twice this are
-/// proofs.
+/// How far the facets of a cell stand off the true faces. Only samples deeper than twice this count
+/// as proof that the owners are wrong.
 double facet_gap(const kernel::Brep& brep, int cell, const Membership& membership) {
   double gap = 0;
   const auto look = [&](const Vec3& p) {
@@ -37,7 +37,7 @@ double facet_gap(const kernel::Brep& brep, int cell, const Membership& membershi
   return gap;
 }
 
-/// The owners that one side knows and the other does not.
+/// The owners that are in one list only.
 std::vector<int> difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> odd;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(odd));
@@ -50,8 +50,9 @@ Vec3 some_point(const kernel::Brep& brep, int cell) {
   return brep.edges[brep.faces[brep.cells[cell].faces.front()].edges.front()].points.front();
 }
 
-/// Looks for a point of the cell between the middle of its facets and each of them, where rays from
-/// facet to facet miss: thin caps, whose facets meet at one node. Sets Cell::inside.
+/// Looks for a point with the cell's owners on the lines from the mean of its facets' centroids to
+/// each centroid: for thin caps, all of whose facets meet at one node, so that rays from facet to
+/// facet find none. Sets Cell::inside; false if it finds none either.
 bool search(const kernel::Brep& brep, int c, const Membership& membership, Cell& cell) {
   std::vector<Vec3> centroids;
   Vec3 middle;
@@ -97,7 +98,7 @@ void check_cells(CellComplex& cells, const kernel::Brep& brep, const FeatureMode
         throw error::kernel_failure("a point inside a cell belongs to other features than the cell",
                                     sample.point, ids_of(model, difference(owners, cell.owners)));
     }
-    // Thin curved cells: look all along the rays.
+    // Thin curved cells: look all along the rays, and a little beyond both ends.
     for (const CellSample& sample : samples)
       for (const double t : {-0.2, -0.05, 0.05, 0.2, 0.8, 0.95, 1.05, 1.2}) {
         const Vec3 p = sample.from + t * (sample.to - sample.from);

@@ -5,7 +5,8 @@
 namespace remeshd {
 namespace {
 
-/// Whether the solid's surface passes through the ball: some of its points are in, others not.
+/// Whether the solid's surface passes through the ball, judged by the centre and 26 points on it:
+/// some are in the solid, others not.
 bool passes(const Solid& solid, const Vec3& centre, double radius) {
   const bool inside = solid.contains(centre);
   for (const double x : {-1.0, 0.0, 1.0})

@@ -20,7 +20,7 @@ namespace {
 
 using kernel::Brep;
 
-/// After a fuse of the features in reverse order.
+/// Renumbers the parts in history order, after a fuse of the features in reverse order.
 void restore_order(kernel::Fusion& fusion, int parts) {
   for (auto* kind : {&fusion.cells, &fusion.faces, &fusion.edges, &fusion.vertices})
     for (std::vector<kernel::Source>& sources : *kind) {
@@ -29,7 +29,7 @@ void restore_order(kernel::Fusion& fusion, int parts) {
     }
 }
 
-/// The same as a general fuse, by one fuse for each part with the result of those before it.
+/// A general fuse of all parts, made by fusing one part after the other with the result so far.
 kernel::Fusion fuse_in_turn(const std::vector<kernel::Part>& parts, const Run& run,
                             const std::optional<Vec3>& reference) {
   kernel::Fusion all = kernel::general_fuse(std::span(parts).first(1), run, reference);
@@ -73,20 +73,20 @@ bool has_seam(const Shape& shape) {
          !std::holds_alternative<Slot>(shape);
 }
 
-/// What the model does not depend on, but whether the CAD kernel gets it right.
+/// Choices on which the model does not depend, but the CAD kernel's success does.
 struct FuseAttempt {
   double seam;           ///< rad about their axis: where round features are cut open
-  bool last_first;       ///< order of the features as the kernel's arguments
-  int doublings = 0;     ///< of the kernel's unit
-  bool in_turn = false;  ///< one feature after the other
+  bool last_first;       ///< features are the kernel's arguments in reverse history order
+  int doublings = 0;     ///< of the kernel's unit of length; negative: halvings
+  bool in_turn = false;  ///< by fuse_in_turn instead of one general fuse
 };
 
 constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
 
 /// In this order until one succeeds. A finer unit tells apart what nearly coincides; a coarser one
 /// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
-/// and moves nothing by more than that; samples and volumes are those of the exact model either
-/// way. Where all fail, that takes as long as ten fuses.
+/// and moves nothing by more than that; owners and volumes are checked against the exact model
+/// either way. Where all fail, that takes as long as ten fuses.
 constexpr std::array kAttempts{FuseAttempt{0.0, false, 0}, FuseAttempt{0.7, false, 0},
                                FuseAttempt{2.5, false, 0}, FuseAttempt{0.7, false, -4},
                                FuseAttempt{2.5, true, 4},  FuseAttempt{0.0, false, 0, true}};
@@ -194,7 +194,7 @@ FuseFrame fuse_frame(const Membership& membership) {
 
 void fuse_features(const FeatureModel& model, const Membership& membership, const FuseFrame& frame,
                    const Run& run, const std::function<void(FusedFeatures)>& use) {
-  // The first failure is the one to tell.
+  // Where all attempts fail, the first failure is thrown.
   std::optional<Error> first;
   for (const FuseAttempt& attempt : kAttempts) {
     if (attempt.in_turn && model.features.size() > kMaxInTurn) continue;

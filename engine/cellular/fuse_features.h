@@ -14,7 +14,7 @@ namespace remeshd {
 /// What all fuses for one model have in common.
 struct FuseFrame {
   double scale = 1;               ///< kernel/brep.h
-  std::optional<Vec3> reference;  ///< of volumes; a vertex where there is none
+  std::optional<Vec3> reference;  ///< Brep::reference of the result; none: one of its vertices
 };
 
 /// A general fuse of features, checked against their closed formulas.
@@ -24,14 +24,15 @@ struct FusedFeatures {
   std::vector<BoundaryPiece> pieces;  ///< one for each face
 };
 
-/// Fuses all features of a model and hands the result to `use`; again, in another way, where the
-/// kernel or `use` fail with a KERNEL_FAILURE. What comes out does not depend on the way.
+/// Fuses all features of a model and hands the result to `use`. Where the kernel, a check or `use`
+/// fails with KERNEL_FAILURE, tries again in another way, so `use` may be called several times. The
+/// model that comes out does not depend on the way.
 ///
 /// Throws Error(KERNEL_FAILURE) with features and place, what `use` throws, Error(Cancelled).
 void fuse_features(const FeatureModel& model, const Membership& membership, const FuseFrame& frame,
                    const Run& run, const std::function<void(FusedFeatures)>& use);
 
-/// The frame of a model of its own.
+/// The frame for a model by itself: a scale for its size, no reference.
 FuseFrame fuse_frame(const Membership& membership);
 
 }  // namespace remeshd

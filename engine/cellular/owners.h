@@ -6,7 +6,7 @@
 
 namespace remeshd {
 
-/// Adds owners to others, both ascending.
+/// Adds `more` to `owners`, each once. Pre: both ascend.
 inline void merge_owners(std::vector<int>& owners, const std::vector<int>& more) {
   std::vector<int> merged;
   std::set_union(owners.begin(), owners.end(), more.begin(), more.end(),

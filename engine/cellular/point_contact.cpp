@@ -5,10 +5,10 @@
 namespace remeshd {
 namespace {
 
-constexpr double kStep = 1e-2;  // of the sphere's radius: from the contact to where to look
+constexpr double kStep = 1e-2;  // x the sphere's radius: from the contact to the points probed
 
-/// Whether two half-faces of the boundary part to all sides of a tangency: the natures beyond both
-/// surfaces differ from the one between them.
+/// Whether both surfaces are boundary all round their point of contact: at four places about it the
+/// nature between them differs from that beyond each.
 bool parts_sheets(const Membership& membership, const Surface& sphere, const Surface& other,
                   const Vec3& contact, double tolerance) {
   const Vec3 n = normal(sphere, contact);

@@ -6,9 +6,9 @@
 
 namespace remeshd {
 
-/// Where the boundary touches itself at a single point off all its edges and vertices, so that the
-/// cells do not tell: a sphere and any other surface that is tangent to it, with material between
-/// and none beyond, or the other way round. Tangency to within `tolerance`.
+/// A point, off all edges and vertices, at which the boundary touches itself, if there is one; the
+/// topology of the cells does not show it. There a sphere is tangent to a surface of another
+/// feature, to within `tolerance`, with material between the two and none beyond, or vice versa.
 ///
 /// Not looked for: point contacts without a sphere, as of two crossing cylinders.
 std::optional<Vec3> find_point_contact(const Membership& membership, double tolerance);

@@ -10,7 +10,7 @@
 namespace remeshd {
 namespace {
 
-/// x the diagonal: a face is on no more of its surface than what its triangles are this near to.
+/// x the diagonal: a point of a face's surface counts as on the face if this near to its triangles.
 constexpr double kOffTriangles = 1e-3;
 
 /// The faces that an edge bounds or meets at its ends, ascending.

@@ -17,7 +17,7 @@ Position find_feature(ModelSource& model, const std::string& id) {
                       [&](const FeatureSource& f) { return f.id == id; });
 }
 
-/// The error with the name that may have been meant in its hint.
+/// Puts the known name that may have been meant, if there is one, into the error's hint.
 template <class Named, class Name>
 Error with_suggestion(Error unknown, const std::string& name, const std::vector<Named>& known,
                       Name Named::*name_of) {
@@ -127,8 +127,8 @@ bool is_bounded(const ParameterSource& parameter) {
   return parameter.lower || parameter.upper || parameter.integer;
 }
 
-/// Values that parameters may not have, be they set or follow from others that are. Tells the last
-/// edit that set the one at fault.
+/// If some parameter is bounded, evaluates all, since an edit of one may move another out of its
+/// bounds. The error tells the last edit that set the parameter at fault, if any.
 void check_bounds(const ModelSource& model, const ModelEdit& edit) {
   if (std::ranges::none_of(model.parameters, is_bounded)) return;
   try {

@@ -37,7 +37,8 @@ const std::set<std::string, std::less<>>& reserved_names() {
   return names;
 }
 
-/// What keeps muParser from reading an expression in the one sense we mean, empty if nothing.
+/// Why a text is refused before muParser reads it, for example because it would assign; empty if it
+/// is not.
 std::string objection(const std::string& text) {
   if (text.size() > kMaxExpressionLength)
     return "expressions have at most " + std::to_string(kMaxExpressionLength) + " characters";
@@ -70,7 +71,7 @@ std::string spell_cycle(const std::vector<ParameterSource>& parameters,
 
 using Index = std::map<std::string_view, std::size_t>;
 
-/// What can be told of parameters before they are evaluated; their places by name.
+/// Checks what needs no evaluation: names and bounds. Returns the parameters' indices by name.
 Index check_parameters(const std::vector<ParameterSource>& parameters) {
   if (parameters.size() > kMaxParameters)
     throw error::limit_exceeded("", "", "parameters", parameters.size(), kMaxParameters);
@@ -163,7 +164,7 @@ Scope::Scope(const std::vector<ParameterSource>& parameters) : parser_(std::make
     }
   }
 
-  // Depth first with a path of our own: a chain of 10,000 parameters must not use up the stack.
+  // Depth first without recursion: a chain of 10,000 parameters must not overflow the call stack.
   enum class Mark { New, OnPath, Done };
   std::vector<Mark> marks(parameters.size(), Mark::New);
   std::vector<std::size_t> path;
@@ -232,7 +233,7 @@ OpenExpression Scope::open(const std::string& text, std::span<const char* const>
   for (const std::string& name : inner.unknowns(text, feature, parameter))
     if (std::ranges::find(names, name) == names.end())
       throw error::unknown_name(feature, parameter, name, text);
-  inner.one_value(text, feature, parameter);  // reads it whole
+  inner.one_value(text, feature, parameter);  // evaluates it once, for errors such as a list
   return expression;
 }
 
@@ -275,7 +276,7 @@ double OpenValue::operator()(std::span<const double> values) {
     const double value = parser_->mu.Eval();
     return std::isfinite(value) ? value : std::nan("");
   } catch (const mu::ParserError&) {
-    return std::nan("");  // of these values alone: the text has been read once
+    return std::nan("");  // due to these values: Scope::open has evaluated the text once
   }
 }
 

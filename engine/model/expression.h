@@ -20,22 +20,23 @@ inline constexpr std::size_t kMaxParameters = 10000;
 /// `deg` nor the name of a function. `feature` and `parameter` say whose name it is.
 void check_name(std::string_view name, std::string_view feature, std::string_view parameter);
 
-/// An expression whose parameters have their numbers, but for some names that get theirs later.
+/// An expression some of whose names are variables; its other names are bound to numbers.
 struct OpenExpression {
   std::string text;
-  std::map<std::string, double> numbers;  ///< of its names that are known
+  std::map<std::string, double> numbers;  ///< of its names that are no variables
   friend bool operator==(const OpenExpression&, const OpenExpression&) = default;
 };
 
-/// Evaluates an open expression for any values of its open names. Not safe from several threads.
+/// Evaluates an open expression for any values of its variables. Not safe from several threads.
 class OpenValue {
  public:
-  /// `names`: those that are open. Pre: the expression is one of `Scope::open` with these names.
+  /// `names`: the variables. Pre: the expression is a result of `Scope::open` with these names.
   OpenValue(const OpenExpression& expression, std::span<const char* const> names);
   ~OpenValue();
   OpenValue(OpenValue&&) noexcept;
 
-  /// With these values, one a name; NaN where it has none, as `sqrt(x)` left of nought.
+  /// Its value for these values of the variables, one each, in the order of `names`; NaN where it
+  /// has no finite value, as `sqrt(x)` for x < 0.
   double operator()(std::span<const double> values);
 
  private:
@@ -47,34 +48,35 @@ class OpenValue {
 ///
 /// Expressions are muParser's: `+ - * / ^`, comparisons, `?:`, its functions, and the constants
 /// `pi` and `deg` (pi/180) in full precision. The same text has the same value in every locale.
-/// Nothing in an expression can change a parameter.
+/// Nothing in an expression can change a parameter. Not safe from several threads.
 class Scope {
  public:
   /// Evaluates all parameters; they may be expressions over each other in any order.
   ///
-  /// Throws Error(InvalidArgument) naming the parameter: bad names, names that stand twice,
-  /// expressions that cannot be read, unknown names, circles, values that are not finite, bounds
-  /// that no value meets, values outside their bounds.
+  /// Throws Error(InvalidArgument) naming the parameter: bad or duplicate names, expressions that
+  /// cannot be read, unknown names, cycles, values that are not finite, bounds that no value meets,
+  /// values outside their bounds, values of integer parameters that are not whole.
   explicit Scope(const std::vector<ParameterSource>& parameters);
   ~Scope();
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
 
-  /// Value of a number or expression. Throws Error(InvalidArgument) that names the place.
+  /// Value of a number or expression. Throws Error(InvalidArgument) with `feature` and `parameter`.
   [[nodiscard]] double value(const Scalar& scalar, std::string_view feature,
                              std::string_view parameter) const;
-  /// The same of an expression that sees other names before the parameters.
+  /// Like the above, but an expression may also use the names of `before`, which hide parameters.
   [[nodiscard]] double value(const Scalar& scalar, const std::map<std::string, double>& before,
                              std::string_view feature, std::string_view parameter) const;
-  /// An expression that sees `names` before all others and gets their values later; then `before`,
-  /// then the parameters. Throws Error(InvalidArgument) that names the place.
+  /// An expression in the variables `names`, which hide the names of `before`, which hide the
+  /// parameters. Throws Error(InvalidArgument) with `feature` and `parameter`.
   [[nodiscard]] OpenExpression open(const std::string& text, std::span<const char* const> names,
                                     const std::map<std::string, double>& before,
                                     std::string_view feature, std::string_view parameter) const;
 
  private:
   struct Parser;
-  /// The numbers of the names that a text uses and `inner` does not define.
+  /// The numbers of the names that a text uses, from `before` or else the parameters; names that
+  /// neither has are left out, and so are constants of `inner`.
   std::map<std::string, double> known_names(Parser& inner, const std::string& text,
                                             const std::map<std::string, double>& before,
                                             std::string_view feature,

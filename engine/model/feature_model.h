@@ -128,39 +128,42 @@ FeatureModel evaluate(const ModelSource& source);
 
 /// Applies the edits in order and returns the edited document; the argument is left as it was.
 ///
-/// Throws Error with `edit_index` set for an unknown feature, parameter, size, group or anchor, a
-/// duplicate id, or a new size or group that lacks a part. The result is not validated: call
-/// `evaluate`.
+/// Throws Error with `edit_index` set for an unknown feature, parameter, size or group, a value of
+/// the wrong kind, a bad or duplicate id of a new feature, or a new size or group that lacks a
+/// part. If a model parameter has bounds or is an integer, throws what `Scope` does on the result;
+/// `edit_index` is then the last edit that set the parameter at fault, if one did. Else the result
+/// is not validated: call `evaluate`.
 ModelSource apply(const ModelSource& source, const ModelEdit& edit);
 
-/// Bound of the distance by which any surface of any feature moves between two models of the same
-/// features in the same order; infinite between others.
+/// Upper bound of the distance by which any surface of any feature moves between two models of the
+/// same features in the same order; infinite between others.
 double motion_bound(const FeatureModel& a, const FeatureModel& b);
 
-/// The same of one feature; infinite between features of other natures or types.
+/// The same for one feature; infinite where the natures, types or kinds of profile sides differ, or
+/// a radius of a cone is 0 in one only.
 double motion_bound(const Feature& a, const Feature& b);
 
-/// A document with some features where they were.
+/// A document in which some features have been put back to where they were.
 struct TinyMotions {
   ModelSource source;
-  std::vector<std::string> features;  ///< ids of those, in history order
+  std::vector<std::string> features;  ///< ids of those put back, in history order
 };
 
-/// The document with features that `meshed` has too, and whose surfaces have moved from there by
-/// more than rounding and at most `tolerance::kTinyMotion` x the diagonal, as they are there, in
-/// numbers. With `meshed` put in the place of what this gives, it gives the same again.
+/// Puts features back to what they are in `meshed`, with numbers for its expressions, where their
+/// surfaces have moved since by more than rounding and at most `tolerance::kTinyMotion` x the
+/// diagonal. With the resulting document as `meshed` the same document results again.
 ///
 /// Throws what `evaluate` does.
 TinyMotions without_tiny_motions(const ModelSource& source, const ModelSource& meshed);
 
-/// Round all additive features.
+/// Bounding box of all additive features in the world.
 Box additive_bounds(const FeatureModel& model);
 
 /// Whether no surface of any feature moves by more than 1e-12 x the diagonal between the two
 /// models, and ids, natures and order are the same.
 bool same_geometry(const FeatureModel& a, const FeatureModel& b);
 
-/// For `remesh types` and ListFeatureTypes.
+/// A parameter of a feature type, as `remesh types` and ListFeatureTypes show it.
 struct ParameterInfo {
   std::string name;
   std::string unit;  ///< `length`, `deg` or `profile`

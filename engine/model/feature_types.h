@@ -7,7 +7,7 @@
 
 namespace remeshd {
 
-/// The row of the table, nullptr if there is no such type.
+/// The entry of `feature_types` with this name, nullptr if there is none.
 const FeatureTypeInfo* find_feature_type(std::string_view name);
 
 /// The parameter of a type, nullptr if it has none of that name.

@@ -26,7 +26,7 @@ double gap(const std::vector<ProfileSide>& a, const std::vector<ProfileSide>& b)
 
 /// Bound of the distance that a surface moves in the feature's own frame.
 struct ShapeGap {
-  double extent;  ///< of the shape, from its axis
+  double extent;  ///< how far the shape reaches from its z axis
 
   double operator()(const Block& a, const Block& b) const {
     return std::max({gap(a.dx, b.dx), gap(a.dy, b.dy), gap(a.dz, b.dz)});

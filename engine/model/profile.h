@@ -62,7 +62,7 @@ double sweep(const ProfileSide& arc);
 /// Area enclosed, positive if the sides run counter-clockwise.
 double signed_area(const std::vector<ProfileSide>& sides);
 
-/// First moment of that area about the axis x = 0, the integral of x dA, with the sign of the area.
+/// First moment of the enclosed area about x = 0, the integral of x dA; signed as `signed_area`.
 double moment_about_axis(const std::vector<ProfileSide>& sides);
 
 }  // namespace remeshd

@@ -99,7 +99,7 @@ constexpr TypeReader kReaders[] = {
     {"revolution", read_revolution}, {"slot", read_slot},
 };
 
-/// Missing and extra parameters, and a profile where there should be none.
+/// Throws on missing and extra parameters, and on a profile where there should be none.
 void check_parameter_names(const FeatureSource& source, const FeatureTypeInfo& type) {
   for (const auto& [name, scalar] : source.parameters) {
     const ParameterInfo* parameter = find_parameter(type, name);

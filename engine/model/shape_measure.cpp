@@ -71,12 +71,13 @@ struct Volume {
   }
 };
 
-/// A region between two radii and two heights, of so many rad about the z axis from the x axis on.
+/// A region about the z axis: between two radii, two heights, and the angles 0 and `angle` (rad)
+/// from the x axis.
 struct Ring {
   double inner, outer, low, high, angle;
 };
 
-/// That a shape lies in; none where the shape comes near its axis.
+/// The ring that a shape lies in; none for shapes that reach their axis.
 std::optional<Ring> ring_of(const Shape& shape) {
   if (const auto* s = std::get_if<Torus>(&shape))
     return Ring{s->major_radius - s->minor_radius, s->major_radius + s->minor_radius,
@@ -89,7 +90,7 @@ std::optional<Ring> ring_of(const Shape& shape) {
   return std::nullopt;
 }
 
-// Of a whole turn. Where a ring runs at 45 degrees to the axes, a sector's box then reaches a
+// Per full turn. With so many, the box of a sector at 45 degrees to the axes reaches only a
 // twentieth of the radius into the hole.
 constexpr int kSectors = 64;
 

@@ -17,8 +17,8 @@ struct SolidFace {
   Surface surface;
 };
 
-/// The closed point set of one feature in world coordinates, by closed formulas: no kernel, no
-/// tolerance, tens of nanoseconds a question.
+/// The closed point set of one feature in world coordinates, by closed formulas: no CAD kernel, no
+/// tolerance, tens of nanoseconds per query.
 class Solid {
  public:
   explicit Solid(const Feature& feature);
@@ -36,12 +36,12 @@ class Solid {
   /// A side of the outline of a prism or revolution, ready for crossing counts.
   struct OutlineSide {
     double x, y, dx, dy;     ///< start and chord
-    double end_y;            ///< that of the next one's start, to the bit
-    bool arc, bulges_right;  ///< of the chord
+    double end_y;            ///< the same bits as `y` of the next side
+    bool arc, bulges_right;  ///< `bulges_right`: the arc lies to the right of its chord
     double centre_x, centre_y, radius2;
   };
-  /// Which closed formula applies, and its numbers: a_, b_, c_ are half extents, radii and height
-  /// in the order of the shape's members.
+  /// Which closed formula applies, in the order of `Shape`. `prepare` sets its numbers a_, b_, c_:
+  /// half extents, radii or their squares, a cone's slope; c_ is the height.
   enum class Form { Block, Cylinder, Cone, Sphere, Torus, Prism, Revolution, Slot };
 
   void prepare(const Shape& shape);
@@ -61,15 +61,15 @@ class Solid {
   double volume_ = 0;
 };
 
-/// The box of a feature in its own frame; its centre is the reference CENTRE.
+/// The box of a feature in its own frame; ReferenceKind::Centre is its centre.
 Box local_bounds(const Shape& shape);
 
 /// The box of a feature in the world, as `Solid::bounds`.
 Box world_bounds(const Feature& feature);
 
-/// Boxes in the world that hold a feature together: of a ring round an axis, a torus or a
-/// revolution that stays away from its axis, one for each of its sectors, for its own box is mostly
-/// hole; of other features `world_bounds` alone.
+/// Boxes in the world that together cover a feature. A torus, or a revolution that stays away from
+/// its axis, is a ring whose one box would be mostly hole: it gets a box per sector. Other features
+/// get `world_bounds` alone.
 std::vector<Box> boxes_round(const Feature& feature);
 
 /// Exact volume of a shape.
@@ -81,7 +81,7 @@ double volume_of(const Shape& shape);
 std::vector<SolidFace> faces_of(const Feature& feature);
 
 /// Which features contain a point, and so its nature: that of the last owner in history order,
-/// negative where there is none. A question looks only at the features near the point.
+/// negative where there is none. A query tests only the features near the point.
 class Membership {
  public:
   explicit Membership(const FeatureModel& model);

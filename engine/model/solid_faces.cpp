@@ -30,11 +30,11 @@ Surface torus(double z, double major, double minor) {
 SolidFace bottom() { return {"bottom", plane({0, 0, 0}, {0, 0, -1})}; }
 SolidFace top(double height) { return {"top", plane({0, 0, height}, {0, 0, 1})}; }
 
-/// What a straight side sweeps when turned about z; its x is the distance from z.
+/// The surface that a straight side sweeps about z; the side's x is the distance from z.
 Surface turned_segment(const ProfileSide& side, bool counter_clockwise) {
   const double dx = side.to[0] - side.from[0], dz = side.to[1] - side.from[1];
   const double negligible = 1e-12 * std::hypot(dx, dz);
-  // Outward is to the right of a side that runs counter-clockwise.
+  // Outward is to the right of the sides of a profile that runs counter-clockwise.
   if (std::fabs(dz) <= negligible)
     return plane({0, 0, side.from[1]}, {0, 0, (dx > 0) == counter_clockwise ? -1.0 : 1.0});
   if (std::fabs(dx) <= negligible) return cylinder({0, 0, 0}, side.from[0]);

@@ -66,13 +66,13 @@ using SizePlaceSource = std::variant<std::string, BallSource, BoxSource>;
 struct SizeControlSource {
   std::string id;
   SizePlaceSource place;
-  Scalar size;  ///< of faces it sees their feature's parameters before those of the model
+  Scalar size;  ///< on faces it may use their feature's parameters, which hide the model's
   friend bool operator==(const SizeControlSource&, const SizeControlSource&) = default;
 };
 
 /// What may become of a group in an edit.
 struct GroupPolicy {
-  /// Most by which its exact area may differ from the parent's, as a share of that.
+  /// Largest change of its exact area by an edit, as a share of the parent's area.
   std::optional<double> max_area_change{};
   bool fail_emptied = false;  ///< a group that selects nothing any more fails the edit
   friend bool operator==(const GroupPolicy&, const GroupPolicy&) = default;
@@ -118,7 +118,8 @@ struct AddFeature {
 struct RemoveFeature {
   std::string feature;
 };
-/// Adds a size control, which needs both, or changes the one of that id: what is left out stays.
+/// Adds a size control, which needs place and size, or changes the one of that id: what is left out
+/// stays.
 struct SetSize {
   std::string id;
   std::optional<SizePlaceSource> place{};

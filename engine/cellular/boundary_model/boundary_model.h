@@ -38,7 +38,7 @@ struct BoundaryEdge {
   int start = -1, end = -1;  ///< vertices; -1 both for a closed edge without a vertex
   std::vector<int> faces;    ///< the one or two faces it bounds, ascending
   double length = 0;         ///< exact
-  bool rim = false;          ///< its faces are one surface: it is there for a group's sake
+  bool rim = false;          ///< its faces share one surface, but different groups name them
 
   [[nodiscard]] bool closed() const { return start == end; }
   /// Unit direction in which it leaves one of its ends. Pre: two points at least.

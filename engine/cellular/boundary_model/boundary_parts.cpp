@@ -14,9 +14,9 @@ using kernel::Brep;
 using kernel::BrepEdge;
 using kernel::BrepFace;
 
-constexpr double kBulge = 0.05;  // of a chord: more than an edge of 6 degrees stands off it
+constexpr double kBulge = 0.05;  // x a chord: more than an arc of 6 degrees stands off its chord
 
-/// The indices that are used, by rank.
+/// The indices that are used, sorted by rank.
 template <typename Ranks>
 std::vector<int> order_of(const std::vector<char>& used, const Ranks& ranks) {
   std::vector<int> order;
@@ -26,7 +26,8 @@ std::vector<int> order_of(const std::vector<char>& used, const Ranks& ranks) {
   return order;
 }
 
-/// Gives an edge the direction from its lower vertex; a closed one that of the smaller neighbour.
+/// Directs an edge from its lower vertex to its higher; a closed one from its start towards the
+/// smaller (`lies_before`) of the two points next to it.
 void direct(BrepEdge& edge) {
   const auto [first, last] = edge.vertices;
   if (first != last ? first < last : !lies_before(*(edge.points.end() - 2), edge.points[1])) return;
@@ -82,7 +83,7 @@ void order_edges(Brep& brep, const std::vector<char>& used, double gap) {
   for (const BrepEdge& edge : brep.edges) {
     const Vec3& m = edge.points[edge.points.size() / 2];
     const auto ends = std::minmax(edge.vertices[0], edge.vertices[1]);
-    // Vertices are numbers already: far enough apart to be ranks of their own.
+    // Vertex numbers, spread by more than the gap, so that no two get the same rank.
     keys.push_back({m.x, m.y, m.z, 2 * gap * ends.first, 2 * gap * ends.second});
   }
   const std::vector<int> renumber =
@@ -108,7 +109,7 @@ void order_faces(BoundaryParts& parts, double gap) {
   rearrange(parts.pieces, order);
 }
 
-/// More than a face stands off its triangles.
+/// An estimate, from above, of how far a face stands off its triangles.
 double bulge(const Brep& brep, const BrepFace& face, const Surface& surface) {
   if (surface.kind == Surface::Kind::Plane) return 0;
   double off = 0;

@@ -29,7 +29,7 @@ struct Step {
   bool backward;
 };
 
-/// Joins real edges through points that are no vertices, each chain once.
+/// Joins unified edges into chains through B-rep vertices that are not unified, each chain once.
 std::vector<std::vector<Step>> find_chains(const Brep& brep, const UnifiedEdges& unified) {
   std::vector<std::vector<int>> at_vertex(brep.vertices.size());
   const int n = static_cast<int>(brep.edges.size());
@@ -111,7 +111,7 @@ void add_edges(BoundaryModel& model, const Brep& brep, const UnifiedEdges& unifi
   std::vector<std::array<double, 6>> keys;
   for (const BoundaryEdge& edge : model.edges) {
     const Vec3& m = edge.points[edge.points.size() / 2];
-    // Vertices are numbers already: far enough apart to be ranks of their own.
+    // Vertex numbers, spread by more than the gap, so that no two get the same rank.
     keys.push_back({m.x, m.y, m.z, 2 * gap * edge.start, 2 * gap * edge.end, edge.length});
   }
   const std::vector<int> renumber = sort_by(model.edges, tolerant_ranks(keys, gap));
@@ -125,7 +125,7 @@ void add_edges(BoundaryModel& model, const Brep& brep, const UnifiedEdges& unifi
   }
 }
 
-/// Joins pieces into faces. Points are numbered anew for each.
+/// Joins pieces into faces. Each face gets its own numbering of points.
 class FaceJoiner {
  public:
   FaceJoiner(const Brep& brep, const std::vector<BoundaryPiece>& pieces)
@@ -146,7 +146,7 @@ class FaceJoiner {
       add_triangles(f, face);
     }
     face.names = ordered_names(joined);
-    // The surface of the first piece that gives the whole face its first name.
+    // The surface of the first piece whose first name is also that of the whole face.
     face.surface = (*std::ranges::find_if(joined, [&](const BoundaryPiece* piece) {
                      return ordered_names({piece}).front() == face.names.front();
                    }))->surface;

@@ -4,18 +4,20 @@
 
 namespace remeshd {
 
-/// Gives an edge the direction and, where it has no vertex, the start that its geometry alone
-/// determines, and fills in its curve: from the lower vertex to the higher; a loop turns
-/// counter-clockwise about an axis whose first component that is not 0 is positive, or, on other
-/// curves, leaves along the smaller of its two neighbours of the start. Circles are sampled anew.
+/// Gives an edge the direction that its geometry alone determines, and fills in its curve. An open
+/// edge runs from the lower vertex to the higher. A full circle turns counter-clockwise about an
+/// axis whose first component that is not 0 is positive; another closed edge leaves its start
+/// towards the smaller (`lies_before`) of the two points next to it. Points on circles are sampled
+/// anew; a full circle without a vertex starts at a place that its axis determines.
 void make_canonical(BoundaryEdge& edge);
 
-/// Moves vertices and the points of other curves onto the exact surfaces of their faces, which the
-/// CAD kernel meets to its tolerance only. What is exact already keeps its bits.
+/// Moves vertices and the points of curves of Kind::Other onto the exact surfaces of their faces,
+/// which the CAD kernel meets to its tolerance only. A vertex that lies on its surfaces to within
+/// 1e-6 x `tolerance` keeps its bits.
 void refine(BoundaryModel& model, double tolerance);
 
-/// The point nearest to p that lies on both surfaces, by Newton's method from p; p itself moved
-/// onto the first surface where they do not cross.
+/// A point near p that lies on both surfaces, by Newton's method from p; where the surfaces are
+/// tangent, a point of the first alone.
 Vec3 onto_both(const Surface& a, const Surface& b, const Vec3& p);
 
 }  // namespace remeshd

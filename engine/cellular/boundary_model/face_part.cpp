@@ -8,16 +8,17 @@ namespace remeshd {
 namespace {
 
 struct PartLimits {
-  double first = 1.0 / 16;       ///< of the face's box: no triangle is longer where it is asked
-  double shortest = 1.0 / 1000;  ///< of it: no triangle is divided further
-  double of_area = 1.0 / 256;    ///< the same where areas are measured
+  // Lengths of a triangle's longest side, x the diagonal of the face's box.
+  double first = 1.0 / 16;       ///< longer triangles are bisected before the condition is tested
+  double shortest = 1.0 / 1000;  ///< no triangle is bisected further
+  double of_area = 1.0 / 256;    ///< `shortest` where areas are measured
 };
 constexpr PartLimits kPartLimits;
 
-/// Where a condition is asked on a triangle: its centre, corners and middles of sides.
+/// Where a condition is tested on a triangle: its centroid, corners and midpoints of sides.
 constexpr int kPlaces = 7;
 
-/// At how many of them `at` holds.
+/// At how many of these places `at` holds.
 template <class At>
 int places_held(const std::array<Vec3, 3>& t, const At& at) {
   int held = at((t[0] + t[1] + t[2]) / 3) ? 1 : 0;
@@ -28,7 +29,7 @@ int places_held(const std::array<Vec3, 3>& t, const At& at) {
   return held;
 }
 
-/// The side of a triangle that is longest: from this corner to the next.
+/// Index of a triangle's longest side; side k runs from corner k to the next.
 int longest_side(const std::array<Vec3, 3>& t) {
   int longest = 0;
   std::array<double, 3> side{};
@@ -42,7 +43,7 @@ double length_of_side(const std::array<Vec3, 3>& t, int k) {
   return distance(t[k], t[(k + 1) % 3]);
 }
 
-/// Both halves of a triangle on a face, from the middle of a side.
+/// The halves of a triangle, bisected at the midpoint of a side moved onto the surface.
 std::array<std::array<Vec3, 3>, 2> halved(const std::array<Vec3, 3>& t, int side,
                                           const Surface& surface) {
   const Vec3 &a = t[side], &b = t[(side + 1) % 3], &c = t[(side + 2) % 3];
@@ -61,15 +62,15 @@ class FaceDivider {
     shortest_ = std::fmax(length, kPartLimits.shortest * diagonal);
   }
 
-  /// Appends what of the triangle the condition holds on.
+  /// Appends the parts of the triangle on which the condition holds.
   void add(const std::array<Vec3, 3>& triangle) {
     if (divide(triangle)) part_.push_back(triangle);
   }
   [[nodiscard]] std::vector<std::array<Vec3, 3>> part() && { return std::move(part_); }
 
  private:
-  /// True if the condition holds on all of the triangle, which is then left to the caller; what it
-  /// holds on of others is appended.
+  /// True if the condition holds on all of the triangle, which the caller has to append then;
+  /// otherwise the parts on which it holds are appended here.
   bool divide(const std::array<Vec3, 3>& t) {
     poll_();
     const int longest = longest_side(t);
@@ -82,7 +83,7 @@ class FaceDivider {
     }
     const auto halves = halved(t, longest, face_.surface);
     const std::array<bool, 2> whole{divide(halves[0]), divide(halves[1])};
-    // Halves of a plane make the whole again; those of a curved face lie nearer to it.
+    // On a plane two whole halves are the same as the triangle; on a curved face they fit better.
     if (whole[0] && whole[1] && face_.surface.kind == Surface::Kind::Plane) return true;
     for (int k = 0; k < 2; ++k)
       if (whole[k]) part_.push_back(halves[k]);
@@ -129,7 +130,8 @@ class PartMeasure {
  private:
   [[nodiscard]] bool at(const Vec3& p) const { return holds_(p, outward_normal(face_, p)); }
 
-  /// How far from `in`, where the condition holds, to `out`, where it does not, it changes.
+  /// Where the condition changes between `in`, where it holds, and `out`, where it does not: as a
+  /// share of the way from `in`, by bisection.
   [[nodiscard]] double crossing(const Vec3& in, const Vec3& out) const {
     double lo = 0, hi = 1;
     for (int k = 0; k < 20; ++k) {
@@ -139,7 +141,7 @@ class PartMeasure {
     return 0.5 * (lo + hi);
   }
 
-  /// Area of what a straight cut leaves of a small triangle.
+  /// Area of the part of a small triangle on which the condition holds, bounded by a straight cut.
   [[nodiscard]] double cut(const std::array<Vec3, 3>& t, double area) const {
     std::array<bool, 3> in{};
     for (int k = 0; k < 3; ++k) in[k] = at(t[k]);

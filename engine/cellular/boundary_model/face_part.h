@@ -10,13 +10,13 @@
 
 namespace remeshd {
 
-/// The part of a face where a condition holds, in triangles, outward oriented, whose corners beside
-/// those of the face's own triangulation are on its surface.
+/// The part of a face where a condition holds, as outward oriented triangles. Corners that are not
+/// of the face's own triangulation lie on its surface.
 ///
-/// What is longer than a sixteenth of the face is bisected before the condition is asked, at
-/// corners, middles of sides and centre; where it holds at some of them only, down to `length`, or
-/// to a thousandth of the face if that is more. Of the smallest the centre decides. A part narrower
-/// than a sixteenth of the face may be missed.
+/// Triangles longer than 1/16 of the diagonal of the face's box are bisected. The condition is then
+/// tested at a triangle's corners, midpoints of sides and centroid; where it holds at some of them
+/// only, bisection goes on down to `length`, or to 1/1000 of the diagonal if that is more, and
+/// there the centroid decides. A part narrower than 1/16 of the diagonal may be missed.
 std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
                                             const OpenExpression& condition, double length,
                                             const Run& run);
@@ -24,10 +24,10 @@ std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
 /// Whether a condition holds at a point of a face with that outward normal.
 using PlaceTest = std::function<bool(const Vec3&, const Vec3&)>;
 
-/// Area of the part of a face where a condition holds: of triangles on its surface, cut where the
-/// condition changes along their sides, as a share of all of them, times the exact area. Off by the
-/// square of 1/256 of the face where the part's border is curved. A part narrower than a sixteenth
-/// of the face may be missed.
+/// Area of the part of a face where a condition holds: its share of the area of bisected triangles,
+/// which are cut straight where the condition changes along their sides, times the face's exact
+/// area. The relative error is of the order of (1/256)^2 where the part's border is curved. A part
+/// narrower than 1/16 of the diagonal of the face's box may be missed.
 double area_where(const BoundaryFace& face, const PlaceTest& holds, const Run& run);
 
 }  // namespace remeshd

@@ -10,7 +10,7 @@
 namespace remeshd {
 namespace {
 
-/// Faces that groups name, each with the groups that do, ascending.
+/// By face of a feature that groups name: the indices of these groups, ascending.
 using GroupsOfFaces = std::map<FaceName, std::vector<int>>;
 
 GroupsOfFaces groups_of_faces(const FeatureModel& model) {
@@ -62,7 +62,7 @@ void add_rims(const BoundaryModel& of, const BoundaryModel& other,
     for (std::size_t k = 1; k < edge.points.size(); ++k) {
       const Vec3 &a = edge.points[k - 1], &b = edge.points[k];
       const int steps = std::max(1, static_cast<int>(std::ceil(distance(a, b) / apart(a))));
-      // Both ends may lie on edges that meet it.
+      // Midpoints of the steps, for the ends of the edge may lie on other edges that meet it.
       for (int s = 0; s < steps; ++s) {
         const Vec3 p = project(of, edge, a + (s + 0.5) / steps * (b - a));
         if (!on_other(p)) places.push_back(p);

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::int32_t kNone = -1;
 
-/// Pairs each element of `from` with the nearest of `to` that it may be; nothing where one finds no
-/// partner or two find the same.
+/// Pairs each element of `from` with the nearest of `to` by `distance_of`; nullopt where one has
+/// none within `reach`, or two have the same.
 template <class From, class To, class Place, class Distance>
 std::optional<std::vector<std::int32_t>> pair_up(const std::vector<From>& from,
                                                  const std::vector<To>& to, double reach,
@@ -42,7 +42,7 @@ std::vector<int> mapped(const std::vector<int>& entities,
   return out;
 }
 
-/// An edge's point that tells it from others between the same vertices.
+/// A point of an edge by which it is told from others between the same vertices.
 const Vec3& middle(const BoundaryEdge& edge) { return edge.points[edge.points.size() / 2]; }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace remeshd {
 
-/// For each vertex, edge and face of one boundary the one of another that stands for it.
+/// For each vertex, edge and face of one boundary its counterpart in another, by index.
 struct BoundaryMatch {
   std::vector<std::int32_t> vertices, edges, faces;
 
@@ -24,8 +24,8 @@ using ExpectedPlace = std::function<Vec3(const Support& entity, const Vec3& p)>;
 /// `reach` away, every face with one of the same names, the same kind and between the same edges.
 /// Distances are from where `expected` says; empty: from where an entity was.
 ///
-/// Post: nothing unless this pairs all entities of both, one to one: the boundaries have the same
-/// topology then.
+/// Post: nullopt unless all entities of both are paired one to one and incidences agree, so that
+/// the boundaries have the same topology.
 std::optional<BoundaryMatch> match_boundaries(const BoundaryModel& from, const BoundaryModel& to,
                                               double reach, const ExpectedPlace& expected = {});
 

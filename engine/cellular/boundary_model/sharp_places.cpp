@@ -18,7 +18,8 @@ struct EdgeProbes {
 };
 constexpr EdgeProbes kProbes;
 
-/// Angle of the material round a curve's point, rad: a share of a small circle across it.
+/// Angle, rad, that material fills round a point of a curve with direction `along`; counted on a
+/// small circle normal to the curve.
 double material_angle(const Vec3& p, const Vec3& along, double radius,
                       const Membership& membership) {
   const Vec3 helper = std::fabs(along.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};

@@ -13,22 +13,23 @@ namespace remeshd {
 /// Where the model itself is sharper than a good mesh's dihedral angles: no mesh does better there.
 struct SharpPlaces {
   std::vector<std::uint8_t> edges;  ///< by edge: material ends in a wedge somewhere along it
-  /// By vertex: a sharp edge ends there, or two edges of one face meet at a sharp angle; in a
-  /// tangency that is nought.
+  /// By vertex: a sharp edge ends there, or two edges of one face meet at a sharp angle, which is 0
+  /// where they are tangent.
   std::vector<std::uint8_t> vertices;
 
   [[nodiscard]] bool any() const;
   [[nodiscard]] bool holds(const Support& support) const;
 };
 
-/// Walls thinner than a length: a tet across one is as flat as that, whatever the mesh.
+/// Walls thinner than a length: a tet across one is flat in any mesh.
 class ThinWalls {
  public:
   /// Keeps a reference to `boundary`.
   ThinWalls(const BoundaryModel& boundary, double thinner_than);
 
-  /// Whether the tet of these nodes lies across one: a node is nearer than that to a face that
-  /// another one stands on, of faces that do not meet.
+  /// Whether the tet of these nodes lies across a thin wall: a boundary node is nearer than
+  /// `thinner_than` to the surface of a face that another node stands on, and that face is none of
+  /// the node's own and shares no edge with them.
   [[nodiscard]] bool holds(const std::array<Support, 4>& supports,
                            const std::array<Vec3, 4>& nodes) const;
 

@@ -24,7 +24,7 @@ Vec3 nearest_on_circle(const BoundaryEdge& edge, const Vec3& p) {
   const Vec3 start = edge.points.front() - circle.origin;
   Vec3 out = p - circle.origin;
   out = out - dot(out, axis) * axis;
-  // From the axis every point is nearest: take the start.
+  // On the axis all points of the circle are equally near: take the start.
   if (norm(out) <= 1e-14 * circle.radius) return edge.points.front();
   if (edge.closed() && edge.start < 0) return circle.origin + circle.radius * normalised(out);
   const Vec3 u = normalised(start - dot(start, axis) * axis);
@@ -47,8 +47,8 @@ Vec3 nearest_on_polyline(const BoundaryModel& boundary, const BoundaryEdge& edge
   }
   const bool at_end = best == edge.points.front() || best == edge.points.back();
   if ((at_end && edge.start >= 0) || edge.faces.size() != 2) return best;
-  // The foot on a chord is not the foot on the curve: slide along the tangent until p is square to
-  // it, so that projecting twice is projecting once.
+  // The foot on a chord is not the foot on the curve: slide along the tangent until p lies square
+  // to it, so that projecting a second time changes nothing.
   const Surface& a = boundary.faces[edge.faces[0]].surface;
   const Surface& b = boundary.faces[edge.faces[1]].surface;
   best = onto_both(a, b, best);

@@ -5,11 +5,11 @@
 
 namespace remeshd {
 
-/// The gap for places of a B-rep, x the kernel's tolerance.
+/// The gap for ranks of coordinates in a B-rep, x kernel_tolerance.
 inline constexpr double kOrderGap = 10;
 
-/// Numbers by rank, equal for values that are no further apart than `gap` or are linked by others
-/// that are not: an order of these is an order of the values that noise below the gap leaves alone.
+/// For each value its rank, from 0. Values share a rank where, in sorted order, no step between
+/// them exceeds `gap`, so that noise far below `gap` does not change an order by rank.
 std::vector<int> tolerant_ranks(const std::vector<double>& values, double gap);
 
 /// The same for each column of a table of keys.
@@ -26,7 +26,8 @@ std::vector<std::array<int, N>> tolerant_ranks(const std::vector<std::array<doub
   return out;
 }
 
-/// Puts `values` into this order and returns for each old index the new one, -1 where left out.
+/// Puts `values` into the order of these old indices; returns for each old index the new one, -1
+/// where it was left out.
 template <typename T>
 std::vector<int> rearrange(std::vector<T>& values, const std::vector<int>& order) {
   std::vector<int> renumber(values.size(), -1);

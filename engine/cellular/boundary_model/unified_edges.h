@@ -12,11 +12,11 @@ namespace remeshd {
 /// or curve.
 struct UnifiedEdges {
   std::vector<std::vector<int>> faces_at_edge;  ///< selected faces, ascending; a seam's face twice
-  std::vector<char> edge;                       ///< by B-rep edge: bounds a change of surface
-  std::vector<char> rim;        ///< by B-rep edge: of those, where only the group changes
-  std::vector<char> vertex;     ///< by B-rep vertex: end or corner of such edges
+  std::vector<char> edge;    ///< by B-rep edge: surface, side or SelectedFace::group changes there
+  std::vector<char> rim;     ///< by B-rep edge: of those, where only SelectedFace::group changes
+  std::vector<char> vertex;  ///< by B-rep vertex: end or corner of such edges, or apex of a cone
   std::vector<int> face_group;  ///< by B-rep face: one number per unified face, -1 if not selected
-  int groups = 0;
+  int groups = 0;               ///< number of unified faces
 };
 
 /// A selected face of a B-rep: its untrimmed surface and which way it is seen.
@@ -27,9 +27,10 @@ struct SelectedFace {
   int group = 0;  ///< nor are those of different group
 };
 
-/// Finds them among the selected faces; the other faces are as if not there. An edge between two
-/// faces of one surface is none; where three and more faces meet there always is one. A vertex
-/// without edges is one only at the apex of a cone. An edge where the group changes is one too.
+/// Finds the unified edges and vertices of the selected faces; other faces are ignored. An edge
+/// between two faces of one surface, side and group is none; where three or more faces meet there
+/// always is one. A vertex at which no unified edge ends is a unified one only at the apex of a
+/// cone.
 ///
 /// Pre: one SelectedFace for each face of `brep`.
 UnifiedEdges find_unified_edges(const kernel::Brep& brep, const std::vector<SelectedFace>& faces);
@@ -38,7 +39,8 @@ UnifiedEdges find_unified_edges(const kernel::Brep& brep, const std::vector<Sele
 bool continues(const kernel::BrepEdge& a, int end_a, const kernel::BrepEdge& b, int end_b,
                double tolerance);
 
-/// Length below which the CAD kernel takes positions for equal, model's unit.
+/// Length below which positions that the CAD kernel made count as equal, model's unit: ten times
+/// the tolerance of the kernel itself.
 double kernel_tolerance(const kernel::Brep& brep);
 
 }  // namespace remeshd

@@ -18,7 +18,7 @@ double checked_length(double value, const std::string& parameter) {
   return value;
 }
 
-/// What evaluates the sizes of one model.
+/// Evaluates the size controls of one model.
 class Sizes {
  public:
   Sizes(const ModelSource& source, const std::vector<Feature>& features, const Scope& scope,
@@ -75,7 +75,7 @@ class Sizes {
   }
 
   [[nodiscard]] std::vector<SizedFaces> evaluate(const std::string& on, const Scalar& size) {
-    // A number is wrong whether it is selected for anything or not.
+    // A number is checked even where the selector names nothing.
     const bool is_number = std::holds_alternative<double>(size);
     const double everywhere = is_number ? length(size, ".size") : 0;
     std::vector<SizedFaces> sized;

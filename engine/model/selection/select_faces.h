@@ -12,22 +12,23 @@ namespace remeshd {
 
 class Scope;
 
-/// What the selectors of one model have asked so far, against `kSelectorLimits`.
+/// Work that the selectors of one model have caused so far; `kSelectorLimits` bounds it.
 struct SelectorCost {
-  std::size_t questions = 0;   ///< terms, times features
-  std::size_t conditions = 0;  ///< times features
+  std::size_t questions = 0;   ///< tests of a term against a feature
+  std::size_t conditions = 0;  ///< conditions, each counted for every feature its term names
 };
 
-/// The numbers of a feature by name, as its expressions would see them.
+/// Values of a feature's parameters by name, defaults included, the profile left out.
 std::map<std::string, double> numbers_of(const FeatureSource& feature, const Scope& scope);
 
-/// The faces of the features that a selector names, in the order of history: for each feature first
-/// those that are named without a condition, then those of each term that has one, whose expression
-/// sees coordinates and normal, then the feature's parameters, then the model's. `features`: those
-/// of the document, evaluated; `parameter` says whose selector it is.
+/// The faces of the features that a selector names, in the order of history. For each feature first
+/// one entry for all faces named without a condition, then one for each term with a condition.
+/// Names in a condition are those of `kPlaceNames`, else the feature's parameters, else the
+/// model's. `features`: those of the document, evaluated; `parameter` says whose selector it is.
+/// Adds to `cost`.
 ///
 /// Throws Error(InvalidArgument) naming feature and parameter where the selector or a condition
-/// cannot be read, or where the model's selectors ask more than `kSelectorLimits`.
+/// cannot be read, or where `cost` exceeds `kSelectorLimits`.
 std::vector<SelectedFaces> select_faces(std::string_view selector, const ModelSource& source,
                                         const std::vector<Feature>& features, const Scope& scope,
                                         const std::string& parameter, SelectorCost& cost);

@@ -10,8 +10,8 @@
 
 namespace remeshd {
 
-/// What a selector's condition is asked with: a point of a face and its unit normal there, out of
-/// the material; in material the normal is nought.
+/// The variables of a selector's condition: a point of a face and the unit normal there, out of the
+/// material; for a point in the material the normal is 0.
 inline constexpr std::array kPlaceNames{"x", "y", "z", "nx", "ny", "nz"};
 
 /// Faces of one feature that a selector names, where its condition holds.

@@ -8,7 +8,7 @@
 namespace remeshd::error {
 namespace {
 
-constexpr std::size_t kLongest = 120;  // of a text of the client's in a message
+constexpr std::size_t kLongest = 120;  // bytes that an error quotes of a client's text
 
 std::string quoted(std::string_view text) {
   if (text.size() <= kLongest) return "'" + std::string(text) + "'";

@@ -9,7 +9,7 @@
 namespace remeshd::error {
 
 Error selector_invalid(std::string_view parameter, std::string_view selector, std::string_view why);
-/// A size whose selector names no face of the model's boundary.
+/// A size whose selector names neither a part of the model's boundary nor material.
 Error selector_empty(std::string_view size);
 Error duplicate_size(std::string_view size);
 /// A group whose selector names neither a part of the model's boundary nor material.

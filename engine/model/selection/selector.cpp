@@ -19,8 +19,8 @@ bool may_stand_in_a_term(char c) {
          c == '.' || c == '*' || c == '?';
 }
 
-/// Whether a glob stands for all of a name. Of stars only the last is ever gone back to: what those
-/// before it stand for never has to be longer.
+/// Whether a glob matches all of a name. Backtracking to the last star suffices: the stars before
+/// it never have to match more than they did.
 bool matches(std::string_view glob, std::string_view name) {
   constexpr std::size_t kNone = std::string_view::npos;
   std::size_t g = 0, n = 0, after_star = kNone, taken = 0;
@@ -41,7 +41,8 @@ bool matches(std::string_view glob, std::string_view name) {
   return glob.find_first_not_of('*', g) == kNone;
 }
 
-/// Where the term that begins there ends: at the next `|` that is not half of a condition's `||`.
+/// Where the term that begins at `begin` ends: at the next `|` that is not half of a condition's
+/// `||`.
 std::size_t end_of_term(std::string_view text, std::size_t begin) {
   bool in_condition = false;
   for (std::size_t k = begin; k < text.size(); ++k) {

@@ -9,9 +9,9 @@ namespace remeshd {
 struct SelectorLimits {
   std::size_t term_length = 160;  ///< characters of a glob: no name is longer
   std::size_t terms = 64;         ///< of one selector
-  /// Of one model: what its selectors may ask, feature by feature and term by term.
+  /// Of one model: tests of a term against a feature.
   std::size_t questions = 1'000'000;
-  /// Of one model: its conditions, each as often as there are features that its term names.
+  /// Of one model: its conditions, each counted for every feature that its term names.
   std::size_t conditions = 10'000;
 };
 inline constexpr SelectorLimits kSelectorLimits;
@@ -25,7 +25,7 @@ struct SelectorTerm {
 
   /// Whether it names all faces of the feature of that id.
   [[nodiscard]] bool names(std::string_view feature) const;
-  /// Whether it names this one of its faces.
+  /// Whether it names this face of that feature, alone or with all others.
   [[nodiscard]] bool names(std::string_view feature, std::string_view face) const;
 };
 
