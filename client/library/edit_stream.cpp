@@ -159,7 +159,7 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   if (next.sent_before) {
     if (how_to_resend(next.message, last_ ? &*last_ : nullptr) == Resend::AsItIs)
       return next.message;
-    if (!first) return std::nullopt;
+    if (!first) return std::nullopt;  // what is the last result is not known yet
     return on_last(next.message, *last_);
   }
   // In a new call the daemon does not know the last result, the base of an edit that names none.
@@ -172,16 +172,28 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   return message;
 }
 
+/// Whether the first unanswered request cannot be sent a second time; later ones may follow a result
+/// that is not known yet. Pre: under `state_`.
+bool EditStream::Impl::first_is_lost() const {
+  if (unanswered_.empty()) return false;
+  const Unanswered& first = unanswered_.front();
+  return first.sent_before && !first.sent &&
+         how_to_resend(first.message, last_ ? &*last_ : nullptr) == Resend::Impossible;
+}
+
 /// Pre: under `writing_`.
 void EditStream::Impl::send_waiting() {
   while (true) {
     std::shared_ptr<Call> to;
     std::optional<remesh::v1::EditStreamRequest> message;
+    Requests lost;
     {
       const std::lock_guard lock(state_);
       to = call_;
       const auto next = std::ranges::find(unanswered_, false, &Unanswered::sent);
-      if (next == unanswered_.end()) {
+      if (first_is_lost()) {
+        lost.splice(lost.end(), unanswered_, unanswered_.begin());
+      } else if (next == unanswered_.end()) {
         if (!closed_ || to->writes_done) return;
         to->writes_done = true;
       } else {
@@ -190,6 +202,10 @@ void EditStream::Impl::send_waiting() {
         next->sent = true;
         to->used = true;
       }
+    }
+    if (!lost.empty()) {
+      lost.front().request.fail(not_sent_again());
+      continue;
     }
     // A write that fails means that the call is at its end: the reading thread sees to it.
     if (!message) {
@@ -262,26 +278,18 @@ bool EditStream::Impl::is_over() {
 /// false where it was cancelled. `refused`: the first request was refused, so it was not carried
 /// out.
 bool EditStream::Impl::reopen(bool refused) {
-  Requests lost;
   const std::lock_guard one_write(writing_);
   {
     const std::lock_guard lock(state_);
     if (cancelled_) return false;
-    const auto front = unanswered_.begin();
-    for (auto entry = unanswered_.begin(); entry != unanswered_.end();) {
-      const auto next = std::next(entry);
-      const bool done_perhaps = entry->sent && !(refused && entry == front);
-      entry->sent_before = entry->sent_before || done_perhaps;
-      entry->sent = false;
-      entry->request.restart();
-      if (entry->sent_before &&
-          how_to_resend(entry->message, last_ ? &*last_ : nullptr) == Resend::Impossible)
-        lost.splice(lost.end(), unanswered_, entry);
-      entry = next;
+    for (Unanswered& entry : unanswered_) {
+      const bool not_done = !entry.sent || (refused && &entry == &unanswered_.front());
+      entry.sent_before = entry.sent_before || !not_done;
+      entry.sent = false;
+      entry.request.restart();
     }
     call_ = std::make_shared<Call>(*search_);
   }
-  for (Unanswered& entry : lost) entry.request.fail(not_sent_again());
   send_waiting();
   return true;
 }

@@ -71,6 +71,7 @@ struct EditStream::Impl {
   std::string fresh_id();
   Requests::iterator find(const std::string& id);
   [[nodiscard]] std::optional<remesh::v1::EditStreamRequest> to_send(const Unanswered& next);
+  bool first_is_lost() const;
   void send_waiting();
   void read();
   [[nodiscard]] bool moves_on(Call& from, const remesh::v1::EditStreamResponse& response);

@@ -18,18 +18,20 @@ bool names_one_revision(const std::string& reference) {
 Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
                      const remesh::v1::RevisionResult* last) {
   if (!request.has_edit()) return Resend::AsItIs;
-  const std::string& base = request.edit().base();
-  if (names_one_revision(base)) return Resend::AsItIs;
-  if (last != nullptr && (base.empty() || base == last->revision().design())) return Resend::OnLast;
+  const auto& edit = request.edit();
+  if (names_one_revision(edit.base())) return Resend::AsItIs;
+  const std::string& design = edit.base().empty() ? edit.design() : edit.base();
+  if (last != nullptr && (design.empty() || design == last->revision().design()))
+    return Resend::OnLast;
   // Without a base and without a result before it, the daemon can only refuse it.
-  return base.empty() && request.edit().design().empty() ? Resend::AsItIs : Resend::Impossible;
+  return design.empty() ? Resend::AsItIs : Resend::Impossible;
 }
 
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last) {
   auto& edit = *request.mutable_edit();
   if (edit.design().empty()) edit.set_design(last.revision().design());
-  edit.set_base(last.revision().id());
+  edit.set_base(last.head().empty() ? last.revision().id() : last.head());
   return request;
 }
 

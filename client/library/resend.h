@@ -10,7 +10,7 @@ namespace remeshd::client {
 /// itself would be done a second time.
 enum class Resend {
   AsItIs,     ///< it says by itself what it is made of
-  OnLast,     ///< once all before it are answered, with the id of the last result as its base
+  OnLast,     ///< once all before it are answered, on what the last result says is the head
   Impossible  ///< its base is the head of a design that the stream knows nothing of
 };
 
@@ -18,8 +18,8 @@ enum class Resend {
 Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
                      const remesh::v1::RevisionResult* last);
 
-/// The same request with the id of the last result as its base, in the design where it would have
-/// been filed.
+/// The same request with an id as its base, in the design where it would have been filed: the head of
+/// the last result's design after that result; where that is in none, what it made.
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last);
 

@@ -46,6 +46,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::optional<remesh::v1::Error> stream_failure;
   /// Breaks a stream off at the request after so many answers; the next ones stay.
   std::optional<int> stream_break;
+  int broken_off = 1;  ///< requests that such a break leaves unanswered
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
   /// Breaks every GetMesh off after so many messages, and the next GetMeshFile.
   std::optional<int> mesh_break;
@@ -401,7 +402,8 @@ class FakeService final : public remesh::v1::RemeshService::Service {
     remesh::v1::EditStreamRequest request;
     for (int k = 0; stream.Read(&request); ++k) {
       requests.push_back(request);
-      if (k == answers) break;
+      if (k == answers + broken_off - 1) break;
+      if (k >= answers) continue;
       answer(stream, k,
              request.has_edit() ? request.edit().request_id() : request.create().request_id(),
              request, false);

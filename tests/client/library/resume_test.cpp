@@ -42,12 +42,19 @@ TEST(Resend, AnEditOfTheHeadIsSentWithTheIdOfTheLastResultAndItsDesign) {
     EXPECT_EQ(sent.edit().base(), "0123456789abcdef");
     EXPECT_EQ(sent.edit().design(), "plate");
   }
-  EXPECT_EQ(on_last(streamed_edit_of("", "mine"), last).edit().design(), "mine");
+  EXPECT_EQ(on_last(streamed_edit_of("plate", "mine"), last).edit().design(), "mine");
+}
+
+TEST(Resend, WhereTheLastResultDidNotBecomeTheHeadAnEditOfTheHeadIsOfTheHead) {
+  auto last = result_of("0123456789abcdef", "plate");
+  last.set_head("fedcba9876543210");
+  EXPECT_EQ(on_last(streamed_edit_of("plate"), last).edit().base(), "fedcba9876543210");
 }
 
 TEST(Resend, AnEditOfAHeadThatTheStreamKnowsNothingOfIsNotSentAgain) {
   const auto last = result_of("0123456789abcdef", "plate");
   EXPECT_EQ(how_to_resend(streamed_edit_of("other"), &last), Resend::Impossible);
+  EXPECT_EQ(how_to_resend(streamed_edit_of("", "other"), &last), Resend::Impossible);
   EXPECT_EQ(how_to_resend(streamed_edit_of("plate"), nullptr), Resend::Impossible);
   EXPECT_EQ(how_to_resend(streamed_edit_of("", "plate"), nullptr), Resend::Impossible);
   EXPECT_EQ(how_to_resend(streamed_edit_of(""), nullptr), Resend::AsItIs);
@@ -68,6 +75,23 @@ TEST(EditStream, SendsWhatABreakLeftUnansweredAgain) {
   EXPECT_EQ(second.get().revision().parent(), "a@2");
   EXPECT_EQ(third.get().revision().parent(), "a@3");
   stream.finish();
+}
+
+TEST(EditStream, BehindABreakAnEditOfAHeadWaitsForTheResultsBeforeIt) {
+  FakeDaemon daemon;
+  daemon.service.stream_break = 1;
+  daemon.service.broken_off = 3;
+  EditStream stream = Client::connect(daemon.address).stream();
+  EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().design(), "d");
+  remesh::v1::CreateRevisionRequest create;
+  create.mutable_model()->set_name("e");
+  auto other = stream.create(create);
+  auto of_the_first = stream.edit(edit_request("d"));
+  auto of_the_other = stream.edit(edit_request("e"));  // the stream breaks here
+  const remesh::v1::RevisionResult of_e = other.get();
+  EXPECT_EQ(of_e.revision().design(), "e");
+  EXPECT_THROW(of_the_first.get(), CallError) << "the last result is in another design by now";
+  EXPECT_EQ(of_the_other.get().revision().parent(), of_e.revision().id());
 }
 
 TEST(EditStream, BehindABreakAnEditWithoutABaseIsOfTheLastResultUnlessItNamesADesign) {
