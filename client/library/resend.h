@@ -18,8 +18,8 @@ enum class Resend {
 Resend how_to_resend(const remesh::v1::EditStreamRequest& request,
                      const remesh::v1::RevisionResult* last);
 
-/// The same request with an id as its base, in the design where it would have been filed: the head of
-/// the last result's design after that result; where that is in none, what it made.
+/// The same request with an id as its base, in the design where it would have been filed: the head
+/// of the last result's design after that result; where that is in none, what it made.
 remesh::v1::EditStreamRequest on_last(remesh::v1::EditStreamRequest request,
                                       const remesh::v1::RevisionResult& last);
 
