@@ -94,7 +94,8 @@ Archive::HeadSet Archive::set_head(const std::string& text, const std::string& d
     if (now.head == reference.id) return Transaction{};
     return Transaction{SetHead{name, reference.id}, changed_now(name)};
   };
-  commit_designs(move, Store::OnFullDisk::Throw);
+  // In a farm the head has moved once the table has it, whether this disk takes it or not.
+  commit_designs(move, designs_ ? Store::OnFullDisk::GoOn : Store::OnFullDisk::Throw);
   set.design =
       *store_.read([&](Catalogue& catalogue) { return catalogue.design(set.design.name); });
   return set;

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <vector>
 
+#include "server/session/shared_designs.h"
+#include "tests/server/designs/design_shelf.h"
 #include "tests/support/expect_error.h"
 
 namespace remeshd::test {
@@ -117,6 +119,24 @@ TEST_F(FullDisk, KeepsTheStoreUnhealthyUntilThereIsRoomForWhatWaits) {
   EXPECT_TRUE(archive_->is_durable(id(2)));
   store_->on_health({});
   EXPECT_EQ(heard, (std::vector<bool>{true, false, true}));
+}
+
+TEST_F(FullDisk, AHeadThatTheFarmHasMovedHasMoved) {
+  file(1);
+  file(2);
+  archive_.reset();
+  SharedParts farm;
+  farm.designs = std::make_unique<SharedDesigns>(std::make_shared<DesignShelf>(), "", *store_);
+  archive_.emplace(engine_, *store_, memory_, nullptr, nullptr, std::move(farm));
+  const std::string before = archive_->resolve("plate").id;
+  const std::string other = before == id(1) ? id(2) : id(1);
+  fill_disk();
+  EXPECT_EQ(archive_->set_head(other, "plate", "").design.head, other);
+  EXPECT_EQ(archive_->resolve("plate").id, other);
+  EXPECT_FALSE(store_->healthy());
+  make_room();
+  open();
+  EXPECT_EQ(archive_->resolve("plate").id, other) << "stored once there is room";
 }
 
 TEST_F(FullDisk, WhatWasNotDurableIsNotThereAfterACrash) {
