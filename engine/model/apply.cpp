@@ -118,7 +118,9 @@ struct Editor {
 
   void operator()(const RemoveGroup& edit) const {
     const auto found = std::ranges::find(model.groups, edit.name, &GroupSource::name);
-    if (found == model.groups.end()) throw error::unknown_group(edit.name);
+    if (found == model.groups.end())
+      throw with_suggestion(error::unknown_group(edit.name), edit.name, model.groups,
+                            &GroupSource::name);
     model.groups.erase(found);
   }
 };

@@ -128,6 +128,10 @@ TEST(Apply, ANameThatIsNearlyRightIsAnsweredWithTheOneThatMayBeMeant) {
   EXPECT_EQ(hint(SetParameter{"W", 1.0}), "did you mean `w`?");
   EXPECT_EQ(hint(SetFeatureParameter{"rib", "hight", Scalar(1.0)}), "did you mean `height`?");
   EXPECT_EQ(hint(RemoveFeature{"flange"}), "ids are case-sensitive");
+  EXPECT_EQ(test::error_of([] {
+              edited({SetGroup{"load", "rib", {}}, RemoveGroup{"lead"}});
+            }).hint,
+            "did you mean `load`?");
 }
 
 TEST(Apply, UnknownFeaturesAreNotFound) {
