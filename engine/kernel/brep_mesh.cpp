@@ -92,8 +92,9 @@ void split(Brep& brep, int f, const std::array<int, 3>& corners) {
   triangles.push_back({c, a, middle});
 }
 
-/// Where two faces have triangles with the same corners, as a shallow cap and the disc below it
-/// may, splits that of a curved face. Returns the faces where none of the two is curved.
+/// Where faces have triangles with the same corners, as a shallow cap and the disc below it may,
+/// splits those of curved faces, of all but one. Returns the planes whose triangle another plane
+/// has too.
 std::vector<int> part_touching(Brep& brep) {
   std::vector<std::pair<std::array<int, 3>, int>> all;  // nodes and face
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)
@@ -106,16 +107,19 @@ std::vector<int> part_touching(Brep& brep) {
   const auto round = [&](int face) {
     return BRepAdaptor_Surface(face_shape(brep, face), false).GetType() != GeomAbs_Plane;
   };
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const auto& [nodes, face] = all[i];
-    const auto& [nodes_before, face_before] = all[i - 1];
-    if (nodes != nodes_before) continue;
-    if (round(face))
+  auto whole = all.begin();  // of those with the same nodes the one that is not split
+  for (auto next = all.begin(); next != all.end(); ++next) {
+    const auto& [nodes, face] = *next;
+    if (nodes != whole->first) whole = next;
+    if (next == whole) continue;
+    if (round(face)) {
       split(brep, face, nodes);
-    else if (round(face_before))
-      split(brep, face_before, nodes);
-    else
+    } else if (round(whole->second)) {
+      split(brep, whole->second, nodes);
+      whole = next;
+    } else {
       bad.push_back(face);
+    }
   }
   return bad;
 }
