@@ -20,10 +20,10 @@ namespace remeshd::client {
 ///
 /// Where the connection breaks, or the daemon starts anew, the stream is opened again, of several
 /// daemons at the next in rank, and requests without an answer are sent again, edits of the head
-/// with the id of the last result as their base: what a daemon has done already it answers from its
-/// cache, or from the tier, and no head moves twice. An edit of the head of a design cannot be sent
-/// again unless the last result is of that design: it may have moved the head already. The first
-/// request decides which daemon the stream goes to.
+/// with what the last result tells of it as their base: what a daemon has done already it answers
+/// from its cache, or from the tier, and no head moves twice. An edit of the head of a design
+/// cannot be sent again unless the last result is of that design: it may have moved the head
+/// already. The first request decides which daemon the stream goes to.
 class EditStream {
  public:
   /// Called on the reading thread: the id of the request and how far it is. Must not block for
