@@ -97,9 +97,8 @@ double newly_last_resort(const Report& report, const Revision* base) {
   return anew > kRounding ? anew : 0;
 }
 
-/// `of_part`: a detailed one, so that it counts how far from a change nodes are lost.
 Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& options,
-                 bool of_part, std::unique_ptr<Base>& base) {
+                 std::unique_ptr<Base>& base) {
   Outcome outcome{.step = step, .kind = "valid"};
   const Watch watch;
   try {
@@ -131,7 +130,7 @@ Outcome try_step(std::size_t step, const ModelSource& model, const MeshOptions& 
                                              next->node_ids, next->tet_ids);
     outcome.verifier_seconds = since(made);
     check_foretold(certain, report, findings);
-    if (base && of_part) outcome.lost = lost_nodes(base->revision, next->revision);
+    if (base) outcome.lost = lost_nodes(base->revision, next->revision);
     if (findings.empty()) {
       base = std::move(next);
     } else {
@@ -206,8 +205,7 @@ void run_case(const CampaignCase& c, const std::function<void(std::size_t)>& bef
   inherited.size.reset();
   for (std::size_t step = 0; step <= c.steps.size(); ++step) {
     before(step);
-    after(try_step(step, model_after(c, step), step == 0 ? c.options : inherited, !c.part.empty(),
-                   base));
+    after(try_step(step, model_after(c, step), step == 0 ? c.options : inherited, base));
     if (!base) return;
   }
 }

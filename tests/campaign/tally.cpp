@@ -62,10 +62,11 @@ void print_results(const char* what, const Results& r, std::ostream& out) {
       << "  " << std::setw(24) << "time" << std::setprecision(3) << "mean "
       << r.seconds / std::max(1, r.runs) << " s, verifier " << r.verifier_seconds / n
       << " s; of processors median " << median(r.times) << " s, most " << most(r.times) << " s\n"
-      << "  " << std::setw(24) << "nodes kept, mean" << 100 * r.kept / n << " %\n"
+      << "  " << std::setw(24) << "nodes kept, mean" << 100 * r.kept / n << " %, lost far away in "
+      << percent(r.far_lost, r.valid + r.invalid) << " meshes\n"
       << "  " << std::setw(24) << "least angle" << r.least_angle << " degrees, below 5 in "
-      << r.angle_below_5 << " meshes, away from sharp places " << r.away_angle
-      << "; least volume-length " << r.least_quality << "\n";
+      << r.angle_below_5 << " meshes, away from sharp places " << r.away_angle << ", in "
+      << r.away_below_5 << "; least volume-length " << r.least_quality << "\n";
 }
 
 json to_json(const Results& r) {
@@ -84,6 +85,8 @@ json to_json(const Results& r) {
           {"least_quality", r.least_quality},
           {"angle_below_5", r.angle_below_5},
           {"away_angle", r.away_angle},
+          {"away_below_5", r.away_below_5},
+          {"far_lost", r.far_lost},
           {"with_last_resort", r.with_last_resort},
           {"over_a_fifth", r.over_a_fifth},
           {"median_time", median(r.times)},
@@ -122,6 +125,8 @@ void Results::add(const Outcome& o) {
   least_quality = std::min(least_quality, o.least_quality);
   angle_below_5 += o.least_angle < 5;
   away_angle = std::min(away_angle, o.away_angle);
+  away_below_5 += o.away_angle < 5;
+  far_lost += o.lost.far > 0;
   if (o.strategy == "TetGen") return;
   with_last_resort += o.newly_last_resort > 0;
   over_a_fifth += o.newly_last_resort > part_goals::kLastResort;
