@@ -172,8 +172,7 @@ std::optional<remesh::v1::EditStreamRequest> EditStream::Impl::to_send(const Una
   return message;
 }
 
-/// Whether the first unanswered request cannot be sent a second time; later ones may follow a
-/// result that is not known yet. Pre: under `state_`.
+/// Whether the first unanswered request cannot be sent a second time. Pre: under `state_`.
 bool EditStream::Impl::first_is_lost() const {
   if (unanswered_.empty()) return false;
   const Unanswered& first = unanswered_.front();
