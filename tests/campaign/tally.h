@@ -21,7 +21,7 @@ struct Results {
   double least_angle = 180, least_quality = 1;
   int angle_below_5 = 0;                  ///< meshes whose least dihedral angle is, in degrees
   double away_angle = 180;                ///< the least away from the model's sharp places
-  int away_below_5 = 0;                   ///< meshes where it is, in degrees
+  int away_below_5 = 0;                   ///< meshes where that is below 5 degrees
   int far_lost = 0;                       ///< meshes that lost nodes far from the change
   int with_last_resort = 0;               ///< in which a local last resort made tets
   int over_a_fifth = 0;                   ///< of the tets, of these
