@@ -1,6 +1,7 @@
 #include "tests/support/changed_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/boundary/samples.h"
@@ -10,15 +11,18 @@ namespace remeshd::test {
 namespace {
 
 constexpr double kSpacing = 0.36;  // of the points, in local lengths
-constexpr double kBeside = 1e-7;   // of the diagonal
+
+/// How far beside a surface material is looked for, of the diagonal: surfaces that moved less than
+/// the first lie between two points of the second pair, and so on, down to what rounding does.
+constexpr std::array kBeside{1e-7, 1e-9, 1e-11};
 
 }  // namespace
 
 ChangedPlaces::ChangedPlaces(const Revision& base, const Revision& edited)
     : before_(base.model),
       after_(edited.model),
-      tiny_(kBeside * std::max(base.cells.boundary.bounds.diagonal(),
-                               edited.cells.boundary.bounds.diagonal())) {
+      diagonal_(std::max(base.cells.boundary.bounds.diagonal(),
+                         edited.cells.boundary.bounds.diagonal())) {
   add_changes(base, before_);
   add_changes(edited, after_);
 }
@@ -31,9 +35,13 @@ void ChangedPlaces::add_changes(const Revision& of, const Membership& own) {
   const Samples samples = sample_boundary(boundary, own, sizes, 1, options, Run{});
   for (std::size_t k = 0; k < samples.edges_begin; ++k) {
     const Sample& sample = samples.points[k];
-    const Vec3 n = tiny_ * outward_normal(boundary.faces[sample.support.entity], sample.position);
-    const bool same = before_.inside(sample.position + n) == after_.inside(sample.position + n) &&
-                      before_.inside(sample.position - n) == after_.inside(sample.position - n);
+    const Vec3 n = outward_normal(boundary.faces[sample.support.entity], sample.position);
+    const auto same_beside = [&](double far) {
+      const Vec3 p = sample.position + far * diagonal_ * n;
+      return before_.inside(p) == after_.inside(p);
+    };
+    const bool same = std::ranges::all_of(
+        kBeside, [&](double far) { return same_beside(far) && same_beside(-far); });
     if (!same) places_.push_back({sample.position, kSpacing * sizes(sample.position)});
   }
 }

@@ -30,7 +30,7 @@ class ChangedPlaces {
   void add_changes(const Revision& of, const Membership& own);
 
   Membership before_, after_;
-  double tiny_;  ///< beside a surface: of the diagonal
+  double diagonal_;
   std::vector<Place> places_;
 };
 

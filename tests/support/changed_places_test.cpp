@@ -41,6 +41,14 @@ TEST(ChangedPlaces, AreAllOfWhatWasCutAway) {
   EXPECT_GT(changed.distance_to({0, 0, 5}), 3.5);
 }
 
+TEST(ChangedPlaces, AreSeenWhereASurfaceMovedByNextToNothing) {
+  const Revision low = unmeshed(model_of({block("block", 60, 40, 10)}));
+  for (const double by : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    const Revision high = unmeshed(model_of({block("block", 60, 40, 10 + by)}));
+    EXPECT_LE(ChangedPlaces(low, high).distance_to({0, 0, 8}), 2 + by) << by;
+  }
+}
+
 TEST(KeptShares, CountNodesThatStayedAndNodesFarFromTheChange) {
   const auto bar = [](double radius) {
     return model_of({block("bar", 100, 12, 6),
