@@ -204,7 +204,7 @@ Cavities find_cavities(std::span<const Tet> delaunay, std::span<const Tet> outpu
     cavities.same[same[k]] = static_cast<std::int32_t>(k);
     stands[k] = 1;
   }
-  const TetIndex index(output, stands, node_count, poll);
+  const TetIndex index(output, stands, node_count, extent == CavityExtent::Least, poll);
   for (std::size_t k = 0; k < delaunay.size(); ++k) {
     poll();
     if (cavities.same[k] < 0) cavities.same[k] = index.find(delaunay[k]);

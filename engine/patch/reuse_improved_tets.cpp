@@ -65,7 +65,7 @@ class TetReuse {
         others.push_back(static_cast<std::int32_t>(k));
       }
     }
-    const TetIndex index(original_.tets, taken, original_.positions.size(), poll_);
+    const TetIndex index(original_.tets, taken, original_.positions.size(), false, poll_);
     for (const std::int32_t k : others) {
       common_transform(tets_[k], originals);
       image_[k] = index.find(originals);

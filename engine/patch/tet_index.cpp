@@ -4,32 +4,41 @@
 
 namespace remeshd {
 
-Tet sorted_nodes(Tet t) {
-  if (t[0] > t[1]) std::swap(t[0], t[1]);
-  if (t[2] > t[3]) std::swap(t[2], t[3]);
-  if (t[0] > t[2]) std::swap(t[0], t[2]);
-  if (t[1] > t[3]) std::swap(t[1], t[3]);
-  if (t[1] > t[2]) std::swap(t[1], t[2]);
-  return t;
+SortedNodes sorted_nodes(const Tet& tet) {
+  SortedNodes sorted{tet, true};
+  const auto order = [&](int i, int j) {
+    if (sorted.nodes[i] < sorted.nodes[j]) return;
+    std::swap(sorted.nodes[i], sorted.nodes[j]);
+    sorted.even = !sorted.even;
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+  return sorted;
 }
 
 TetIndex::TetIndex(std::span<const Tet> tets, std::span<const std::uint8_t> left_out,
-                   std::size_t node_count, Polling& poll) {
+                   std::size_t node_count, bool oriented, Polling& poll)
+    : oriented_(oriented) {
   entries_ = grouped<Entry>(node_count, [&](const auto& visit) {
     for (std::size_t k = 0; k < tets.size(); ++k) {
       poll();
       if (left_out[k] != 0) continue;
-      const Tet t = sorted_nodes(tets[k]);
-      visit(t[0], Entry{{t[1], t[2], t[3]}, static_cast<std::int32_t>(k)});
+      const auto [t, even] = sorted_nodes(tets[k]);
+      visit(t[0], Entry{{t[1], t[2], t[3]}, static_cast<std::int32_t>(k), even});
     }
   });
 }
 
 std::int32_t TetIndex::find(const Tet& tet) const {
-  const Tet t = sorted_nodes(tet);
+  const auto [t, even] = sorted_nodes(tet);
   if (static_cast<std::size_t>(t[0]) + 1 >= entries_.begin.size()) return -1;
-  for (const auto& [others, number] : entries_[t[0]])
-    if (others[0] == t[1] && others[1] == t[2] && others[2] == t[3]) return number;
+  for (const Entry& entry : entries_[t[0]])
+    if (entry.others[0] == t[1] && entry.others[1] == t[2] && entry.others[2] == t[3] &&
+        (!oriented_ || entry.even == even))
+      return entry.tet;
   return -1;
 }
 

@@ -33,6 +33,14 @@ TEST(Cavities, AreTheSameWhateverIsKnownOfThem) {
     expect_pieces(find_cavities(kDelaunay, kDelivered, same, 14, CavityExtent::Connected, kRun));
 }
 
+TEST(Cavities, HoldTetsThatANodeHasMovedAcross) {
+  const std::vector<Tet> delaunay{{0, 1, 2, 3}}, output{{1, 0, 2, 3}};
+  const Cavities cavities = find_cavities(delaunay, output, {}, 4, CavityExtent::Least, kRun);
+  EXPECT_EQ(cavities.same[0], -1);
+  ASSERT_EQ(cavities.list.size(), 1U);
+  EXPECT_EQ(cavities.list[0].output, (std::vector<std::int32_t>{0}));
+}
+
 /// A tet of positive volume.
 Tet upright(const std::vector<Vec3>& p, Tet t) {
   if (dot(p[t[1]] - p[t[0]], cross(p[t[2]] - p[t[0]], p[t[3]] - p[t[0]])) < 0)

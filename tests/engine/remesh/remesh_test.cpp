@@ -94,7 +94,7 @@ TEST(Remesh, AKeptTetStoodInTheOriginal) {
   for (std::size_t k = 0; k < map.original_tet.size(); ++k) {
     if (map.original_tet[k] < 0) continue;
     ++kept;
-    Tet then = sorted_nodes(original.output.mesh.tets[map.original_tet[k]]);
+    const SortedNodes then = sorted_nodes(original.output.mesh.tets[map.original_tet[k]]);
     Tet now{};
     for (int i = 0; i < 4; ++i) {
       const std::int32_t n = remesh.output.mesh.tets[k][i];
