@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/revision/delaunay_state.h"
+
 namespace remeshd {
 
 namespace {
@@ -45,9 +47,11 @@ std::vector<std::int32_t> slots_at(const DelaunayState& delaunay_state,
 
 /// Takes the nodes of the slots and of the patch's output tets into the patch; returns their
 /// numbers there by node of the original, -1 for the others.
-std::vector<std::int32_t> take_nodes(const DelaunayState& delaunay_state, const PagedMesh& output,
+std::vector<std::int32_t> take_nodes(const CopiedMesh& original,
                                      const std::vector<std::int32_t>& slots,
                                      const std::vector<std::uint8_t>& inner, MeshPatch& patch) {
+  const DelaunayState& delaunay_state = original.delaunay_state;
+  const PagedMesh& output = original.output;
   std::vector<std::int32_t> name(output.nodes.size(), -1);
   for (const std::int32_t s : slots)
     for (const std::int32_t n : delaunay_state.mesh.corners(s))
@@ -59,16 +63,21 @@ std::vector<std::int32_t> take_nodes(const DelaunayState& delaunay_state, const 
     name[n] = static_cast<std::int32_t>(patch.nodes.size());
     patch.nodes.push_back(n);
     patch.inner.push_back(inner[n]);
-    patch.positions.push_back(delaunay_state.positions()[n]);
+    patch.positions.push_back(original.positions[n]);
     patch.output_nodes.push_back(output.nodes[n]);
   }
+  patch.followed.assign(patch.nodes.size(), 0);
+  for (const std::int32_t n : original.followed)
+    if (name[n] >= 0) patch.followed[name[n]] = 1;
   return name;
 }
 
 }  // namespace
 
-MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
-                    const std::vector<std::uint8_t>& inner, const Surroundings* changing) {
+MeshPatch cut_patch(const CopiedMesh& original, const std::vector<std::uint8_t>& inner,
+                    const Surroundings* changing) {
+  const DelaunayState& delaunay_state = original.delaunay_state;
+  const PagedMesh& output = original.output;
   MeshPatch patch;
   const std::vector<std::int32_t> slots = slots_at(delaunay_state, inner, changing);
 
@@ -94,7 +103,7 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
     }
   }
 
-  const std::vector<std::int32_t> name = take_nodes(delaunay_state, output, slots, inner, patch);
+  const std::vector<std::int32_t> name = take_nodes(original, slots, inner, patch);
   for (const std::int32_t t : patch.output_tet)
     patch.output.push_back(renamed(output.tets[t], name));
   patch.mesh = delaunay_state.mesh.cut(slots, name, static_cast<std::int32_t>(patch.nodes.size()),
@@ -120,42 +129,46 @@ MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output
 
 std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
-                                        const DelaunayState& delaunay_state,
-                                        const CowVector<Support>& supports, const PagedMesh& output,
-                                        const EntityMap* map, const CopyPlan& source,
-                                        double reach) {
+                                        const CopiedMesh& original, const EntityMap* map,
+                                        const CopyPlan& source, double reach) {
   const std::int32_t identity = source.identity();
+  const std::size_t all = original.positions.size();
   const auto stays = [&](std::int32_t n) {
     return !near.is_free(n) && near.original[n] >= 0 && near.transform[n] == identity;
   };
   PatchNodes local;
-  std::vector<std::uint8_t> state(output.nodes.size(), 0);  // 1: gone or changed, 2: stays
+  std::vector<std::uint8_t> state(all, 0);  // 1: gone or changed, 2: stays
   for (const std::int32_t o : candidates) state[o] = 1;
   for (std::int32_t n = 0; n < near.size(); ++n)
     if (stays(n)) state[near.original[n]] = 2;
-  std::vector<std::uint8_t> inner(output.nodes.size(), 1);
+  std::vector<std::uint8_t> inner(all, 1);
   std::optional<Surroundings> changing;
   if (std::isfinite(reach)) {
     std::vector<Vec3> changed;
     for (std::int32_t n = 0; n < near.size(); ++n)
       if (!stays(n)) changed.push_back(near.positions[n]);
     for (const std::int32_t o : candidates)
-      if (state[o] == 1) changed.push_back(delaunay_state.positions()[o]);
+      if (state[o] == 1) changed.push_back(original.positions[o]);
+    for (const std::int32_t o : original.followed) {
+      changed.push_back(original.positions[o]);
+      changed.push_back(original.delaunay_state.positions()[o]);
+    }
     changing.emplace(changed, reach, source.modified().bounds());
     for (std::size_t n = 0; n < inner.size(); ++n)
-      inner[n] = changing->holds(delaunay_state.positions()[n]) ? 1 : 0;
+      inner[n] = changing->holds(original.positions[n]) ? 1 : 0;
   }
-  local.patch = cut_patch(delaunay_state, output, inner, changing ? &*changing : nullptr);
+  local.patch = cut_patch(original, inner, changing ? &*changing : nullptr);
   const MeshPatch& patch = local.patch;
 
   NodeSet& nodes = local.nodes;
   const auto add_kept = [&](std::int32_t p) {
-    const std::optional<Support> support = (*map)(supports[patch.nodes[p]], patch.positions[p]);
+    const std::optional<Support> support =
+        (*map)(original.supports[patch.nodes[p]], patch.positions[p]);
     if (support) nodes.add(patch.positions[p], *support, NodeState::Fixed, p, identity);
     return support.has_value();
   };
   const auto count = static_cast<std::int32_t>(patch.nodes.size());
-  std::vector<std::int32_t> in_patch(output.nodes.size(), -1);
+  std::vector<std::int32_t> in_patch(all, -1);
   for (std::int32_t p = 0; p < count; ++p) {
     in_patch[patch.nodes[p]] = p;
     if (!patch.inner[p] && !add_kept(p)) return std::nullopt;
@@ -170,7 +183,7 @@ std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
     if (stays(n) && (p < 0 || !patch.inner[p])) continue;
     nodes.add(near.positions[n], near.supports[n], near.state[n], p, near.transform[n]);
   }
-  nodes.elsewhere = static_cast<std::int32_t>(output.nodes.size()) - count;
+  nodes.elsewhere = static_cast<std::int32_t>(all) - count;
   return local;
 }
 

@@ -10,8 +10,8 @@
 #include "engine/nodes/node_set.h"
 #include "engine/nodes/surroundings.h"
 #include "engine/patch/cavities.h"
+#include "engine/patch/copied_mesh.h"
 #include "engine/plan/copy_plan.h"
-#include "engine/revision/delaunay_state.h"
 
 namespace remeshd {
 
@@ -20,10 +20,11 @@ namespace remeshd {
 ///
 /// Its tets are whole cavities: the peeled Delaunay tets and the output tets have the same hull.
 struct MeshPatch {
-  std::vector<std::int32_t> nodes;  ///< by node: that of the original, ascending
-  std::vector<std::uint8_t> inner;  ///< by node
-  std::vector<Vec3> positions;      ///< as in the Delaunay mesh
-  std::vector<Vec3> output_nodes;   ///< as in Revision::delaunay_nodes()
+  std::vector<std::int32_t> nodes;     ///< by node: that of the original, ascending
+  std::vector<std::uint8_t> inner;     ///< by node
+  std::vector<Vec3> positions;         ///< as in CopiedMesh
+  std::vector<Vec3> output_nodes;      ///< the same
+  std::vector<std::uint8_t> followed;  ///< by node: 1 where `mesh` has it elsewhere
   DelaunayMesh mesh;
   PagedDelaunay::Cut cut;
   std::vector<Tet> tets;                      ///< those of `mesh` that are in the model
@@ -38,8 +39,8 @@ struct MeshPatch {
 /// Cuts out the tets at inner nodes and those in cavities with such a tet; outside of the model
 /// also those whose circumballs nodes may enter that move or come. `inner`: by node of the
 /// original. `changing`: where nodes may move or come; null: at inner nodes alone.
-MeshPatch cut_patch(const DelaunayState& delaunay_state, const PagedMesh& output,
-                    const std::vector<std::uint8_t>& inner, const Surroundings* changing);
+MeshPatch cut_patch(const CopiedMesh& original, const std::vector<std::uint8_t>& inner,
+                    const Surroundings* changing);
 
 /// The nodes that an edit works on, and the patch of the original that they came from.
 struct PatchNodes {
@@ -48,17 +49,16 @@ struct PatchNodes {
   std::int32_t placed = 0;  ///< nodes with smaller numbers have supports in the modified boundary
 };
 
-/// Cuts out of the original the patch within `reach` (length) of what changes; all of the original
-/// where `reach` is infinite. `near`: the nodes that the plan made of `candidates`, nodes of the
-/// original, and the new nodes.
+/// Cuts out of the original the patch within `reach` (length) of what changes, or has followed
+/// surfaces; all of the original where `reach` is infinite. `near`: the nodes that the plan made of
+/// `candidates`, nodes of the original, and the new nodes.
 ///
 /// The patch's other nodes, and those at its interface, come first, with supports translated by
 /// `map`. Nodes of `near` follow with the supports that they have there, in the original's
 /// boundary. Returns nothing where `map` has no support for a node.
 std::optional<PatchNodes> extract_patch(const CopiedNodes& near,
                                         std::span<const std::int32_t> candidates,
-                                        const DelaunayState& delaunay_state,
-                                        const CowVector<Support>& supports, const PagedMesh& output,
-                                        const EntityMap* map, const CopyPlan& source, double reach);
+                                        const CopiedMesh& original, const EntityMap* map,
+                                        const CopyPlan& source, double reach);
 
 }  // namespace remeshd

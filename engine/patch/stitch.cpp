@@ -77,7 +77,7 @@ class Stitcher {
       : original_(original), cut_(cut), patch_(patch), source_(source), run_(run), poll_(run) {}
 
   StitchedMesh stitch(CowVector<Support> supports) {
-    whole_.mesh = {original_.delaunay_nodes(), original_.output.mesh.tets};
+    whole_.mesh = {original_.copied_nodes(), original_.output.mesh.tets};
     whole_.delaunay_state = *original_.delaunay_state;
     whole_.delaunay_state.supports = std::move(supports);
     map_all();
@@ -147,7 +147,8 @@ class Stitcher {
     std::vector<std::uint8_t> stays(cut_.output.size(), 0);
     for (const std::int32_t d : was)
       if (d >= 0) stays[d] = 1;
-    const TetIndex index(cut_.output, stays, cut_.nodes.size(), poll_);
+    const TetIndex index(cut_.output, stays, cut_.nodes.size(),
+                         patch_.cavities == CavityExtent::Least, poll_);
     for (std::size_t k = 0; k < tets.size(); ++k) {
       poll_();
       if (was[k] >= 0) continue;

@@ -33,7 +33,7 @@ CopyPlan with_new_at(const CopyPlan& plan, std::span<const Vec3> places, const S
 
 const CopyPlan& Problem::plan() const {
   if (!plan_) {
-    CopyPlan plan(parent.delaunay_model(), modified.model,
+    CopyPlan plan(parent.copied_model(), modified.model,
                   copy_lengths(density.sizes.base(), density.sizes.even()), run);
     std::optional<CopyPlan> anew = resized(plan, parent, modified, density.sizes, run);
     is_resized_ = anew.has_value();

@@ -71,7 +71,7 @@ std::vector<SizeSource> asked_sizes(const FeatureModel& model, const BoundaryMod
 /// The newcells of an edit, as balls that ask for an edge length.
 std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& model,
                                 double edge_length, const Run& run) {
-  const CopyPlan plan(parent.delaunay_model(), model, copy_lengths(parent.edge_length, false), run);
+  const CopyPlan plan(parent.copied_model(), model, copy_lengths(parent.edge_length, false), run);
   // With this lattice constant no point of space is further than half an edge length from a ball.
   const double constant = kBalls.apart * edge_length;
   std::vector<SizedBall> balls;

@@ -24,8 +24,9 @@
 namespace remeshd {
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;   // x a margin, lest rounding leaves something out
-constexpr double kNearChange = 2;        // x edge length: further from the changed boxes nodes stay
+constexpr double kRounding = 1 + 1e-9;  // x a margin, lest rounding leaves something out
+constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
+constexpr double kMostFollowed = 0.1;  // x edge length: no node is further from its Delaunay mesh's
 constexpr double kSampledBeyond = 0.5;   // x edge length: from a node to samples it is nearest to
 constexpr double kMostRefined = 4;       // x nodes of an even mesh: most new ones of a refined one
 constexpr int kSampledSteps = 4;         // cubes of a Region along the reach
@@ -35,10 +36,9 @@ constexpr double kSamplesToNodes = 5.4;  // samples on an edge length^2 / nodes 
 
 /// Nodes of the parent that perhaps cannot stay as they are: those in the changed boxes or within
 /// two edge lengths of them. `everything`: all nodes.
-std::vector<std::int32_t> candidate_nodes(const Revision& parent, const CopyPlan& plan,
+std::vector<std::int32_t> candidate_nodes(const CowVector<Vec3>& positions, const CopyPlan& plan,
                                           const SizeField& sizes, bool everything) {
   std::vector<std::int32_t> nodes;
-  const CowVector<Vec3>& positions = parent.delaunay_state->positions();
   const auto is_near = [&](const Vec3& p) {
     return plan.in_changed(p, kNearChange * sizes.base()) &&
            (sizes.even() || plan.in_changed(p, kNearChange * sizes(p)));
@@ -116,7 +116,8 @@ StartMesh start_mesh(const PatchNodes& local, const CopyPlan& plan, const Box& b
     if (plan.transforms()[t].is_identity()) continue;
     std::vector<std::int32_t> moved(patch.nodes.size(), -1);
     for (std::int32_t n = 0; n < nodes.size(); ++n)
-      if (nodes.transform[n] == t && !nodes.is_free(n)) moved[nodes.original[n]] = n;
+      if (nodes.transform[n] == t && !nodes.is_free(n) && !patch.followed[nodes.original[n]])
+        moved[nodes.original[n]] = n;
     mesh.insert_moved(patch.mesh, moved, nodes.positions, run);
     for (const std::int32_t n : moved)
       if (n >= 0) start.holds[n] = 1;
@@ -245,14 +246,15 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
   const SizeField& sizes = task.density.sizes;
   run.report("nodes", 0.1);
   dump_text(run, "04-plan", [&] { return to_text(plan, parent.model); });
-  const DelaunayState& state = *parent.delaunay_state;
-  const double margin = kNearChange * sizes.base();
+  const CopiedMesh original = copied_mesh(parent);
+  const double margin = (kNearChange + kMostFollowed) * sizes.base();
   const bool everything = std::isinf(task.reach);
-  const std::vector<std::int32_t> candidates = candidate_nodes(parent, plan, sizes, everything);
-  const std::vector<Tet> tets = tets_at(state, candidates, [&](const Box& box) {
+  const std::vector<std::int32_t> candidates =
+      candidate_nodes(original.positions, plan, sizes, everything);
+  const std::vector<Tet> tets = tets_at(original.delaunay_state, candidates, [&](const Box& box) {
     return everything || plan.meets_changed(grown(box, kRounding * margin));
   });
-  CopiedNodes near = copy_nodes(plan, {state.positions(), parent.supports(), candidates, tets},
+  CopiedNodes near = copy_nodes(plan, {original.positions, original.supports, candidates, tets},
                                 sizes_of(parent, run), run);
   // What is near in space is to be near in memory: revisions share pages.
   const std::vector<Vec3> fill = new_nodes(task);
@@ -266,9 +268,8 @@ std::optional<PatchNodes> copy_and_fill(const MeshingTask& task, Attempt& attemp
     free_at_active_faces(near, plan, sizes, run);
     decimate_close_nodes(near, sizes);
   }
-  std::optional<PatchNodes> local = extract_patch(
-      near, candidates, state, parent.supports(),
-      {parent.delaunay_nodes(), parent.output.mesh.tets}, task.entities, plan, task.reach);
+  std::optional<PatchNodes> local =
+      extract_patch(near, candidates, original, task.entities, plan, task.reach);
   if (!local) {
     attempt.reason = "a node of the base stands on nothing that the boundary still has";
     return local;

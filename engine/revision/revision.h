@@ -66,6 +66,12 @@ struct Revision {
   [[nodiscard]] const FeatureModel& delaunay_model() const;
   /// The output nodes as the Delaunay mesh gave them.
   [[nodiscard]] const CowVector<Vec3>& delaunay_nodes() const;
+  /// Whether an edit copies its nodes from where the anchor has them, not from where they are: held
+  /// nodes may have gone far, and an even mesh is made as in older versions.
+  [[nodiscard]] bool is_copied_at_anchor() const;
+  /// The model on whose boundary the nodes are that an edit copies, and these output nodes.
+  [[nodiscard]] const FeatureModel& copied_model() const;
+  [[nodiscard]] const CowVector<Vec3>& copied_nodes() const;
   /// Of the output nodes, in the boundary of `cells`.
   [[nodiscard]] const CowVector<Support>& supports() const;
 };

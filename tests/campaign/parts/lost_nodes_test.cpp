@@ -96,5 +96,24 @@ TEST_F(LostNodesTest, OfARemeshLieNearItsChange) {
   EXPECT_EQ(lost.far, 0);
 }
 
+TEST_F(LostNodesTest, OfARemeshAfterAMorphLieNearItsOwnChange) {
+  const auto two_holes = [](double left, double right) {
+    ModelSource model = bar(-30, left);
+    model.features.push_back(
+        test::placed(test::cylinder("right", right, 8), 30, 0, -1, Nature::Subtractive));
+    return model;
+  };
+  const MeshOptions sized{.nodes = 700, .sizing = {.even = false}};
+  const MeshOptions inherited{.sizing = {.even = false}};
+  const Revision first = make_revision(Revision::none(), two_holes(2, 2), sized, {});
+  const Revision morphed = make_revision(first, two_holes(2.001, 2), inherited, {});
+  ASSERT_EQ(morphed.report.strategy, MeshStrategy::Morphed);
+  ASSERT_GT(lost_nodes(first, morphed).all, 0);
+  const Revision next = make_revision(morphed, two_holes(2.001, 2.5), inherited, {});
+  ASSERT_EQ(next.report.strategy, MeshStrategy::Local);
+  EXPECT_GT(lost_nodes(morphed, next).all, 0);
+  EXPECT_EQ(lost_nodes(morphed, next).far, 0);
+}
+
 }  // namespace
 }  // namespace remeshd::campaign

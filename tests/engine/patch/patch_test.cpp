@@ -176,8 +176,7 @@ TEST(CutOut, HasAllTetsOfItsInnerNodesAndWholeClusters) {
   std::vector<std::uint8_t> inner(delaunay_state.positions().size(), 0);
   for (std::size_t n = 0; n < inner.size(); ++n)
     inner[n] = norm(delaunay_state.positions()[n] - Vec3{30, 0, 6}) < 12 ? 1 : 0;
-  const MeshPatch patch = cut_patch(
-      delaunay_state, {original.delaunay_nodes(), original.output.mesh.tets}, inner, nullptr);
+  const MeshPatch patch = cut_patch(copied_mesh(original), inner, nullptr);
   std::vector<int> tets_at(inner.size(), 0), in_part(inner.size(), 0);
   for (std::int32_t s = 0; s < static_cast<std::int32_t>(delaunay_state.mesh.slots()); ++s)
     if (delaunay_state.inside(s))

@@ -78,8 +78,7 @@ class MovedBlocks : public testing::Test {
 
   StitchedMesh edited() const {
     const std::vector<std::uint8_t> inner(original_.output.mesh.nodes.size(), 1);
-    const MeshPatch cut =
-        cut_patch(*original_.delaunay_state, original_.output.mesh, inner, nullptr);
+    const MeshPatch cut = cut_patch(copied_mesh(original_), inner, nullptr);
     NodeSet nodes;
     std::vector<std::int32_t> moved;
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(cut.nodes.size()); ++n) {

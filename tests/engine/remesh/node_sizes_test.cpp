@@ -80,7 +80,7 @@ TEST(NodeSizes, WhatStaysWhereSizesChangedIsRightForTheLengthThere) {
   Revision next = edited(base, SetFeatureParameter{"hole", "radius", 4.5});
   ASSERT_EQ(next.report.strategy, MeshStrategy::Local);
   ASSERT_GT(next.report.counts.nodes_kept, 0U);
-  const CopyPlan plan(base.delaunay_model(), next.model, copy_lengths(4, false), kRun);
+  const CopyPlan plan(base.copied_model(), next.model, copy_lengths(4, false), kRun);
   next.rules_weakening = 2;  // so that lengths may differ anywhere
   next.sizes = SizeField(2);
   for (const double length : made_for(base, next, &plan, kRun).flat()) EXPECT_EQ(length, 2);
@@ -94,7 +94,7 @@ TEST(NodeSizes, FurtherFromAChangeThanLengthsGrowNothingIsMadeAnew) {
   const Revision base = make_revision(Revision::none(), plate_with_hole(), sized_edit(4), kRun);
   Revision next = edited(base, SetFeatureParameter{"hole", "radius", 4.5});
   ASSERT_EQ(next.report.strategy, MeshStrategy::Local);
-  const CopyPlan plan(base.delaunay_model(), next.model, copy_lengths(4, false), kRun);
+  const CopyPlan plan(base.copied_model(), next.model, copy_lengths(4, false), kRun);
   next.sizes = SizeField(2);
   const std::vector<double> lengths = made_for(base, next, &plan, kRun).flat();
   const double reach = (4 - 2) / 0.3;
