@@ -23,11 +23,10 @@ enum class CavityExtent : std::uint8_t {
   /// Changed tets that share a facet, of either mesh, belong to one cavity. A tet that clean-up has
   /// turned over counts as the same.
   Connected,
-  /// The same, but a tet that was turned over has changed, and across a facet that both meshes
-  /// have,
-  /// with changed tets on the same sides of it, only those on one side belong together: they may be
-  /// exchanged without those on the other. So cavities are the smallest whose Delaunay and output
-  /// tets have the same hull.
+  /// The same, but a tet that was turned over has changed. And across a facet that both meshes
+  /// have, with changed tets on the same sides of it, only those on one side belong together: they
+  /// may be exchanged without those on the other. So cavities are the smallest whose Delaunay and
+  /// output tets have the same hull.
   Least,
 };
 
