@@ -17,7 +17,8 @@ struct Cavity {
 };
 
 /// The Delaunay mesh that a revision's output mesh was cleaned up from, and that the next edit
-/// copies its nodes from, moved as they have been since (copied_mesh.h). Node i of the Delaunay mesh is node i of the output mesh.
+/// copies its nodes from, moved as they have been since (copied_mesh.h). Node i of the Delaunay
+/// mesh is node i of the output mesh.
 struct DelaunayState {
   static constexpr std::int32_t kOutside = -1;
 
