@@ -11,7 +11,6 @@ import argparse
 import json
 import re
 import sys
-import tempfile
 import threading
 import time
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -308,14 +307,13 @@ def main():
     parser.add_argument("--levels", type=int, default=10, help="of one parameter; 9 times as many designs")
     arguments = parser.parse_args()
     arguments.pictures.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as folder:
-        browser = Browser(folder)
-        try:
-            browser.look(1160, 860, "light")
-            check_made_up(browser)
-            check_real(browser, arguments)
-        finally:
-            browser.close()
+    browser = Browser()
+    try:
+        browser.look(1160, 860, "light")
+        check_made_up(browser)
+        check_real(browser, arguments)
+    finally:
+        browser.close()
 
 
 if __name__ == "__main__":

@@ -1,11 +1,14 @@
 """Chromium without a screen, told what to do over a pipe by the DevTools protocol."""
 import base64
+import contextlib
 import fcntl
 import json
 import os
 import select
 import shutil
+import signal
 import subprocess
+import tempfile
 import time
 
 KEYS = {"Escape": 27, "ArrowLeft": 37, "Home": 36, "Enter": 13}
@@ -14,13 +17,15 @@ KEYS = {"Escape": 27, "ArrowLeft": 37, "Home": 36, "Enter": 13}
 class Browser:
     """One page. `problems` gathers what it logs and throws, `requests` the addresses it asks for."""
 
-    def __init__(self, folder, patience=120):
+    def __init__(self, patience=120):
         program = shutil.which("chromium")
         assert program, "chromium is missing: see deploy/packages-test.txt"
         self.problems, self.requests = [], []
         self.patience, self.number, self.answers, self.rest = patience, 0, {}, b""
         to_browser, self.out = os.pipe()
         self.into, from_browser = os.pipe()
+        # Helpers of Chromium may write here while it ends; what they leave behind fails no test.
+        self.profile = tempfile.TemporaryDirectory(prefix="browser-", ignore_cleanup_errors=True)
         # Chromium reads from 3 and writes to 4; high numbers are not in the way of that.
         ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 20) for end in (to_browser, from_browser)]
         self.process = subprocess.Popen(
@@ -28,8 +33,9 @@ class Browser:
              "--no-sandbox",  # which root and containers cannot have; the page is our own
              "--disable-dev-shm-usage", "--no-first-run", "--disable-background-networking",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader",  # 3-D without a graphics card
-             f"--user-data-dir={folder}", "--remote-debugging-pipe", "about:blank"],
-            pass_fds=ends, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+             f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe", "about:blank"],
+            pass_fds=ends, start_new_session=True,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         for end in (to_browser, from_browser, *ends):
             os.close(end)
         self.session = None
@@ -43,6 +49,9 @@ class Browser:
         os.close(self.into)
         self.process.terminate()
         self.process.wait(30)
+        with contextlib.suppress(ProcessLookupError):  # no helper is left
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.profile.cleanup()
 
     def receive(self, until):
         while b"\0" not in self.rest:

@@ -176,7 +176,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         report = make(folder)
-        browser = Browser(folder / "browser")
+        browser = Browser()
         try:
             browser.page = folder / "edit.html"
             browser.look(1400, 900, "light")
