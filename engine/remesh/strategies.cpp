@@ -44,6 +44,13 @@ bool may_hold(const Problem& problem, const Attempt*) {
          now.sizing.even == then.sizing.even;
 }
 
+/// Whether the sizes and the rules for them are those of the parent, as they are written: while the
+/// connectivity is held, sizes that depend on parameters need not follow these.
+bool asks_for_same_sizes(const Problem& problem) {
+  return problem.modified.options.sizing == problem.parent.options.sizing &&
+         problem.modified.source.sizes == problem.parent.source.sizes;
+}
+
 bool may_morph(const Problem& problem, const Attempt* failed) {
   return problem.modified.options.hold == 0 && may_keep_tets(problem, failed);
 }
@@ -117,7 +124,9 @@ Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
 }
 
 Attempt hold(const Strategy& how, const Problem& problem, const Attempt*) {
-  return morphed(how, problem, hold_mesh(problem.parent, problem.modified, problem.run),
+  std::variant<MorphedMesh, NotMorphed> mesh = NotMorphed("other sizes are asked for");
+  if (asks_for_same_sizes(problem)) mesh = hold_mesh(problem.parent, problem.modified, problem.run);
+  return morphed(how, problem, std::move(mesh),
                  {.code = WarningCode::HoldEnded, .message = "the connectivity was not held: "});
 }
 

@@ -24,7 +24,9 @@ std::optional<std::string> ends_at(const Revision& revision, const std::string& 
   run.poll();
   try {
     Revision modified;
-    modified.model = modified.meshed_model = with_value(revision.source, parameter, value);
+    modified.model = with_value(revision.source, parameter, value);
+    modified.model.groups = revision.model.groups;  // whose rims are edges of the boundary
+    modified.meshed_model = modified.model;
     modified.options = revision.options;
     modified.options.hold = hold;
     modified.edge_length = revision.edge_length;

@@ -103,6 +103,24 @@ TEST_F(Hold, FollowsTheRimOfAGroup) {
   const auto load = std::ranges::find(r.report.figures, "load", &GroupFigures::group);
   ASSERT_NE(load, r.report.figures.end());
   EXPECT_NEAR(load->mesh_area, 8 * (8 + base.edge_length), 1e-9);
+  EXPECT_GT(connectivity_horizon(base, "pad.dx", 1, kRun).upper, 8 + base.edge_length);
+}
+
+TEST_F(Hold, IsLeftForOtherSizes) {
+  ModelSource sized = source_;
+  sized.sizes.push_back({"spot", BallSource{0.0, 0.0, 0.0, 8.0}, 0.3 * l_});
+  MeshOptions options = base_.options;
+  options.nodes.reset();
+  options.sizing.even = false;
+  const Revision base = make_revision(Revision::none(), source_,
+                                      {.nodes = 1500, .hold = 1, .sizing = options.sizing}, kRun);
+  const Revision spot = make_revision(base, sized, options, kRun);
+  EXPECT_NE(spot.report.strategy, MeshStrategy::Morphed);
+  EXPECT_TRUE(has_ended(spot));
+  options.sizing.edges_per_circle = 24;
+  const Revision finer = make_revision(base, source_, options, kRun);
+  EXPECT_NE(finer.report.strategy, MeshStrategy::Morphed);
+  EXPECT_TRUE(has_ended(finer));
 }
 
 TEST_F(Hold, HasAHorizonThatEditsKeepTo) {
