@@ -229,6 +229,7 @@ Candidate extract(NodeSet nodes, OptimiseResult loop, const MeshingTask& task,
 std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
                                     std::span<const std::int32_t> at) {
   std::vector<std::int32_t> result(at.size(), -1);
+  if (values.empty()) return result;
   for (std::size_t k = 0; k < at.size(); ++k)
     if (at[k] >= 0) result[k] = values[at[k]];
   return result;

@@ -125,6 +125,17 @@ class AFilm : public testing::Test {
   const MeshOptions options_{.nodes = 3000, .sizing = {.even = false}};
 };
 
+TEST_F(AFilm, IsBridgedWithoutCleanUp) {
+  const MeshOptions options{.nodes = 1500, .clean_up = false, .sizing = options_.sizing};
+  const Revision base = make_revision(Revision::none(), plate(2), options, kRun);
+  const Revision film =
+      make_revision(base, plate(1e-3), {.clean_up = false, .sizing = options_.sizing}, kRun);
+  EXPECT_GT(film.report.last_resort_share, 0);
+  EXPECT_TRUE(
+      verify(film.output.mesh, film.supports(), film.cells.boundary, film.cells.volume, kRun)
+          .valid);
+}
+
 TEST_F(AFilm, IsBridgedByAnEditThatKeepsTheRest) {
   const Revision base = make_revision(Revision::none(), plate(2), options_, kRun);
   const Revision film = make_revision(base, plate(1e-3), {.sizing = options_.sizing}, kRun);
@@ -174,8 +185,7 @@ TEST_F(AFilm, AllOverThePartIsNoPlaceToBeRefilled) {
       test::error_of([&] { make_revision(base, bar(7.99), {.sizing = coarse.sizing}, kRun); });
   EXPECT_EQ(info.reason, "BOUNDARY_NOT_RECOVERED");
   // Either wall of the film.
-  EXPECT_THAT(info.features,
-              testing::AnyOf(testing::Contains("core"), testing::Contains("bore")));
+  EXPECT_THAT(info.features, testing::AnyOf(testing::Contains("core"), testing::Contains("bore")));
   ASSERT_FALSE(info.attempts.empty());
   EXPECT_THAT(info.attempts.front(),
               testing::StartsWith("local, 4 edge lengths, refilled: too much is wrong"));
