@@ -69,7 +69,8 @@ class ChangingFaces {
   /// The motion of a surface at one of its points; nothing where it is not of the same kind at both
   /// ends of the change.
   [[nodiscard]] std::optional<SurfaceMotion> motion(const Ref& ref, const Vec3& p) const {
-    const Surface *now = now_.find(ref), *before = less_.find(ref), *after = more_.find(ref);
+    const Surface *now = now_.find(ref), *before = less_.find(ref, now_),
+                  *after = more_.find(ref, now_);
     if (before == nullptr || after == nullptr || before->kind != now->kind ||
         after->kind != now->kind)
       return {};
@@ -78,7 +79,7 @@ class ChangingFaces {
   }
 
   [[nodiscard]] std::optional<Vec3> apex_velocity(const Ref& ref) const {
-    const Surface *before = less_.find(ref), *after = more_.find(ref);
+    const Surface *before = less_.find(ref, now_), *after = more_.find(ref, now_);
     if (before == nullptr || after == nullptr) return {};
     const auto from = apex_of(*before), to = apex_of(*after);
     if (!from || !to) return {};
@@ -98,7 +99,7 @@ class ChangingFaces {
     if (norm(cross(n, other)) > kTouch.sine) return {};
     const double side = dot(n, other) < 0 ? -1 : 1;
     const auto gap = [&](const FacesOfModel& faces, const Vec3& at) {
-      return normal(*faces.find(a), at) - side * normal(*faces.find(b), at);
+      return normal(*faces.find(a, now_), at) - side * normal(*faces.find(b, now_), at);
     };
     const auto slope = [&](const Vec3& along) {
       return (gap(now_, p + step_ * along) - gap(now_, p - step_ * along)) / (2 * step_);
@@ -155,7 +156,7 @@ class ChangingFaces {
     const std::optional<std::pair<Ref, Ref>> pair = that_cross(on, freedom, node);
     if (!pair) return {};
     const auto nearest = [&](const FacesOfModel& faces, const Vec3& m) -> std::optional<Vec3> {
-      const Surface *a = faces.find(pair->first), *b = faces.find(pair->second);
+      const Surface *a = faces.find(pair->first, now_), *b = faces.find(pair->second, now_);
       if (a == nullptr || b == nullptr) return {};
       if (freedom == Freedom::Kind::Plane) return project(*a, m);
       return foot(*a, *b, m, node, step_ / kTouch.step);
@@ -298,27 +299,38 @@ NodalVelocities DesignVelocities::of(const std::string& parameter, const Run& ru
   return out;
 }
 
+bool DesignVelocities::Motions::is_free_as(const Motions& other) const {
+  return std::ranges::equal(nodes, other.nodes, {}, &NodeMotion::freedom, &NodeMotion::freedom) &&
+         std::ranges::equal(mids, other.mids, {}, &FollowingMotion::of_point,
+                            &FollowingMotion::of_point);
+}
+
+std::vector<Vec3> DesignVelocities::of_required(const Motions& motions, std::span<const Vec3> seed,
+                                                const Run& run) const {
+  const auto corners = static_cast<std::ptrdiff_t>(revision_.output.mesh.nodes.size());
+  const auto& edges = revision_.output.mids.edges;
+  std::vector<Vec3> of_corners(seed.begin(), seed.begin() + corners);
+  std::vector<Vec3> of_mids(seed.begin() + corners, seed.end());
+  for (std::size_t k = 0; k < mids_.size(); ++k) {
+    Vec3& s = of_mids[mids_[k].mid];
+    s = motions.mids[k].reverse(s);
+  }
+  for (std::size_t m = 0; m < edges.size(); ++m)
+    for (const std::int32_t n : edges[m]) of_corners[n] += 0.5 * of_mids[m];
+  return spread_.reverse(motions.nodes, std::move(of_corners), run);
+}
+
 std::vector<DesignDerivative> DesignVelocities::gradient(std::span<const Vec3> seed,
                                                          std::span<const std::string> parameters,
                                                          const Run& run) const {
   std::vector<DesignDerivative> out;
   const std::size_t corners = revision_.output.mesh.nodes.size();
-  const auto& edges = revision_.output.mids.edges;
-  std::vector<Vec3> of_required;  // d J / d required; freedoms are taken to be those of the first
+  Motions solved;  // for the freedoms of which `of_required` is
+  std::vector<Vec3> of_required;
   for (const std::string& parameter : parameters) {
-    const Motions motions = this->motions(change_of(revision_.source, parameter));
-    if (of_required.empty()) {
-      std::vector<Vec3> of_corners(seed.begin(),
-                                   seed.begin() + static_cast<std::ptrdiff_t>(corners));
-      std::vector<Vec3> of_mids(seed.begin() + static_cast<std::ptrdiff_t>(corners), seed.end());
-      for (std::size_t k = 0; k < mids_.size(); ++k) {
-        Vec3& s = of_mids[mids_[k].mid];
-        s = motions.mids[k].reverse(s);
-      }
-      for (std::size_t m = 0; m < edges.size(); ++m)
-        for (const std::int32_t n : edges[m]) of_corners[n] += 0.5 * of_mids[m];
-      of_required = spread_.reverse(motions.nodes, std::move(of_corners), run);
-    }
+    Motions motions = this->motions(change_of(revision_.source, parameter));
+    if (of_required.empty() || !motions.is_free_as(solved))
+      of_required = this->of_required(motions, seed, run);
     DesignDerivative derivative;
     for (std::size_t n = 0; n < corners; ++n) {
       derivative.value += dot(of_required[n], motions.nodes[n].required);
@@ -330,6 +342,7 @@ std::vector<DesignDerivative> DesignVelocities::gradient(std::span<const Vec3> s
       if (motions.undefined[corners + mids_[k].mid] != 0 && s != Vec3{}) ++derivative.undefined;
     }
     out.push_back(derivative);
+    solved = std::move(motions);
   }
   return out;
 }

@@ -39,6 +39,9 @@ class DesignVelocities {
     std::vector<NodeMotion> nodes;        ///< corner nodes
     std::vector<FollowingMotion> mids;    ///< as `mids_`; each follows the middle of its edge
     std::vector<std::uint8_t> undefined;  ///< as NodalVelocities::undefined
+
+    /// Whether all nodes have the same freedoms as with others.
+    [[nodiscard]] bool is_free_as(const Motions& other) const;
   };
   /// A mid-node off the middle of its edge, and the surfaces that it is on.
   struct CurvedMid {
@@ -47,6 +50,9 @@ class DesignVelocities {
   };
 
   [[nodiscard]] Motions motions(const ParameterChange& change) const;
+  /// d J / d required, by corner node, with the freedoms of the motions. `seed`: d J / d place.
+  [[nodiscard]] std::vector<Vec3> of_required(const Motions& motions, std::span<const Vec3> seed,
+                                              const Run& run) const;
   [[nodiscard]] FollowingMotion mid_motion(const CurvedMid& mid, const NodeMotion& on_faces,
                                            const ChangingFaces& faces) const;
   [[nodiscard]] CommonMotion apex_motion(const Vec3& p, const ChangingFaces& faces) const;

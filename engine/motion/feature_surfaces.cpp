@@ -58,6 +58,19 @@ const Surface* FacesOfModel::find(const Ref& ref) const {
   return ref.face < static_cast<int>(faces.size()) ? &faces[ref.face].surface : nullptr;
 }
 
+const Surface* FacesOfModel::find(const Ref& ref, const FacesOfModel& other) const {
+  if (ref.feature >= static_cast<int>(faces_.size()) || other.find(ref) == nullptr) return nullptr;
+  const auto &own = faces_[ref.feature], &others = other.faces_[ref.feature];
+  const std::string& name = others[ref.face].name;
+  const auto of_name = std::ranges::count(own, name, &SolidFace::name);
+  if (of_name != std::ranges::count(others, name, &SolidFace::name)) return nullptr;
+  auto before = std::count_if(others.begin(), others.begin() + ref.face,
+                              [&](const SolidFace& face) { return face.name == name; });
+  for (const SolidFace& face : own)
+    if (face.name == name && before-- == 0) return &face.surface;
+  return nullptr;
+}
+
 FeatureSurfaces::FeatureSurfaces(const BoundaryModel& boundary, const FeatureModel& model)
     : faces_(boundary.faces.size()),
       edges_(boundary.edges.size()),

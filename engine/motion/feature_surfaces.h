@@ -45,6 +45,11 @@ class FacesOfModel {
   [[nodiscard]] std::size_t size() const { return faces_.size(); }
   /// Null where there is no such face.
   [[nodiscard]] const Surface* find(const FeatureSurfaces::Ref& ref) const;
+  /// The surface of the face that `ref` is in a model of the same features with other parameter
+  /// values. Null where the two features do not have the same number of faces of its name: a cone
+  /// whose radius is 0 at an end has no face there.
+  [[nodiscard]] const Surface* find(const FeatureSurfaces::Ref& ref,
+                                    const FacesOfModel& other) const;
 
  private:
   std::vector<std::vector<SolidFace>> faces_;

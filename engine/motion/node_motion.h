@@ -13,6 +13,7 @@ struct Freedom {
   enum class Kind : std::uint8_t { None, Line, Plane, Space };
   Kind kind = Kind::Space;
   Vec3 axis;  ///< unit: along the line; normal to the plane
+  friend bool operator==(const Freedom&, const Freedom&) = default;
 
   /// The part of a vector that is free.
   Vec3 operator()(const Vec3& v) const {

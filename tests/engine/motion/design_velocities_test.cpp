@@ -172,6 +172,30 @@ TEST(DesignVelocities, FollowAnApex) {
   }
 }
 
+TEST(DesignVelocities, AreUndefinedOrAsFastAsWhatMovesWhereAFaceAppears) {
+  const ModelSource cone = test::one_feature(test::feature(
+      "cone", "cone", {{"radius_bottom", 0.0}, {"radius_top", 5.0}, {"height", 10.0}}));
+  const Revision r = make_revision(Revision::none(), cone, {.nodes = 300}, kRun);
+  const NodalVelocities v = DesignVelocities(r, kRun).of("cone.radius_bottom", kRun);
+  for (std::size_t n = 0; n < r.supports().size(); ++n)
+    EXPECT_LT(norm(v.velocities[n]), 10) << "node " << n;
+}
+
+TEST(DesignVelocities, OfOneParameterLeaveTheGradientByAnotherAsItIs) {
+  // By one of its radii a cylinder becomes a cone: its wall has no motion of its own.
+  ModelSource source = test::one_feature(test::feature(
+      "post", "cone", {{"radius_bottom", 5.0}, {"radius_top", 5.0}, {"height", 10.0}}));
+  source.parameters.push_back({"x", Scalar(0.0)});
+  source.features.front().placement.origin = {"x", 0.0, 0.0};
+  const Revision r = make_revision(Revision::none(), source, {.nodes = 300}, kRun);
+  const DesignVelocities all(r, kRun);
+  const std::vector<Vec3> seed(r.output.mesh.nodes.size(), Vec3{1, 0, 0});
+  const auto alone = all.gradient(seed, std::vector<std::string>{"x"}, kRun);
+  const auto second = all.gradient(seed, std::vector<std::string>{"post.radius_bottom", "x"}, kRun);
+  EXPECT_NEAR(alone[0].value, static_cast<double>(seed.size()), 1e-3);
+  EXPECT_EQ(second[1].value, alone[0].value);
+}
+
 TEST(DesignVelocities, OfAGroupsRimFollowWhatDrawsIt) {
   ModelSource stack = test::model_of(
       {test::block("low", 20, 20, 10), test::placed(test::block("pad", 8, 8, 10), 0, 0, 0)});
