@@ -5,6 +5,7 @@
 
 #include "engine/base/tolerance.h"
 #include "engine/cellular/boundary_model/boundary_parts.h"
+#include "engine/cellular/boundary_model/face_distance.h"
 #include "engine/delivery/facet_names.h"
 #include "engine/revision/group_figures.h"
 
@@ -29,7 +30,8 @@ int shared_plane(const BoundaryModel& boundary, const Membership& membership, co
   for (int f = 0; f < static_cast<int>(boundary.faces.size()); ++f) {
     const BoundaryFace& face = boundary.faces[f];
     if (face.names.size() < 2 || face.surface.kind != Surface::Kind::Plane ||
-        std::fabs(signed_distance(face.surface, p)) > tolerance)
+        std::fabs(signed_distance(face.surface, p)) > tolerance ||
+        face_distance2(face, p) > tolerance * tolerance)
       continue;
     const Vec3 out = tolerance * outward_normal(face, p);
     if (membership.inside(p - out) && !membership.inside(p + out)) return f;

@@ -30,7 +30,7 @@ class Terms {
       Term& term = terms_.emplace_back();
       term.feature = model.features[on.feature].id;
       for (const std::string& face : on.faces) term.faces.push_back(term.feature + "." + face);
-      term.whole = on.whole;
+      term.has_material = on.whole && model.features[on.feature].nature == Nature::Additive;
       if (!on.condition.text.empty()) term.test.emplace(on.condition);
     }
   }
@@ -46,7 +46,7 @@ class Terms {
   /// Of the tets of a cell with these owners.
   [[nodiscard]] Asked of_owners(const std::vector<std::string>& owners) {
     return asked([&](const Term& term) {
-      return term.whole && std::ranges::find(owners, term.feature) != owners.end();
+      return term.has_material && std::ranges::find(owners, term.feature) != owners.end();
     });
   }
 
@@ -54,7 +54,7 @@ class Terms {
   struct Term {
     std::string feature;
     std::vector<std::string> faces;  ///< `hole1.wall`
-    bool whole = false;
+    bool has_material = false;       ///< it names a whole feature, and that adds material
     std::optional<ConditionTest> test;
   };
 

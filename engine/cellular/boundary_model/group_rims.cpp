@@ -10,18 +10,24 @@
 namespace remeshd {
 namespace {
 
-/// By face of a feature that groups name: the indices of these groups, ascending.
+/// By face of a feature that groups name: numbers of the groups, each with the condition that it
+/// names the face with. What differs in one of them is not selected alike.
 using GroupsOfFaces = std::map<FaceName, std::vector<int>>;
 
 GroupsOfFaces groups_of_faces(const FeatureModel& model) {
   GroupsOfFaces found;
-  for (std::size_t g = 0; g < model.groups.size(); ++g)
-    for (const SelectedFaces& on : model.groups[g].on)
-      for (const std::string& face : on.faces) {
-        std::vector<int>& of_face = found[{on.feature, face}];
-        if (of_face.empty() || of_face.back() != static_cast<int>(g))
-          of_face.push_back(static_cast<int>(g));
-      }
+  int number = 0;
+  for (const FaceGroup& group : model.groups) {
+    std::vector<const OpenExpression*> conditions;  // of this group, each once
+    for (const SelectedFaces& on : group.on) {
+      const auto known = std::ranges::find_if(
+          conditions, [&](const OpenExpression* other) { return *other == on.condition; });
+      const int of_group = number + static_cast<int>(known - conditions.begin());
+      if (known == conditions.end()) conditions.push_back(&on.condition);
+      for (const std::string& face : on.faces) found[{on.feature, face}].push_back(of_group);
+    }
+    number += static_cast<int>(conditions.size());
+  }
   return found;
 }
 

@@ -64,6 +64,22 @@ TEST(GroupsOfAModel, HaveTheFacetsOfTheirFacesToTheRim) {
   EXPECT_NEAR(bore.mesh_area, *bore.exact_area, 0.05 * *bore.exact_area);
 }
 
+TEST(GroupsOfAModel, HaveOfEachFaceWhatItsOwnConditionSelects) {
+  const Revision r =
+      first_mesh(plate_and_rib({{"load", "plate.top & y > 0 | rib.top & y < 0", {}}}));
+  const double holes_half = 0.5 * M_PI * 4 * 4;
+  const GroupFigures load = figures_of(r, "load");
+  EXPECT_NEAR(*load.exact_area, 40 * 15 - holes_half + 12 * 3, 1);
+  EXPECT_NEAR(load.mesh_area, *load.exact_area, 0.1 * *load.exact_area);
+}
+
+TEST(GroupsOfAModel, OfAHoleHaveNoMaterialOfWhatFillsIt) {
+  ModelSource source = plate_and_rib({{"bore", "hole", {}}});
+  source.features.push_back(test::placed(test::cylinder("pin", 2, 8), -8, 0, 0));
+  source.features.push_back(test::placed(test::block("bridge", 12, 2, 2), -8, 0, 0));
+  EXPECT_TRUE(members_of(first_mesh(source), "bore").tets.empty());
+}
+
 TEST(GroupsOfAModel, HaveTheMaterialOfFeaturesThatTheyNameAsAWhole) {
   const Revision r = first_mesh(plate_and_rib({{"arm", "rib", {}}, {"end", "rib & x > 25", {}}}));
   double arm = 0, end = 0;

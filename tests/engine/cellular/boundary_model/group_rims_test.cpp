@@ -50,6 +50,13 @@ TEST(GroupRims, BetweenFacesOfTheSameGroupsAreNone) {
             2U);
 }
 
+TEST(GroupRims, AreBetweenFacesThatAGroupNamesWithOtherConditions) {
+  const FeatureModel model =
+      two_in_one_plane({{"load", "plate.top & y > 0 | rib.top & y < 0", {}}});
+  EXPECT_EQ(faces_at(model, 4).size(), 2U);
+  EXPECT_EQ(faces_at(two_in_one_plane({{"load", "*.top & y > 0", {}}}), 4).size(), 1U);
+}
+
 TEST(GroupRims, OfARoundFaceAreCircles) {
   ModelSource model = test::model_of(
       {test::cylinder("shaft", 5, 20), test::placed(test::cylinder("end", 5, 10), 0, 0, 20)});
