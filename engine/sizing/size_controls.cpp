@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "engine/base/error.h"
 #include "engine/cellular/boundary_model/face_part.h"
 #include "engine/model/solid.h"
 
@@ -16,8 +17,9 @@ namespace {
 using Selected = std::vector<SizedFaces>;
 
 struct SelectionLimits {
-  double part_length = 0.5;       ///< of the length asked for: triangles at the border of a part
-  double material_balls = 50000;  ///< in the boxes of all features named, about
+  double part_length = 0.5;         ///< of the length asked for: triangles at the border of a part
+  double material_balls = 50000;    ///< in the boxes of all features named, about
+  std::size_t triangles = 500'000;  ///< of all parts of faces
 };
 constexpr SelectionLimits kSelectionLimits;
 
@@ -53,17 +55,21 @@ class MaterialCover {
   }
 
   /// Balls round the points of a cubic lattice in the feature's material where the condition holds.
-  /// The lattice constant is the length asked for, or more where that would be too many points.
-  /// None where the selector does not name the material.
+  /// The lattice constant is the length asked for, or more where that would be too many points;
+  /// across a thinner feature it is the thickness. None where the selector does not name the
+  /// material.
   [[nodiscard]] std::vector<SizedBall> of(const SizedFaces& sized) const {
     if (!has_any(sized)) return {};
     const Box& box = membership_.solids()[sized.on.feature].bounds();
     const Vec3 extent = box.hi - box.lo;
-    const double most = kSelectionLimits.material_balls / static_cast<double>(features_);
+    const double most =
+        std::fmax(1, kSelectionLimits.material_balls / static_cast<double>(features_));
     double apart = std::fmax(sized.size, std::cbrt(extent.x * extent.y * extent.z / most));
     const auto across = [&](double v) { return std::ceil(v / apart); };
     while (across(extent.x) * across(extent.y) * across(extent.z) > 2 * most) apart *= 1.5;  // thin
     const auto steps = [&](double v) { return static_cast<int>(across(v)); };
+    const Vec3 step{std::fmin(apart, extent.x), std::fmin(apart, extent.y),
+                    std::fmin(apart, extent.z)};
     std::optional<ConditionTest> holds;
     if (is_conditional(sized)) holds.emplace(sized.on.condition);
     Polling poll(run_);
@@ -72,7 +78,7 @@ class MaterialCover {
       for (int j = 0; j < steps(extent.y); ++j)
         for (int i = 0; i < steps(extent.x); ++i) {
           poll();
-          const Vec3 p = box.lo + apart * Vec3{i + 0.5, j + 0.5, k + 0.5};
+          const Vec3 p = box.lo + Vec3{(i + 0.5) * step.x, (j + 0.5) * step.y, (k + 0.5) * step.z};
           if (membership_.contains(sized.on.feature, p) && membership_.inside(p) &&
               (!holds || (*holds)(p, {})))
             balls.push_back({p, 0.5 * std::numbers::sqrt3 * apart, sized.size});
@@ -117,6 +123,7 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
   std::vector<double> on(boundary.faces.size(), HUGE_VAL);  // whole faces
   std::vector<SizeSource> sources;
   if (model.sizes.empty()) return sources;
+  std::size_t triangles = 0;
   const MaterialCover material(model, run);
   for (const SizeControl& control : model.sizes) {
     if (const auto* selected = std::get_if<Selected>(&control.place)) {
@@ -128,7 +135,13 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
             on[f] = std::fmin(on[f], sized->size);
             continue;
           }
-          for (const auto& triangle : part_of(boundary.faces[f], *sized, run))
+          const auto part = part_of(boundary.faces[f], *sized, run);
+          triangles += part.size();
+          if (triangles > kSelectionLimits.triangles)
+            throw error::limit_exceeded("", "sizes." + control.id + ".on",
+                                        "triangles that the parts of faces are divided into,",
+                                        triangles, kSelectionLimits.triangles);
+          for (const auto& triangle : part)
             sources.push_back(
                 {.piece = triangle, .box = box_of(triangle), .size = sized->size, .asked = true});
         }

@@ -6,6 +6,7 @@
 #include "engine/cellular/cellular_model.h"
 #include "engine/sizing/size_rules.h"
 #include "tests/support/cases.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/run.h"
 
 namespace remeshd {
@@ -93,6 +94,26 @@ TEST(SizeControls, OnAFeatureHoldInItsMaterial) {
   EXPECT_NEAR(field({15, 0, 11}), 1, 1e-9) << "2.4 from its wall";
   EXPECT_NEAR(field({15, 0, 8.4}), 1, 1e-9);
   EXPECT_NEAR(field({15, 0, 4}), 1 + 0.3 * 4, 0.3);
+}
+
+TEST(SizeControls, OnAFeatureThinnerThanTheLengthHoldInItsMaterial) {
+  ModelSource source = test::model_of(
+      {test::block("body", 40, 40, 20), test::placed(test::block("core", 30, 30, 1), 0, 0, 9.5)});
+  source.sizes = {{"a", "core", 2.5}};
+  const FeatureModel model = evaluate(source);
+  const BoundaryModel boundary = build_cells(model, kRun).boundary;
+  EXPECT_THAT(sizes_of_nothing(model, boundary, kRun), IsEmpty());
+  const SizeField field = SizeRules(boundary, {.even = false, .edges_per_circle = 0, .layers = 0},
+                                    5, kRun, size_sources(model, boundary, kRun))
+                              .field(5, 2);
+  for (const double x : {-14.9, 0.0, 14.9}) EXPECT_NEAR(field({x, -14.9, 10}), 2.5, 1e-9);
+}
+
+TEST(SizeControls, OfTooManyTrianglesAreRefused) {
+  const Plate plate({{"a", "plate & sin(1e6*(x+y+z)) > 0", 0.01}});
+  const ErrorInfo info =
+      test::error_of([&] { (void)size_sources(plate.model, plate.cells.boundary, kRun); });
+  EXPECT_EQ(info.parameter, "sizes.a.on");
 }
 
 TEST(SizeControls, OnManyFeaturesHaveABoundedNumberOfSources) {
