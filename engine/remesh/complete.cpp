@@ -1,8 +1,10 @@
 #include "engine/remesh/complete.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/delivery/deliver.h"
 #include "engine/delivery/group_outcomes.h"
@@ -61,23 +63,28 @@ void deliver(Attempt taken, const Problem& problem, Revision& revision) {
 }
 
 /// Puts a regular mesh in the place of a remesh whose quality has drifted, where it is better.
-void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const std::string& remesh,
-                      Revision& revision) {
+/// Returns the share of the regular mesh's tets that a last resort made; nothing where the remesh
+/// stays.
+std::optional<double> renew_if_drifted(const Problem& problem, double seconds_of_remesh,
+                                       const std::string& remesh, Revision& revision) {
   const QualityReference now = quality_reference(revision);
   const bool even = revision.options.sizing.even;
   Report& report = revision.report;
-  if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference, even)) return;
+  if (is_regular(problem.parent) || !has_drifted(now, problem.parent.reference, even)) return {};
   Attempt regular = regular_mesh(problem);
   add(report.seconds, regular.seconds);
   const TriedStrategy drifted{remesh, "the quality had drifted: " + describe(now),
                               seconds_of_remesh};
   TriedStrategy rejected{regular.name, regular.reason, regular.seconds.total};
   if (regular.taken()) {
+    const double last_resort = regular.last_resort_share;
+    const std::vector<TriedStrategy> tries = regular.tries;
     Revision anew = revision;
     deliver(std::move(regular), problem, anew);
     anew.reference = quality_reference(anew);
     if (has_drifted(now, anew.reference, even)) {
       anew.report.attempts.push_back(drifted);
+      anew.report.attempts.insert(anew.report.attempts.end(), tries.begin(), tries.end());
       anew.report.warnings.push_back({.code = WarningCode::Renewed,
                                       .message = "the quality had drifted (" + describe(now) +
                                                  ") and was made anew (" +
@@ -85,12 +92,13 @@ void renew_if_drifted(const Problem& problem, double seconds_of_remesh, const st
       anew.report.strategy = MeshStrategy::Renewed;
       anew.report.taken = {rejected.strategy, "", rejected.seconds};
       revision = std::move(anew);
-      return;
+      return last_resort;
     }
     rejected.reason = "no better than the mesh that had drifted: " + describe(anew.reference);
   }
   report.attempts.push_back(std::move(rejected));
   revision.reference = now;
+  return {};
 }
 
 /// Whether the tets of the parent were kept, wherever their nodes went.
@@ -128,12 +136,12 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   const bool renewable = new_nodes && taken.copies && problem.density.inherited && !resorted;
   const std::string name = taken.name;
   const double seconds = taken.seconds.total;
-  const double made_anew = taken.last_resort_share;
+  double made_anew = taken.last_resort_share;
   deliver(std::move(taken), problem, revision);
   const bool begins_anew =
       !problem.density.inherited || report.strategy == MeshStrategy::Fresh || resorted;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
-  if (renewable) renew_if_drifted(problem, seconds, name, revision);
+  if (renewable) made_anew = renew_if_drifted(problem, seconds, name, revision).value_or(made_anew);
   const bool same_tets = keeps_tets(report.strategy);
   revision.output.node_sizes =
       made_for(parent, revision, same_tets ? nullptr : &problem.plan(), problem.run);

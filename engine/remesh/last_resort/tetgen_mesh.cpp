@@ -209,12 +209,12 @@ Candidate first_valid(const TetGenInput& input, const Run& run,
   const std::size_t facets = std::min(SurfaceMeshOptions{}.most_facets, most_facets(input));
   for (const Question& question : kQuestions) {
     const Stopwatch tried;
-    const SurfaceMesh surface = mesh_surface(
-        input.cells.boundary,
-        {.sizes = input.sizes, .share = question.surface_length, .most_facets = facets}, run);
-    limits.seconds = input.limits.seconds - watch.total();
-    if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
     try {
+      const SurfaceMesh surface = mesh_surface(
+          input.cells.boundary,
+          {.sizes = input.sizes, .share = question.surface_length, .most_facets = facets}, run);
+      limits.seconds = input.limits.seconds - watch.total();
+      if (limits.seconds <= 0) throw error::tetgen_too_slow(input.limits.seconds);
       Candidate c = try_tetgen(surface, question.split_surface, input, limits, run);
       if (c.verification.valid) return c;
       failure = not_recovered(input, c.verification, {});
