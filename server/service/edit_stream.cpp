@@ -303,10 +303,13 @@ void EditStream::advance() noexcept {
       writing_ = true;
       auto [bytes, source] = queue_.next_reply();
       outgoing_ = std::move(bytes);
+      bool started = false;
       act(lock, [&] {
         if (source) outgoing_ = source->next();
+        started = true;
         StartWrite(&outgoing_);
       });
+      if (!started) writing_ = false;  // no OnWriteDone comes; `safely` has closed the stream
     } else if (!closed_ && !beginning_ && queue_.may_begin()) {
       // An answer within `begin` calls `advance` again: the next request is left to this loop.
       beginning_ = true;

@@ -205,10 +205,12 @@ Filed Archive::file(const HeldRevisionPtr& revision, const std::string& design,
 }
 
 void Archive::forget(const std::string& id) {
+  const std::scoped_lock lock(filing_);
+  if (is_known(id)) return;  // it was filed again since it was deleted
   held_.erase(id);
   set_damaged(id, false);
   set_unsaved(id, false);
-  const std::scoped_lock lock(notes_);
+  const std::scoped_lock notes(notes_);
   used_.erase(id);
 }
 

@@ -247,7 +247,8 @@ class Archive {
   bool drop_mesh(const std::string& id);
   /// Rewrites the pack of `id`, whose base is `from`, against the base of that, or without one.
   void stand_elsewhere(const std::string& id, const std::string& from);
-  /// Removes a deleted revision from memory, with all notes on it.
+  /// Removes a deleted revision from memory, with all notes on it, unless it was filed again
+  /// meanwhile.
   void forget(const std::string& id);
 
   const Engine& engine_;

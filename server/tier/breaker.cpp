@@ -18,13 +18,14 @@ Breaker::Breaker(std::unique_ptr<ObjectStore> store, std::function<void(const st
                  std::function<Clock::time_point()> now)
     : store_(std::move(store)), tell_(std::move(tell)), now_(std::move(now)) {}
 
-void Breaker::begin() {
+void Breaker::begin(Haste haste) {
   const std::scoped_lock lock(mutex_);
   if (failures_ < kFailures) return;
   const auto now = now_();
   if (now < closed_from_)
     throw error::tier_unavailable(why_, std::chrono::duration<double>(closed_from_ - now).count());
-  closed_from_ = now + limits::kTierRest;  // this call tries the store; meanwhile others fail
+  // This call tries the store. Others fail meanwhile, unless it may end before the store answers.
+  if (haste == Haste::None) closed_from_ = now + limits::kTierRest;
 }
 
 void Breaker::note_success() {
@@ -41,8 +42,8 @@ void Breaker::note_failure(const std::string& why) {
 }
 
 template <typename Work>
-auto Breaker::tried(Work&& work) {
-  begin();
+auto Breaker::tried(Work&& work, Haste haste) {
+  begin(haste);
   try {
     if constexpr (std::is_void_v<decltype(work())>) {
       work();
@@ -52,6 +53,9 @@ auto Breaker::tried(Work&& work) {
       note_success();
       return result;
     }
+  } catch (const TierTimeout& failure) {
+    if (haste == Haste::None) note_failure(failure.info().message);
+    throw;
   } catch (const Error& failure) {
     if (failure.info().reason == "TIER_REFUSED") {
       note_success();  // the store answers
@@ -63,7 +67,8 @@ auto Breaker::tried(Work&& work) {
 }
 
 bool Breaker::has(const std::string& key, double within) {
-  return tried([&] { return store_->has(key, within); });
+  const Haste haste = within < limits::kTierAnswer ? Haste::Great : Haste::None;
+  return tried([&] { return store_->has(key, within); }, haste);
 }
 
 std::optional<std::string> Breaker::get(const std::string& key) {

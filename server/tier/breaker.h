@@ -12,6 +12,9 @@ namespace remeshd {
 
 /// A circuit breaker before a store: after three failures in a row every call fails at once, for
 /// `limits::kTierRest`; then one call tries the store, and all do again if it succeeds.
+///
+/// A look-up in haste, one that has less time than `limits::kTierAnswer`, tells nothing of the
+/// store by coming to its end: that is no failure, and it is not the call that tries the store.
 class Breaker final : public ObjectStore {
  public:
   using Clock = std::chrono::steady_clock;
@@ -31,9 +34,11 @@ class Breaker final : public ObjectStore {
   void remove(const std::string& key) override;
 
  private:
+  enum class Haste { None, Great };
+
   template <typename Work>
-  auto tried(Work&& work);
-  void begin();
+  auto tried(Work&& work, Haste haste = Haste::None);
+  void begin(Haste haste);
   void note_success();
   void note_failure(const std::string& why);
 

@@ -110,6 +110,8 @@ HttpTransfer::Answer HttpTransfer::ask(const Request& request) {
     return error::tier_unavailable(why, limits::kTierRest.count());
   };
   const CURLcode result = curl_easy_perform(curl_);
+  if (result == CURLE_OPERATION_TIMEDOUT)
+    throw error::tier_timed_out(curl_easy_strerror(result), limits::kTierRest.count());
   if (result != CURLE_OK) throw fail(curl_easy_strerror(result));
   long status = 0;
   curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);

@@ -13,6 +13,10 @@ Error tier_unavailable(std::string_view why, double retry_after) {
                 .retry_after = retry_after});
 }
 
+TierTimeout tier_timed_out(std::string_view why, double retry_after) {
+  return TierTimeout(tier_unavailable(why, retry_after).info());
+}
+
 Error tier_refused(std::size_t bytes, long status) {
   return Error({.kind = ErrorKind::FailedPrecondition,
                 .reason = "TIER_REFUSED",

@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "tests/server/fake_engine.h"
 #include "tests/server/session/store_folder.h"
@@ -17,11 +19,11 @@ namespace {
 class ArchiveTest : public testing::Test {
  protected:
   /// A revision as a computation ends with it.
-  HeldRevisionPtr computed() {
+  HeldRevisionPtr computed(const std::string& id = std::string(64, 'a')) {
     auto held = std::make_shared<HeldRevision>();
     held->revision = engine_.make_revision(nullptr, model_of({block("plate", 80, 40, 10)}),
                                            MeshOptions{.nodes = 100}, kRun);
-    held->record.id = std::string(64, 'a');
+    held->record.id = id;
     return held;
   }
 
@@ -61,6 +63,27 @@ TEST_F(ArchiveTest, ARevisionThatWasDeletedBeforeItIsFiledAgainIsThereOnceItIs) 
   EXPECT_EQ(archive_.held().count(), 0U);
   EXPECT_EQ(archive_.file(found, "plate", {}).place.number, 2U);
   EXPECT_EQ(archive_.get(archive_.resolve("plate").id, kRun), revision_);
+}
+
+TEST_F(ArchiveTest, ARevisionThatIsFiledAgainWhileItsDesignIsDeletedStaysInMemory) {
+  const auto is_known = [&] {
+    return store_.read([&](Catalogue& catalogue) { return catalogue.revision(id_).has_value(); });
+  };
+  std::vector<HeldRevisionPtr> others;  // before it in the design: removed from memory before it
+  for (int i = 1000; i < 1100; ++i)
+    others.push_back(computed(std::to_string(i) + std::string(60, 'b')));
+  for (int round = 0; round < 20; ++round) {
+    for (const auto& other : others) archive_.file(other, "plate", {});
+    archive_.file(revision_, "plate", {});
+    std::thread again([&] {
+      while (is_known()) std::this_thread::yield();
+      archive_.file(revision_, "another", {});
+    });
+    archive_.remove_design("plate", "");
+    again.join();
+    EXPECT_TRUE(archive_.held().contains(id_)) << "in round " << round;
+    archive_.remove_design("another", "");
+  }
 }
 
 TEST_F(ArchiveTest, WhatIsFiledTwiceCountsOnceInMemory) {

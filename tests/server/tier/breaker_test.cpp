@@ -69,6 +69,34 @@ TEST_F(BreakerTest, TakesAFailureNowAndThen) {
   EXPECT_TRUE(told_.empty());
 }
 
+TEST_F(BreakerTest, TakesNoLookUpThatHasTooLittleTimeForAFailure) {
+  const auto look_up = [&](double within) {
+    EXPECT_EQ(error_of([&] { static_cast<void>(breaker_.has("key", within)); }).reason,
+              "TIER_UNAVAILABLE");
+  };
+  shelf_.times_out = true;
+  for (int i = 0; i < 10; ++i) look_up(limits::kTierLookUp);
+  EXPECT_EQ(shelf_.asked, 10);
+  EXPECT_TRUE(told_.empty());
+  for (int i = 0; i < 10; ++i) look_up(limits::kTierAnswer);
+  EXPECT_EQ(shelf_.asked, 13) << "one that had the time fails";
+  EXPECT_EQ(told_.size(), 1U);
+}
+
+TEST_F(BreakerTest, IsNotLeftAloneForLongerByALookUpThatHasTooLittleTime) {
+  shelf_.fails = true;
+  for (int i = 0; i < 3; ++i) ask();
+  shelf_.fails = false;
+  shelf_.times_out = true;
+  now_ += limits::kTierRest;
+  EXPECT_EQ(error_of([&] { static_cast<void>(breaker_.has("key", limits::kTierLookUp)); }).reason,
+            "TIER_UNAVAILABLE");
+  EXPECT_EQ(shelf_.asked, 4);
+  shelf_.times_out = false;
+  EXPECT_TRUE(ask());
+  EXPECT_EQ(shelf_.asked, 5);
+}
+
 TEST_F(BreakerTest, DoesNotTakeAMissForAFailure) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(breaker_.get("key"), std::nullopt);
   breaker_.put("key", "bytes");

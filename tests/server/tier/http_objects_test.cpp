@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "proto/checksum.h"
+#include "server/tier/tier_error.h"
 #include "tests/support/expect_error.h"
 
 namespace remeshd::test {
@@ -206,6 +207,20 @@ TEST(HttpObjects, OfABucketThatIsNotThereAreAnOutage) {
   const ErrorInfo info = error_of([&] { static_cast<void>(objects.get("recipe/ab/abc")); });
   EXPECT_EQ(info.reason, "TIER_UNAVAILABLE");
   EXPECT_NE(info.message.find("404 (NoSuchBucket)"), std::string::npos) << info.message;
+}
+
+TEST(HttpObjects, OfAServerThatDoesNotAnswerInTimeAreTimedOut) {
+  const int silent = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{.sin_family = AF_INET, .sin_addr = {::htonl(INADDR_LOOPBACK)}};
+  socklen_t size = sizeof address;
+  auto* const general = reinterpret_cast<sockaddr*>(&address);
+  ASSERT_EQ(::bind(silent, general, size), 0);
+  ASSERT_EQ(::listen(silent, 8), 0);
+  ASSERT_EQ(::getsockname(silent, general, &size), 0);
+  HttpObjects objects(
+      HttpAccess{.url = "http://127.0.0.1:" + std::to_string(::ntohs(address.sin_port))});
+  EXPECT_THROW(static_cast<void>(objects.has("key", 0.05)), TierTimeout);
+  ::close(silent);
 }
 
 TEST(HttpObjects, ThatAreRefusedTellTheCodeOfS3) {

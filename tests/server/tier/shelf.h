@@ -74,6 +74,7 @@ class Shelf final : public ObjectStore {
   }
 
   std::atomic<bool> fails = false;
+  std::atomic<bool> times_out = false;
   std::atomic<int> asked = 0;
   std::function<void(const std::string&key)> before_put, before_remove;  ///< may be empty
 
@@ -81,6 +82,7 @@ class Shelf final : public ObjectStore {
   void check() {
     ++asked;
     if (fails) throw error::tier_unavailable("it is out", 10);
+    if (times_out) throw error::tier_timed_out("it is slow", 10);
   }
 
   mutable std::mutex mutex_;
