@@ -30,6 +30,7 @@ constexpr std::array kByReason{
     ReasonExit{Error::STORE_FOREIGN, kFileFailed},
     ReasonExit{Error::STORE_NEWER, kFileFailed},
     ReasonExit{Error::STORE_FAILED, kFileFailed},
+    ReasonExit{Error::STORE_CORRUPTED, kFileFailed},
 };
 
 /// What gRPC itself says of a message over the daemon's limit, which a document in it caused.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "remeshd/client.h"
 
+#include <cstdint>
 #include <utility>
 
 #include "client/library/calls.h"
@@ -15,6 +16,27 @@
 namespace remeshd::client {
 
 using Stub = Replica::Service::Stub;
+
+namespace {
+
+/// How far the tries of one transfer have come. A try that comes no further than those before it
+/// does not count as an answer: one that is cut at the same place each time would never be given
+/// up.
+class Furthest {
+ public:
+  explicit Furthest(Search& search) : search_(search) {}
+  void note(Replica& replica, std::uint64_t bytes) {
+    if (bytes <= bytes_) return;
+    bytes_ = bytes;
+    search_.heard(replica);
+  }
+
+ private:
+  Search& search_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace
 
 Client::Client(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
@@ -51,13 +73,15 @@ Mesh Client::get_mesh(const std::string& revision, const CallOptions& call,
   *request.mutable_selection() = to_message(wanted);
   MeshAssembler assembler(wanted.arrays, {wanted.base});
   Search search = impl_->search_mesh(revision, call);
+  Furthest furthest(search);
   while (true) {
     Replica& replica = search.replica();
     CallContext context(search.rest(), replica, search.route());
     const auto reader = replica.service().GetMesh(context.get(), request);
     const auto take = [&](const remesh::v1::GetMeshResponse& response) {
-      search.heard(replica);
+      replica.reached = true;
       assembler.add(response.mesh());
+      furthest.note(replica, assembler.bytes_received());
       if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
     };
     const grpc::Status status = read_all(*reader, context, take);
@@ -74,13 +98,15 @@ std::string Client::get_mesh_file(const std::string& revision, const std::string
   request.set_format(format);
   MeshFileAssembler assembler;
   Search search = impl_->search_mesh(revision, call);
+  Furthest furthest(search);
   while (true) {
     Replica& replica = search.replica();
     CallContext context(search.rest(), replica, search.route());
     const auto reader = replica.service().GetMeshFile(context.get(), request);
     const auto take = [&](const remesh::v1::GetMeshFileResponse& response) {
-      search.heard(replica);
+      replica.reached = true;
       assembler.add(response);
+      furthest.note(replica, assembler.bytes_received());
       if (on_transfer) on_transfer(assembler.bytes_received(), assembler.bytes_expected());
     };
     const grpc::Status status = read_all(*reader, context, take);

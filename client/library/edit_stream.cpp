@@ -10,41 +10,12 @@
 #include "client/library/resend.h"
 #include "client/library/routes.h"
 #include "client/library/status.h"
+#include "client/library/stream_errors.h"
 
 namespace remeshd::client {
 namespace {
 
 using remesh::v1::Error;
-
-Error stream_ended() {
-  Error error;
-  error.set_code(Error::CODE_UNAVAILABLE);
-  error.set_reason(Error::STREAM_ENDED);
-  error.set_message("the stream ended before this request was answered");
-  return error;
-}
-
-/// An end that leaves requests unanswered is a break.
-grpc::Status broken_by(const grpc::Status& end) {
-  if (!end.ok()) return end;
-  return {grpc::StatusCode::UNAVAILABLE, stream_ended().message()};
-}
-
-Error not_sent_again() {
-  Error error = stream_ended();
-  error.set_message(
-      "the stream broke before this request was answered, and the daemon may have done it");
-  error.set_hint("look at the head of its design");
-  return error;
-}
-
-Error cancelled_unsent() {
-  Error error;
-  error.set_code(Error::CODE_CANCELLED);
-  error.set_reason(Error::CANCELLED);
-  error.set_message("the request was cancelled");
-  return error;
-}
 
 /// Answers whose futures throw the error.
 EditStream::Answers failed(const Error& error, std::optional<MeshWanted> mesh) {
@@ -142,7 +113,7 @@ EditStream::Answers EditStream::Impl::send(const std::string& id,
     const std::lock_guard lock(state_);
     if (closed_) throw std::logic_error("EditStream: nothing can be sent after finish()");
     if (end_) return failed(*end_, std::move(mesh));
-    if (!call_) return failed(cancelled_unsent(), std::move(mesh));
+    if (!call_) return failed(request_cancelled(), std::move(mesh));
     if (find(id) != unanswered_.end())
       throw std::invalid_argument("EditStream: request id '" + id + "' is under way");
     unanswered_.push_back({id, std::move(request), OpenRequest(std::move(mesh))});
@@ -273,14 +244,31 @@ bool EditStream::Impl::is_over() {
   return cancelled_ || (closed_ && unanswered_.empty());
 }
 
-/// Opens the stream again at the replica that `search_` names, and sends what is unanswered again;
-/// false where it was cancelled. `refused`: the first request was refused, so it was not carried
-/// out.
+/// Takes out the requests that are cancelled: where their call has broken, the daemon may not have
+/// heard of it. Pre: under `state_`.
+EditStream::Impl::Requests EditStream::Impl::take_cancelled() {
+  Requests taken;
+  for (auto next = unanswered_.begin(); next != unanswered_.end();) {
+    const auto entry = next++;
+    if (!entry->cancelled) continue;
+    if (entry->result) last_ = entry->result;  // only its mesh is cancelled
+    taken.splice(taken.end(), unanswered_, entry);
+  }
+  return taken;
+}
+
+/// Opens the stream again at the replica that `search_` names, and sends what is unanswered again,
+/// but for what is cancelled; false where the stream was cancelled. `refused`: the first request
+/// was refused, so it was not carried out.
 bool EditStream::Impl::reopen(bool refused) {
+  Requests not_wanted;
   const std::lock_guard one_write(writing_);
   {
     const std::lock_guard lock(state_);
     if (cancelled_) return false;
+    // The first may be among them: what is the first from now on was not refused.
+    refused = refused && !unanswered_.front().cancelled;
+    not_wanted = take_cancelled();
     for (Unanswered& entry : unanswered_) {
       const bool not_done = !entry.sent || (refused && &entry == &unanswered_.front());
       entry.sent_before = entry.sent_before || !not_done;
@@ -289,6 +277,7 @@ bool EditStream::Impl::reopen(bool refused) {
     }
     call_ = std::make_shared<Call>(*search_);
   }
+  for (Unanswered& entry : not_wanted) entry.request.fail(request_cancelled());
   send_waiting();
   return true;
 }
@@ -338,13 +327,15 @@ void EditStream::Impl::cancel(const std::string& request_id) {
     if (closed_ || !call_) return;
     to = call_;
     const auto entry = find(request_id);
-    if (entry != unanswered_.end() && !entry->sent)
-      unsent.splice(unsent.begin(), unanswered_, entry);
+    if (entry != unanswered_.end()) {
+      entry->cancelled = true;
+      if (!entry->sent) unsent.splice(unsent.begin(), unanswered_, entry);
+    }
   }
   if (unsent.empty()) {
     to->stream->Write(message);
   } else {
-    unsent.front().request.fail(cancelled_unsent());
+    unsent.front().request.fail(request_cancelled());
   }
 }
 

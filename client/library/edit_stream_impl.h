@@ -60,6 +60,7 @@ struct EditStream::Impl {
     std::optional<remesh::v1::RevisionResult> result{};  ///< set while its mesh is still to come
     bool sent = false;                                   ///< in the present call
     bool sent_before = false;                            ///< in a call that broke
+    bool cancelled = false;                              ///< so it is not sent again
   };
   using Requests = std::list<Unanswered>;
 
@@ -77,6 +78,7 @@ struct EditStream::Impl {
   [[nodiscard]] bool moves_on(Call& from, const remesh::v1::EditStreamResponse& response);
   void take(Call& from, const remesh::v1::EditStreamResponse& response);
   [[nodiscard]] bool is_over();
+  [[nodiscard]] Requests take_cancelled();
   bool reopen(bool refused);
   void end_with(const grpc::Status& status);
 

@@ -33,7 +33,7 @@ class Search {
   [[nodiscard]] Replica& replica() const;
   /// The options for a call from now on: what is left of the time.
   [[nodiscard]] CallOptions rest() const;
-  /// To be called when something came from a replica: the time for which calls are tried again
+  /// To be called when something new came from a replica: the time for which calls are tried again
   /// begins anew with the next failure, and all replicas are ranked again.
   void heard(Replica& replica);
   /// Whether `replica()` is to be asked after a call to `failed` ended with `status`; waits while

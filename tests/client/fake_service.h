@@ -50,6 +50,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
   std::function<void(std::vector<remesh::v1::MeshMessage>&)> damage;
   /// Breaks every GetMesh off after so many messages, and the next GetMeshFile.
   std::optional<int> mesh_break;
+  std::optional<int> file_break;  ///< breaks every GetMeshFile off after so many messages
   std::vector<remesh::v1::GetMeshFileResponse> file_messages;  ///< of every GetMeshFile
   Mesh mesh = sample_mesh(1);
   /// The meshes of `rev-1`, `rev-2`, ... of the stream; beyond the last: `mesh`.
@@ -176,7 +177,7 @@ class FakeService final : public remesh::v1::RemeshService::Service {
                            grpc::ServerWriter<remesh::v1::GetMeshFileResponse>* writer) override {
     file_requests.push_back(*request);
     if (const auto wrong = begin(*context)) return *wrong;
-    const auto stop = std::exchange(mesh_break, std::nullopt);
+    const auto stop = file_break ? file_break : std::exchange(mesh_break, std::nullopt);
     int written = 0;
     for (const auto& message : file_messages) {
       if (stop && written++ == *stop) return {grpc::StatusCode::UNAVAILABLE, "told by the test"};

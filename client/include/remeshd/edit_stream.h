@@ -63,7 +63,7 @@ class EditStream {
   Answers create(remesh::v1::CreateRevisionRequest request, MeshWanted mesh);
 
   /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED, in its turn
-  /// or, if the request was not sent yet, at once.
+  /// or, if the request was not sent yet, at once. After a break it is not sent again.
   void cancel(const std::string& request_id);
   /// Breaks the whole stream off: every open future throws CANCELLED.
   void cancel_all();

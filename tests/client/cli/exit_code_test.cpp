@@ -195,6 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{Error::CODE_DATA_LOSS, Error::NOT_REPRODUCIBLE, 8},
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::STORE_LOCKED, 6},
                     Failure{Error::CODE_FAILED_PRECONDITION, Error::STORE_NEWER, 8},
+                    Failure{Error::CODE_INTERNAL, Error::STORE_CORRUPTED, 8},
                     Failure{Error::CODE_DEADLINE_EXCEEDED, Error::DEADLINE_PASSED, 4},
                     Failure{Error::CODE_INTERNAL, Error::INTERNAL, 4},
                     Failure{Error::CODE_UNAVAILABLE, Error::SHUTTING_DOWN, 5},

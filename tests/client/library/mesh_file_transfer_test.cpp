@@ -53,6 +53,20 @@ TEST(MeshFileTransfer, BeginsAgainWhereTheConnectionBreaks) {
   EXPECT_EQ(daemon.service.file_requests.size(), 2U);
 }
 
+TEST(MeshFileTransfer, ThatIsCutAtTheSamePlaceEachTimeIsGivenUp) {
+  FakeDaemon daemon;
+  daemon.service.file_messages = file_of({"*NODE\n", "1, 0\n"});
+  daemon.service.file_break = 2;
+  CallOptions briefly;
+  briefly.timeout = 5;  // else it might be tried for ever
+  briefly.reconnect = 0.5;
+  EXPECT_THROW(
+      static_cast<void>(Client::connect(daemon.address).get_mesh_file("rev-1", "inp", briefly)),
+      CallError);
+  EXPECT_GT(daemon.service.file_requests.size(), 1U);
+  EXPECT_LT(daemon.service.file_requests.size(), 7U);
+}
+
 TEST(MeshFileTransfer, WithAnyFaultIsDataLoss) {
   const auto good = file_of({"*NODE\n", "1, 0\n"});
   auto no_header = good, gap = good, crc = good, digest = good, cut = good, longer = good;

@@ -108,6 +108,27 @@ TEST(EditStream, BehindABreakAnEditWithoutABaseIsOfTheLastResultUnlessItNamesADe
   }
 }
 
+TEST(EditStream, ARequestThatWasCancelledBeforeABreakIsNotSentAgain) {
+  FakeDaemon daemon;
+  daemon.service.stream_break = 1;
+  daemon.service.broken_off = 2;  // the request and its cancellation
+  EditStream stream = Client::connect(daemon.address).stream();
+  EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().id(), "rev-1");
+  auto unwanted = edit_request("a@2");
+  unwanted.set_request_id("unwanted");
+  auto answer = stream.edit(unwanted);
+  stream.cancel("unwanted");  // the stream breaks here
+  try {
+    static_cast<void>(answer.get());
+    ADD_FAILURE() << "it was carried out";
+  } catch (const CallError& e) {
+    EXPECT_EQ(e.code(), Error::CODE_CANCELLED);
+  }
+  EXPECT_EQ(stream.edit(edit_request("a@3")).get().revision().parent(), "a@3");
+  stream.finish();
+  EXPECT_EQ(daemon.service.requests.size(), 4U) << "three edits and a cancellation";
+}
+
 TEST(GetMesh, GoesOnWhereItBroke) {
   FakeDaemon daemon;
   daemon.service.mesh_break = 3;  // the header and two parts
@@ -147,6 +168,17 @@ TEST(GetMesh, WaitsBetweenTries) {
   briefly.reconnect = 0.5;
   EXPECT_THROW((void)client.get_mesh("a", briefly), CallError);
   EXPECT_GT(daemon.service.mesh_requests.size(), 2U);
+  EXPECT_LT(daemon.service.mesh_requests.size(), 7U);
+}
+
+TEST(GetMesh, ThatIsCutBehindItsHeaderEachTimeIsGivenUp) {
+  FakeDaemon daemon;
+  daemon.service.mesh_break = 1;
+  CallOptions briefly;
+  briefly.timeout = 5;  // else it might be tried for ever
+  briefly.reconnect = 0.5;
+  EXPECT_THROW((void)Client::connect(daemon.address).get_mesh("a", briefly), CallError);
+  EXPECT_GT(daemon.service.mesh_requests.size(), 1U);
   EXPECT_LT(daemon.service.mesh_requests.size(), 7U);
 }
 
