@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -14,7 +15,7 @@ namespace remeshd {
 /// `limits::kTierRest`; then one call tries the store, and all do again if it succeeds.
 ///
 /// A look-up in haste, one that has less time than `limits::kTierAnswer`, tells nothing of the
-/// store by coming to its end: that is no failure, and it is not the call that tries the store.
+/// store by running out of it: that is no failure, and while it tries the store others may too.
 class Breaker final : public ObjectStore {
  public:
   using Clock = std::chrono::steady_clock;
@@ -34,7 +35,7 @@ class Breaker final : public ObjectStore {
   void remove(const std::string& key) override;
 
  private:
-  enum class Haste { None, Great };
+  enum class Haste : std::uint8_t { None, Great };
 
   template <typename Work>
   auto tried(Work&& work, Haste haste = Haste::None);
