@@ -37,7 +37,7 @@ ReusedMesh cleaned_up(Candidate& c, const MeshingTask& task, const MeshPatch& pa
 void put_back(Candidate& c, const ReusedMesh& mesh, const MeshingTask& task, const MeshPatch& patch,
               std::uint32_t most_failures = VerifyOptions{}.most_failures);
 
-/// `values[at[k]]` for each k; -1 where `at[k]` is negative.
+/// `values[at[k]]` for each k; -1 where `at[k]` is negative, or where there are no values at all.
 std::vector<std::int32_t> looked_up(std::span<const std::int32_t> values,
                                     std::span<const std::int32_t> at);
 
