@@ -50,7 +50,7 @@ std::vector<NodalVelocities> velocities_of(const Revision& revision,
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 33,
+  return {.algorithm_version = 34,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

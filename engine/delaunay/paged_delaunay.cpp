@@ -125,6 +125,10 @@ std::vector<std::int32_t> PagedDelaunay::put_back(const DelaunayMesh& patch, con
     points_.edit(names[n]) = patch.points_[n + kSuper];
     moved[n + kSuper] = 1;
   }
+  if (!cut.slots.empty() && cut.exterior.empty()) {  // all of the mesh, maybe in larger bounds
+    for (std::int32_t v = 0; v < kSuper; ++v) moved[v] = super_[v] == patch.points_[v] ? 0 : 1;
+    std::copy_n(patch.points_.begin(), kSuper, super_.begin());
+  }
   std::vector<std::int32_t> changed;
   std::vector<std::int32_t> place(std::max(patch.slots_.size(), cut.slots.size()), -1);
   for (std::size_t t = 0; t < cut.slots.size(); ++t) {

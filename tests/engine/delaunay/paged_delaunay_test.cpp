@@ -117,6 +117,24 @@ TEST(PagedDelaunay, AllOfItMadeAnewOfFewerTetsIsPutBack) {
             sorted_tets(mesh_of({points.begin(), points.begin() + 500})));
 }
 
+TEST(PagedDelaunay, AllOfItMadeAnewInLargerBoundsEnclosesThem) {
+  std::vector<Vec3> points = cloud(300, 4);
+  PagedDelaunay mesh = paged(points);
+  std::vector<std::int32_t> slots(mesh.slots());
+  std::iota(slots.begin(), slots.end(), 0);
+  PagedDelaunay::Cut cut;
+  (void)mesh.cut(slots, all(300), 300, cut);
+  points.front() = {200, 0, 0};
+  Box larger = unit_box();
+  larger.add(points.front());
+  DelaunayMesh patch(larger);
+  patch.insert(points, all(300), kRun);
+  ASSERT_FALSE(mesh_of(cloud(300, 4)).encloses(larger));
+  mesh.put_back(patch, cut, all(300), 300);
+  EXPECT_TRUE(mesh.consistent());
+  EXPECT_TRUE(unpaged(mesh).encloses(larger));
+}
+
 /// The tets at nodes within a ball, cut out of a mesh of a cloud.
 struct Part {
   std::vector<Vec3> points = cloud(3000, 5);
