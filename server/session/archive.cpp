@@ -55,9 +55,7 @@ Archive::Archive(const Engine& engine, Store& store, MemoryBudget& memory, DiskB
              Background::Begin::AfterASecond) {
   store_.on_failure([this] { saver_.ask(); });
   if (disk_ == nullptr) return;
-  const auto bytes = [this] {
-    return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
-  };
+  const auto bytes = [this] { return store_.bytes(); };
   const auto shrink = [this](std::uint64_t most) { collect_garbage({.disk_bytes = most}); };
   disk_holder_ = disk_->add_holder({.bytes = bytes, .shrink = shrink});
 }

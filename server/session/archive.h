@@ -245,6 +245,8 @@ class Archive {
   /// Drops a stored mesh, after rewriting the packs whose base it is; false where it has to stay.
   /// Throws what `stand_elsewhere` throws.
   bool drop_mesh(const std::string& id);
+  /// Rewrites packs that alone stand on a removed revision or dropped mesh, whose own then goes.
+  void free_removed_bases();
   /// Rewrites the pack of `id`, whose base is `from`, against the base of that, or without one.
   void stand_elsewhere(const std::string& id, const std::string& from);
   /// Removes a deleted revision from memory, with all notes on it, unless it was filed again

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "server/session/archive.h"
 #include "server/session/clock.h"
@@ -74,13 +75,13 @@ CacheStats Archive::cache_stats() {
                    .memory_budget = memory_.most_held()};
   const Store::Room room = store_.room();
   stats.disk_free = room.free_bytes;
+  stats.disk_bytes = store_.bytes();
   stats.quarantined = room.quarantined;
   stats.in_memory = static_cast<std::uint32_t>(held_.count());
   for (const RevisionRecord& record :
        store_.read([](Catalogue& catalogue) { return catalogue.revisions(); })) {
     stats.stored += record.bytes > 0;
     stats.pinned += record.pinned;
-    stats.disk_bytes += record.bytes;
     const bool gone = record.bytes == 0 && !held_.contains(record.id);
     stats.outdated += gone && record.algorithm_version != engine_.algorithm_version;
   }
@@ -106,15 +107,16 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
   const std::uint64_t budget =
       options.disk_bytes ? *options.disk_bytes : (disk_ != nullptr ? disk_->cap() : kAny);
   const std::scoped_lock lock(collecting_);
-  const auto on_disk = [&] {
-    return store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); });
-  };
-  Collected collected{.disk_bytes = on_disk()};
+  Collected collected{.disk_bytes = store_.bytes()};
   if (!store_.persistent()) return collected;
   const std::uint64_t before = collected.disk_bytes;
   std::optional<std::int64_t> unused_before;
   if (options.unused_seconds)
     unused_before = nanoseconds_now() - static_cast<std::int64_t>(1e9 * *options.unused_seconds);
+  if (collected.disk_bytes > budget && !options.dry_run) {
+    free_removed_bases();
+    collected.disk_bytes = store_.bytes();
+  }
   bool full = false;  // no room to rewrite packs: a mesh that is a base cannot go now
   for (;;) {
     const std::uint64_t excess = collected.disk_bytes > budget ? collected.disk_bytes - budget : 0;
@@ -130,7 +132,7 @@ Collected Archive::collect_garbage(const GarbageOptions& options) {
     }
     const Dropped dropped = drop_meshes(chosen, full, budget);
     collected.meshes += dropped.meshes;
-    collected.disk_bytes = on_disk();
+    collected.disk_bytes = store_.bytes();
     // Packs that were rewritten, as their base went, take more than before.
     if (collected.disk_bytes <= budget || (dropped.meshes == 0 && (full || !dropped.full))) break;
     full = dropped.meshes == 0;
@@ -148,8 +150,7 @@ Archive::Dropped Archive::drop_meshes(const std::vector<std::string>& ids, bool 
     if ((full || dropped.full) &&
         !store_.read([&](Catalogue& catalogue) { return catalogue.standing_on(id).empty(); }))
       continue;
-    if (full && store_.read([](Catalogue& catalogue) { return catalogue.count_bytes(); }) <= budget)
-      break;
+    if (full && store_.bytes() <= budget) break;
     try {
       dropped.meshes += drop_mesh(id);
     } catch (const Error& failure) {
@@ -177,13 +178,26 @@ bool Archive::drop_mesh(const std::string& id) {
   return dropped;
 }
 
+void Archive::free_removed_bases() {
+  std::set<std::string> failed;
+  for (bool again = true; again;) {
+    again = false;
+    for (const auto& [id, base] : store_.on_removed_bases()) {
+      if (failed.contains(id)) continue;
+      try {
+        stand_elsewhere(id, base);
+        again = true;
+      } catch (const Error&) {
+        failed.insert(id);  // it cannot be read or written: it stays as it is
+      }
+    }
+  }
+}
+
 void Archive::stand_elsewhere(const std::string& id, const std::string& from) {
   const auto turn = writing_.take(id);
-  std::string base;
-  const auto record = store_.read([&](Catalogue& catalogue) {
-    if (const auto other = catalogue.revision(from)) base = other->base;
-    return catalogue.revision(id);
-  });
+  const std::string base = store_.base_of(from);
+  const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (!record || record->base != from) return;
   RevisionRecord moved = *record;
   const std::string recipe = store_.recipe(id);

@@ -197,8 +197,8 @@ Load Session::load() {
   store_->read([&](Catalogue& catalogue) {
     load.revisions = catalogue.count_revisions();
     load.designs = catalogue.count_designs();
-    load.disk_bytes = catalogue.count_bytes();
   });
+  load.disk_bytes = store_->bytes();
   return load;
 }
 

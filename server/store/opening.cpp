@@ -153,7 +153,7 @@ bool Opening::was_cut_off(const std::string& id) {
 
 void Opening::adopt_unknown_packs(Quarantine& quarantine) {
   std::vector<PackHead> found;
-  std::map<std::string, std::string> gone;
+  Leftovers gone;
   for (const std::string& id : opened_.packs->list()) {
     if (opened_.catalogue->is_stored(id)) continue;
     const bool deleted = opened_.leftovers.contains(id);
@@ -162,7 +162,7 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
       auto head = opened_.packs->head(id);
       const bool ours = head && head->record.id == id;
       if (deleted || was_cut_off(id)) {
-        gone[id] = ours ? head->record.base : "";
+        gone[id] = {.base = ours ? head->record.base : "", .bytes = opened_.packs->bytes_of(id)};
       } else if (!ours) {
         quarantine.take(path, "its head cannot be read");
       } else if (opened_.journal->intact() && !opened_.packs->is_whole(id)) {
@@ -173,7 +173,7 @@ void Opening::adopt_unknown_packs(Quarantine& quarantine) {
       }
     } catch (const Error& failure) {
       // What cannot be read now, the next opening may be able to read.
-      if (deleted) gone[id];
+      if (deleted) gone[id].bytes = opened_.packs->bytes_of(id);
       opened_.notes.push_back(id + " stays as it is: " + failure.what());
     }
   }
@@ -225,7 +225,7 @@ void Opening::enter_again(const PackHead& head, std::map<std::string, std::strin
 
 std::vector<Transaction> lines_of(Catalogue& catalogue, const Leftovers& leftovers) {
   std::vector<Transaction> lines = catalogue.snapshot();
-  for (const auto& [id, base] : leftovers)
+  for (const auto& [id, leftover] : leftovers)
     if (!catalogue.revision(id)) {
       lines.push_back({RemoveRevision{id}});
     } else if (!catalogue.is_stored(id)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,9 +15,15 @@
 
 namespace remeshd {
 
+/// A pack that may still be there of a mesh that the catalogue does not have.
+struct Leftover {
+  std::string base;         ///< id of the pack's base; empty for none
+  std::uint64_t bytes = 0;  ///< of the pack
+};
+
 /// Revisions whose mesh the catalogue does not have (removed, dropped or never added) and that may
-/// still have a pack: by id, with the id of the pack's base, which may be empty.
-using Leftovers = std::map<std::string, std::string>;
+/// still have a pack, by id.
+using Leftovers = std::map<std::string, Leftover>;
 
 /// What a store's folder holds, read and mended.
 struct OpenedStore {

@@ -346,6 +346,12 @@ void Packs::remove(const std::string& id) {
   remove_file(path_of(id));
 }
 
+std::uint64_t Packs::bytes_of(const std::string& id) const {
+  std::error_code failure;
+  const std::uintmax_t bytes = fs::file_size(path_of(id), failure);
+  return failure ? 0 : bytes;
+}
+
 std::vector<std::string> Packs::list() const {
   std::vector<std::string> ids;
   for_each_entry(folder_, [&](const fs::directory_entry& entry, const std::string& id) {

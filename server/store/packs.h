@@ -62,6 +62,8 @@ class Packs {
   /// The head of a revision's file, with `created_ns` from the file's time of last change; nothing
   /// where there is no file or no readable head. Throws Error(STORE_FAILED).
   [[nodiscard]] std::optional<PackHead> head(const std::string& id) const;
+  /// Bytes of a revision's file; 0 where there is none.
+  [[nodiscard]] std::uint64_t bytes_of(const std::string& id) const;
   /// Whether a file has all bytes that its head tells of, undamaged. Bases are not looked at.
   /// Throws Error(STORE_FAILED).
   [[nodiscard]] bool is_whole(const std::string& id) const;

@@ -1,6 +1,5 @@
 #include "server/store/store.h"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -37,7 +36,9 @@ Store::Store(fs::path folder, OpenedStore opened)
       journal_behind_(opened.journal_behind),
       leftovers_(std::move(opened.leftovers)),
       old_scratch_(std::move(opened.old_scratch)),
-      notes_(std::move(opened.notes)) {}
+      notes_(std::move(opened.notes)) {
+  count_leftovers();
+}
 
 void Store::put(RevisionRecord& record, const PlaceRecord& first, const std::string& recipe,
                 const StoredArrays& arrays, const Packs::Base* base) {
@@ -55,6 +56,7 @@ void Store::put_with(RevisionRecord& record, const std::string& base,
   {
     const std::scoped_lock lock(committing_);
     leftovers_.erase(record.id);
+    count_leftovers();
     unfiled_[record.id] = base;
   }
   try {
@@ -71,16 +73,6 @@ void Store::put_with(RevisionRecord& record, const std::string& base,
     discard(record.id);
     throw;
   }
-}
-
-void Store::discard(const std::string& id) {
-  const std::scoped_lock lock(committing_);
-  const auto unfiled = unfiled_.find(id);
-  if (unfiled == unfiled_.end()) return;
-  const std::scoped_lock reading(reading_);
-  if (!catalogue_->is_stored(id)) leftovers_[id] = unfiled->second;
-  unfiled_.erase(unfiled);
-  // Deleted by the next commit: the disk may be in trouble now.
 }
 
 // While a pack is read, it may be rewritten against another base, and its old base be deleted. So a
@@ -190,7 +182,7 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
       const auto* dropped = std::get_if<DropMesh>(&operation);
       if (gone == nullptr && dropped == nullptr) continue;
       const std::string& id = gone != nullptr ? gone->id : dropped->id;
-      if (const auto record = catalogue_->revision(id)) removed[id] = record->base;
+      if (const auto record = catalogue_->revision(id)) removed[id] = {record->base, record->bytes};
     }
     if (persistent()) catalogue_->check(transaction);
   } catch (...) {
@@ -218,6 +210,7 @@ bool Store::commit(const std::function<Transaction(Catalogue&)>& make, OnFullDis
   for (const Operation& operation : transaction)
     if (const auto* added = std::get_if<AddRevision>(&operation)) unfiled_.erase(added->record.id);
   leftovers_.insert(removed.begin(), removed.end());
+  count_leftovers();
   if (!entered) entered = enter_in_room_of(removed, transaction);
   if (entered) tidy();
   return entered;
@@ -284,56 +277,22 @@ void Store::drop_added(const Transaction& transaction) {
   for (const Operation& operation : transaction) {
     const auto* added = std::get_if<AddRevision>(&operation);
     if (added == nullptr) continue;
-    unfiled_.erase(added->record.id);
-    if (!read([&](Catalogue& catalogue) { return catalogue.is_stored(added->record.id); }))
-      leftovers_[added->record.id] = added->record.base;
+    const RevisionRecord& put = added->record;
+    unfiled_.erase(put.id);
+    auto now = read([&](Catalogue& catalogue) { return catalogue.revision(put.id); });
+    if (!now || now->bytes == 0) {
+      leftovers_[put.id] = {put.base, packs_->bytes_of(put.id)};
+    } else if (now->base != put.base || now->bytes != put.bytes) {
+      // Its pack has been replaced: the catalogue has to know the base that the new one needs.
+      now->base = put.base;
+      now->bytes = put.bytes;
+      journal_behind_ = true;
+      apply({AddRevision{*now}});
+    }
   }
+  count_leftovers();
   // Where the disk may have the line all the same, the bytes stay until the journal is rewritten.
   if (!journal_->uncertain()) tidy();
-}
-
-bool Store::is_needed(const std::string& id) {
-  const auto stands_on_it = [&](const auto& other) { return other.second == id; };
-  return unfiled_.contains(id) || std::ranges::any_of(unfiled_, stands_on_it) ||
-         std::ranges::any_of(leftovers_, stands_on_it) || read([&](Catalogue& catalogue) {
-           return catalogue.is_stored(id) || catalogue.is_base(id);
-         });
-}
-
-namespace {
-
-/// Whether `remove` succeeded; if not, the next commit tries again.
-template <typename Remove>
-bool removed(Remove&& remove) {
-  try {
-    remove();
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-}  // namespace
-
-void Store::tidy() {
-  std::erase_if(leftovers_, [&](const auto& leftover) {
-    return read([&](Catalogue& catalogue) { return catalogue.is_stored(leftover.first); });
-  });
-  delete_packs([](const std::string&) { return true; });
-  std::erase_if(old_scratch_,
-                [](const fs::path& file) { return removed([&] { remove_file(file); }); });
-}
-
-void Store::delete_packs(const std::function<bool(const std::string& id)>& which) {
-  // Deleting a pack may set its base free, which the next round deletes.
-  for (bool again = true; again;) {
-    again = std::erase_if(leftovers_, [&](const auto& leftover) {
-              const std::string& id = leftover.first;
-              if (!which(id) || is_needed(id)) return false;
-              ++deletions_;
-              return removed([&] { packs_->remove(id); });
-            }) > 0;
-  }
 }
 
 void Store::on_health(std::function<void(bool)> listener) {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "server/store/catalogue.h"
@@ -68,6 +69,13 @@ class Store {
   std::string pack(const std::string& id);
   /// What is wrong with the file of a revision; else empty. Pre: the store is persistent.
   [[nodiscard]] std::string fault_of(const std::string& id) const;
+  /// Bytes of all packs, those too of removed revisions and dropped meshes that others stand on.
+  [[nodiscard]] std::uint64_t bytes();
+  /// The base of a pack, even of one that others alone need; empty for none.
+  std::string base_of(const std::string& id);
+  /// The revisions that alone stand on a pack of a removed revision or dropped mesh, each with that
+  /// base: stored on another one, it sets the base free.
+  std::vector<std::pair<std::string, std::string>> on_removed_bases();
   /// The recipe of a revision, even of one whose mesh has gone or that was deleted: from the
   /// journal, else from its pack. Empty where there is none. Waits for the disk. Throws
   /// Error(STORE_FAILED, STORE_CORRUPTED).
@@ -126,6 +134,7 @@ class Store {
   void enter(Transaction& transaction);
   void rewrite_journal(const Transaction& last);
   void drop_added(const Transaction& transaction);
+  void count_leftovers();
   bool is_needed(const std::string& id);
   std::string packed_recipe_of(const std::string& id);
   bool enter_in_room_of(const Leftovers& removed, const Transaction& transaction);
@@ -152,6 +161,7 @@ class Store {
   std::uint64_t many_lines_ = 0;              ///< beyond which the journal may have too many
   bool journal_behind_ = false;               ///< the journal does not say what the catalogue says
   Leftovers leftovers_;
+  std::atomic<std::uint64_t> leftover_bytes_ = 0;  ///< theirs, for who may not wait for the disk
   std::map<std::string, std::string>
       unfiled_;  ///< put and not committed: with the base it may have
   std::vector<std::filesystem::path> old_scratch_;  ///< of earlier processes

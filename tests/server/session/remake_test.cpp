@@ -74,6 +74,12 @@ class RemakeTest : public testing::Test {
     const std::string& id = ids_[static_cast<std::size_t>(n - 1)];
     return folder_.path() / "packs" / id.substr(0, 2) / id.substr(2);
   }
+  std::uint64_t bytes_of_packs() const {
+    std::uint64_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "packs"))
+      if (entry.is_regular_file()) bytes += entry.file_size();
+    return bytes;
+  }
   void damage(int n) const { fs::resize_file(pack(n), fs::file_size(pack(n)) - 1); }
   void expect_all_served() {
     for (int n = 1; n <= 4; ++n)
@@ -214,11 +220,25 @@ TEST_F(RemakeTest, MeshesGoToABudgetAndComeBack) {
   EXPECT_EQ(collected.bytes_freed, all - collected.disk_bytes);
   EXPECT_EQ(session_->cache().cache_stats().evictions, collected.meshes);
   open();
-  std::uint64_t packs = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "packs"))
-    if (entry.is_regular_file()) packs += entry.file_size();
-  EXPECT_EQ(packs, collected.disk_bytes);
+  EXPECT_EQ(bytes_of_packs(), collected.disk_bytes);
   expect_all_served();
+}
+
+TEST_F(RemakeTest, PacksOfDeletedRevisionsThatOthersStandOnCountAndGo) {
+  for (int n = 1; n <= 3; ++n) session_->remove(name(n), false);
+  open();
+  const std::uint64_t all = session_->load().disk_bytes;
+  EXPECT_EQ(all, bytes_of_packs());
+  EXPECT_EQ(session_->cache().cache_stats().disk_bytes, all);
+  EXPECT_TRUE(fs::exists(pack(1)));
+  const Collected collected = session_->cache().collect_garbage({.disk_bytes = all - 1});
+  EXPECT_EQ(collected.meshes, 0U);
+  EXPECT_LT(collected.disk_bytes, all);
+  EXPECT_EQ(collected.disk_bytes, bytes_of_packs());
+  for (int n = 1; n <= 3; ++n) EXPECT_FALSE(fs::exists(pack(n))) << n;
+  open();
+  EXPECT_EQ(served(4), recipes_[3]);
+  EXPECT_EQ(session_->cache().cache_stats().remade, 0U);
 }
 
 TEST_F(RemakeTest, ABudgetIsKeptAllAlong) {

@@ -12,7 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
 
 class StoreTest : public StoreFolderTest {
  protected:
@@ -20,6 +22,12 @@ class StoreTest : public StoreFolderTest {
   void make(int revisions) {
     Store store(folder_);
     for (int n = 1; n <= revisions; ++n) file(store, n);
+  }
+  std::uint64_t bytes_of_packs() {
+    std::uint64_t bytes = 0;
+    for (const auto& [name, found] : files())
+      if (name.starts_with("packs/")) bytes += found.size();
+    return bytes;
   }
   void damage_both_journals(const std::function<std::string(std::string)>& damage) {
     for (const char* name : {"journal.a", "journal.b"})
@@ -131,9 +139,14 @@ TEST_F(StoreTest, APackStaysForAsLongAsAnotherStandsOnIt) {
     EXPECT_TRUE(fs::exists(pack(1)));
     EXPECT_TRUE(fs::exists(pack(2)));
     EXPECT_EQ(read(store, 3), bytes_of(3));
+    EXPECT_EQ(store.bytes(), bytes_of_packs());
+    EXPECT_EQ(store.base_of(id(2)), id(1));
+    EXPECT_THAT(store.on_removed_bases(), ElementsAre(Pair(id(3), id(2))));
   }
   {
     Store store(folder_);  // knows them for what they are
+    EXPECT_EQ(store.bytes(), bytes_of_packs());
+    EXPECT_EQ(store.base_of(id(2)), id(1));
     EXPECT_EQ(listing(store), "d@3 = 3 head\n");
     EXPECT_TRUE(store.notes().empty());
     file(store, 4, "e");
@@ -141,6 +154,23 @@ TEST_F(StoreTest, APackStaysForAsLongAsAnotherStandsOnIt) {
     remove(store, 3);
   }
   for (int n = 1; n <= 3; ++n) EXPECT_FALSE(fs::exists(pack(n))) << n;
+}
+
+TEST_F(StoreTest, APackThatWasReplacedKeepsItsNewBaseThoughTheCommitFailed) {
+  make(3);
+  Store store(folder_);
+  RevisionRecord third = record(3, id(2));
+  const StoredArrays first = arrays_of(bytes_of(1));
+  const Packs::Base base{id(1), &first};
+  store.put(third, {.design = "d", .number = 3, .id = id(3)}, "", arrays_of(bytes_of(3)), &base);
+  ASSERT_EQ(third.base, id(1));
+  EXPECT_ANY_THROW(store.commit([&](Catalogue&) {
+    return Transaction{AddRevision{third}, AddPlace{"d", 1, id(3)}};  // which another one has
+  }));
+  remove(store, 2);
+  remove(store, 1);
+  EXPECT_EQ(read(store, 3), bytes_of(3));
+  EXPECT_FALSE(fs::exists(pack(2)));
 }
 
 TEST_F(StoreTest, APackThatACrashCutOffWasNeverAcknowledgedAndGoesWithTheFirstCommit) {
