@@ -1,5 +1,6 @@
 #include "server/tier/folder_objects.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -10,6 +11,9 @@
 namespace remeshd {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr const char* kMark = "TIER";
+constexpr const char* kScratch = "tmp";
 
 /// Returns what `work` does; its failures become TIER_UNAVAILABLE.
 template <typename Work>
@@ -26,30 +30,47 @@ auto as_tier(Work&& work) {
 }  // namespace
 
 FolderObjects::FolderObjects(fs::path folder) : folder_(std::move(folder)) {
-  as_tier([&] { fs::create_directories(folder_ / "tmp"); });
+  as_tier([&] {
+    fs::create_directories(folder_ / kScratch);
+    if (fs::exists(folder_ / kMark)) return;
+    const auto strange = [](const auto& entry) { return entry.path().filename() != kScratch; };
+    const fs::directory_iterator entries(folder_);
+    begun_ = std::none_of(begin(entries), end(entries), strange);
+    write_durably(folder_ / kMark, "A tier of remeshd. Without this file it takes no objects.\n",
+                  folder_ / kScratch);
+  });
+}
+
+template <typename Work>
+auto FolderObjects::with_tier(Work&& work) {
+  if (!as_tier([&] { return fs::exists(folder_ / kMark); }))
+    throw error::tier_unavailable(
+        folder_.string() + " has no file " + kMark + "; is its file system mounted?",
+        limits::kTierRest.count());
+  return as_tier(work);
 }
 
 bool FolderObjects::has(const std::string& key, double /*within*/) {
-  return as_tier([&] { return fs::exists(folder_ / key); });
+  return with_tier([&] { return fs::exists(folder_ / key); });
 }
 
 std::optional<std::string> FolderObjects::get(const std::string& key) {
-  return as_tier([&]() -> std::optional<std::string> {
+  return with_tier([&]() -> std::optional<std::string> {
     if (!fs::exists(folder_ / key)) return std::nullopt;
     return read_whole(folder_ / key);
   });
 }
 
 void FolderObjects::put(const std::string& key, const std::string& bytes) {
-  as_tier([&] {
+  with_tier([&] {
     const fs::path file = folder_ / key;
     fs::create_directories(file.parent_path());
-    write_durably(file, bytes, folder_ / "tmp");
+    write_durably(file, bytes, folder_ / kScratch);
   });
 }
 
 std::optional<std::string> FolderObjects::start_of(const std::string& key, std::size_t bytes) {
-  return as_tier([&]() -> std::optional<std::string> {
+  return with_tier([&]() -> std::optional<std::string> {
     if (!fs::exists(folder_ / key)) return std::nullopt;
     return read_start(folder_ / key, bytes);
   });
@@ -57,7 +78,7 @@ std::optional<std::string> FolderObjects::start_of(const std::string& key, std::
 
 void FolderObjects::list(const std::string& prefix,
                          const std::function<void(const ObjectInfo&)>& visit) {
-  as_tier([&] {
+  with_tier([&] {
     if (!fs::exists(folder_ / prefix)) return;
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / prefix)) {
       if (!entry.is_regular_file()) continue;
@@ -70,7 +91,7 @@ void FolderObjects::list(const std::string& prefix,
 }
 
 void FolderObjects::remove(const std::string& key) {
-  as_tier([&] { remove_file(folder_ / key); });
+  with_tier([&] { remove_file(folder_ / key); });
 }
 
 }  // namespace remeshd

@@ -24,7 +24,10 @@ std::shared_ptr<ObjectStore> open_objects(const std::string& place, const std::s
     while (access.url.ends_with('/')) access.url.pop_back();
     objects = std::make_unique<HttpObjects>(std::move(access));
   } else {
-    objects = std::make_unique<FolderObjects>(place);
+    auto folder = std::make_unique<FolderObjects>(place);
+    if (folder->begun() && tell)
+      tell("is new: " + place + " was empty; was its file system mounted?");
+    objects = std::move(folder);
   }
   return std::make_shared<Breaker>(std::move(objects), [tell](const std::string& why) {
     if (tell) tell(why.empty() ? "answers again" : why + "; it is left alone for a while");
