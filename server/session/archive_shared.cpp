@@ -43,7 +43,7 @@ HeldRevisionPtr Archive::look_up_shared(const std::string& id, const Run& run) {
 }
 
 HeldRevisionPtr Archive::bring(const std::string& id, const Run& run) {
-  std::vector<SharedRevisions::Mesh> chain = shared_->meshes(id);
+  std::vector<SharedRevisions::Mesh> chain = shared_->meshes(id, run.stop);
   for (SharedRevisions::Mesh& mesh : chain) {
     try {
       take_in(mesh);

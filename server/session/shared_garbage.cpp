@@ -93,7 +93,7 @@ std::vector<SharedObject> SharedRevisions::recipes_to_drop(std::vector<SharedObj
   constexpr auto kAny = std::numeric_limits<std::uint64_t>::max();
   for_all(recipes, [&](SharedObject& recipe) {
     recipe.pinned = kept.contains(recipe.id);
-    if (const auto known = find_recipe(recipe.id)) recipe.needs = known->recipe.parent;
+    if (const auto known = find_recipe(recipe.id, {})) recipe.needs = known->recipe.parent;
   });
   const auto after = seconds_ago(options.recipes_unused_seconds);
   const auto due =

@@ -66,9 +66,10 @@ bool SharedRevisions::is_wrong(const std::string& key) const {
   return wrong_.contains(key);
 }
 
-std::optional<std::string> SharedRevisions::read(const std::string& key) {
+std::optional<std::string> SharedRevisions::read(const std::string& key,
+                                                 const std::stop_token& stop) {
   if (is_wrong(key)) return std::nullopt;
-  const auto object = sharing_.objects->get(key);
+  const auto object = sharing_.objects->get(key, stop);
   if (!object) return std::nullopt;
   try {
     return unsealed(key, *object, sharing_.farm_key);
@@ -79,15 +80,16 @@ std::optional<std::string> SharedRevisions::read(const std::string& key) {
 }
 
 std::optional<SharedRecord> SharedRevisions::find(const std::string& id) {
-  if (auto known = find_recipe(id)) return known;
-  auto found = mesh(id);  // which tells its recipe too
+  if (auto known = find_recipe(id, {})) return known;
+  auto found = mesh(id, {});  // which tells its recipe too
   if (!found) return std::nullopt;
   return std::move(found->known);
 }
 
-std::optional<SharedRecord> SharedRevisions::find_recipe(const std::string& id) {
+std::optional<SharedRecord> SharedRevisions::find_recipe(const std::string& id,
+                                                         const std::stop_token& stop) {
   const std::string key = key_of(kRecipe, id);
-  const auto line = read(key);
+  const auto line = read(key, stop);
   if (!line) return std::nullopt;
   try {
     SharedRecord known = shared_record_in(*line, id);
@@ -105,9 +107,10 @@ bool SharedRevisions::has_mesh(const std::string& id, double within) {
   return !is_wrong(key) && sharing_.objects->has(key, within);
 }
 
-std::optional<SharedRevisions::Mesh> SharedRevisions::mesh(const std::string& id) {
+std::optional<SharedRevisions::Mesh> SharedRevisions::mesh(const std::string& id,
+                                                           const std::stop_token& stop) {
   const std::string key = key_of(kPack, id);
-  auto pack = read(key);
+  auto pack = read(key, stop);
   if (!pack) return std::nullopt;
   try {
     const auto head = Packs::head_in(*pack);
@@ -119,30 +122,31 @@ std::optional<SharedRevisions::Mesh> SharedRevisions::mesh(const std::string& id
   }
 }
 
-std::vector<SharedRevisions::Mesh> SharedRevisions::meshes(const std::string& id) {
+std::vector<SharedRevisions::Mesh> SharedRevisions::meshes(const std::string& id,
+                                                           const std::stop_token& stop) {
   std::vector<Mesh> chain;
   const auto stored = [&](const std::string& each) {
     return store_.read([&](Catalogue& catalogue) { return catalogue.is_stored(each); });
   };
   for (std::string next = id; !next.empty() && !stored(next);) {
-    auto found = chain.size() < kMostBases ? mesh(next) : std::nullopt;
+    auto found = chain.size() < kMostBases ? mesh(next, stop) : std::nullopt;
     if (!found) return {};
     next = found->known.record.base;
     chain.push_back(std::move(*found));
   }
   std::ranges::reverse(chain);
-  hold_against_recipes(chain);
+  hold_against_recipes(chain, stop);
   return chain;
 }
 
 /// Checks the meshes of a chain against the tier's recipes, and takes over when each was made and
 /// how long that took. Where a recipe tells other digests, the mesh is refused and the chain
 /// emptied.
-void SharedRevisions::hold_against_recipes(std::vector<Mesh>& chain) {
+void SharedRevisions::hold_against_recipes(std::vector<Mesh>& chain, const std::stop_token& stop) {
   std::vector<std::future<std::optional<SharedRecord>>> recipes;
   for (const Mesh& mesh : chain)
-    recipes.push_back(
-        std::async(std::launch::async, [&, id = mesh.known.record.id] { return find_recipe(id); }));
+    recipes.push_back(std::async(std::launch::async,
+                                 [&, id = mesh.known.record.id] { return find_recipe(id, stop); }));
   for (std::size_t i = 0; i < recipes.size(); ++i) {
     const auto told = recipes[i].get();
     if (!told) continue;

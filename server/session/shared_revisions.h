@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -44,8 +45,9 @@ class SharedRevisions {
   /// ObjectStore::has.
   [[nodiscard]] bool has_mesh(const std::string& id, double within);
   /// The mesh of a revision, last, after those of its chain of bases that the store does not have,
-  /// each after its base. Empty where the tier does not have all of them.
-  [[nodiscard]] std::vector<Mesh> meshes(const std::string& id);
+  /// each after its base. Empty where the tier does not have all of them. `stop`: as of
+  /// ObjectStore::get.
+  [[nodiscard]] std::vector<Mesh> meshes(const std::string& id, const std::stop_token& stop);
   /// Refuses a mesh of `meshes` that is not what its recipe tells.
   void put_away(const Mesh& mesh, std::string_view why);
   /// Refuses a mesh that was taken in before: it is written over when it has been made again.
@@ -71,11 +73,11 @@ class SharedRevisions {
  private:
   static std::uint64_t first_digits(const std::string& id);
   [[nodiscard]] std::string key_of(const std::string& kind, const std::string& id) const;
-  std::optional<std::string> read(const std::string& key);
+  std::optional<std::string> read(const std::string& key, const std::stop_token& stop);
   void refuse(const std::string& key, std::string_view object, std::string_view why);
-  std::optional<SharedRecord> find_recipe(const std::string& id);
-  std::optional<Mesh> mesh(const std::string& id);
-  void hold_against_recipes(std::vector<Mesh>& chain);
+  std::optional<SharedRecord> find_recipe(const std::string& id, const std::stop_token& stop);
+  std::optional<Mesh> mesh(const std::string& id, const std::stop_token& stop);
+  void hold_against_recipes(std::vector<Mesh>& chain, const std::stop_token& stop);
   [[nodiscard]] std::string parent_of(const std::string& id) const;
   [[nodiscard]] std::vector<std::string> waiting_ancestors(const std::string& id) const;
   void write_recipe(const std::string& id);

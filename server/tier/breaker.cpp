@@ -59,7 +59,7 @@ auto Breaker::tried(Work&& work, Haste haste) {
   } catch (const Error& failure) {
     if (failure.info().reason == "TIER_REFUSED") {
       note_success();  // the store answers
-    } else {
+    } else if (failure.info().kind != ErrorKind::Cancelled) {
       note_failure(failure.info().message);
     }
     throw;
@@ -71,8 +71,8 @@ bool Breaker::has(const std::string& key, double within) {
   return tried([&] { return store_->has(key, within); }, haste);
 }
 
-std::optional<std::string> Breaker::get(const std::string& key) {
-  return tried([&] { return store_->get(key); });
+std::optional<std::string> Breaker::get(const std::string& key, const std::stop_token& stop) {
+  return tried([&] { return store_->get(key, stop); });
 }
 
 void Breaker::put(const std::string& key, const std::string& bytes) {

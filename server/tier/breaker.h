@@ -26,7 +26,8 @@ class Breaker final : public ObjectStore {
                    std::function<Clock::time_point()> now = &Clock::now);
 
   [[nodiscard]] bool has(const std::string& key, double within) override;
-  [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
+  [[nodiscard]] std::optional<std::string> get(const std::string& key,
+                                               const std::stop_token& stop) override;
   void put(const std::string& key, const std::string& bytes) override;
   [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
                                                     std::size_t bytes) override;

@@ -54,7 +54,8 @@ bool FolderObjects::has(const std::string& key, double /*within*/) {
   return with_tier([&] { return fs::exists(folder_ / key); });
 }
 
-std::optional<std::string> FolderObjects::get(const std::string& key) {
+std::optional<std::string> FolderObjects::get(const std::string& key,
+                                              const std::stop_token& /*stop*/) {
   return with_tier([&]() -> std::optional<std::string> {
     if (!fs::exists(folder_ / key)) return std::nullopt;
     return read_whole(folder_ / key);

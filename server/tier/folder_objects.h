@@ -21,7 +21,8 @@ class FolderObjects final : public ObjectStore {
   /// that was not mounted.
   [[nodiscard]] bool begun() const { return begun_; }
   [[nodiscard]] bool has(const std::string& key, double within) override;
-  [[nodiscard]] std::optional<std::string> get(const std::string& key) override;
+  [[nodiscard]] std::optional<std::string> get(const std::string& key,
+                                               const std::stop_token& stop) override;
   void put(const std::string& key, const std::string& bytes) override;
   [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
                                                     std::size_t bytes) override;

@@ -57,7 +57,11 @@ bool HttpObjects::has(const std::string& key, double within) {
       .found;
 }
 
-std::optional<std::string> HttpObjects::get(const std::string& key) { return start_of(key, 0); }
+std::optional<std::string> HttpObjects::get(const std::string& key, const std::stop_token& stop) {
+  auto answer = Borrowed(*this)->ask({.url = url_of(key), .stop = stop});
+  if (!answer.found) return std::nullopt;
+  return std::move(answer.body);
+}
 
 void HttpObjects::put(const std::string& key, const std::string& bytes) {
   if (!Borrowed(*this)->ask({.method = Method::Put, .url = url_of(key), .body = &bytes}).found)

@@ -28,6 +28,11 @@ std::size_t append(char* data, std::size_t size, std::size_t count, void* to) {
   return size * count;
 }
 
+/// As CURLOPT_XFERINFOFUNCTION: anything but 0 ends the transfer.
+int stopped(void* token, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+  return static_cast<const std::stop_token*>(token)->stop_requested() ? 1 : 0;
+}
+
 /// The error code in an S3 service's answer, such as `NoSuchKey`; empty where there is none.
 std::string_view s3_code(std::string_view body) {
   constexpr std::string_view kBegin = "<Code>", kEnd = "</Code>";
@@ -87,6 +92,9 @@ void HttpTransfer::begin(const Request& request) {
   set(CURLOPT_LOW_SPEED_TIME, kLeastSpeedSeconds);
   set(CURLOPT_WRITEFUNCTION, &append);
   set(CURLOPT_WRITEDATA, &body_);
+  set(CURLOPT_NOPROGRESS, 0L);
+  set(CURLOPT_XFERINFOFUNCTION, &stopped);
+  set(CURLOPT_XFERINFODATA, &request.stop);
   if (access_.region.empty()) {
     add_header("Expect:");  // no wait for a go-ahead before the body
   } else {
@@ -110,6 +118,7 @@ HttpTransfer::Answer HttpTransfer::ask(const Request& request) {
     return error::tier_unavailable(why, limits::kTierRest.count());
   };
   const CURLcode result = curl_easy_perform(curl_);
+  if (result == CURLE_ABORTED_BY_CALLBACK) throw error::cancelled();
   if (result == CURLE_OPERATION_TIMEDOUT)
     throw error::tier_timed_out(curl_easy_strerror(result), limits::kTierRest.count());
   if (result != CURLE_OK) throw fail(curl_easy_strerror(result));

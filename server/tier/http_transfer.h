@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 
 #include "server/tier/http_objects.h"
@@ -25,13 +26,14 @@ class HttpTransfer {
     double seconds = 60;                ///< that it may take
     const std::string* body = nullptr;  ///< of PUT
     std::size_t most = 0;               ///< bytes of the answer that are wanted; 0: all
+    std::stop_token stop{};             ///< ends it, within about a second
   };
   struct Answer {
     bool found = false;  ///< else its status is 404
     std::string body;
   };
   /// Throws Error: TIER_REFUSED where the object is too large for the server, else TIER_UNAVAILABLE
-  /// for any failure but a missing object (status 404).
+  /// for any failure but a missing object (status 404), and Cancelled.
   Answer ask(const Request& request);
 
  private:

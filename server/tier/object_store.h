@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace remeshd {
@@ -30,8 +31,10 @@ class ObjectStore {
   /// Whether there is an object. `within`: s until an answer or an Error, where the store can limit
   /// that.
   [[nodiscard]] virtual bool has(const std::string& key, double within) = 0;
-  /// Nothing where there is none.
-  [[nodiscard]] virtual std::optional<std::string> get(const std::string& key) = 0;
+  /// Nothing where there is none. Throws Error(Cancelled) where `stop` is requested before all of
+  /// it is here, as far as the store can be left in between.
+  [[nodiscard]] virtual std::optional<std::string> get(const std::string& key,
+                                                       const std::stop_token& stop) = 0;
   /// Returns when the store has it. Throws Error(TIER_REFUSED) too, for an object that is too large
   /// for it.
   virtual void put(const std::string& key, const std::string& bytes) = 0;

@@ -154,6 +154,18 @@ TEST_F(SharedTest, TakesWhatIsThereInPlaceOfComputing) {
   there_.engine.open_gate();
 }
 
+TEST_F(SharedTest, DoesNotWaitForADownloadOnceItIsComputed) {
+  open(here_);
+  const auto ids = make_chain(here_);
+  here_.settle();
+  open(there_);
+  shelf_->get_hangs = true;
+  const Made made = there_.make(first_mesh());
+  EXPECT_EQ(made.filed.record.id, ids[0]);
+  EXPECT_FALSE(made.cached);
+  shelf_->get_hangs = false;
+}
+
 /// Objects that are not what a daemon of the farm wrote under their key.
 class WrongObjectTest : public SharedTest {
  protected:
@@ -178,18 +190,18 @@ class WrongObjectTest : public SharedTest {
 
 TEST_F(WrongObjectTest, AMeshUnderAnothersKeyIsNotUsed) {
   const auto packs = shelf_->keys("pack/");
-  const std::string object = *shelf_->get(packs[0]);
-  shelf_->put(packs[0], *shelf_->get(packs[1]));
+  const std::string object = *shelf_->get(packs[0], {});
+  shelf_->put(packs[0], *shelf_->get(packs[1], {}));
   expect_right();
   EXPECT_EQ(quarantined(), 1U);
   EXPECT_EQ(there_.engine.made(), 1);
-  EXPECT_EQ(unsealed(packs[0], *shelf_->get(packs[0]), kFarmKey).size() > 0, true)
+  EXPECT_EQ(unsealed(packs[0], *shelf_->get(packs[0], {}), kFarmKey).size() > 0, true)
       << "it was written over";
 }
 
 TEST_F(WrongObjectTest, AnotherFarmsObjectsAreNotUsed) {
   for (const std::string& key : shelf_->keys("pack/"))
-    shelf_->put(key, sealed(key, unsealed(key, *shelf_->get(key), kFarmKey), "another farm's"));
+    shelf_->put(key, sealed(key, unsealed(key, *shelf_->get(key, {}), kFarmKey), "another farm's"));
   expect_right();
   EXPECT_EQ(there_.engine.made(), 4);
 }
@@ -199,7 +211,7 @@ TEST_F(WrongObjectTest, WhatIsSealedRightAndIsWrongIsNotUsed) {
   const auto recipes = shelf_->keys("recipe/");
   // A pack of another revision, and no pack at all.
   shelf_->put(packs[0],
-              sealed(packs[0], unsealed(packs[1], *shelf_->get(packs[1]), kFarmKey), kFarmKey));
+              sealed(packs[0], unsealed(packs[1], *shelf_->get(packs[1], {}), kFarmKey), kFarmKey));
   shelf_->put(packs[2], sealed(packs[2], "no pack", kFarmKey));
   expect_right();
   EXPECT_GE(quarantined(), 2U);
@@ -208,7 +220,7 @@ TEST_F(WrongObjectTest, WhatIsSealedRightAndIsWrongIsNotUsed) {
 TEST_F(WrongObjectTest, AnotherRevisionsRecipeIsNotUsed) {
   const auto recipes = shelf_->keys("recipe/");
   for (const std::string& key : shelf_->keys("pack/")) shelf_->remove(key);
-  const std::string other = unsealed(recipes[1], *shelf_->get(recipes[1]), kFarmKey);
+  const std::string other = unsealed(recipes[1], *shelf_->get(recipes[1], {}), kFarmKey);
   shelf_->put(recipes[0], sealed(recipes[0], other, kFarmKey));
   open(there_);
   const std::string id = recipes[0].substr(recipes[0].rfind('/') + 1);
@@ -282,7 +294,7 @@ TEST_F(WrongObjectTest, BitsThatChangeAreNeverServed) {
   const auto keys = shelf_->keys();
   for (int i = 0; i < 40; ++i) {
     const std::string& key = keys[static_cast<std::size_t>(i) % keys.size()];
-    const std::string object = *shelf_->get(key);
+    const std::string object = *shelf_->get(key, {});
     std::string changed = object;
     const std::size_t bit = static_cast<std::size_t>(i) * 7919 % (8 * object.size());
     changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));

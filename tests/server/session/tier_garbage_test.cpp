@@ -103,7 +103,7 @@ TEST_F(TierGarbageTest, AMeshThatOthersAreToldByStaysWithThem) {
   const std::string last = here_.make(edit_of(ids_[3], 84)).filed.record.id;
   here_.settle();
   const std::string key = shelf_->keys("pack/" + last.substr(0, 2) + "/" + last).at(0);
-  const std::string pack = unsealed(key, *shelf_->get(key), kFarmKey);
+  const std::string pack = unsealed(key, *shelf_->get(key, {}), kFarmKey);
   ASSERT_NE(Packs::head_in(pack)->record.base, "");
   collect({.unused_seconds = kDay});
   open(there_);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ class BreakerTest : public testing::Test {
 
   bool ask() {
     try {
-      static_cast<void>(breaker_.get("key"));
+      static_cast<void>(breaker_.get("key", {}));
       return true;
     } catch (const Error& failure) {
       EXPECT_EQ(failure.info().reason, "TIER_UNAVAILABLE");
@@ -98,10 +99,20 @@ TEST_F(BreakerTest, IsNotLeftAloneForLongerByALookUpThatHasTooLittleTime) {
 }
 
 TEST_F(BreakerTest, DoesNotTakeAMissForAFailure) {
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(breaker_.get("key"), std::nullopt);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(breaker_.get("key", {}), std::nullopt);
   breaker_.put("key", "bytes");
-  EXPECT_EQ(breaker_.get("key"), "bytes");
+  EXPECT_EQ(breaker_.get("key", {}), "bytes");
   EXPECT_TRUE(breaker_.has("key", 1));
+}
+
+TEST_F(BreakerTest, WhatIsCancelledTellsNothingOfTheStore) {
+  shelf_.get_hangs = true;
+  std::stop_source stop;
+  stop.request_stop();
+  for (int i = 0; i < 10; ++i)
+    EXPECT_EQ(error_of([&] { static_cast<void>(breaker_.get("key", stop.get_token())); }).kind,
+              ErrorKind::Cancelled);
+  EXPECT_TRUE(told_.empty());
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ class FolderObjectsTest : public testing::Test {
 TEST_F(FolderObjectsTest, AreThereForWhoeverOpensTheFolder) {
   FolderObjects here(folder_), there(folder_);
   EXPECT_FALSE(here.has("recipe/ab/abc", 1));
-  EXPECT_EQ(here.get("recipe/ab/abc"), std::nullopt);
+  EXPECT_EQ(here.get("recipe/ab/abc", {}), std::nullopt);
   here.put("recipe/ab/abc", "first");
   EXPECT_TRUE(there.has("recipe/ab/abc", 1));
-  EXPECT_EQ(there.get("recipe/ab/abc"), "first");
+  EXPECT_EQ(there.get("recipe/ab/abc", {}), "first");
   there.put("recipe/ab/abc", "second");
-  EXPECT_EQ(here.get("recipe/ab/abc"), "second");
+  EXPECT_EQ(here.get("recipe/ab/abc", {}), "second");
 }
 
 TEST_F(FolderObjectsTest, ThatCannotBeMadeAreAnOutageOfTheTier) {
@@ -52,7 +52,7 @@ TEST_F(FolderObjectsTest, OfAFileSystemThatIsNotMountedAnyMoreAreAnOutageOfTheTi
   EXPECT_TRUE(fs::is_empty(folder_));
   fs::remove(folder_);
   fs::rename(mounted, folder_);
-  EXPECT_EQ(objects.get("recipe/ab/abc"), "first");
+  EXPECT_EQ(objects.get("recipe/ab/abc", {}), "first");
   EXPECT_FALSE(FolderObjects(folder_).begun());
 }
 
@@ -61,13 +61,13 @@ TEST_F(FolderObjectsTest, OfBeforeTheMarkAreNotANewTier) {
   std::ofstream(folder_ / "recipe/ab/abc") << "first";
   FolderObjects objects(folder_);
   EXPECT_FALSE(objects.begun());
-  EXPECT_EQ(objects.get("recipe/ab/abc"), "first");
+  EXPECT_EQ(objects.get("recipe/ab/abc", {}), "first");
 }
 
 TEST_F(FolderObjectsTest, ThatAreNoFilesAreAnOutageOfTheTier) {
   FolderObjects objects(folder_);
   fs::create_directories(folder_ / "recipe/ab/abc");
-  EXPECT_EQ(error_of([&] { static_cast<void>(objects.get("recipe/ab/abc")); }).reason,
+  EXPECT_EQ(error_of([&] { static_cast<void>(objects.get("recipe/ab/abc", {})); }).reason,
             "TIER_UNAVAILABLE");
 }
 

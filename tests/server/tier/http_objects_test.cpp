@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <map>
 #include <sstream>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -29,18 +31,23 @@ struct Request {
   std::map<std::string, std::string> headers;  ///< by name in lower case
 };
 
+/// Has the socket listen; returns the port.
+int listen_on_loopback(int listener) {
+  sockaddr_in address{.sin_family = AF_INET, .sin_addr = {::htonl(INADDR_LOOPBACK)}};
+  socklen_t size = sizeof address;
+  auto* const general = reinterpret_cast<sockaddr*>(&address);
+  EXPECT_EQ(::bind(listener, general, size), 0);
+  EXPECT_EQ(::listen(listener, 8), 0);
+  EXPECT_EQ(::getsockname(listener, general, &size), 0);
+  return ::ntohs(address.sin_port);
+}
+
 /// Answers each request, one a connection, with the same status and body; keeps what was asked.
 class HttpServer {
  public:
   explicit HttpServer(int status = 200, std::string body = "")
       : status_(status), body_(std::move(body)), listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{.sin_family = AF_INET, .sin_addr = {::htonl(INADDR_LOOPBACK)}};
-    socklen_t size = sizeof address;
-    auto* const general = reinterpret_cast<sockaddr*>(&address);
-    EXPECT_EQ(::bind(listener_, general, size), 0);
-    EXPECT_EQ(::listen(listener_, 8), 0);
-    EXPECT_EQ(::getsockname(listener_, general, &size), 0);
-    url_ = "http://127.0.0.1:" + std::to_string(::ntohs(address.sin_port)) + "/bucket";
+    url_ = "http://127.0.0.1:" + std::to_string(listen_on_loopback(listener_)) + "/bucket";
     thread_ = std::thread([this] { serve(); });
   }
   ~HttpServer() { stop(); }
@@ -173,7 +180,7 @@ TEST(HttpObjects, OfSeveralMegabytesReachABucketWhole) {
 
 TEST(HttpObjects, OfABucketOfS3AreGotWithASignatureThatHolds) {
   HttpServer server(200, "bytes");
-  EXPECT_EQ(HttpObjects(server.s3()).get("recipe/ab/abc"), "bytes");
+  EXPECT_EQ(HttpObjects(server.s3()).get("recipe/ab/abc", {}), "bytes");
   const Request request = server.request();
   EXPECT_EQ(request.method, "GET");
   expect_signed(request);
@@ -198,29 +205,49 @@ TEST(HttpObjects, OfAPlainServerAreNotSigned) {
 
 TEST(HttpObjects, ThatABucketHasNotGotAreNone) {
   HttpServer server(404, "<Error><Code>NoSuchKey</Code></Error>");
-  EXPECT_EQ(HttpObjects(server.s3()).get("recipe/ab/abc"), std::nullopt);
+  EXPECT_EQ(HttpObjects(server.s3()).get("recipe/ab/abc", {}), std::nullopt);
 }
 
 TEST(HttpObjects, OfABucketThatIsNotThereAreAnOutage) {
   HttpServer server(404, "<Error><Code>NoSuchBucket</Code></Error>");
   HttpObjects objects(server.s3());
-  const ErrorInfo info = error_of([&] { static_cast<void>(objects.get("recipe/ab/abc")); });
+  const ErrorInfo info = error_of([&] { static_cast<void>(objects.get("recipe/ab/abc", {})); });
   EXPECT_EQ(info.reason, "TIER_UNAVAILABLE");
   EXPECT_NE(info.message.find("404 (NoSuchBucket)"), std::string::npos) << info.message;
 }
 
+/// Takes connections, and never answers.
+class SilentServer {
+ public:
+  SilentServer() : listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    access.url = "http://127.0.0.1:" + std::to_string(listen_on_loopback(listener_)) + "/bucket";
+  }
+  ~SilentServer() { ::close(listener_); }
+  SilentServer(const SilentServer&) = delete;
+  SilentServer& operator=(const SilentServer&) = delete;
+
+  HttpAccess access;
+
+ private:
+  const int listener_;
+};
+
 TEST(HttpObjects, OfAServerThatDoesNotAnswerInTimeAreTimedOut) {
-  const int silent = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{.sin_family = AF_INET, .sin_addr = {::htonl(INADDR_LOOPBACK)}};
-  socklen_t size = sizeof address;
-  auto* const general = reinterpret_cast<sockaddr*>(&address);
-  ASSERT_EQ(::bind(silent, general, size), 0);
-  ASSERT_EQ(::listen(silent, 8), 0);
-  ASSERT_EQ(::getsockname(silent, general, &size), 0);
-  HttpObjects objects(
-      HttpAccess{.url = "http://127.0.0.1:" + std::to_string(::ntohs(address.sin_port))});
+  const SilentServer server;
+  HttpObjects objects(server.access);
   EXPECT_THROW(static_cast<void>(objects.has("key", 0.05)), TierTimeout);
-  ::close(silent);
+}
+
+TEST(HttpObjects, ThatAreWaitedForAreLeftWhenThatIsCancelled) {
+  const SilentServer server;
+  HttpObjects objects(server.access);
+  std::stop_source stop;
+  std::jthread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop.request_stop();
+  });
+  const ErrorInfo info = error_of([&] { static_cast<void>(objects.get("key", stop.get_token())); });
+  EXPECT_EQ(info.kind, ErrorKind::Cancelled) << info.message;
 }
 
 TEST(HttpObjects, ThatAreRefusedTellTheCodeOfS3) {

@@ -7,7 +7,9 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,8 +26,13 @@ class Shelf final : public ObjectStore {
     const std::scoped_lock lock(mutex_);
     return objects_.contains(key);
   }
-  [[nodiscard]] std::optional<std::string> get(const std::string& key) override {
+  [[nodiscard]] std::optional<std::string> get(const std::string& key,
+                                               const std::stop_token& stop) override {
     check();
+    while (get_hangs) {
+      if (stop.stop_requested()) throw error::cancelled();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     const std::scoped_lock lock(mutex_);
     const auto found = objects_.find(key);
     if (found == objects_.end()) return std::nullopt;
@@ -47,7 +54,7 @@ class Shelf final : public ObjectStore {
 
   [[nodiscard]] std::optional<std::string> start_of(const std::string& key,
                                                     std::size_t bytes) override {
-    auto object = get(key);
+    auto object = get(key, {});
     if (object) object->resize(std::min(object->size(), bytes));
     return object;
   }
@@ -75,6 +82,7 @@ class Shelf final : public ObjectStore {
 
   std::atomic<bool> fails = false;
   std::atomic<bool> times_out = false;
+  std::atomic<bool> get_hangs = false;  ///< until that is cancelled
   std::atomic<int> asked = 0;
   std::function<void(const std::string&key)> before_put, before_remove;  ///< may be empty
 
