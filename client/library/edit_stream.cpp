@@ -287,7 +287,9 @@ void EditStream::Impl::end_with(const grpc::Status& status) {
   Error error;
   {
     const std::lock_guard lock(state_);
-    ended_well_ = status.ok();
+    // Nothing is lost where it broke after the last answer.
+    ended_well_ =
+        status.ok() || (is_broken(status) && !cancelled_ && closed_ && unanswered_.empty());
     error = ended_well_ ? stream_ended() : error_of(status);
     end_ = error;
     open.swap(unanswered_);

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "engine/base/error.h"
 #include "server/store/store.h"
@@ -85,13 +87,14 @@ std::string Store::base_of(const std::string& id) {
 
 std::vector<std::pair<std::string, std::string>> Store::on_removed_bases() {
   const std::scoped_lock lock(committing_);
+  std::set<std::string_view> needed;  // by what no revision names
+  for (const auto& [id, base] : unfiled_) needed.insert(base);
+  for (const auto& [id, leftover] : leftovers_) needed.insert(leftover.base);
   std::vector<std::pair<std::string, std::string>> alone;
   for (const auto& [base, leftover] : leftovers_) {
+    if (needed.contains(base)) continue;
     const auto standing = read([&](Catalogue& catalogue) { return catalogue.standing_on(base); });
-    const bool others =
-        std::ranges::any_of(unfiled_, [&](const auto& put) { return put.second == base; }) ||
-        std::ranges::any_of(leftovers_, [&](const auto& l) { return l.second.base == base; });
-    if (standing.size() == 1 && !others) alone.emplace_back(standing.front(), base);
+    if (standing.size() == 1) alone.emplace_back(standing.front(), base);
   }
   return alone;
 }

@@ -68,7 +68,7 @@ class EditStream {
   /// Breaks the whole stream off: every open future throws CANCELLED.
   void cancel_all();
   /// Sends no more, and waits until all that was sent is answered. Throws CallError if the stream
-  /// broke.
+  /// broke before that.
   void finish();
 
  private:

@@ -77,6 +77,15 @@ TEST(EditStream, SendsWhatABreakLeftUnansweredAgain) {
   stream.finish();
 }
 
+TEST(EditStream, ThatBreaksWhenAllIsAnsweredEndsWell) {
+  FakeDaemon daemon;
+  daemon.service.stream_break = 1;
+  EditStream stream = Client::connect(daemon.address).stream();
+  EXPECT_EQ(stream.edit(edit_request("a@1")).get().revision().id(), "rev-1");
+  EXPECT_NO_THROW(stream.finish());  // the stream breaks here
+  EXPECT_EQ(daemon.service.requests.size(), 1U);
+}
+
 TEST(EditStream, BehindABreakAnEditOfAHeadWaitsForTheResultsBeforeIt) {
   FakeDaemon daemon;
   daemon.service.stream_break = 1;
