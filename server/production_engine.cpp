@@ -24,6 +24,7 @@ ModelSummary summary_of(const Revision* base, const FeatureModel& model, const M
                         const Run& run) {
   const Stopwatch watch;
   const CellularModel cells = build_cells(model, run);
+  check_groups(parent(base), model, cells.boundary, run);
   Density density = resolve_density(parent(base), options, model, cells, run);
   Forecast expected = forecast(density, model, cells, options, watch.total(), run);
   std::vector<Warning> warnings = names_to_be_lost(parent(base), model, cells.boundary, run);

@@ -35,16 +35,6 @@ void build_geometry(const Revision& parent, Revision& revision, const Run& run) 
   report.geometry_seconds += watch.total() - on_attempts;
 }
 
-/// Checks the groups and their policies as far as no mesh is needed for that.
-void check_groups(const Revision& parent, Revision& revision, const Run& run) {
-  const BoundaryModel& boundary = revision.cells.boundary;
-  revision.report.figures = groups_before_meshing(revision.model, boundary, run);
-  check_areas(parent, revision.model, revision.report.figures);
-  const std::vector<std::string> empty = groups_of_nothing(revision.model, boundary, run);
-  if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
-  check_emptied(revision.model, empty);
-}
-
 /// Meshes the model by the first of the strategies that is taken. Returns false where none is.
 bool mesh_by(std::span<const Strategy> strategies, const Revision& parent, Revision& revision,
              const Run& run, Stopwatch& watch) {
@@ -106,6 +96,16 @@ void mesh_without(const TinyMotions& tiny, const Revision& parent, Revision& rev
 
 }  // namespace
 
+std::vector<GroupFigures> check_groups(const Revision& parent, const FeatureModel& model,
+                                       const BoundaryModel& boundary, const Run& run) {
+  std::vector<GroupFigures> figures = groups_before_meshing(model, boundary, run);
+  check_areas(parent, model, figures);
+  const std::vector<std::string> empty = groups_of_nothing(model, boundary, run);
+  if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
+  check_emptied(model, empty);
+  return figures;
+}
+
 Revision make_revision(const Revision& parent, const ModelSource& document,
                        const MeshOptions& options, const Run& run) {
   Stopwatch watch;
@@ -115,7 +115,7 @@ Revision make_revision(const Revision& parent, const ModelSource& document,
   revision.options = options;
   run.report("cells", 0);
   build_geometry(parent, revision, run);
-  check_groups(parent, revision, run);
+  revision.report.figures = check_groups(parent, revision.model, revision.cells.boundary, run);
   const bool first = parent.model.features.empty();
   const TinyMotions tiny = first || options.sizing.even
                                ? TinyMotions{}

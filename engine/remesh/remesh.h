@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/base/run.h"
 #include "engine/revision/revision.h"
 
@@ -25,5 +27,13 @@ namespace remeshd {
 /// Cancelled within 100 ms of a stop request.
 Revision make_revision(const Revision& parent, const ModelSource& source,
                        const MeshOptions& options, const Run& run);
+
+/// Checks the groups of a model and their policies as far as no mesh is needed for that, as
+/// `make_revision` does before it meshes. Returns the groups with their exact areas.
+///
+/// `parent`: as for `make_revision`; `boundary`: the model's. Throws Error: `SELECTOR_EMPTY` where
+/// a group of a first mesh selects nothing; `POLICY_BROKEN`.
+std::vector<GroupFigures> check_groups(const Revision& parent, const FeatureModel& model,
+                                       const BoundaryModel& boundary, const Run& run);
 
 }  // namespace remeshd

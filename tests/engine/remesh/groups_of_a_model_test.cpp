@@ -41,6 +41,17 @@ GroupFigures figures_of(const Revision& r, const std::string& group) {
     if (figures.group == group) return figures;
   throw std::out_of_range(group);
 }
+/// The place of the error that a model's groups are before there is a mesh; empty: none.
+std::string refused_before_meshing(const Revision& parent, const ModelSource& source) {
+  const FeatureModel model = evaluate(source);
+  const CellularModel cells = build_cells(model, kRun);
+  try {
+    check_groups(parent, model, cells.boundary, kRun);
+  } catch (const Error& why) {
+    return test::place_of(why.info());
+  }
+  return "";
+}
 ModelEdit move_hole(double x) { return {{SetPlacement{"hole", {.origin = {x, 0.0, -1.0}}}}}; }
 
 bool has_warning(const Revision& r, const std::string& group) {
@@ -154,21 +165,32 @@ TEST(GroupsOfAModel, ThatComeAndGoChangeTheMeshAtTheirRimsAlone) {
 }
 
 TEST(GroupsOfAModel, ThatSelectNothingAreAnErrorOfAFirstMesh) {
-  const auto refused = [](const std::string& on) {
-    return test::place_of(test::error_of([&] { first_mesh(plate_and_rib({{"a", on, {}}})); }));
-  };
-  EXPECT_EQ(refused("bore*.wall"), "SELECTOR_EMPTY - groups.a.on");
-  EXPECT_EQ(refused("plate.top & z > 9"), "SELECTOR_EMPTY - groups.a.on");
-  EXPECT_EQ(refused("rib & z > 9"), "SELECTOR_EMPTY - groups.a.on");
+  for (const char* on : {"bore*.wall", "plate.top & z > 9", "rib & z > 9"}) {
+    SCOPED_TRACE(on);
+    const ModelSource source = plate_and_rib({{"a", on, {}}});
+    const ErrorInfo info = test::error_of([&] { first_mesh(source); });
+    EXPECT_EQ(test::place_of(info), "SELECTOR_EMPTY - groups.a.on");
+    EXPECT_EQ(refused_before_meshing(Revision::none(), source), test::place_of(info));
+  }
+  EXPECT_EQ(refused_before_meshing(Revision::none(), plate_and_rib({{"a", "hole.wall", {}}})), "");
+}
+
+TEST(GroupsOfAModel, ThatAnEditEmptiesAreNoErrorBeforeMeshing) {
+  const Revision base = first_mesh(plate_and_rib({{"bore", "hole.wall", {}}}));
+  EXPECT_EQ(refused_before_meshing(base, apply(base.source, {{RemoveFeature{"hole"}}})), "");
 }
 
 TEST(GroupsOfAModel, FailAnEditByTheirPolicies) {
   const Revision base = first_mesh(plate_and_rib({{"load", "plate.top", {.max_area_change = 0.02}},
                                                   {"bore", "hole.wall", {.fail_emptied = true}}}));
   const auto refused = [&](const ModelEdit& edit) {
-    return test::place_of(test::error_of([&] { edited(base, edit); }));
+    const std::string place = test::place_of(test::error_of([&] { edited(base, edit); }));
+    EXPECT_EQ(refused_before_meshing(base, apply(base.source, edit)), place);
+    return place;
   };
-  EXPECT_NO_THROW(edited(base, {{SetFeatureParameter{"hole", "radius", Scalar(4.3)}}}));
+  const ModelEdit slightly{{SetFeatureParameter{"hole", "radius", Scalar(4.3)}}};
+  EXPECT_NO_THROW(edited(base, slightly));
+  EXPECT_EQ(refused_before_meshing(base, apply(base.source, slightly)), "");
   EXPECT_EQ(refused({{SetFeatureParameter{"hole", "radius", Scalar(6.0)}}}),
             "POLICY_BROKEN - groups.load.policy.maxAreaChange");
   EXPECT_EQ(refused({{SetFeatureParameter{"hole", "radius", Scalar(1.0)}}}),
