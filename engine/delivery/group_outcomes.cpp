@@ -17,8 +17,9 @@ namespace remeshd {
 namespace {
 
 struct GroupLimits {
-  /// Relative: how far areas are apart that differ by rounding, or by quadrature of conditions.
-  double same_area = 1e-6;
+  // Relative: how far areas are apart that are the same but for rounding, or for the quadrature of
+  // conditions.
+  double rounding = 1e-6, quadrature = 5e-4;
   /// Points along each side of a feature's box at which its material is looked for.
   int material_steps = 24;
 };
@@ -46,7 +47,13 @@ double area_on(const BoundaryFace& face, const FaceGroup& group, const Run& run)
     conditions.emplace_back(on->condition);
   }
   const PlaceTest holds = [&](const Vec3& p, const Vec3& normal) {
-    return std::ranges::any_of(conditions, [&](ConditionTest& test) { return test(p, normal); });
+    Held held{.holds = false, .margin = -HUGE_VAL};
+    for (ConditionTest& test : conditions) {
+      held.holds = held.holds || test(p, normal);
+      const double margin = test.margin(p, normal);
+      if (!(margin <= held.margin)) held.margin = std::isnan(held.margin) ? held.margin : margin;
+    }
+    return held;
   };
   return area_where(face, holds, run);
 }
@@ -95,21 +102,32 @@ std::map<std::string_view, std::set<std::string_view>> shared_facets(const MeshG
   return shared;
 }
 
-bool same_area(const GroupFigures& a, const GroupFigures& b) {
+/// How far areas of a group are apart, as a share, that count as the same.
+double area_tolerance(const FeatureModel& model, const std::string& group) {
+  const auto named = std::ranges::find(model.groups, group, &FaceGroup::name);
+  const bool conditional =
+      named != model.groups.end() && std::ranges::any_of(named->on, [](const SelectedFaces& on) {
+        return !on.condition.text.empty();
+      });
+  return conditional ? kGroupLimits.quadrature : kGroupLimits.rounding;
+}
+
+bool same_area(const GroupFigures& a, const GroupFigures& b, double tolerance) {
   const bool exact = a.exact_area && b.exact_area;
   const double of_a = exact ? *a.exact_area : a.mesh_area;
   const double of_b = exact ? *b.exact_area : b.mesh_area;
-  return std::fabs(of_a - of_b) <= kGroupLimits.same_area * std::fmax(of_a, of_b);
+  return std::fabs(of_a - of_b) <= tolerance * std::fmax(of_a, of_b);
 }
 
-GroupState state_of(const GroupFigures& now, const GroupFigures& before, bool shares_anew) {
+GroupState state_of(const GroupFigures& now, const GroupFigures& before, bool shares_anew,
+                    double tolerance) {
   const bool empty = now.facets == 0 && now.tets == 0;
   const bool was_empty = before.facets == 0 && before.tets == 0;
   if (empty) return was_empty ? GroupState::Same : GroupState::Emptied;
   if (was_empty) return GroupState::New;
   if (now.parts > before.parts) return GroupState::Split;
   if (now.parts < before.parts || shares_anew) return GroupState::Merged;
-  return same_area(now, before) ? GroupState::Same : GroupState::Resized;
+  return same_area(now, before, tolerance) ? GroupState::Same : GroupState::Resized;
 }
 
 }  // namespace
@@ -159,7 +177,9 @@ std::vector<GroupFigures> group_outcomes(const Revision& parent, const Revision&
   const std::vector<GroupFigures> all = group_figures(revision, before_meshing);
   for (GroupFigures now : all) {
     if (const auto then = before.find(now.group); then != before.end())
-      now.state = state_of(now, *then->second, shares_anew(now.group));
+      now.state = state_of(
+          now, *then->second, shares_anew(now.group),
+          now.of_model ? area_tolerance(revision.model, now.group) : kGroupLimits.rounding);
     else if (!first)
       now.state = GroupState::New;
     (now.of_model ? of_model : of_facets).push_back(std::move(now));
@@ -184,7 +204,7 @@ void check_areas(const Revision& parent, const FeatureModel& model,
     if (!group.policy.max_area_change || then == nullptr || now == nullptr) continue;
     const double was = then->exact_area.value_or(0), is = now->exact_area.value_or(0);
     const double most = *group.policy.max_area_change;
-    if (std::fabs(is - was) > (most + kGroupLimits.same_area) * was)
+    if (std::fabs(is - was) > (most + area_tolerance(model, group.name)) * was)
       throw error::area_changed(group.name, was, is, most);
   }
 }

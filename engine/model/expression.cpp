@@ -27,6 +27,41 @@ mu::Parser bare_parser() {
   return parser;
 }
 
+/// The same with operators that tell by how much a comparison holds (`OpenValue::Kind::Margin`).
+mu::Parser margin_parser() {
+  mu::Parser parser = bare_parser();
+  parser.EnableBuiltInOprt(false);
+  const auto define = [&](const char* name, mu::fun_type2 meaning, mu::EOprtPrecedence precedence,
+                          mu::EOprtAssociativity associativity = mu::oaLEFT) {
+    parser.DefineOprt(name, meaning, precedence, associativity);
+  };
+  define(
+      "||", [](double a, double b) { return std::fmax(a, b); }, mu::prLOR);
+  define(
+      "&&", [](double a, double b) { return std::fmin(a, b); }, mu::prLAND);
+  for (const char* less : {"<", "<="})
+    define(
+        less, [](double a, double b) { return b - a; }, mu::prCMP);
+  for (const char* greater : {">", ">="})
+    define(
+        greater, [](double a, double b) { return a - b; }, mu::prCMP);
+  define(
+      "==", [](double a, double b) { return -std::fabs(a - b); }, mu::prCMP);
+  define(
+      "!=", [](double a, double b) { return std::fabs(a - b); }, mu::prCMP);
+  define(
+      "+", [](double a, double b) { return a + b; }, mu::prADD_SUB);
+  define(
+      "-", [](double a, double b) { return a - b; }, mu::prADD_SUB);
+  define(
+      "*", [](double a, double b) { return a * b; }, mu::prMUL_DIV);
+  define(
+      "/", [](double a, double b) { return a / b; }, mu::prMUL_DIV);
+  define(
+      "^", [](double a, double b) { return std::pow(a, b); }, mu::prPOW, mu::oaRIGHT);
+  return parser;
+}
+
 const std::set<std::string, std::less<>>& reserved_names() {
   static const auto names = [] {
     std::set<std::string, std::less<>> all{"pi", "deg"};
@@ -254,17 +289,21 @@ std::map<std::string, double> Scope::known_names(Parser& inner, const std::strin
 }
 
 struct OpenValue::Parser {
-  mu::Parser mu = bare_parser();
+  mu::Parser mu;
   std::vector<double> values;
 };
 
-OpenValue::OpenValue(const OpenExpression& expression, std::span<const char* const> names)
-    : parser_(std::make_unique<Parser>()) {
+OpenValue::OpenValue(const OpenExpression& expression, std::span<const char* const> names,
+                     Kind kind)
+    : parser_(std::make_unique<Parser>(
+          Parser{kind == Kind::Margin ? margin_parser() : bare_parser(), {}})) {
   parser_->values.resize(names.size());
   for (const auto& [name, number] : expression.numbers) parser_->mu.DefineConst(name, number);
   for (std::size_t k = 0; k < names.size(); ++k)
     parser_->mu.DefineVar(names[k], &parser_->values[k]);
-  parser_->mu.SetExpr(expression.text);
+  // `?:` would take a margin below 0 for true.
+  const bool untold = kind == Kind::Margin && expression.text.find('?') != std::string::npos;
+  parser_->mu.SetExpr(untold ? "0/0" : expression.text);
 }
 
 OpenValue::~OpenValue() = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -30,13 +31,17 @@ struct OpenExpression {
 /// Evaluates an open expression for any values of its variables. Not safe from several threads.
 class OpenValue {
  public:
+  /// Margin: in place of whether a comparison holds by how much it does, below 0 where it does not;
+  /// of `&&` the least, of `||` the greatest.
+  enum class Kind : std::uint8_t { Value, Margin };
   /// `names`: the variables. Pre: the expression is a result of `Scope::open` with these names.
-  OpenValue(const OpenExpression& expression, std::span<const char* const> names);
+  OpenValue(const OpenExpression& expression, std::span<const char* const> names,
+            Kind kind = Kind::Value);
   ~OpenValue();
   OpenValue(OpenValue&&) noexcept;
 
   /// Its value for these values of the variables, one each, in the order of `names`; NaN where it
-  /// has no finite value, as `sqrt(x)` for x < 0.
+  /// has no finite value, as `sqrt(x)` for x < 0, and everywhere for the margin of `?:`.
   double operator()(std::span<const double> values);
 
  private:

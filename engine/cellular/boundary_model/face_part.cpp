@@ -12,6 +12,9 @@ struct PartLimits {
   double first = 1.0 / 16;       ///< longer triangles are bisected before the condition is tested
   double shortest = 1.0 / 1000;  ///< no triangle is bisected further
   double of_area = 1.0 / 256;    ///< `shortest` where areas are measured
+  double shortest_told = 1.0 / 4096;  ///< the same where margins are told
+  double linear = 0.003;      ///< x their spread: margins that are off a plane by less are on it
+  int most_tested = 100'000;  ///< triangles, before `shortest_told` does not count
 };
 constexpr PartLimits kPartLimits;
 
@@ -99,36 +102,105 @@ class FaceDivider {
   std::vector<std::array<Vec3, 3>> part_;
 };
 
+/// A triangle of a face with what a condition tells at its places: its corners, the middles of its
+/// sides, side k from corner k on, and its centroid.
+struct TestedTriangle {
+  std::array<Vec3, 3> corners;
+  std::array<Held, kPlaces> held;
+  double length;  ///< of the longest side
+
+  [[nodiscard]] bool all_alike() const {
+    return std::ranges::all_of(held, [&](const Held& h) { return h.holds == held[0].holds; });
+  }
+  [[nodiscard]] bool margins_are_told() const {
+    return std::ranges::all_of(held, [](const Held& h) { return std::isfinite(h.margin); });
+  }
+  /// The greatest difference of margins: at places no further than `length` from each other.
+  [[nodiscard]] double spread() const {
+    const auto [least, greatest] = std::ranges::minmax(held, {}, &Held::margin);
+    return greatest.margin - least.margin;
+  }
+  /// Whether the border of the part may be in the triangle though all places are alike. A place is
+  /// within a quarter of `length` of any point, where margins differ by half of their spread or
+  /// less, with a margin for those that change faster in between.
+  [[nodiscard]] bool border_may_be_in() const {
+    const auto size = [](const Held& h) { return std::fabs(h.margin); };
+    return size(std::ranges::min(held, {}, size)) < spread();
+  }
+  /// Whether margins change linearly, and tell of each place what the condition does.
+  [[nodiscard]] bool is_linear() const {
+    const double off = kPartLimits.linear * spread();
+    const auto at = [&](int k) { return held[k].margin; };
+    if (std::fabs(at(6) - (at(0) + at(1) + at(2)) / 3) > off) return false;
+    for (int k = 0; k < 3; ++k)
+      if (std::fabs(at(3 + k) - 0.5 * (at(k) + at((k + 1) % 3))) > off) return false;
+    return std::ranges::all_of(held, [](const Held& h) { return h.holds == (h.margin > 0); });
+  }
+  /// Share of the triangle where margins that are linear are above 0.
+  [[nodiscard]] double share_above() const {
+    const auto in = [&](int k) { return held[k].margin > 0; };
+    const int count = in(0) + in(1) + in(2);
+    if (count == 0 || count == 3) return count / 3;
+    const bool alone = count == 1;  // one corner is alone on its side
+    int k = 0;
+    while (in(k) != alone) ++k;
+    double corner = 1;
+    for (const int other : {(k + 1) % 3, (k + 2) % 3})
+      corner *= held[k].margin / (held[k].margin - held[other].margin);
+    return alone ? corner : 1 - corner;
+  }
+};
+
 /// Measures the part of a face where a condition holds.
 class PartMeasure {
  public:
   PartMeasure(const BoundaryFace& face, const PlaceTest& holds, const Run& run)
-      : face_(face), holds_(holds), poll_(run) {
-    const double diagonal = box_of(face.points).diagonal();
-    first_ = kPartLimits.first * diagonal;
-    shortest_ = kPartLimits.of_area * diagonal;
-  }
+      : face_(face), holds_(holds), poll_(run), diagonal_(box_of(face.points).diagonal()) {}
 
   void add(const std::array<Vec3, 3>& t) {
     poll_();
     const int longest = longest_side(t);
     const double length = length_of_side(t, longest);
-    if (length <= first_) {
-      const int held = places_held(t, [&](const Vec3& p) { return at(p); });
-      const double area = triangle_area(t[0], t[1], t[2]);
-      const bool even = held == 0 || held == kPlaces;
-      if (even || length <= shortest_) {
-        all_ += area;
-        held_ += even ? (held == 0 ? 0 : area) : cut(t, area);
-        return;
-      }
-    }
+    if (length <= kPartLimits.first * diagonal_ && measure(tested(t, length))) return;
     for (const auto& half : halved(t, longest, face_.surface)) add(half);
   }
   [[nodiscard]] double share() const { return all_ > 0 ? held_ / all_ : 0; }
 
  private:
-  [[nodiscard]] bool at(const Vec3& p) const { return holds_(p, outward_normal(face_, p)); }
+  [[nodiscard]] Held at(const Vec3& p) const { return holds_(p, outward_normal(face_, p)); }
+
+  [[nodiscard]] TestedTriangle tested(const std::array<Vec3, 3>& t, double length) {
+    ++tested_;
+    TestedTriangle all{.corners = t, .held = {}, .length = length};
+    for (int k = 0; k < 3; ++k) {
+      all.held[k] = at(t[k]);
+      all.held[3 + k] = at(0.5 * (t[k] + t[(k + 1) % 3]));
+    }
+    all.held[6] = at((t[0] + t[1] + t[2]) / 3);
+    return all;
+  }
+
+  /// Adds the area of the triangle; false where it has to be bisected before.
+  bool measure(const TestedTriangle& t) {
+    const auto& [a, b, c] = t.corners;
+    const double area = triangle_area(a, b, c);
+    const bool told = t.margins_are_told();
+    const bool even = t.all_alike() && !(told && t.border_may_be_in());
+    // With so many triangles the margins follow no border.
+    const bool many = tested_ > kPartLimits.most_tested;
+    const double shortest = told && !many ? kPartLimits.shortest_told : kPartLimits.of_area;
+    if (even) {
+      held_ += t.held[0].holds ? area : 0;
+    } else if (told && t.is_linear()) {
+      held_ += area * t.share_above();
+    } else if (t.length <= shortest * diagonal_) {
+      held_ += cut(t.corners, area);
+    } else {
+      return false;
+    }
+    all_ += area;
+    return true;
+  }
 
   /// Where the condition changes between `in`, where it holds, and `out`, where it does not: as a
   /// share of the way from `in`, by bisection.
@@ -136,7 +208,7 @@ class PartMeasure {
     double lo = 0, hi = 1;
     for (int k = 0; k < 20; ++k) {
       const double middle = 0.5 * (lo + hi);
-      (at(in + middle * (out - in)) ? lo : hi) = middle;
+      (at(in + middle * (out - in)).holds ? lo : hi) = middle;
     }
     return 0.5 * (lo + hi);
   }
@@ -144,9 +216,9 @@ class PartMeasure {
   /// Area of the part of a small triangle on which the condition holds, bounded by a straight cut.
   [[nodiscard]] double cut(const std::array<Vec3, 3>& t, double area) const {
     std::array<bool, 3> in{};
-    for (int k = 0; k < 3; ++k) in[k] = at(t[k]);
+    for (int k = 0; k < 3; ++k) in[k] = at(t[k]).holds;
     const auto count = std::ranges::count(in, true);
-    if (count == 0 || count == 3) return at((t[0] + t[1] + t[2]) / 3) ? area : 0;
+    if (count == 0 || count == 3) return at((t[0] + t[1] + t[2]) / 3).holds ? area : 0;
     // One corner is alone on its side of the cut.
     const bool alone = count == 1;
     const auto k = std::ranges::find(in, alone) - in.begin();
@@ -159,7 +231,8 @@ class PartMeasure {
   const BoundaryFace& face_;
   const PlaceTest& holds_;
   Polling poll_;
-  double first_ = 0, shortest_ = 0;
+  double diagonal_;  ///< of the face's box
+  int tested_ = 0;   ///< triangles
   double all_ = 0, held_ = 0;
 };
 

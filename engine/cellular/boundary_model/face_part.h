@@ -21,12 +21,20 @@ std::vector<std::array<Vec3, 3>> part_where(const BoundaryFace& face,
                                             const OpenExpression& condition, double length,
                                             const Run& run);
 
-/// Whether a condition holds at a point of a face with that outward normal.
-using PlaceTest = std::function<bool(const Vec3&, const Vec3&)>;
+/// What a condition tells of a place.
+struct Held {
+  bool holds = false;
+  double margin = 0;  ///< as ConditionTest::margin
+};
+/// The same of a point of a face with that outward normal.
+using PlaceTest = std::function<Held(const Vec3&, const Vec3&)>;
 
 /// Area of the part of a face where a condition holds: its share of the area of bisected triangles,
-/// which are cut straight where the condition changes along their sides, times the face's exact
-/// area. The relative error is of the order of (1/256)^2 where the part's border is curved. A part
+/// which are cut straight where the condition changes, times the face's exact area.
+///
+/// Bisection goes on as long as margins do not rule out that the part's border is in a triangle,
+/// and do not change linearly there either: so parts however narrow are found, and the relative
+/// error is of the order of 1e-4 where the border is curved. Where margins cannot be told, a part
 /// narrower than 1/16 of the diagonal of the face's box may be missed.
 double area_where(const BoundaryFace& face, const PlaceTest& holds, const Run& run);
 

@@ -27,14 +27,20 @@ struct SelectedFaces {
 /// threads.
 class ConditionTest {
  public:
-  explicit ConditionTest(const OpenExpression& condition) : value_(condition, kPlaceNames) {}
+  explicit ConditionTest(const OpenExpression& condition)
+      : value_(condition, kPlaceNames), margin_(condition, kPlaceNames, OpenValue::Kind::Margin) {}
   bool operator()(const Vec3& p, const Vec3& normal) {
     const double value = value_(std::array{p.x, p.y, p.z, normal.x, normal.y, normal.z});
     return value != 0 && std::isfinite(value);
   }
+  /// By how much the comparisons in it hold or fail, in their own units: it goes to 0 towards the
+  /// border of the part where the condition holds. NaN where that cannot be told.
+  double margin(const Vec3& p, const Vec3& normal) {
+    return margin_(std::array{p.x, p.y, p.z, normal.x, normal.y, normal.z});
+  }
 
  private:
-  OpenValue value_;
+  OpenValue value_, margin_;
 };
 
 }  // namespace remeshd

@@ -56,11 +56,55 @@ TEST(FacePart, IsNothingWhereTheConditionHasNoValue) {
   EXPECT_NEAR(area_of_part(plate(), "top", "sqrt(x) >= 0", 0.2), 1200, 10);
 }
 
-/// By quadrature.
+/// By quadrature, where margins cannot be told.
 double measured(const FeatureModel& model, const std::string& face,
                 const std::function<bool(const Vec3&, const Vec3&)>& holds) {
   const CellularModel cells = build_cells(model, kRun);
+  const PlaceTest untold = [&](const Vec3& p, const Vec3& normal) {
+    return Held{holds(p, normal), std::nan("")};
+  };
+  return area_where(face_named(cells, face), untold, kRun);
+}
+
+/// By quadrature, with the margins of a condition; `tested` counts the places.
+double measured_where(const FeatureModel& model, const std::string& face,
+                      const std::string& condition, int* tested = nullptr) {
+  const CellularModel cells = build_cells(model, kRun);
+  ConditionTest test({condition, {}});
+  const PlaceTest holds = [&](const Vec3& p, const Vec3& normal) {
+    if (tested != nullptr) ++*tested;
+    return Held{test(p, normal), test.margin(p, normal)};
+  };
   return area_where(face_named(cells, face), holds, kRun);
+}
+
+TEST(AreaWhere, FindsPartsHoweverNarrow) {
+  for (const double half : {1.0, 0.15, 0.01, 0.001}) {
+    SCOPED_TRACE(half);
+    const std::string strip = "abs(x + 17.3) < " + std::to_string(half);
+    int tested = 0;
+    EXPECT_NEAR(measured_where(plate(), "top", strip, &tested), 80 * half, 0.02 * 80 * half);
+    EXPECT_NEAR(measured_where(plate(), "top", strip + " && y > 5 && y < 15"), 20 * half,
+                0.02 * 20 * half);
+    EXPECT_LT(tested, 1'000'000);
+  }
+  for (const double r : {5.0, 0.6, 0.05})
+    EXPECT_NEAR(
+        measured_where(plate(), "top", "(x-7.1)^2 + (y+3.3)^2 < " + std::to_string(r) + "^2"),
+        M_PI * r * r, 5e-3 * M_PI * r * r)
+        << r;
+}
+
+TEST(AreaWhere, IsAllOrNothingWhereMarginsAreTheSameEverywhere) {
+  int tested = 0;
+  EXPECT_NEAR(measured_where(plate(), "top", "z >= 8", &tested), 2400, 1e-9);
+  EXPECT_EQ(measured_where(plate(), "top", "z > 8", &tested), 0);
+  EXPECT_NEAR(measured_where(plate(), "top", "nz > 0.5", &tested), 2400, 1e-9);
+  EXPECT_LT(tested, 100'000);
+}
+
+TEST(AreaWhere, OfAChoiceIsFoundWithoutMargins) {
+  EXPECT_NEAR(measured_where(plate(), "top", "x > 0 ? y > 0 : y > 10"), 30 * 20 + 30 * 10, 1);
 }
 
 TEST(AreaWhere, OfAPlaneIsExactForStraightBorders) {
