@@ -158,6 +158,7 @@ void account(const Revision& original, std::span<const std::int32_t> remade, dou
     counts.nodes_kept += origin == NodeOrigin::Kept ? 1 : 0;
     counts.nodes_moved += origin == NodeOrigin::Moved ? 1 : 0;
   });
+  counts.nodes_new = counts.nodes - counts.nodes_kept - counts.nodes_moved;
   d.map.original_tet.for_each(
       [&](std::size_t, std::int32_t t) { counts.tets_kept += t >= 0 ? 1 : 0; });
   revision.measures = measures_of(d, original, remade, run);

@@ -26,6 +26,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <gp_Circ.hxx>
 
+#include <cmath>
+
 #include "engine/base/angle.h"
 #include "engine/base/error.h"
 #include "engine/kernel/brep_shapes.h"
@@ -173,8 +175,8 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
 
 Brep make_cone(double radius_bottom, double radius_top, double height, double scale) {
   return built([&] {
-    // A cone of equal radii is an error to OCCT.
-    if (radius_bottom == radius_top)
+    // A cone of radii that are equal within its tolerance is an error to OCCT.
+    if (std::fabs(radius_bottom - radius_top) * scale <= Precision::Confusion())
       return make_round(BRepPrimAPI_MakeCylinder(radius_bottom * scale, height * scale).Solid(),
                         scale);
     return make_round(

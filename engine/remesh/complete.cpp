@@ -64,9 +64,10 @@ void deliver(Attempt taken, const Problem& problem, Revision& revision) {
 
 /// Puts a regular mesh in the place of a remesh whose quality has drifted, where it is better.
 /// Returns the share of the regular mesh's tets that a last resort made; nothing where the remesh
-/// stays.
+/// stays. `warnings`: those that are not of the remesh.
 std::optional<double> renew_if_drifted(const Problem& problem, double seconds_of_remesh,
-                                       const std::string& remesh, Revision& revision) {
+                                       const std::string& remesh,
+                                       const std::vector<Warning>& warnings, Revision& revision) {
   const QualityReference now = quality_reference(revision);
   const bool even = revision.options.sizing.even;
   Report& report = revision.report;
@@ -80,6 +81,7 @@ std::optional<double> renew_if_drifted(const Problem& problem, double seconds_of
     const double last_resort = regular.last_resort_share;
     const std::vector<TriedStrategy> tries = regular.tries;
     Revision anew = revision;
+    anew.report.warnings = warnings;
     deliver(std::move(regular), problem, anew);
     anew.reference = quality_reference(anew);
     if (has_drifted(now, anew.reference, even)) {
@@ -137,11 +139,13 @@ void complete(Attempt taken, const Problem& problem, Revision& revision, Stopwat
   const std::string name = taken.name;
   const double seconds = taken.seconds.total;
   double made_anew = taken.last_resort_share;
+  const std::vector<Warning> warnings = report.warnings;
   deliver(std::move(taken), problem, revision);
   const bool begins_anew =
       !problem.density.inherited || report.strategy == MeshStrategy::Fresh || resorted;
   revision.reference = begins_anew ? quality_reference(revision) : parent.reference;
-  if (renewable) made_anew = renew_if_drifted(problem, seconds, name, revision).value_or(made_anew);
+  if (renewable)
+    made_anew = renew_if_drifted(problem, seconds, name, warnings, revision).value_or(made_anew);
   const bool same_tets = keeps_tets(report.strategy);
   revision.output.node_sizes =
       made_for(parent, revision, same_tets ? nullptr : &problem.plan(), problem.run);

@@ -59,6 +59,10 @@ TEST_P(SevenCases, GiveValidMeshesThatKeepMostOfTheOriginal) {
   const double kept =
       static_cast<double>(remesh.report.counts.nodes_kept) / remesh.report.counts.nodes;
   EXPECT_GT(kept, c.edit == "tool3-ab" ? 0.1 : 0.5);
+  for (const Revision* r : {&original, &remesh}) {
+    const Counts& counts = r->report.counts;
+    EXPECT_EQ(counts.nodes_kept + counts.nodes_moved + counts.nodes_new, counts.nodes);
+  }
   EXPECT_LT(remesh.report.free_share, 1.0);
   EXPECT_GT(remesh.report.quality.dihedral_min, 15);
 }
