@@ -51,7 +51,7 @@ std::vector<NodalVelocities> velocities_of(const Revision& revision,
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 34,
+  return {.algorithm_version = 35,
           .evaluate = evaluate,
           .apply = apply,
           .check_node_limit =

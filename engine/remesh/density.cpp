@@ -39,8 +39,8 @@ Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
 }
 
 /// The warning that faces have details smaller than the least size. It names their features.
-Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
-                    const FeatureModel& model, const BoundaryModel& boundary) {
+Warning below_least(const std::vector<int>& faces, double least, const FeatureModel& model,
+                    const BoundaryModel& boundary) {
   Warning warning{.code = WarningCode::DetailNotResolved};
   for (const int f : faces)
     for (const FaceName& name : boundary.faces[f].names) {
@@ -54,8 +54,7 @@ Warning below_least(const std::vector<int>& faces, const SizeField& sizes,
                     (warning.features.size() > 1
                          ? " and " + std::to_string(warning.features.size() - 1) + " more features"
                          : "") +
-                    " are smaller than the least edge length, which is " +
-                    std::to_string(sizes.least());
+                    " are smaller than the least edge length, which is " + std::to_string(least);
   return warning;
 }
 
@@ -82,6 +81,13 @@ std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& mode
   return balls;
 }
 
+/// Whether the sources of two fields of one model are the same.
+bool same_sources(const std::vector<SizeSource>& some, const std::vector<SizeSource>& others) {
+  return std::ranges::equal(some, others, [](const SizeSource& a, const SizeSource& b) {
+    return a.size == b.size && a.box.lo == b.box.lo && a.box.hi == b.box.hi;
+  });
+}
+
 /// Sets the size field and what follows from it. `edge_length`: the base size, or a guess at it
 /// where a number of nodes is asked for.
 void set_sizes(Density& density, double edge_length, const Revision& parent,
@@ -100,24 +106,40 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
       edge_length = parent.edge_length;
     }
   }
-  const double most = density.count ? coarsest_base(cells, *density.count) : edge_length;
-  const SizeRules rules(cells.boundary, options.sizing, {most, edge_length}, run,
-                        asked_sizes(model, cells.boundary, density.dense_places, run));
-  if (density.count) {
-    Budgeted budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
-    if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
-    density.sizes = std::move(budgeted.sizes);
-    density.weakening = budgeted.weakening;
-    density.start = std::move(budgeted.start);
-  } else {
-    density.weakening = parent.rules_weakening;
-    density.sizes = rules.field(edge_length, density.weakening);
+  const std::vector<SizeSource> asked =
+      asked_sizes(model, cells.boundary, density.dense_places, run);
+  const auto rules_for = [&](const BaseSizes& bases) {
+    return SizeRules(cells.boundary, options.sizing, bases, run, asked);
+  };
+  Budgeted budgeted{.sizes = edge_length, .weakening = parent.rules_weakening};
+  std::vector<SizeSource> sources;  // of the budgeted field
+  const auto solve = [&](double expected) {
+    const SizeRules rules = rules_for({coarsest_base(cells, *density.count), expected});
+    budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
+    sources = rules.sources(budgeted.sizes.base(), budgeted.weakening);
+  };
+  const auto is_of = [&](const SizeRules& rules) {
+    return same_sources(sources, rules.sources(budgeted.sizes.base(), budgeted.weakening));
+  };
+  if (density.count) solve(edge_length);
+  // Later edits have rules for the base size alone, which resolve other details than rules for a
+  // guess at it: so has this mesh.
+  SizeRules rules = rules_for(budgeted.sizes.base());
+  if (density.count && !is_of(rules)) {
+    solve(budgeted.sizes.base());
+    rules = rules_for(budgeted.sizes.base());
   }
+  if (density.count && budgeted.weakening > 1)
+    density.warnings.push_back(weakened(budgeted, options.sizing));
+  density.weakening = budgeted.weakening;
+  density.sizes = rules.field(budgeted.sizes.base(), density.weakening);
+  if (density.count && is_of(rules)) density.start = std::move(budgeted.start);
   density.fewest_links =
       rules.fewest_links(cells.boundary, density.sizes.base(), density.weakening);
   const std::vector<int> faces = rules.unresolved(density.sizes.base(), density.weakening);
   if (!faces.empty())
-    density.warnings.push_back(below_least(faces, density.sizes, model, cells.boundary));
+    density.warnings.push_back(below_least(faces, least_size(options.sizing, density.sizes.base()),
+                                           model, cells.boundary));
 }
 
 }  // namespace
