@@ -6,6 +6,9 @@ import pytest
 
 import remesh_client as rc
 from remesh_client import aio
+from remesh_client._assembler import assemble
+from remesh_client.v1 import report_pb2, revision_pb2
+from synthetic import two_tets
 
 
 def run(remeshd, scenario):
@@ -32,6 +35,15 @@ def test_edits_meshes_and_files(remeshd, cases, tmp_path):
         again = await daemon.open(edits[0].revision)
         assert len((await again.mesh()).points) == edits[0].report.nodes
     run(remeshd, scenario)
+
+
+def test_a_mesh_has_the_exact_areas_of_its_report():
+    class Daemon:
+        async def _fetch(self, revision, route):
+            return assemble(two_tets().messages())
+    report = report_pb2.Report(groups=[{"group": "load", "exact_area": 6.5}, {"group": "core"}])
+    part = aio.Part(Daemon(), revision_pb2.RevisionInfo(id="rev-1"), report)
+    assert asyncio.run(part.mesh()).exact_areas == {"load": 6.5}
 
 
 def test_errors_and_progress(remeshd, cases):

@@ -13,6 +13,7 @@ import pytest
 
 import remesh_client as rc
 from remesh_client._arrays import KNOWN
+from remesh_client.options import mesh_options
 
 
 def same(one, other):
@@ -186,6 +187,12 @@ def test_what_cannot_be_sent_is_told_before_it_is(daemon, tool):
     with pytest.raises(rc.InvalidRequest, match="more than the limit") as told:
         daemon.mesh({"name": "x" * (5 << 20)})
     assert told.value.reason == "DOCUMENT_TOO_LARGE"
+
+
+def test_options_that_are_none_are_left_out():
+    for given in ({"nodes": None, "size": 2}, {"nodes": None, "size": 2, "fail_on": None}):
+        assert mesh_options(given) == mesh_options({"size": 2})
+    assert mesh_options({"nodes": None, "size": None, "threads": None}) is None
 
 
 def test_warnings_are_told_and_can_be_errors(daemon, tool):

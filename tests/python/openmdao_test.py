@@ -7,6 +7,10 @@ import types
 import numpy as np
 import pytest
 
+import remesh_client as rc
+from fake_daemons import Error, error
+from remesh_client.errors import from_error
+
 
 class Options(dict):
     def declare(self, name, default=None, values=None, **_):
@@ -89,6 +93,38 @@ def test_what_cannot_be_meshed_is_an_analysis_error(component, daemon, cases):
     outputs = {}
     part.compute({"gap": np.array([-2.0])}, outputs)
     assert outputs["volume"] == pytest.approx(1800)
+
+
+@pytest.mark.parametrize("code, reason", [
+    (Error.CODE_INVALID_ARGUMENT, Error.DEGENERATE_FEATURE),
+    (Error.CODE_INVALID_ARGUMENT, Error.MESH_TOO_LARGE),
+    (Error.CODE_OUT_OF_RANGE, Error.REASON_UNSPECIFIED),
+    (Error.CODE_FAILED_PRECONDITION, Error.BOUNDARY_NOT_RECOVERED)])
+def test_a_step_into_values_that_are_refused_is_an_analysis_error(component, code, reason):
+    with pytest.raises(AnalysisError, match="told by the test"):
+        refused(component, code, reason)
+
+
+def test_what_no_other_step_would_mend_is_the_daemons_error(component):
+    with pytest.raises(rc.Unavailable):
+        refused(component, Error.CODE_UNAVAILABLE, Error.SHUTTING_DOWN)
+
+
+def refused(component, code, reason):
+    """Computes with a daemon that refuses each edit."""
+    class Part:
+        def document(self):
+            return {"parameters": {"width": 4}}
+
+        def edit(self, values):
+            raise from_error(error(code, reason))
+
+    class Daemon:
+        def mesh(self, model, **options):
+            return Part()
+    part = component(daemon=Daemon(), model={}, parameters=["width"], outputs={})
+    part.setup()
+    part.compute({"width": np.array([-1.0])}, {})
 
 
 def test_features_parameters_are_inputs_too(component, daemon, cases):

@@ -64,9 +64,8 @@ class Part(Revision):
         if self._mesh is None:
             if self._exchange is not None and self._exchange.carrier is not None:
                 await self._exchange.carrier.wait(self._exchange, lambda sent: sent.done)
-            content = self._content() or await self._daemon._fetch(self.revision, self._route)
-            self._mesh = Mesh(content)
-            self._exchange = None
+            return self._keep(self._content() or
+                              await self._daemon._fetch(self.revision, self._route))
         return self._mesh
 
     async def velocities(self, *parameters: str) -> dict[str, Velocity]:

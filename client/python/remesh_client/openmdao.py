@@ -15,7 +15,7 @@ import openmdao.api as om
 
 import numpy as np
 
-from remesh_client.errors import MeshingFailed
+from remesh_client.errors import InvalidRequest, MeshingFailed
 from remesh_client.part import Part
 
 Evaluate = Callable[[Part], Mapping[str, Any]]
@@ -75,7 +75,7 @@ class RemeshComponent(om.ExplicitComponent):  # type: ignore[misc]
         base = self._first if self.options["reference"] == "first" else self._last
         try:
             part = base.edit(values)
-        except MeshingFailed as why:
+        except (InvalidRequest, MeshingFailed) as why:
             raise om.AnalysisError(str(why)) from why
         self._last = part
         results = self.options["evaluate"](part)

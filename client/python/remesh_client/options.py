@@ -53,9 +53,9 @@ def mesh_options(options: Mapping[str, Any]) -> options_pb2.MeshOptions | None:
             near = difflib.get_close_matches(name, _KNOWN, 1)
             hint = f"; is {near[0]!r} meant?" if near else f"; there are: {', '.join(_KNOWN)}"
             raise TypeError(f"no option {name!r}{hint}")
-    if "nodes" in options and "size" in options:
-        raise TypeError("give nodes or size, not both")
     given = {name: value for name, value in options.items() if value is not None}
+    if "nodes" in given and "size" in given:
+        raise TypeError("give nodes or size, not both")
     given.pop("threads", None)
     if not given:
         return None

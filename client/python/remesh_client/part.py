@@ -15,7 +15,7 @@ from remesh_client._motion import Derivative, Horizon, Velocity
 from remesh_client._requests import edit_of
 from remesh_client.edits import EditLike
 from remesh_client.errors import Point
-from remesh_client.mesh import Mesh
+from remesh_client.mesh import Mesh, WriteFile
 from remesh_client.v1 import error_pb2, report_pb2, revision_pb2
 
 if TYPE_CHECKING:
@@ -88,6 +88,12 @@ class Revision:
         return {audit.group: audit.exact_area for audit in self.report.groups
                 if audit.exact_area > 0}
 
+    def _keep(self, content: Content, write_file: WriteFile | None = None) -> Mesh:
+        """The mesh of these arrays, which it has from now on."""
+        self._mesh = Mesh(content, write_file, self._areas())
+        self._exchange = None
+        return self._mesh
+
     def _base(self) -> Callable[[], Content | None] | None:
         """What a delta may be against; None where its mesh neither is here nor comes."""
         comes = (self._exchange is not None and self._exchange.mesh_error is None
@@ -137,8 +143,7 @@ class Part(Revision):
             content = self._content()
             if content is None:  # not asked for, or damaged on its way
                 content = self._daemon._fetch(self.revision, self._route)
-            self._mesh = Mesh(content, self._write_file, self._areas())
-            self._exchange = None
+            return self._keep(content, self._write_file)
         return self._mesh
 
     def write(self, path: os.PathLike[str] | str) -> Path:
