@@ -21,9 +21,9 @@ struct MeshOutputs {
 
   /// The options -o and --format.
   void add_to(CLI::App& command);
-  /// Throws UsageError unless each file has a format, the folder of each is there, and at most one
-  /// thing goes to stdout. `text_file`: name of the text file that is written beside the meshes;
-  /// may be empty. To be called before a mesh is made.
+  /// Throws UsageError unless each file has a format and at most one thing goes to stdout,
+  /// FileError unless the folder of each is there. `text_file`: name of the text file that is
+  /// written beside the meshes; may be empty. To be called before a mesh is made.
   void check(const std::string& text_file) const;
   /// Pre: `check` has not thrown.
   [[nodiscard]] std::string format_of(const std::filesystem::path& file) const;

@@ -18,7 +18,7 @@ struct ReplyFiles {
   std::string report;  ///< `-`: the data stream; empty: nowhere
 
   void add_to(CLI::App& command);
-  void check() const;  ///< throws UsageError
+  void check() const;  ///< throws UsageError, FileError
 };
 
 /// Tells the user what came out of a mesh or an edit: warnings and a head that stayed go to the

@@ -82,7 +82,7 @@ void check_text_file(const std::filesystem::path& file) {
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
-    throw UsageError(file.string() + ": there is no folder " + folder.string());
+    throw client::FileError(file.string() + ": there is no folder " + folder.string());
 }
 
 }  // namespace remeshd::cli

@@ -57,7 +57,7 @@ class Session {
   std::optional<client::Client> client_;
 };
 
-/// Throws UsageError unless the folder of the file is there; an empty name and `-` are fine. To be
+/// Throws FileError unless the folder of the file is there; an empty name and `-` are fine. To be
 /// called before something is made to be written there.
 void check_text_file(const std::filesystem::path& file);
 

@@ -120,6 +120,14 @@ void append_groups(std::string& out, const Mesh& mesh, SetLabels& labels) {
   }
 }
 
+/// Label of the sets of everything. No group of the model has it, whatever it holds: a load on a
+/// group that has lost its facets must not act on all nodes.
+std::string label_of_all(const Mesh& mesh) {
+  Labels of_groups;
+  for (const std::string& name : mesh.group_names) of_groups.make(name);
+  return of_groups.make(kAllName);
+}
+
 /// All elements and all nodes, for materials and for what CalculiX asks a set for.
 void append_all(std::string& out, const Mesh& mesh, SetLabels& labels) {
   if (mesh.tets.empty()) return;
@@ -128,9 +136,9 @@ void append_all(std::string& out, const Mesh& mesh, SetLabels& labels) {
     append(out, last);
     out += ", 1\n";  // meshio wants the step
   };
-  append_range("*ELSET, ELSET=", labels.elements.make(kAllName), mesh.tets.size());
-  append_range("*NSET, NSET=", labels.faces.make(kAllName),
-               mesh.nodes.size() + mesh.mid_nodes.size());
+  const std::string label = label_of_all(mesh);
+  append_range("*ELSET, ELSET=", labels.elements.make(label), mesh.tets.size());
+  append_range("*NSET, NSET=", labels.faces.make(label), mesh.nodes.size() + mesh.mid_nodes.size());
 }
 
 void append_owners(std::string& out, const Mesh& mesh, Labels& labels) {

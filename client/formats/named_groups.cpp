@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "client/formats/named_groups.h"
 
+#include <algorithm>
 #include <map>
 
 namespace remeshd::client {
+namespace {
+
+/// With blanks for control characters: a line break would end the comment that a value stands in,
+/// and XML takes no others.
+std::string on_one_line(std::string value) {
+  constexpr unsigned char kBlank = 0x20, kDelete = 0x7f;
+  std::ranges::replace_if(
+      value, [](unsigned char c) { return c < kBlank || c == kDelete; }, ' ');
+  return value;
+}
+
+}  // namespace
 
 std::vector<NamedGroups> by_name(const std::vector<std::vector<std::string>>& groups) {
   std::vector<NamedGroups> names;
@@ -33,7 +46,7 @@ std::vector<ModelGroup> model_groups(const Mesh& mesh) {
 std::vector<std::string> provenance(const Mesh& mesh) {
   std::vector<std::string> lines;
   const auto add = [&](const char* what, const std::string& value) {
-    if (!value.empty()) lines.push_back(std::string(what) + " " + value);
+    if (!value.empty()) lines.push_back(std::string(what) + " " + on_one_line(value));
   };
   add("revision", mesh.revision);
   add("parent", mesh.parent);

@@ -28,11 +28,12 @@ struct ModelGroup {
 /// The groups of the model, in its order.
 std::vector<ModelGroup> model_groups(const Mesh& mesh);
 
-/// Name of the set of all tets, and of all nodes.
+/// Name of the set of all tets, and of all nodes, where no group of the model has it.
 inline constexpr const char* kAllName = "remesh_all";
 
 /// Where a mesh comes from, a line each: `revision 1a2b...`, `model bracket`, `unit mm`,
-/// `options {...}`, `remeshd algorithm 20`. What is not known is left out.
+/// `options {...}`, `remeshd algorithm 20`. What is not known is left out; control characters are
+/// blanks.
 std::vector<std::string> provenance(const Mesh& mesh);
 
 }  // namespace remeshd::client

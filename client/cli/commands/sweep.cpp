@@ -18,6 +18,7 @@
 #include "client/cli/warnings.h"
 #include "engine/base/text/nearest_name.h"
 #include "proto/json_writer.h"
+#include "remeshd/mesh_file.h"
 
 namespace remeshd::cli {
 namespace {
@@ -197,7 +198,7 @@ void make_folder(const std::string& folder) {
   if (folder.empty()) return;
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
-  if (problem) throw UsageError(folder + ": " + problem.message());
+  if (problem) throw client::FileError(folder + ": " + problem.message());
 }
 
 /// The state of a sweep between its steps.

@@ -30,7 +30,6 @@ remesh::v1::ModelCheck ask(Session& session, const ValidateArguments& arguments,
     *options.mutable_fail_on() = arguments.meshing.warning_codes();
   };
   if (auto* model = std::get_if<remesh::v1::FeatureModel>(&document)) {
-    if (!arguments.base.empty()) throw UsageError("--base goes with an edit, not with a model");
     remesh::v1::ValidateModelRequest request;
     *request.mutable_model() = std::move(*model);
     fill(*request.mutable_options());
@@ -65,7 +64,10 @@ void add_forecast(const remesh::v1::MeshForecast& forecast,
 
 int validate(Session& session, const ValidateArguments& arguments) {
   check_one_stdin(arguments.file, arguments.base);
-  Document document = read_either(session.documents(), arguments.file);
+  // With a base it is an edit, whatever it says.
+  Document document = arguments.base.empty()
+                          ? read_either(session.documents(), arguments.file)
+                          : Document(read_edit(session.documents(), arguments.file));
   if (std::holds_alternative<remesh::v1::ModelEdit>(document) && arguments.base.empty()) {
     session.console().note(Documents::shown(arguments.file) +
                            " is a well-formed edit; --base BASE checks it with its model");
@@ -99,7 +101,7 @@ void add_validate_command(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--base", arguments->base,
-          "What an edit is for: revision or model file; without it only its form is checked")
+          "What FILE, an edit, is for: revision or model file; without it only its form is checked")
       ->type_name("BASE");
   arguments->meshing.add_mesh_to(*command);
   command->add_option("--json", arguments->json, "Write the findings here; `-`: to stdout")

@@ -64,7 +64,8 @@ std::string to_msh(const Mesh& mesh);
 
 /// Abaqus and CalculiX input: `*NODE`, `*ELEMENT` of C3D4 or C3D10; a node set and an element
 /// surface (S1..S4) for each group of the model that has facets and for each face, an element set
-/// for each group that has tets and for each owner; element and node sets `remesh_all`.
+/// for each group that has tets and for each owner; element and node sets `remesh_all`, or
+/// `remesh_all_2` where a group of the model has that name.
 ///
 /// Labels are the names of the groups, features and faces with `.` written as `_`, because Abaqus
 /// takes a dot for an instance; labels are not sensitive to case there, so one that is taken gets

@@ -35,8 +35,6 @@ TEST_F(Cli, WrongUsageExits2AndAsksNothingOfTheDaemon) {
       {"no-such-command"},
       {"mesh", model},
       {"mesh", model, "-o", file("m.stl")},
-      {"mesh", model, "-o", file("nowhere/m.vtu")},
-      {"mesh", model, "-o", file("m.vtu"), "--json", file("nowhere/r.json")},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "10", "--size", "1"},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "19"},
       {"mesh", model, "-o", file("m.vtu"), "--nodes", "1.5"},
@@ -129,11 +127,21 @@ TEST_F(Cli, FilesThatCannotBeReadExit8) {
 
 TEST_F(Cli, FilesThatCannotBeWrittenExit8) {
   const std::string model = kCases + "/simple-a.json";
-  EXPECT_EQ(run({"mesh", model, "-o", file("m.vtu"), "--json", "/dev/full"}), kFileFailed);
+  const std::string out = file("m.vtu"), lost = file("nowhere/m.vtu");
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"mesh", model, "-o", lost},
+           {"mesh", model, "-o", out, "--json", file("nowhere/r.json")},
+           {"edit", "simple", kCases + "/simple-ab.edit.json", "-o", lost},
+           {"get", "simple", "-o", lost},
+           {"sweep", "simple", "top_x", "1", "3", "3", "-o", "/dev/full"}}) {
+    EXPECT_EQ(run(arguments), kFileFailed) << testing::PrintToString(arguments);
+    EXPECT_NE(err_.str(), "");
+  }
+  EXPECT_THAT(service_.requests, SizeIs(0)) << "nothing is meshed for it";
+  EXPECT_EQ(run({"mesh", model, "-o", out, "--json", "/dev/full"}), kFileFailed);
   EXPECT_THAT(err_.str(), HasSubstr("/dev/full"));
   std::filesystem::create_directory(folder_ / "folder.vtu");
   EXPECT_EQ(run({"mesh", model, "-o", file("folder.vtu")}), kFileFailed);
-  EXPECT_EQ(run({"sweep", "simple", "top_x", "1", "3", "3", "-o", "/dev/full"}), kUsage);
 }
 
 TEST_F(Cli, DataThatCannotBeWrittenExit8WhateverTheCommand) {

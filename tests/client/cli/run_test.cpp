@@ -368,7 +368,16 @@ TEST_F(Cli, ValidateTakesAModelOrAnEditWithItsBase) {
             kFine);
   EXPECT_EQ(service_.edit_request.base_model().name(), "simple-a");
   EXPECT_EQ(run({"validate", kCases + "/simple-ab.edit.json"}), kFine);
-  EXPECT_EQ(run({"validate", kCases + "/simple-a.json", "--base", "simple"}), kUsage);
+}
+
+TEST_F(Cli, ValidateWithABaseTakesAnyFileForAnEdit) {
+  std::ofstream(folder_ / "empty.json") << "{}";
+  for (const std::string& name : {file("empty.json"), kCases + "/simple-a.json"}) {
+    EXPECT_EQ(run({"validate", name, "--base", "simple"}), kInvalid) << name;
+    EXPECT_THAT(err_.str(), HasSubstr("the field 'edits' is missing"));
+  }
+  EXPECT_EQ(run({"validate", file("empty.json")}), kInvalid);
+  EXPECT_THAT(err_.str(), HasSubstr("the field 'features' is missing"));
 }
 
 TEST_F(Cli, ValidateTellsWhatMeshingWouldComeTo) {

@@ -90,6 +90,18 @@ TEST_P(MeshFile, TellsWhereItComesFrom) {
   EXPECT_NE(text.find("model brick "), std::string::npos);
 }
 
+TEST_P(MeshFile, WithControlCharactersInNameAndUnitIsReadBackToTheBit) {
+  Mesh mesh = sample_mesh(1);
+  mesh.model_name = "two\n*STEP\r\x7f.";
+  mesh.unit = "m\x01m";
+  write_mesh(file_, mesh);
+  const std::string text = slurp(file_);
+  for (const char* line : {"model two *STEP  .\n", "unit m m\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  write_raw_arrays(folder_.path(), mesh);
+  EXPECT_TRUE(run_script("read_back.py", {file_, folder_.path()}));
+}
+
 TEST_P(MeshFile, OfSecondOrderIsReadBackByOurOwnReader) {
   const Mesh mesh = with_mid_nodes(sample_mesh(2));
   write_mesh(file_, mesh);
@@ -269,6 +281,23 @@ TEST(Inp, TellsLabelsApartThatDifferByCaseOnly) {
   const std::string text = to_inp(mesh);
   EXPECT_NE(text.find("** feature Base\n*ELSET, ELSET=Base\n"), std::string::npos);
   EXPECT_NE(text.find("** feature base\n*ELSET, ELSET=base_2\n"), std::string::npos);
+}
+
+TEST(Inp, CallsTheSetsOfEverythingOtherwiseWhereAGroupHasTheirName) {
+  Mesh mesh = with_groups(sample_mesh(1));
+  mesh.group_names = {"remesh_all", "part", "nothing"};  // facets alone, both, neither
+  const std::string of_facets = to_inp(mesh);
+  for (const char* line :
+       {"** group remesh_all\n*NSET, NSET=remesh_all\n", "*SURFACE, NAME=remesh_all, ",
+        "*NSET, NSET=remesh_all_2, GENERATE\n", "*ELSET, ELSET=remesh_all_2, GENERATE\n"})
+    EXPECT_THAT(of_facets, testing::HasSubstr(line));
+  mesh.group_names = {"load", "Remesh_All", "remesh_all_2"};
+  const std::string of_both = to_inp(mesh);
+  for (const char* line :
+       {"** group Remesh_All\n*NSET, NSET=Remesh_All\n",
+        "** group Remesh_All\n*ELSET, ELSET=Remesh_All\n", "*NSET, NSET=remesh_all_3, GENERATE\n",
+        "*ELSET, ELSET=remesh_all_3, GENERATE\n"})
+    EXPECT_THAT(of_both, testing::HasSubstr(line));
 }
 
 }  // namespace

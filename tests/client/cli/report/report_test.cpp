@@ -133,7 +133,7 @@ TEST_F(ReportPage, IsAboutRevisionsAndNotAboutFiles) {
   EXPECT_EQ(run({"report", kCases + "/tool1-a.json", "-o", file("r.html")}), kUsage);
   EXPECT_THAT(err_.str(), HasSubstr("a report is about revisions"));
   EXPECT_EQ(run({"report", "a", "b", "c", "-o", file("r.html")}), kUsage);
-  EXPECT_EQ(run({"report", "a", "-o", file("no/folder/r.html")}), kUsage);
+  EXPECT_EQ(run({"report", "a", "-o", file("no/folder/r.html")}), kFileFailed);
   EXPECT_THAT(err_.str(), HasSubstr("there is no folder"));
   EXPECT_EQ(run({"report", "a"}), kUsage) << "without -o";
 }
