@@ -23,6 +23,13 @@ struct NewcellBalls {
   double apart = 1.5, radius = 0.5;  ///< x edge length
 };
 constexpr NewcellBalls kBalls;
+/// Fields that are alike: shares by which they may differ, at about so many nodes of a start.
+struct Alike {
+  std::size_t sampled = 2500;
+  double lengths = 0.05;  ///< for the start to serve
+  double nodes = 0.02;    ///< for the base size to hold
+};
+constexpr Alike kAlike;
 constexpr double kInPlace = 0.25;  // x base size: what moves by less is copied where it is
 
 /// The warning that rules were weakened: how many edges circles get now, and how many nodes would
@@ -81,11 +88,22 @@ std::vector<SizedBall> newcells(const Revision& parent, const FeatureModel& mode
   return balls;
 }
 
-/// Whether the sources of two fields of one model are the same.
-bool same_sources(const std::vector<SizeSource>& some, const std::vector<SizeSource>& others) {
-  return std::ranges::equal(some, others, [](const SizeSource& a, const SizeSource& b) {
-    return a.size == b.size && a.box.lo == b.box.lo && a.box.hi == b.box.hi;
-  });
+/// How a field differs from the one that a start was made for, at the start's nodes, which are
+/// dense where edges are short.
+struct Difference {
+  double most = 0;   ///< of edge lengths, as a share
+  double nodes = 0;  ///< of the number of nodes, as a share
+};
+Difference difference(const SizeField& field, const Budgeted& made) {
+  if (!made.start) return field.even() ? Difference{} : Difference{HUGE_VAL, HUGE_VAL};
+  const std::vector<Vec3>& nodes = *made.start;
+  double most = 0, sum = 0, count = 0;
+  for (std::size_t n = 0; n < nodes.size(); n += 1 + nodes.size() / kAlike.sampled, ++count) {
+    const double finer = made.sizes(nodes[n]) / field(nodes[n]);
+    most = std::fmax(most, std::fabs(finer - 1));
+    sum += finer * finer * finer;
+  }
+  return {.most = most, .nodes = count > 0 ? std::fabs(sum / count - 1) : 0};
 }
 
 /// Sets the size field and what follows from it. `edge_length`: the base size, or a guess at it
@@ -112,28 +130,29 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     return SizeRules(cells.boundary, options.sizing, bases, run, asked);
   };
   Budgeted budgeted{.sizes = edge_length, .weakening = parent.rules_weakening};
-  std::vector<SizeSource> sources;  // of the budgeted field
   const auto solve = [&](double expected) {
     const SizeRules rules = rules_for({coarsest_base(cells, *density.count), expected});
     budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
-    sources = rules.sources(budgeted.sizes.base(), budgeted.weakening);
   };
-  const auto is_of = [&](const SizeRules& rules) {
-    return same_sources(sources, rules.sources(budgeted.sizes.base(), budgeted.weakening));
+  const auto field_of = [&](const SizeRules& rules) {
+    return rules.field(budgeted.sizes.base(), budgeted.weakening);
   };
   if (density.count) solve(edge_length);
-  // Later edits have rules for the base size alone, which resolve other details than rules for a
-  // guess at it: so has this mesh.
+  // Later edits have rules for the base size alone, which may resolve other details than rules for
+  // a guess at it: so has this mesh.
   SizeRules rules = rules_for(budgeted.sizes.base());
-  if (density.count && !is_of(rules)) {
+  density.sizes = field_of(rules);
+  if (density.count && difference(density.sizes, budgeted).nodes > kAlike.nodes) {
     solve(budgeted.sizes.base());
     rules = rules_for(budgeted.sizes.base());
+    density.sizes = field_of(rules);
   }
-  if (density.count && budgeted.weakening > 1)
-    density.warnings.push_back(weakened(budgeted, options.sizing));
+  if (density.count) {
+    if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
+    if (difference(density.sizes, budgeted).most <= kAlike.lengths)
+      density.start = std::move(budgeted.start);
+  }
   density.weakening = budgeted.weakening;
-  density.sizes = rules.field(budgeted.sizes.base(), density.weakening);
-  if (density.count && is_of(rules)) density.start = std::move(budgeted.start);
   density.fewest_links =
       rules.fewest_links(cells.boundary, density.sizes.base(), density.weakening);
   const std::vector<int> faces = rules.unresolved(density.sizes.base(), density.weakening);

@@ -220,7 +220,7 @@ SizeRules::SizeRules(const BoundaryModel& boundary, const Sizing& sizing, const 
                              run);
 }
 
-std::vector<SizeSource> SizeRules::sources(double base, double weakening) const {
+SizeField SizeRules::field(double base, double weakening) const {
   std::vector<SizeSource> sources;
   sources.reserve(details_.size() + thin_places_.size() + asked_.size());
   for (const Detail& detail : details_) sources.push_back(detail.source);
@@ -229,12 +229,7 @@ std::vector<SizeSource> SizeRules::sources(double base, double weakening) const 
       sources.push_back({place.triangle, box_of(place.triangle), size_of(place)});
   for (SizeSource& source : sources) source.size *= weakening;
   sources.insert(sources.end(), asked_.begin(), asked_.end());
-  std::erase_if(sources, [&](const SizeSource& s) { return !s.is_below(base); });
-  return sources;
-}
-
-SizeField SizeRules::field(double base, double weakening) const {
-  return SizeField({base, least_size(sizing_, base), slope()}, sources(base, weakening), bounds_);
+  return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
 }
 
 std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {

@@ -46,8 +46,6 @@ class SizeRules {
   /// The size field with this base size.
   /// @param weakening  >= 1: the rules ask for edges so many times longer, the controls do not
   [[nodiscard]] SizeField field(double base, double weakening) const;
-  /// All that limits the size in that field.
-  [[nodiscard]] std::vector<SizeSource> sources(double base, double weakening) const;
   /// The sides of all walls and gaps, films included.
   [[nodiscard]] std::vector<ThinSide> sides() const;
   /// The least number of links by model edge: on a circle `edges_per_circle`, less by the weakening
