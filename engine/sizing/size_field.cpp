@@ -251,7 +251,7 @@ SizeField::SizeField(double base) : limits_{base, base, 0} {}
 
 SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
     : limits_(limits) {
-  std::erase_if(sources, [&](const SizeSource& s) { return !s.is_below(limits.base); });
+  std::erase_if(sources, [&](const SizeSource& s) { return !s.varies() && s.size >= limits.base; });
   double least = limits.base, asked = limits.base;
   for (const SizeSource& s : sources) {
     double& of_its_kind = s.asked ? asked : least;

@@ -39,8 +39,6 @@ struct SizeSource {
     const auto* surface = std::get_if<Surface>(&piece);
     return !asked && surface != nullptr && surface->kind == Surface::Kind::Cone;
   }
-  /// Whether it limits edges in a field of this base size.
-  [[nodiscard]] bool is_below(double base) const { return varies() || size < base; }
   /// It asks for no less than this anywhere.
   [[nodiscard]] double lowest(const SizeLimits& limits) const {
     return std::fmax(varies() ? 0 : size, asked ? 0 : limits.least);
