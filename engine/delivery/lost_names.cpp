@@ -42,10 +42,15 @@ class Names {
   [[nodiscard]] bool has_face(std::string_view face) const { return faces_.contains(face); }
   [[nodiscard]] bool lacks_face(std::string_view face) const { return !has_face(face); }
   /// A face or material of it.
-  [[nodiscard]] bool has(const Feature& feature) const { return features_.contains(feature.id); }
   [[nodiscard]] bool has(std::string_view feature) const { return features_.contains(feature); }
-  [[nodiscard]] bool lacks(const Feature& feature) const { return !has(feature); }
+  [[nodiscard]] bool lacks(const Feature& feature) const { return !has(feature.id); }
   [[nodiscard]] bool lacks_group(const Group& group) const { return !groups_.contains(group); }
+  /// The group of the same faces in another order, if there is one.
+  [[nodiscard]] Group reordered(const Group& group) const {
+    for (const Group& other : groups_)
+      if (std::ranges::is_permutation(other, group)) return other;
+    return {};
+  }
 
  private:
   void add(const std::string& face) {
@@ -57,7 +62,7 @@ class Names {
   std::set<Group> groups_;
 };
 
-/// What a mesh is certain to have names for (`has`), and what it is certain to have none for
+/// What a mesh is certain to have names for (`has_face`), and what it is certain to have none for
 /// (`lacks`), by the boundary that it will have. Of some names neither is certain.
 class NamesToCome {
  public:
@@ -68,7 +73,6 @@ class NamesToCome {
         const std::string& feature = model.features[name.feature].id;
         names.insert(feature + "." + name.face);
         possible_features_.insert(feature);
-        if (face.names.size() == 1) features_.insert(feature);
       }
       possible_.insert(names.begin(), names.end());
       if (names.size() == 1) faces_.insert(*names.begin());
@@ -78,7 +82,6 @@ class NamesToCome {
 
   [[nodiscard]] bool has_face(std::string_view face) const { return faces_.contains(face); }
   [[nodiscard]] bool lacks_face(std::string_view face) const { return !possible_.contains(face); }
-  [[nodiscard]] bool has(const Feature& feature) const { return features_.contains(feature.id); }
   /// Certain of subtractive features without a face alone: such a one has no material unless
   /// something added later reaches into it, which `has_no_effect` rules out.
   [[nodiscard]] bool lacks(const Feature& feature) const {
@@ -89,9 +92,11 @@ class NamesToCome {
       return std::ranges::all_of(group, [&](const auto& name) { return names.contains(name); });
     });
   }
+  /// Empty: which face is named first in a group depends on where tets lie.
+  [[nodiscard]] static Group reordered(const Group&) { return {}; }
 
  private:
-  NameSet faces_, features_;              ///< on faces that have one name throughout
+  NameSet faces_;                         ///< on faces that have one name throughout
   NameSet possible_, possible_features_;  ///< on any face
   std::set<NameSet> together_;            ///< for each face: all its names
 };
@@ -121,12 +126,10 @@ bool has_no_effect(const FeatureModel& model, int feature) {
   return true;
 }
 
-Warning without_effect(const std::string& feature, Group lost) {
+Warning without_effect(const std::string& feature) {
   return {.code = WarningCode::FeatureWithoutEffect,
-          .message = "the feature " + feature + " neither adds nor removes anything" +
-                     (lost.empty() ? "" : " any more: " + joined(lost, ", ") + " is gone"),
-          .features = {feature},
-          .groups = std::move(lost)};
+          .message = "the feature " + feature + " neither adds nor removes anything",
+          .features = {feature}};
 }
 
 Warning face_lost(const std::string& feature, Group faces) {
@@ -135,6 +138,17 @@ Warning face_lost(const std::string& feature, Group faces) {
                      " nowhere on the boundary any more",
           .features = {feature},
           .groups = std::move(faces)};
+}
+
+/// `reordered`: the group that has the facets instead, empty if none does.
+Warning group_emptied(const Group& group, const Group& reordered) {
+  return {
+      .code = WarningCode::GroupEmptied,
+      .message = reordered.empty()
+                     ? "no facet lies on " + joined(group, " and ") + " at the same time any more"
+                     : "the group " + group_name(group) + " is called " + group_name(reordered) +
+                           " now, as the order of history has it",
+      .groups = {group_name(group)}};
 }
 
 /// Faces that the original's mesh names and this one does not, by feature.
@@ -170,13 +184,11 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
   for (int k = 0; k < static_cast<int>(model.features.size()); ++k) {
     const Feature& feature = model.features[k];
     const std::string& id = feature.id;
-    auto faces = lost.extract(id);
     const bool had = before.has(id) || original.model.index_of(id) < 0;
-    if (had && now.lacks(feature) && has_no_effect(model, k)) {
-      warnings.push_back(without_effect(id, faces ? std::move(faces.mapped()) : Group{}));
-    } else if (faces && (now.has(feature) || !has_no_effect(model, k))) {
+    if (had && now.lacks(feature) && has_no_effect(model, k))
+      warnings.push_back(without_effect(id));
+    if (auto faces = lost.extract(id))
       for (std::string& face : faces.mapped()) warnings.push_back(face_lost(id, {std::move(face)}));
-    }
   }
   // The lost faces that are left are of features that the edit removed.
   for (auto& [feature, faces] : lost) warnings.push_back(face_lost(feature, std::move(faces)));
@@ -185,10 +197,7 @@ std::vector<Warning> losses(const Revision& original, const FeatureModel& model,
     const bool whole =
         std::ranges::all_of(group, [&](const std::string& face) { return now.has_face(face); });
     if (!whole || group.empty() || !now.lacks_group(group)) continue;
-    warnings.push_back(
-        {.code = WarningCode::GroupEmptied,
-         .message = "no facet lies on " + joined(group, " and ") + " at the same time any more",
-         .groups = {group_name(group)}});
+    warnings.push_back(group_emptied(group, now.reordered(group)));
   }
   return warnings;
 }

@@ -12,9 +12,10 @@ namespace remeshd {
 /// groups of the model that select nothing, and size controls whose selectors name nothing. Found
 /// by names and bounding boxes alone.
 ///
-/// A feature that lost all of its faces gets one warning, as one without effect where that is
-/// certain. What was without effect or selected nothing in the original already gets none.
-/// `original`: `Revision::none()` for a first mesh.
+/// Each lost face of a feature that is still there has its own warning; those of a removed feature
+/// have one together. A feature that has lost its effect is told beside its faces. What was without
+/// effect or selected nothing in the original already gets none. `original`: `Revision::none()` for
+/// a first mesh.
 std::vector<Warning> lost_names(const Revision& original, const Revision& made, const Run& run);
 
 /// The warnings of `lost_names` that are certain before there is a mesh, from the model and the

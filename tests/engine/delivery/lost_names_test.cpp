@@ -67,7 +67,7 @@ TEST(LostNames, AHoleMovedOffThePartIsTold) {
   const Revision original = named(plate(10), kPlateWithHole);
   const Revision without = named(plate(40), kPlate);
   EXPECT_THAT(told(lost_names(original, without, kRun)),
-              ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+              ElementsAre("FEATURE_WITHOUT_EFFECT hole |", "FACE_LOST hole | hole.wall"));
   EXPECT_THAT(told(lost_names(Revision::none(), without, kRun)),
               ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
   // It was told when it happened.
@@ -80,6 +80,25 @@ TEST(LostNames, AFaceOfAFeatureThatHasOthersIsToldByItself) {
   const Revision original = named(model, with, {{"rib"}});
   EXPECT_THAT(told(lost_names(original, named(model, {{"rib.top"}}, {{"rib"}}), kRun)),
               ElementsAre("FACE_LOST rib | rib.left", "FACE_LOST rib | rib.right"));
+}
+
+TEST(LostNames, AreToldWhereverTheTetsOfAFeatureLie) {
+  // Whether a buried feature has material depends on the mesh; that its face is gone does not.
+  const ModelSource model = model_of({block("plate", 20, 20, 4), block("inlay", 1, 1, 1)});
+  const Revision original = named(model, {{"inlay.top"}, {"plate.top"}}, {{"plate"}, {"inlay"}});
+  for (const NameLists& cells : {NameLists{{"plate"}}, NameLists{{"plate"}, {"inlay"}}})
+    EXPECT_THAT(told(lost_names(original, named(model, {{"plate.top"}}, cells), kRun)),
+                testing::Contains("FACE_LOST inlay | inlay.top"));
+}
+
+TEST(LostNames, AGroupInTheOtherOrderOfHistoryIsToldByItsNewName) {
+  const NameLists then{{"hub.top", "plate.top"}, {"hub.top"}, {"plate.top"}};
+  const NameLists now{{"plate.top", "hub.top"}, {"hub.top"}, {"plate.top"}};
+  const FeatureSource below = block("plate", 20, 20, 4), hub = block("hub", 4, 4, 4);
+  const auto warnings =
+      lost_names(named(model_of({below, hub}), then), named(model_of({hub, below}), now), kRun);
+  EXPECT_THAT(told(warnings), ElementsAre("GROUP_EMPTIED | hub.top+plate.top"));
+  EXPECT_THAT(warnings[0].message, testing::HasSubstr("is called plate.top+hub.top now"));
 }
 
 TEST(LostNames, FacesOfARemovedFeatureAreToldAtOnce) {
@@ -132,8 +151,8 @@ TEST(LostNames, AnEditThatMovesAHoleOffAPlateSaysSoInItsReport) {
   EXPECT_THAT(told(lost_names(Revision::none(), original, kRun)), IsEmpty());
   const ModelSource moved = plate(40);
   const Revision remesh = make_revision(original, moved, {}, kRun);
-  EXPECT_THAT(told(remesh.report.warnings),
-              testing::Contains("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  EXPECT_THAT(told(remesh.report.warnings), testing::IsSupersetOf({"FEATURE_WITHOUT_EFFECT hole |",
+                                                                   "FACE_LOST hole | hole.wall"}));
   const Revision fresh = make_revision(Revision::none(), moved, {.nodes = 300}, kRun);
   EXPECT_THAT(told(fresh.report.warnings), testing::Contains("FEATURE_WITHOUT_EFFECT hole |"));
 }
@@ -168,7 +187,8 @@ Watched watched(const Revision& original, const ModelSource& source, bool stop_a
 TEST(NamesToBeLost, AreToldBeforeAnythingIsMeshed) {
   const Revision original = make_revision(Revision::none(), plate(10), {.nodes = 300}, kRun);
   const Watched edit = watched(original, plate(40), true);
-  EXPECT_THAT(edit.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole | hole.wall"));
+  EXPECT_THAT(edit.early,
+              ElementsAre("FEATURE_WITHOUT_EFFECT hole |", "FACE_LOST hole | hole.wall"));
   EXPECT_THAT(edit.stages, ElementsAre("cells", "difference"));
   const Watched first = watched(Revision::none(), plate(40), true);
   EXPECT_THAT(first.early, ElementsAre("FEATURE_WITHOUT_EFFECT hole |"));
@@ -193,10 +213,12 @@ TEST(NamesToBeLost, AreThoseThatTheMeshLosesForCertain) {
        std::vector<std::tuple<const char*, ModelSource, std::vector<std::string>>>{
            {"the hole is off the plate",
             inlaid(40, 0),
-            {"FEATURE_WITHOUT_EFFECT hole | hole.wall"}},
+            {"FEATURE_WITHOUT_EFFECT hole |", "FACE_LOST hole | hole.wall"}},
            {"the hole is gone", without, {"FACE_LOST hole | hole.wall"}},
            {"the inlay stands out", inlaid(5, 2), {"GROUP_EMPTIED | inlay.top+plate.top"}},
-           {"the inlay is inside: its material is the mesh's to tell", buried, {}},
+           {"the inlay is inside: its material is the mesh's to tell",
+            buried,
+            {"FACE_LOST inlay | inlay.top"}},
            {"the hole is elsewhere", inlaid(6, 0), {}}}) {
     SCOPED_TRACE(what);
     const Watched seen = watched(original, source, false);
