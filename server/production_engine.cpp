@@ -4,6 +4,7 @@
 
 #include "engine/base/stopwatch.h"
 #include "engine/delivery/lost_names.h"
+#include "engine/delivery/unmeshed.h"
 #include "engine/difference/compare.h"
 #include "engine/kernel/tetgen.h"
 #include "engine/motion/design_velocities.h"
@@ -51,12 +52,13 @@ std::vector<NodalVelocities> velocities_of(const Revision& revision,
 }  // namespace
 
 Engine production_engine() {
-  return {.algorithm_version = 35,
+  return {.algorithm_version = 36,
           .evaluate = evaluate,
-          .apply = apply,
+          .evaluate_edited = evaluate_edited,
           .check_node_limit =
               [](const Revision* base, const FeatureModel& model, const MeshOptions& options,
                  const Run& run) { return check_node_limit(parent(base), model, options, run); },
+          .unmeshed = unmeshed,
           .summarise = summary_of,
           .make_revision =
               [](const Revision* base, const ModelSource& source, const MeshOptions& options,

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 #include "engine/base/error.h"
 #include "engine/base/text/nearest_name.h"
@@ -125,24 +127,28 @@ struct Editor {
   }
 };
 
-bool is_bounded(const ParameterSource& parameter) {
-  return parameter.lower || parameter.upper || parameter.integer;
+/// Whether the document, after the first `count` edits, evaluates with this error.
+bool has_error(const ModelSource& source, const ModelEdit& edit, std::size_t count,
+               const ErrorInfo& failure) {
+  try {
+    evaluate(apply(source, {{edit.edits.begin(), edit.edits.begin() + static_cast<int>(count)}}));
+    return false;
+  } catch (const Error& now) {
+    return now.info().reason == failure.reason && now.info().features == failure.features &&
+           now.info().parameter == failure.parameter;
+  }
 }
 
-/// If some parameter is bounded, evaluates all, since an edit of one may move another out of its
-/// bounds. The error tells the last edit that set the parameter at fault, if any.
-void check_bounds(const ModelSource& model, const ModelEdit& edit) {
-  if (std::ranges::none_of(model.parameters, is_bounded)) return;
-  try {
-    const Scope checked(model.parameters);
-  } catch (Error& failure) {
-    for (std::size_t k = 0; k < edit.edits.size(); ++k) {
-      const auto* set = std::get_if<SetParameter>(&edit.edits[k]);
-      if (set != nullptr && set->name == failure.info().parameter)
-        failure.info().edit_index = static_cast<int>(k);
-    }
-    throw;
+/// The edit with which an error came that the document has after all of them, by bisection.
+std::optional<int> edit_at_fault(const ModelSource& source, const ModelEdit& edit,
+                                 const ErrorInfo& failure) {
+  if (edit.edits.empty() || has_error(source, edit, 0, failure)) return {};
+  std::size_t without = 0, with = edit.edits.size();
+  while (with - without > 1) {
+    const std::size_t middle = (without + with) / 2;
+    (has_error(source, edit, middle, failure) ? with : without) = middle;
   }
+  return static_cast<int>(without);
 }
 
 }  // namespace
@@ -157,8 +163,18 @@ ModelSource apply(const ModelSource& source, const ModelEdit& edit) {
       throw;
     }
   }
-  check_bounds(result, edit);
   return result;
+}
+
+EvaluatedModel evaluate_edited(const ModelSource& source, const ModelEdit& edit) {
+  EvaluatedModel edited{.source = apply(source, edit), .model = {}};
+  try {
+    edited.model = evaluate(edited.source);
+  } catch (Error& failure) {
+    failure.info().edit_index = edit_at_fault(source, edit, failure.info());
+    throw;
+  }
+  return edited;
 }
 
 }  // namespace remeshd

@@ -130,10 +130,20 @@ FeatureModel evaluate(const ModelSource& source);
 ///
 /// Throws Error with `edit_index` set for an unknown feature, parameter, size or group, a value of
 /// the wrong kind, a bad or duplicate id of a new feature, or a new size or group that lacks a
-/// part. If a model parameter has bounds or is an integer, throws what `Scope` does on the result;
-/// `edit_index` is then the last edit that set the parameter at fault, if one did. Else the result
-/// is not validated: call `evaluate`.
+/// part. The result is not validated otherwise.
 ModelSource apply(const ModelSource& source, const ModelEdit& edit);
+
+/// A document and what it evaluates to.
+struct EvaluatedModel {
+  ModelSource source;
+  FeatureModel model;
+};
+
+/// Applies the edits and evaluates the result.
+///
+/// Throws what `apply` and `evaluate` do. `edit_index` is that of an edit with which the error
+/// came: after it the document has the error, before it it has not. None where the source has it.
+EvaluatedModel evaluate_edited(const ModelSource& source, const ModelEdit& edit);
 
 /// Upper bound of the distance by which any surface of any feature moves between two models of the
 /// same features in the same order; infinite between others.

@@ -32,12 +32,14 @@ struct Engine {
   /// Part of every revision's id: raise it whenever the same request gives another mesh.
   std::uint32_t algorithm_version = 1;
   std::function<FeatureModel(const ModelSource&)> evaluate;
-  std::function<ModelSource(const ModelSource&, const ModelEdit&)> apply;
+  std::function<EvaluatedModel(const ModelSource&, const ModelEdit&)> evaluate_edited;
   /// Checks the limit `Run::max_nodes` as far as can be told before anything is computed; `base`:
   /// null for a first mesh. Returns the least number of nodes that the mesh will have. Throws
   /// Error(`MESH_TOO_LARGE`).
   std::function<double(const Revision* base, const FeatureModel&, const MeshOptions&, const Run&)>
       check_node_limit;
+  /// A model as the base of an edit that is only validated. Throws Error where it has no cells.
+  std::function<Revision(const FeatureModel&, const Run&)> unmeshed{};
   /// Throws what `make_revision` throws before it meshes.
   std::function<ModelSummary(const Revision* base, const FeatureModel&, const MeshOptions&,
                              const Run&)>

@@ -102,10 +102,10 @@ Prepared Preparation::prepare_edit(const EditCommand& command, const EditBase& b
   prepared.base = revision;
   const Revision& original = prepared.base->revision;
   prepared.edit = command.document;
-  prepared.source = engine_.apply(original.source, command.edit);
+  EvaluatedModel edited = engine_.evaluate_edited(original.source, command.edit);
   prepared.options = edit_options(command.options, original.options);
-  prepared.nodes =
-      engine_.check_node_limit(&original, engine_.evaluate(prepared.source), prepared.options, run);
+  prepared.nodes = engine_.check_node_limit(&original, edited.model, prepared.options, run);
+  prepared.source = std::move(edited.source);
   prepared.head = command.head;
   if (prepared.head.expected.empty()) prepared.head.expected = base.id;
   prepared.fail_on = command.fail_on;

@@ -12,7 +12,7 @@ namespace {
 /// A side of a comparison, resolved.
 struct Side {
   HeldRevisionPtr revision;  ///< null for a model that is no revision
-  ModelSource source;
+  EvaluatedModel at;
 };
 
 /// A folder for each tenant: revisions of two tenants may have the same id.
@@ -122,48 +122,62 @@ Description Session::describe(const Reference& reference, const Run& run) {
 ModelComparison Session::compare(const ComparisonSide& original, const ComparisonSide& modified,
                                  const Run& run) {
   const auto take = [&](const ComparisonSide& side, const char* name) {
-    if (const auto* source = std::get_if<ModelSource>(&side)) return Side{nullptr, *source};
+    if (const auto* source = std::get_if<ModelSource>(&side))
+      return Side{nullptr, {*source, engine().evaluate(*source)}};
     const auto& reference = std::get<std::string>(side);
     if (reference.empty()) throw error::reference_missing(name);
     const auto revision = archive_.get(archive_.resolve(reference).id, run);
-    return Side{revision, revision->revision.source};
+    const ModelSource& source = revision->revision.source;
+    return Side{revision, {source, engine().evaluate(source)}};
   };
   if (std::holds_alternative<ModelEdit>(original))
     throw error::side_invalid("original", "is an edit; it must be a revision or a model");
   const Side before = take(original, "original");
   const auto* edit = std::get_if<ModelEdit>(&modified);
-  const Side after = edit != nullptr ? Side{nullptr, engine().apply(before.source, *edit)}
-                                     : take(modified, "modified");
+  const Side after = edit != nullptr
+                         ? Side{nullptr, engine().evaluate_edited(before.at.source, *edit)}
+                         : take(modified, "modified");
   const auto cells = [](const Side& side) {
     return side.revision ? &side.revision->revision.cells : nullptr;
   };
-  return engine().compare(engine().evaluate(before.source), engine().evaluate(after.source),
-                          cells(before), cells(after), run);
+  return engine().compare(before.at.model, after.at.model, cells(before), cells(after), run);
 }
 
 Validated Session::validate(const ModelSource& source, const OptionsPatch& options,
                             const Run& run) {
-  return validated(nullptr, source, first_options(options), run);
+  return validated(nullptr, {source, engine().evaluate(source)}, first_options(options), run);
 }
 
-Validated Session::validated(const Revision* base, const ModelSource& source,
+Validated Session::validated(const Revision* base, EvaluatedModel edited,
                              const MeshOptions& options, Run run) {
   run.max_nodes = limits().max_nodes;
-  const FeatureModel model = engine().evaluate(source);
-  engine().check_node_limit(base, model, options, run);
-  return {source, engine().summarise(base, model, options, run)};
+  engine().check_node_limit(base, edited.model, options, run);
+  ModelSummary summary = engine().summarise(base, edited.model, options, run);
+  return {std::move(edited.source), std::move(summary)};
+}
+
+Revision Session::unmeshed(const ModelSource& base, const Run& run) {
+  try {
+    return engine().unmeshed(engine().evaluate(base), run);
+  } catch (Error& why) {
+    why.info().message = "the base is no sound model: " + why.info().message;
+    throw;
+  }
 }
 
 Validated Session::validate_edit(const std::variant<std::string, ModelSource>& base,
                                  const ModelEdit& edit, const OptionsPatch& options,
                                  const Run& run) {
-  const auto* model = std::get_if<ModelSource>(&base);
-  if (model != nullptr) return validate(engine().apply(*model, edit), options, run);
+  if (const auto* source = std::get_if<ModelSource>(&base)) {
+    EvaluatedModel edited = engine().evaluate_edited(*source, edit);
+    const Revision original = unmeshed(*source, run);
+    return validated(&original, std::move(edited), first_options(options), run);
+  }
   const auto& reference = std::get<std::string>(base);
   if (reference.empty()) throw error::reference_missing("base");
   const HeldRevisionPtr held = get(reference, run);
   const Revision& revision = held->revision;
-  return validated(&revision, engine().apply(revision.source, edit),
+  return validated(&revision, engine().evaluate_edited(revision.source, edit),
                    edit_options(options, revision.options), run);
 }
 

@@ -192,7 +192,8 @@ class Session {
 
  private:
   [[nodiscard]] const Engine& engine() const { return resources_.engine(); }
-  Validated validated(const Revision* base, const ModelSource& source, const MeshOptions& options,
+  Revision unmeshed(const ModelSource& base, const Run& run);
+  Validated validated(const Revision* base, EvaluatedModel edited, const MeshOptions& options,
                       Run run);
 
   Resources& resources_;

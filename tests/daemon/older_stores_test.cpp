@@ -49,8 +49,7 @@ TEST_P(OlderStores, AreTakenOverWithAllThatTheyHold) {
     EXPECT_THAT(first->revision.report.warnings.size(), testing::Le(1U));
     EXPECT_GT(first->revision.report.seconds.total, 0);
     const HeldRevisionPtr second = archive.get(archive.resolve("simple-a").id, kRun);
-    EXPECT_EQ(second->revision.source,
-              engine_.apply(case_model("simple-a"), case_edit("simple-ab")));
+    EXPECT_EQ(second->revision.source, apply(case_model("simple-a"), case_edit("simple-ab")));
     EXPECT_EQ(second->record.parent, first->record.id);
     EXPECT_EQ(second->edit.empty(), GetParam() == std::string("first_layout_store"));
     for (const HeldRevisionPtr& held : {first, second}) {

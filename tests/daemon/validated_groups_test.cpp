@@ -1,6 +1,9 @@
 // What meshing refuses of a model's groups, validation refuses too, in the same words.
+#include <gmock/gmock.h>
+
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/server/daemon_fixture.h"
 
@@ -41,6 +44,24 @@ class ValidatedGroups : public DaemonTest {
     if (check != nullptr) *check = reply.check();
     return status;
   }
+  /// Of an edit of a model that has no mesh.
+  grpc::Status validate(const v1::FeatureModel& base, const v1::ModelEdit& edit,
+                        v1::ModelCheck* check = nullptr) {
+    grpc::ClientContext context;
+    v1::ValidateEditRequest request;
+    *request.mutable_base_model() = base;
+    *request.mutable_edit() = edit;
+    v1::ValidateEditResponse reply;
+    const auto status = stub().ValidateEdit(&context, request, &reply);
+    if (check != nullptr) *check = reply.check();
+    return status;
+  }
+  static std::vector<std::string> codes_of(const v1::ModelCheck& check) {
+    std::vector<std::string> codes;
+    for (const v1::Warning& warning : check.warnings())
+      codes.push_back(v1::Warning::Code_Name(warning.code()));
+    return codes;
+  }
   /// Expects that the edit of `plate` is refused by validation and meshing alike.
   void expect_broken(const v1::ModelEdit& edit, const std::string& parameter) {
     v1::RevisionResult made;
@@ -69,10 +90,27 @@ TEST_F(ValidatedGroups, ThatAnEditEmptiesAreAWarningWithoutAPolicy) {
   create(create_request(with_group("bore", "hole.wall"), 600));
   v1::ModelCheck check;
   ASSERT_TRUE(validate("plate", removing_hole(), &check).ok());
-  bool warned = false;
-  for (const v1::Warning& warning : check.warnings())
-    warned = warned || warning.code() == v1::Warning::GROUP_EMPTIED;
-  EXPECT_TRUE(warned);
+  EXPECT_THAT(codes_of(check), testing::Contains("GROUP_EMPTIED"));
+}
+
+TEST_F(ValidatedGroups, AndSizesOfAModelWithoutAMeshAreComparedWithItsOwn) {
+  v1::FeatureModel model = with_group("bore", "hole.wall");
+  v1::SizeControl& size = *model.add_sizes();
+  size.set_id("rim");
+  size.set_on("hole.wall");
+  size.mutable_size()->set_number_value(1);
+  v1::ModelCheck check;
+  const auto status = validate(model, removing_hole(), &check);
+  ASSERT_TRUE(status.ok()) << status.error_message();
+  EXPECT_THAT(codes_of(check),
+              testing::UnorderedElementsAre("FACE_LOST", "GROUP_EMPTIED", "GROUP_EMPTIED"));
+  ASSERT_TRUE(validate(model, set("r", 5.5), &check).ok());
+  EXPECT_EQ(check.warnings_size(), 0);
+
+  model.mutable_groups(0)->mutable_policy()->set_max_area_change(0.05);
+  EXPECT_EQ(detail(validate(model, set("r", 7))).parameter(), "groups.bore.policy.maxAreaChange");
+  model.mutable_groups(0)->mutable_policy()->set_on_emptied("fail");
+  EXPECT_EQ(detail(validate(model, removing_hole())).reason(), v1::Error::POLICY_BROKEN);
 }
 
 TEST_F(ValidatedGroups, AreHeldToTheirPoliciesInEditsOfARevisionAlsoOfALoadedOne) {

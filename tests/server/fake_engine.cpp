@@ -305,8 +305,9 @@ Engine FakeEngine::engine() const {
   return {
       .algorithm_version = 13,
       .evaluate = evaluate,
-      .apply = apply,
+      .evaluate_edited = evaluate_edited,
       .check_node_limit = check_node_limit_fake,
+      .unmeshed = [](const FeatureModel&, const Run&) { return Revision{}; },
       .summarise =
           [](const Revision*, const FeatureModel& model, const MeshOptions&, const Run&) {
             ModelSummary summary;

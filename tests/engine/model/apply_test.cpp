@@ -107,6 +107,44 @@ TEST(Apply, ResultIsNotYetValidated) {
   EXPECT_NO_THROW(edited({SetFeatureParameter{"base", "dx", Scalar(-1.0)}}));
 }
 
+TEST(EvaluateEdited, AnErrorOfTheResultNamesTheEditWithWhichItCame) {
+  const auto failure = [](std::vector<Edit> edits) {
+    const ErrorInfo info =
+        test::error_of([&] { evaluate_edited(base_rib_and_ring(), {std::move(edits)}); });
+    return (info.edit_index ? std::to_string(*info.edit_index) : "none") + " " +
+           test::place_of(info);
+  };
+  const SetParameter sound{"w", 90.0};
+  const SetFeatureParameter flat{"base", "dx", Scalar(-1.0)};
+  EXPECT_EQ(failure({sound, flat, sound}), "1 DEGENERATE_FEATURE base dx");
+  EXPECT_EQ(failure({flat, SetFeatureParameter{"base", "dx", Scalar(1.0)}, sound, flat}),
+            "3 DEGENERATE_FEATURE base dx");
+  // By way of a parameter of the model.
+  EXPECT_EQ(failure({SetFeatureParameter{"base", "dx", "w"}, sound, SetParameter{"w", -1.0}}),
+            "2 DEGENERATE_FEATURE base dx");
+  EXPECT_EQ(failure({RemoveFeature{"rib"}, RemoveFeature{"base"}, RemoveFeature{"ring"}}),
+            "2 NO_FEATURES - -");
+  EXPECT_EQ(failure({sound, SetGroup{"load", "rib.top &", {}}}),
+            "1 SELECTOR_INVALID - groups.load.on");
+}
+
+TEST(EvaluateEdited, NoEditIsAtFaultForWhatWasWrongBefore) {
+  ModelSource wrong = base_rib_and_ring();
+  wrong.features[0].parameters["dx"] = -1.0;
+  const ErrorInfo info = test::error_of([&] {
+    evaluate_edited(wrong, {{SetParameter{"w", 90.0}}});
+  });
+  EXPECT_EQ(test::place_of(info), "DEGENERATE_FEATURE base dx");
+  EXPECT_FALSE(info.edit_index);
+}
+
+TEST(EvaluateEdited, GivesTheDocumentAndItsModel) {
+  const ModelEdit edit{{SetParameter{"w", 90.0}}};
+  const EvaluatedModel made = evaluate_edited(base_rib_and_ring(), edit);
+  EXPECT_EQ(made.source, apply(base_rib_and_ring(), edit));
+  EXPECT_TRUE(same_geometry(made.model, evaluate(made.source)));
+}
+
 TEST(Apply, UnknownNamesAreErrorsWithTheIndexOfTheEdit) {
   const FeatureSource pin = test::feature("pin", "sphere", {{"radius", 1.0}});
   EXPECT_EQ(edit_failure(SetParameter{"W", 1.0}), "1 UNKNOWN_PARAMETER - W");
