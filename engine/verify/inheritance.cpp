@@ -28,7 +28,7 @@ bool has(const Array& array, std::int32_t index) {
 /// Which nodes of the mesh and of the parent are counterparts.
 struct Taken {
   std::vector<std::int32_t> by_node;  ///< by node of the mesh: the parent's, or -1
-  std::vector<std::int32_t> name;     ///< by node of the parent: the mesh's, or -1
+  std::vector<std::int32_t> heir;     ///< by node of the parent: the mesh's, or -1
 };
 
 Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const CowVector<Vec3>& then,
@@ -37,12 +37,12 @@ Taken take_nodes(const std::vector<std::uint8_t>& unchanged, const CowVector<Vec
               std::vector<std::int32_t>(then.size(), -1)};
   const auto take = [&](std::size_t n, std::int32_t o) {
     taken.by_node[n] = o;
-    taken.name[o] = static_cast<std::int32_t>(n);
+    taken.heir[o] = static_cast<std::int32_t>(n);
   };
   for (std::size_t n = 0; n < unchanged.size(); ++n)
     if (unchanged[n] != 0) take(n, static_cast<std::int32_t>(n));
   for (std::size_t n = 0; n < unchanged.size(); ++n)
-    if (unchanged[n] == 0 && has(then, claims[n]) && taken.name[claims[n]] < 0) take(n, claims[n]);
+    if (unchanged[n] == 0 && has(then, claims[n]) && taken.heir[claims[n]] < 0) take(n, claims[n]);
   return taken;
 }
 
@@ -87,11 +87,11 @@ CorrespondingTets::CorrespondingTets(const Unchanged& unchanged, std::size_t tet
 TetCorrespondence correspond(const PagedMesh& mesh, const VerifiedParent& parent, Polling& poll) {
   const CowVector<Tet>& then = parent.mesh.tets;
   Unchanged same = unchanged(mesh, parent.mesh, parent.boxes);
-  auto [image, name] = take_nodes(same.node, parent.mesh.nodes, parent.node);
+  auto [image, heir] = take_nodes(same.node, parent.mesh.nodes, parent.node);
   CorrespondingTets heirs(same, mesh.tets.size(), then.size());
   TetCorrespondence result{std::move(same),
                            std::move(heirs),
-                           std::move(name),
+                           std::move(heir),
                            std::vector<std::uint8_t>(mesh.nodes.size(), 0),
                            {},
                            {},
@@ -117,7 +117,7 @@ TetCorrespondence correspond(const PagedMesh& mesh, const VerifiedParent& parent
   result.same_tet.for_each_without([&](std::int32_t o) {
     result.gone.push_back(o);
     for (const std::int32_t n : then[o])
-      if (result.name[n] >= 0) result.touched[result.name[n]] = 1;
+      if (result.heir[n] >= 0) result.touched[result.heir[n]] = 1;
   });
   find_near(mesh, parent, result, poll);
   return result;

@@ -72,7 +72,7 @@ class CorrespondingTets {
 struct TetCorrespondence {
   Unchanged unchanged;  ///< of the parent
   CorrespondingTets same_tet;
-  std::vector<std::int32_t> name;  ///< by node of the parent: its counterpart, or -1
+  std::vector<std::int32_t> heir;  ///< by node of the parent: its counterpart, or -1
   /// By node: 1 if it has a tet without counterpart, or had one in the parent. The facets, boundary
   /// edges and fans at all other nodes are as they were.
   std::vector<std::uint8_t> touched;

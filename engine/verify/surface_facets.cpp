@@ -128,7 +128,7 @@ FacetMatch match_facets(const CowVector<Tet>& tets, std::size_t node_count,
     bool rim = true;
     std::int32_t corner = 6;  // the one opposite: 0 + 1 + 2 + 3 less the facet's
     for (const std::int32_t o : facet.nodes) {
-      const std::int32_t n = inherited.name[o];
+      const std::int32_t n = inherited.heir[o];
       rim = rim && touched[n] != 0;
       for (int i = 0; i < 4; ++i)
         if (tets[t][i] == n) corner -= i;

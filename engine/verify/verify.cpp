@@ -86,7 +86,7 @@ class Checker {
       return;
     }
     // An untouched node of the parent still has its tets.
-    for (const std::int32_t n : inherited_->name)
+    for (const std::int32_t n : inherited_->heir)
       if (n >= 0 && inherited_->touched[n] == 0) used_[n] = 1;
     for (const std::int32_t t : inherited_->near) use(t);
     prove(inherited_->changed.size(), [&](std::size_t k) { return inherited_->changed[k]; });

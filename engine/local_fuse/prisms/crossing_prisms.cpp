@@ -192,8 +192,8 @@ bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clear
 
 }  // namespace
 
-Tried<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
-                               std::span<const int> features, const FuseFrame& frame) {
+Tried<FusedPrisms> fuse_crossing_prisms(const FeatureModel& model, const Membership& membership,
+                                        std::span<const int> features, const FuseFrame& frame) {
   if (features.size() > std::numeric_limits<FeatureSet>::digits)
     return GaveUp{"crossing_prisms", "there are too many features"};
   const auto patches = find_patches(model, membership, features);

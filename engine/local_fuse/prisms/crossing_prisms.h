@@ -13,7 +13,7 @@ namespace remeshd {
 /// parallel, or anything comes so near to something else that it is not clear whether they meet.
 ///
 /// Pre: the membership is the model's; features ascend.
-Tried<FusedPrisms> fuse_prisms(const FeatureModel& model, const Membership& membership,
-                               std::span<const int> features, const FuseFrame& frame);
+Tried<FusedPrisms> fuse_crossing_prisms(const FeatureModel& model, const Membership& membership,
+                                        std::span<const int> features, const FuseFrame& frame);
 
 }  // namespace remeshd

@@ -89,7 +89,8 @@ Sewn sew(const EditedModel& edited, const SewingBase& base, const Run& run) {
   std::vector<Route> routes{
       {"swept",
        [&] { return fuse_parallel_prisms(edited.model, edited.membership, features, frame); }},
-      {"crossed", [&] { return fuse_prisms(edited.model, edited.membership, features, frame); }},
+      {"crossed",
+       [&] { return fuse_crossing_prisms(edited.model, edited.membership, features, frame); }},
       {"fused in part", [&] { return fuse_some(edited, features, frame, run); }}};
   if (features.empty()) routes = {{"kept", [&] { return fuse_nothing(frame); }}};
   const auto follow = [&](const Route& route) -> Tried<BoundaryParts> {

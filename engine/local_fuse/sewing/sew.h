@@ -27,10 +27,10 @@ struct Sewn {
 
 /// The boundary parts of an edited model from those of its base. Outside of the boxes round what
 /// changed both models are the same point set; inside, only the features that reach into the boxes
-/// matter. So only these are fused, by fuse_parallel_prisms or fuse_prisms where they can, else by
-/// the CAD kernel. Parts that meet a box are taken from the fuse, all others from the base. Plane
-/// faces, which may be as large as the model, are put together from edges of both; other faces and
-/// edges are replaced as a whole, so that all features near those are fused too.
+/// matter. So only these are fused, by fuse_parallel_prisms or fuse_crossing_prisms where they can,
+/// else by the CAD kernel. Parts that meet a box are taken from the fuse, all others from the base.
+/// Plane faces, which may be as large as the model, are put together from edges of both; other
+/// faces and edges are replaced as a whole, so that all features near those are fused too.
 ///
 /// A route is given up where the CAD kernel would have to fuse the whole model or fails, where the
 /// result does not fit together, or where the material is in more than one piece.

@@ -86,7 +86,7 @@ std::vector<Vec3> nodes_inside(const Lattice& lattice, const std::vector<Box>& b
 }
 
 /// Leaves out the nodes that are too many, evenly along the order of the lattice.
-void decimate_close_nodes(std::vector<Vec3>& nodes, std::size_t count) {
+void reduce_to(std::vector<Vec3>& nodes, std::size_t count) {
   if (nodes.size() <= count) return;
   const std::size_t all = nodes.size();
   for (std::size_t k = 0; k < count; ++k) nodes[k] = nodes[k * all / count];
@@ -110,7 +110,7 @@ std::vector<Vec3> fill_lattice(const std::vector<Box>& boxes, const InsideTest& 
     if (found == 0 && k >= kLatticeFilling.empty_tries) break;
     constant *= found > 0 ? std::cbrt(found / (0.5 * (1 + kLatticeFilling.surplus) * count)) : 0.5;
   }
-  decimate_close_nodes(nodes, *options.count);
+  reduce_to(nodes, *options.count);
   return nodes;
 }
 

@@ -33,7 +33,7 @@ Tried<FusedPrisms> crossing_parts_of(const FeatureModel& model) {
   const Membership membership(model);
   FuseFrame frame = fuse_frame(membership);
   frame.reference = membership.bounds().lo;
-  return fuse_prisms(model, membership, all_of(model), frame);
+  return fuse_crossing_prisms(model, membership, all_of(model), frame);
 }
 
 /// The boundary of a model all of whose features changed, beside what the kernel makes of it.
