@@ -48,7 +48,8 @@ struct Builder {
   }
   Brep operator()(const Slot& s) const {
     const double r = s.width / 2, x = s.length / 2 - r;
-    if (x <= 0) return kernel::make_cone(r, r, s.height, scale);  // as long as wide: round
+    // As long as wide: round.
+    if (2 * x <= kernel::shortest_edge(scale)) return kernel::make_cone(r, r, s.height, scale);
     const auto half_circle = [&](double centre, std::array<double, 2> from,
                                  std::array<double, 2> to) {
       return ProfileCurve{from, to, true, {centre, 0}, r, true, "wall"};

@@ -173,10 +173,12 @@ Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double
   });
 }
 
+double shortest_edge(double scale) { return Precision::Confusion() / scale; }
+
 Brep make_cone(double radius_bottom, double radius_top, double height, double scale) {
   return built([&] {
     // A cone of radii that are equal within its tolerance is an error to OCCT.
-    if (std::fabs(radius_bottom - radius_top) * scale <= Precision::Confusion())
+    if (std::fabs(radius_bottom - radius_top) <= shortest_edge(scale))
       return make_round(BRepPrimAPI_MakeCylinder(radius_bottom * scale, height * scale).Solid(),
                         scale);
     return make_round(

@@ -26,6 +26,8 @@ Brep make_prism(std::span<const ProfileCurve> profile, double height, double sca
 /// the half-plane on; faces by the sides' labels, `start`, `end` (where angle < 2 pi). A side on
 /// the axis sweeps no face.
 Brep make_revolution(std::span<const ProfileCurve> profile, double angle, double scale);
+/// Length up to which the kernel makes no edge.
+double shortest_edge(double scale);
 /// Along +z from 0; faces `wall`, `bottom`, `top`. Equal radii give a cylinder, one may be 0.
 Brep make_cone(double radius_bottom, double radius_top, double height, double scale);
 /// Face `surface`.

@@ -1,5 +1,6 @@
 #include "engine/remesh/complete.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -116,13 +117,22 @@ double last_resort_share(const Revision& parent, const Report& report, double ma
   return made + parent.report.last_resort_share * report.counts.tets_kept / report.counts.tets;
 }
 
+/// The error of a group of a first mesh that has neither facets nor tets.
+Error without_members(const std::string& group, const Revision& revision) {
+  const auto& figures = revision.report.figures;  // exact areas, from before meshing
+  const auto found = std::ranges::find(figures, group, &GroupFigures::group);
+  const double area = found == figures.end() ? 0 : found->exact_area.value_or(0);
+  return area > 0 ? error::group_without_facets(group, area) : error::empty_group(group);
+}
+
 /// Finds what the model's groups have of the mesh and what became of them, and checks their
 /// policies.
 void complete_groups(const Revision& parent, Revision& revision) {
   OutputMesh& output = revision.output;
   output.groups.of_model = group_members(output, revision.model);
   const std::vector<std::string> empty = empty_groups(output);
-  if (parent.model.features.empty() && !empty.empty()) throw error::empty_group(empty.front());
+  if (parent.model.features.empty() && !empty.empty())
+    throw without_members(empty.front(), revision);
   check_emptied(revision.model, empty);
   revision.report.figures = group_outcomes(parent, revision, revision.report.figures);
 }

@@ -13,13 +13,13 @@
 namespace remeshd {
 namespace {
 
-/// `made`: the place of the revision that does not become the head.
+/// `made`: the place of the revision that does not become the head. It may not be filed yet, where
+/// the warning is an error: it can be named by asking for it alone.
 Warning head_kept(const PlaceRecord& made, std::uint32_t head) {
-  const std::string number = made.design + "@" + std::to_string(made.number);
   return {.code = WarningCode::HeadKept,
           .message = "the head of the design `" + made.design + "` is still number " +
                      std::to_string(head) + ", for this model is not that of its first revision; " +
-                     "`remesh head " + number + "` makes this one the head"};
+                     "`remesh mesh --head` makes it the head"};
 }
 
 Warning not_durable() {

@@ -87,6 +87,13 @@ Error empty_group(std::string_view group) {
       "mend the selector, or remove the group");
 }
 
+Error group_without_facets(std::string_view group, double area) {
+  return selection_error("SELECTOR_EMPTY", place_of_group(group) + ".on",
+                         "the group " + quoted(group) + " selects an area of " +
+                             std::to_string(area) + " where no facet of the mesh has its centroid",
+                         "ask for a smaller size there, or select more");
+}
+
 Error duplicate_group(std::string_view group) {
   return selection_error("DUPLICATE_NAME", place_of_group(group),
                          "there is more than one group " + quoted(group),

@@ -14,6 +14,9 @@ Error selector_empty(std::string_view size);
 Error duplicate_size(std::string_view size);
 /// A group whose selector names neither a part of the model's boundary nor material.
 Error empty_group(std::string_view group);
+/// A group whose selector names a part of the boundary that is too small for the mesh's facets;
+/// `area`: length squared.
+Error group_without_facets(std::string_view group, double area);
 Error duplicate_group(std::string_view group);
 Error group_named_as_feature(std::string_view group);
 

@@ -277,6 +277,14 @@ INSTANTIATE_TEST_SUITE_P(
                  8,
                  12,
                  6,
+                 {"wall", "bottom", "top"}},
+        Expected{"slot_as_long_as_wide_to_rounding",
+                 feature("a", "slot", {{"length", 10 + 1e-10}, {"width", 10.0}, {"height", 10.0}}),
+                 250 * pi,
+                 150 * pi,
+                 0,
+                 2,
+                 3,
                  {"wall", "bottom", "top"}}),
     [](const auto& param) { return std::string(param.param.name); });
 

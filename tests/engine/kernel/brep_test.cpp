@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/error.h"
 #include "engine/kernel/primitives.h"
 #include "tests/support/run.h"
 
@@ -97,6 +98,12 @@ TEST(BrepTest, APartIsSomeCellsOfAFuseAndMayBeFusedAgain) {
   const Fusion second = general_fuse(again, kRun);
   EXPECT_EQ(second.brep.cells.size(), 6u);
   EXPECT_NEAR(volume_with(second, {0, 1}), 600, 1e-9);
+}
+
+TEST(BrepTest, EdgesLongerThanTheShortestAreMade) {
+  const double shortest = shortest_edge(8);
+  EXPECT_NO_THROW(square(1.01 * shortest, 1, 8));
+  EXPECT_THROW(square(0.99 * shortest, 1, 8), remeshd::Error);
 }
 
 TEST(BrepTest, FusingLeavesItsPartsAsTheyWere) {

@@ -175,6 +175,14 @@ TEST(GroupsOfAModel, ThatSelectNothingAreAnErrorOfAFirstMesh) {
   EXPECT_EQ(refused_before_meshing(Revision::none(), plate_and_rib({{"a", "hole.wall", {}}})), "");
 }
 
+TEST(GroupsOfAModel, SmallerThanTheFacetsTellTheirArea) {
+  const ErrorInfo info = test::error_of([] {
+    first_mesh(plate_and_rib({{"load", "plate.top & x*x + y*y < .01", {}}}));
+  });
+  EXPECT_EQ(test::place_of(info), "SELECTOR_EMPTY - groups.load.on");
+  EXPECT_NE(info.message.find("an area of 0.03"), std::string::npos) << info.message;
+}
+
 TEST(GroupsOfAModel, ThatAnEditEmptiesAreNoErrorBeforeMeshing) {
   const Revision base = first_mesh(plate_and_rib({{"bore", "hole.wall", {}}}));
   EXPECT_EQ(refused_before_meshing(base, apply(base.source, {{RemoveFeature{"hole"}}})), "");
