@@ -191,7 +191,11 @@ TEST_F(Daemons, AreReadyThoughTheQueueIsFull) {
       v1::RevisionResult reply;
       return try_create(create_request(plate(5 + n)), &reply);
     }));
-  while (info().load().queued() < 1) std::this_thread::yield();
+  // The first one is queued too, for a moment.
+  const auto is_full = [](const v1::ServerLoad& load) {
+    return load.running() == 1 && load.queued() == 1;
+  };
+  while (!is_full(info().load())) std::this_thread::yield();
   v1::RevisionResult reply;
   EXPECT_EQ(detail(try_create(create_request(plate(9)), &reply)).reason(), v1::Error::BUSY);
   EXPECT_TRUE(info().ready());
