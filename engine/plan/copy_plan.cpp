@@ -142,14 +142,14 @@ void CopyPlan::measure(double edge_length, const Run& run) {
 }
 
 CopyPlan CopyPlan::with_new_in(const Region& region) const {
-  return with_new_in(
-      [held = std::make_shared<const Region>(region)](const Vec3& p) { return held->holds(p); },
-      region.boxes(), Anew::Everything);
+  return with_new_where([held = std::make_shared<const Region>(region)](
+                            const Vec3& p, std::int32_t) { return held->holds(p); },
+                        region.boxes());
 }
 
-CopyPlan CopyPlan::with_new_in(InsideTest holds, std::span<const Box> boxes, Anew which) const {
+CopyPlan CopyPlan::with_new_where(AnewTest is_anew, std::span<const Box> boxes) const {
   CopyPlan plan = *this;
-  plan.new_in_.push_back({std::move(holds), which});
+  plan.anew_.push_back(std::move(is_anew));
   plan.changed_.insert(plan.changed_.end(), boxes.begin(), boxes.end());
   return plan;
 }
@@ -187,14 +187,10 @@ std::vector<Box> CopyPlan::changed_within(const Box& bounds) const {
 std::int32_t CopyPlan::operator()(const Vec3& p) const {
   if (!modified_.inside(p)) return kOutside;
   if (!in_changed(p)) return identity_;
-  if (is_new(p, Anew::Everything)) return kNew;
   const std::int32_t t = copied_by(p);
-  return t == identity_ && is_new(p, Anew::InPlace) ? kNew : t;
-}
-
-bool CopyPlan::is_new(const Vec3& p, Anew which) const {
-  return std::ranges::any_of(new_in_,
-                             [&](const NewIn& in) { return in.which == which && in.holds(p); });
+  const bool anew =
+      t != kNew && std::ranges::any_of(anew_, [&](const auto& is_anew) { return is_anew(p, t); });
+  return anew ? kNew : t;
 }
 
 std::int32_t CopyPlan::copied_by(const Vec3& p) const {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/base/inside_test.h"
 #include "engine/base/region.h"
 #include "engine/base/run.h"
 #include "engine/mesh/tet_mesh.h"
@@ -49,17 +49,12 @@ class CopyPlan {
   CopyPlan(const FeatureModel& original, const FeatureModel& modified, const CopyLengths& lengths,
            const Run& run);
 
-  /// What of a region is made anew, not copied.
-  enum class Anew : std::uint8_t {
-    Everything,
-    InPlace,  ///< what would be copied in place; what moves with its feature is copied still
-  };
-  /// This plan, but with all material in a region made anew; or with what `which` says of the
-  /// material for which `holds` is true, which is asked only in `boxes` and in changed() of this
-  /// plan.
+  /// Whether material is made anew at a place to which a transformation would carry it.
+  using AnewTest = std::function<bool(const Vec3& p, std::int32_t transform)>;
+  /// This plan, but with all material in a region made anew; or with that for which `is_anew`
+  /// holds, which is asked only in `boxes` and in changed() of this plan.
   [[nodiscard]] CopyPlan with_new_in(const Region& region) const;
-  [[nodiscard]] CopyPlan with_new_in(InsideTest holds, std::span<const Box> boxes,
-                                     Anew which) const;
+  [[nodiscard]] CopyPlan with_new_where(AnewTest is_anew, std::span<const Box> boxes) const;
 
   /// kOutside, kNew or the index of the transformation that carries the material at p.
   [[nodiscard]] std::int32_t operator()(const Vec3& p) const;
@@ -103,7 +98,6 @@ class CopyPlan {
   [[nodiscard]] double probe() const { return probe_; }
 
  private:
-  [[nodiscard]] bool is_new(const Vec3& p, Anew which) const;
   [[nodiscard]] std::int32_t copied_by(const Vec3& p) const;
   void match(const FeatureModel& original, const FeatureModel& modified, double in_place);
   void measure(double edge_length, const Run& run);
@@ -115,11 +109,7 @@ class CopyPlan {
   std::vector<Transform> transforms_, inverses_;
   std::vector<SourceFeature> sources_;
   std::vector<Box> changed_;
-  struct NewIn {
-    InsideTest holds;
-    Anew which;
-  };
-  std::vector<NewIn> new_in_;  ///< what is made anew beside newcells
+  std::vector<AnewTest> anew_;  ///< what is made anew beside newcells
   std::int32_t identity_ = -1;
   double probe_ = 0;  ///< how far from a face its two sides are looked at
 };

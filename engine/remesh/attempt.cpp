@@ -26,8 +26,11 @@ CopyPlan with_new_at(const CopyPlan& plan, std::span<const Vec3> places, const S
   double longest = 0;
   for (const Vec3& p : places) longest = std::fmax(longest, sizes(p));
   const auto near = std::make_shared<const NearestNode>(places, kGridCell * longest);
-  return plan.with_new_in([near, sizes](const Vec3& p) { return near->any_within(p, sizes(p)); },
-                          Region(places, longest, 1).boxes(), CopyPlan::Anew::InPlace);
+  return plan.with_new_where(
+      [near, sizes, in_place = plan.identity()](const Vec3& p, std::int32_t t) {
+        return t == in_place && near->any_within(p, sizes(p));
+      },
+      Region(places, longest, 1).boxes());
 }
 }  // namespace
 

@@ -28,6 +28,9 @@ struct Alike {
   std::size_t sampled = 2500;
   double lengths = 0.05;  ///< for the start to serve
   double nodes = 0.02;    ///< for the base size to hold
+  /// For an edit that asks for a number of nodes to keep its base's size. A loop may ask for the
+  /// same number again and again while its model shrinks.
+  double bases = 0.05;
 };
 constexpr Alike kAlike;
 constexpr double kInPlace = 0.25;  // x base size: what moves by less is copied where it is
@@ -43,6 +46,32 @@ Warning weakened(const Budgeted& budgeted, const Sizing& sizing) {
               std::to_string(edges) + " edges; " +
               std::to_string(std::lround(budgeted.satisfying)) + " nodes would do",
           .nodes_needed = static_cast<std::uint32_t>(std::lround(budgeted.satisfying))};
+}
+
+/// The warning that the rules of the base, which were weakened for its number of nodes, hold on.
+Warning still_weakened(double weakening, const Sizing& sizing) {
+  const auto edges = static_cast<int>(sizing.edges_per_circle / weakening);
+  return {.code = WarningCode::DetailNotResolved,
+          .message =
+              "the nodes that the first mesh was given do not do for the details of the "
+              "model, whose circles get " +
+              std::to_string(edges) +
+              " edges: mesh it anew with more nodes, or give the edit rules of its own"};
+}
+
+/// The warning that a mesh is finer than an edit asks for.
+Warning not_coarsened(double asked, double base) {
+  return {.code = WarningCode::NodesFarFromTarget,
+          .message = "an edit makes no edges longer than its base's, which are " +
+                     std::to_string(base) + ": " + std::to_string(asked) +
+                     " does not hold, mesh the model anew for that"};
+}
+
+/// The warning that a ball or box of the model's sizes is beside the model.
+Warning outside(const std::string& size) {
+  return {.code = WarningCode::GroupEmptied,
+          .message = "the size " + size + " lies outside of the model",
+          .groups = {size}};
 }
 
 /// The warning that faces have details smaller than the least size. It names their features.
@@ -106,6 +135,50 @@ Difference difference(const SizeField& field, const Budgeted& made) {
   return {.most = most, .nodes = count > 0 ? std::fabs(sum / count - 1) : 0};
 }
 
+/// Makes size fields of one model.
+class FieldMaker {
+ public:
+  FieldMaker(const MeshOptions& options, const FeatureModel& model, const CellularModel& cells,
+             const Run& run)
+      : options_(options), model_(model), cells_(cells), run_(run) {}
+
+  void ask_for(const std::vector<SizedBall>& dense_places) {
+    asked_ = asked_sizes(model_, cells_.boundary, dense_places, run_);
+  }
+  [[nodiscard]] SizeRules rules(const BaseSizes& bases) const {
+    return {cells_.boundary, options_.sizing, bases, run_, asked_};
+  }
+  /// `expected`: a guess at the base size.
+  [[nodiscard]] Budgeted solved(std::uint32_t nodes, double expected) const {
+    return sizes_for_budget(nodes, rules({coarsest_base(cells_, nodes), expected}), options_,
+                            model_, cells_, run_);
+  }
+
+ private:
+  const MeshOptions& options_;
+  const FeatureModel& model_;
+  const CellularModel& cells_;
+  const Run& run_;
+  std::vector<SizeSource> asked_;
+};
+
+/// What an edit asks for beside its base's density: smaller edge lengths in its newcells, which
+/// hold there for later edits too. `edge_length`: asked for, or a guess at it where a number of
+/// nodes is.
+void densify_newcells(Density& density, double edge_length, const Revision& parent,
+                      const MeshOptions& options, const FeatureModel& model, FieldMaker& fields,
+                      const Run& run) {
+  const double base = parent.edge_length;
+  if (options.nodes) edge_length = fields.solved(*options.nodes, edge_length).sizes.base();
+  if (options.size.value_or(0) > base)
+    density.warnings.push_back(not_coarsened(*options.size, base));
+  density.inherited = edge_length >= (options.nodes ? 1 - kAlike.bases : 1) * base;
+  if (density.inherited) return;
+  const std::vector<SizedBall> more = newcells(parent, model, edge_length, run);
+  density.dense_places.insert(density.dense_places.end(), more.begin(), more.end());
+  fields.ask_for(density.dense_places);
+}
+
 /// Sets the size field and what follows from it. `edge_length`: the base size, or a guess at it
 /// where a number of nodes is asked for.
 void set_sizes(Density& density, double edge_length, const Revision& parent,
@@ -115,47 +188,42 @@ void set_sizes(Density& density, double edge_length, const Revision& parent,
     density.sizes = edge_length;
     return;
   }
-  if (!density.count) {
-    density.dense_places = parent.dense_places;
-    if (edge_length < parent.edge_length && !parent.output.mesh.tets.empty()) {
-      // The smaller edge length holds in the newcells alone, for later edits too.
-      const std::vector<SizedBall> more = newcells(parent, model, edge_length, run);
-      density.dense_places.insert(density.dense_places.end(), more.begin(), more.end());
-      edge_length = parent.edge_length;
-    }
+  FieldMaker fields(options, model, cells, run);
+  if (!density.count) density.dense_places = parent.dense_places;
+  fields.ask_for(density.dense_places);
+  if (!parent.output.mesh.tets.empty()) {
+    densify_newcells(density, edge_length, parent, options, model, fields, run);
+    edge_length = parent.edge_length;
   }
-  const std::vector<SizeSource> asked =
-      asked_sizes(model, cells.boundary, density.dense_places, run);
-  const auto rules_for = [&](const BaseSizes& bases) {
-    return SizeRules(cells.boundary, options.sizing, bases, run, asked);
-  };
-  Budgeted budgeted{.sizes = edge_length, .weakening = parent.rules_weakening};
-  const auto solve = [&](double expected) {
-    const SizeRules rules = rules_for({coarsest_base(cells, *density.count), expected});
-    budgeted = sizes_for_budget(*density.count, rules, options, model, cells, run);
-  };
+  // Rules that an edit has of its own hold in full.
+  const bool same_rules = options.sizing == parent.options.sizing;
+  Budgeted budgeted{.sizes = edge_length, .weakening = same_rules ? parent.rules_weakening : 1};
   const auto field_of = [&](const SizeRules& rules) {
     return rules.field(budgeted.sizes.base(), budgeted.weakening);
   };
-  if (density.count) solve(edge_length);
+  if (density.count) budgeted = fields.solved(*density.count, edge_length);
   // Later edits have rules for the base size alone, which may resolve other details than rules for
   // a guess at it: so has this mesh.
-  SizeRules rules = rules_for(budgeted.sizes.base());
+  SizeRules rules = fields.rules(budgeted.sizes.base());
   density.sizes = field_of(rules);
   if (density.count && difference(density.sizes, budgeted).nodes > kAlike.nodes) {
-    solve(budgeted.sizes.base());
-    rules = rules_for(budgeted.sizes.base());
+    budgeted = fields.solved(*density.count, budgeted.sizes.base());
+    rules = fields.rules(budgeted.sizes.base());
     density.sizes = field_of(rules);
   }
   if (density.count) {
     if (budgeted.weakening > 1) density.warnings.push_back(weakened(budgeted, options.sizing));
     if (difference(density.sizes, budgeted).most <= kAlike.lengths)
       density.start = std::move(budgeted.start);
+  } else if (budgeted.weakening > 1) {
+    density.warnings.push_back(still_weakened(budgeted.weakening, options.sizing));
   }
   density.weakening = budgeted.weakening;
   density.fewest_links =
       rules.fewest_links(cells.boundary, density.sizes.base(), density.weakening);
   const std::vector<int> faces = rules.unresolved(density.sizes.base(), density.weakening);
+  for (const std::string& size : sizes_outside(model, cells.boundary.bounds))
+    density.warnings.push_back(outside(size));
   if (!faces.empty())
     density.warnings.push_back(below_least(faces, least_size(options.sizing, density.sizes.base()),
                                            model, cells.boundary));
@@ -173,7 +241,7 @@ Density resolve_density(const Revision& parent, const MeshOptions& options,
     throw error::options_invalid("size", "the edge length has to be a positive number");
   const double volume = cells.volume, area = cells.area;
   const bool first = parent.output.mesh.tets.empty();
-  if (first)
+  if (parent.model.features.empty())
     for (const std::string& size : sizes_of_nothing(model, cells.boundary, run))
       throw error::selector_empty(size);
   Density density;

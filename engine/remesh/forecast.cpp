@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "engine/base/random.h"
@@ -105,6 +106,7 @@ double share_on_boundary(const BoundaryModel& boundary, const SizeField& sizes, 
 std::vector<Forecast::Detail> details_of(const Density& density, const FeatureModel& model,
                                          const CellularModel& cells, const SizeRules& rules) {
   const double base = density.sizes.base();
+  if (density.sizes.even()) return {};
   std::map<std::pair<std::string, std::string>, double> least;
   const auto ask = [&](const std::string& feature, const std::string& face, double size) {
     if (size >= base) return;
@@ -114,11 +116,15 @@ std::vector<Forecast::Detail> details_of(const Density& density, const FeatureMo
   for (const auto& [face, size] : rules.asked_on_faces(density.weakening))
     if (const FaceName& name = cells.boundary.faces[face].names.front(); name.feature >= 0)
       ask(model.features[name.feature].id, name.face, size);
+  std::set<std::pair<int, std::string>> on_boundary;
+  for (const BoundaryFace& face : cells.boundary.faces)
+    for (const FaceName& name : face.names) on_boundary.emplace(name.feature, name.face);
   for (const SizeControl& control : model.sizes)
     if (const auto* selected = std::get_if<std::vector<SizedFaces>>(&control.place))
       for (const SizedFaces& sized : *selected)
         for (const std::string& face : sized.on.faces)
-          ask(model.features[sized.on.feature].id, face, sized.size);
+          if (on_boundary.contains({sized.on.feature, face}))
+            ask(model.features[sized.on.feature].id, face, sized.size);
   std::vector<Forecast::Detail> details;
   for (const auto& [name, size] : least) details.push_back({name.first, name.second, size});
   std::ranges::stable_sort(details, {}, &Forecast::Detail::size);

@@ -215,7 +215,11 @@ double coarsest_base(const CellularModel& cells, double nodes) {
 
 Budgeted sizes_for_budget(std::uint32_t nodes, const SizeRules& rules, const MeshOptions& options,
                           const FeatureModel& model, const CellularModel& cells, const Run& run) {
-  const double weakest = std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges);
+  // Where only sizes of the model ask for short edges, weaker rules would save no node.
+  const double weakest =
+      rules.ask_for_less_than(coarsest_base(cells, nodes))
+          ? std::fmax(1, options.sizing.edges_per_circle / kBudgetLimits.fewest_edges)
+          : 1;
   const Starts starts(rules, options, model, cells.boundary.bounds,
                       weakest * coarsest_base(cells, nodes), run);
   const double guess = edge_length_for(cells.volume, cells.area, nodes);

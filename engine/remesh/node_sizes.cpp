@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
+#include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "engine/base/parallel.h"
@@ -35,15 +36,18 @@ double made_for(const Revision& parent, std::int32_t node) {
   return parent.options.sizing.even ? parent.edge_length : parent.output.node_sizes[node];
 }
 
-/// Whether two size fields follow from their boundaries by the same rules: then only what changed
-/// of these, and what is near it, is a reason for them to differ. They may differ a little
-/// elsewhere: the thickness of a wall is measured from pieces of its faces, and a face that has
-/// changed anywhere is divided into other pieces.
+/// Whether the field that the parent's nodes were made for and the one wanted follow from their
+/// boundaries by the same rules: then only what changed of these, and what is near it, is a reason
+/// for them to differ. While connectivity is held, the model's sizes are not followed. They may
+/// differ a little elsewhere: the thickness of a wall is measured from pieces of its faces, and a
+/// face that has changed anywhere is divided into other pieces.
 bool same_rules(const Revision& parent, const Revision& wanted) {
   return parent.options.sizing == wanted.options.sizing &&
          parent.edge_length == wanted.edge_length &&
          parent.rules_weakening == wanted.rules_weakening &&
-         parent.model.sizes == wanted.model.sizes && parent.dense_places == wanted.dense_places;
+         parent.model.sizes == wanted.model.sizes &&
+         parent.delaunay_model().sizes == wanted.model.sizes &&
+         parent.dense_places == wanted.dense_places;
 }
 
 /// Tells how far from a change of the model it may be the reason for other edge lengths.
@@ -72,6 +76,85 @@ class Reach {
   bool everywhere_;
 };
 
+/// The nodes that an edit may copy.
+struct LocatedNodes {
+  LocatedNodes(const Revision& parent, const SizeField& sizes)
+      : positions(parent.delaunay_state->positions().flat()),
+        grid(positions, kGridCell * sizes.grid_length()) {}
+  std::vector<Vec3> positions;
+  NearestNode grid;
+};
+
+/// Nodes that were made for another edge length than is wanted where they would be copied to.
+class Misfits {
+ public:
+  using ByTransform = std::vector<std::unordered_set<std::int32_t>>;
+
+  Misfits(const CopyPlan& plan, const Revision& parent, const Revision& wanted,
+          const SizeField& sizes, const LocatedNodes& nodes, const Run& run)
+      : plan_(plan),
+        parent_(parent),
+        sizes_(sizes),
+        nodes_(nodes),
+        reach_(plan, parent, wanted, sizes.least()),
+        found_(std::make_shared<ByTransform>(plan.transforms().size())) {
+    if (plan.identity() >= 0) find_in_place(run);
+    for (const SourceFeature& source : plan.sources())
+      if (source.transform != plan.identity()) find_moved(source, run);
+  }
+
+  /// By transformation.
+  [[nodiscard]] std::shared_ptr<const ByTransform> nodes() const { return found_; }
+  /// Where they would be copied to.
+  [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
+  /// The longest edge length that they were made for or that is wanted there.
+  [[nodiscard]] double longest() const { return longest_; }
+
+ private:
+  [[nodiscard]] bool is_off(std::int32_t node, const Vec3& place) const {
+    const double was = made_for(parent_, node), now = sizes_(place);
+    return differ(was, now) && reach_.holds(place, was, now);
+  }
+  void add(std::int32_t node, const Vec3& place, std::int32_t transform) {
+    if (!(*found_)[transform].insert(node).second) return;
+    places_.push_back(place);
+    longest_ = std::max({longest_, made_for(parent_, node), sizes_(place)});
+  }
+  /// Any node may be copied in place.
+  void find_in_place(const Run& run) {
+    const auto off = collect_in_blocks<std::int32_t>(
+        nodes_.positions.size(), kDearBlock, run,
+        [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
+          for (auto n = static_cast<std::int32_t>(begin); n < static_cast<std::int32_t>(end); ++n)
+            if (is_off(n, nodes_.positions[n])) found.push_back(n);
+        });
+    for (const std::int32_t n : off) add(n, nodes_.positions[n], plan_.identity());
+  }
+  /// With a feature go the nodes in and about its box.
+  void find_moved(const SourceFeature& source, const Run& run) {
+    const Box& box = plan_.original().solids()[source.original].bounds();
+    const Transform& motion = plan_.transforms()[source.transform];
+    const double about = kResizeLimits.around * parent_.edge_length;
+    Polling poll(run);
+    nodes_.grid.for_each_within(
+        0.5 * (box.lo + box.hi), 0.5 * box.diagonal() + about, [&](std::int32_t n, double) {
+          poll();
+          if (!box.contains(nodes_.positions[n], about)) return;
+          if (const Vec3 place = motion.apply(nodes_.positions[n]); is_off(n, place))
+            add(n, place, source.transform);
+        });
+  }
+
+  const CopyPlan& plan_;
+  const Revision& parent_;
+  const SizeField& sizes_;
+  const LocatedNodes& nodes_;
+  Reach reach_;
+  std::shared_ptr<ByTransform> found_;
+  std::vector<Vec3> places_;
+  double longest_ = 0;
+};
+
 }  // namespace
 
 CowVector<double> made_for(const Revision& parent, const Revision& revision, const CopyPlan* plan,
@@ -86,7 +169,7 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   std::vector<double> all(output.mesh.nodes.size());
   in_blocks(all.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const bool kept = known && (same_tets || output.map.node_origin[n] == NodeOrigin::Kept);
+      const bool kept = known && (same_tets || output.map.original_node[n] >= 0);
       const double was = kept ? made_for(parent, output.map.original_node[n]) : 0;
       const double now = kept && same_tets ? was : sizes(positions[n]);
       // `resized` has seen to nodes that are off: one that was kept all the same suits its place.
@@ -100,33 +183,15 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
 std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
                                 const Revision& wanted, const SizeField& sizes, const Run& run) {
   if (wanted.options.sizing.even && parent.options.sizing.even) return {};
-  if (!is_known(parent) || plan.identity() < 0 || !plan.copies()) return {};
-  const std::vector<Vec3> nodes = parent.delaunay_state->positions().flat();
-  const Reach reach(plan, parent, wanted, sizes.least());
-  std::vector<std::uint8_t> off(nodes.size());
-  in_blocks(nodes.size(), kDearBlock, run, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const double was = made_for(parent, static_cast<std::int32_t>(n)), now = sizes(nodes[n]);
-      off[n] = differ(was, now) && reach.holds(nodes[n], was, now) ? 1 : 0;
-    }
-  });
-  std::vector<Vec3> places;
-  double longest = 0;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (off[n] == 0) continue;
-    places.push_back(nodes[n]);
-    longest = std::max({longest, made_for(parent, static_cast<std::int32_t>(n)), sizes(nodes[n])});
-  }
-  if (places.empty()) return {};
-  struct Nearest {
-    NearestNode grid;
-    std::vector<std::uint8_t> off;
-  };
-  const auto nearest = std::make_shared<const Nearest>(
-      Nearest{NearestNode(nodes, kGridCell * sizes.grid_length()), std::move(off)});
-  return plan.with_new_in(
-      [nearest](const Vec3& p) { return nearest->off[nearest->grid.nearest(p)] != 0; },
-      Region(places, kResizeLimits.around * longest, 1).boxes(), CopyPlan::Anew::InPlace);
+  if (!is_known(parent) || !plan.copies()) return {};
+  const auto nodes = std::make_shared<const LocatedNodes>(parent, sizes);
+  const Misfits misfits(plan, parent, wanted, sizes, *nodes, run);
+  if (misfits.places().empty()) return {};
+  return plan.with_new_where(
+      [nodes, off = misfits.nodes(), back = plan.inverses()](const Vec3& p, std::int32_t t) {
+        return (*off)[t].contains(nodes->grid.nearest(back[t].apply(p)));
+      },
+      Region(misfits.places(), kResizeLimits.around * misfits.longest(), 1).boxes());
 }
 
 }  // namespace remeshd

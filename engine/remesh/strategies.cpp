@@ -23,11 +23,15 @@ bool is_sized_alike(const Problem& problem) {
   return even || !problem.is_resized();
 }
 
+/// Whether the mesh of an edit is cleaned up as its parent's was.
+bool is_cleaned_alike(const Problem& problem) {
+  const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
+  return now.clean_up == then.clean_up && now.threshold == then.threshold;
+}
+
 /// Whether an edit with these options may answer with the tets of its parent.
 bool may_keep_tets(const Problem& problem, const Attempt*) {
-  const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
-  return problem.density.inherited && now.clean_up == then.clean_up &&
-         now.threshold == then.threshold && is_sized_alike(problem);
+  return problem.density.inherited && is_cleaned_alike(problem) && is_sized_alike(problem);
 }
 
 bool is_same_model(const Problem& problem, const Attempt* failed) {
@@ -37,11 +41,8 @@ bool is_same_model(const Problem& problem, const Attempt* failed) {
 }
 
 /// Whether its options ask to keep connectivity for longer than morphing does.
-bool may_hold(const Problem& problem, const Attempt*) {
-  const MeshOptions &now = problem.modified.options, &then = problem.parent.options;
-  return now.hold > 0 && !problem.parent.model.features.empty() && problem.density.inherited &&
-         now.clean_up == then.clean_up && now.threshold == then.threshold &&
-         now.sizing.even == then.sizing.even;
+bool is_to_be_held(const Problem& problem, const Attempt*) {
+  return problem.modified.options.hold > 0 && !problem.parent.model.features.empty();
 }
 
 /// Whether the sizes and the rules for them are those of the parent, as they are written: while the
@@ -124,9 +125,13 @@ Attempt morph(const Strategy& how, const Problem& problem, const Attempt*) {
 }
 
 Attempt hold(const Strategy& how, const Problem& problem, const Attempt*) {
-  std::variant<MorphedMesh, NotMorphed> mesh = NotMorphed("other sizes are asked for");
-  if (asks_for_same_sizes(problem)) mesh = hold_mesh(problem.parent, problem.modified, problem.run);
-  return morphed(how, problem, std::move(mesh),
+  const auto held = [&]() -> std::variant<MorphedMesh, NotMorphed> {
+    if (!problem.density.inherited) return NotMorphed("another density is asked for");
+    if (!asks_for_same_sizes(problem)) return NotMorphed("other sizes are asked for");
+    if (!is_cleaned_alike(problem)) return NotMorphed("another clean-up is asked for");
+    return hold_mesh(problem.parent, problem.modified, problem.run);
+  };
+  return morphed(how, problem, held(),
                  {.code = WarningCode::HoldEnded, .message = "the connectivity was not held: "});
 }
 
@@ -151,7 +156,7 @@ constexpr std::uint64_t kOtherSeed = 0x5EED;
 // 3 than of 5; but with 5 the patches of the cases are a tenth to a half larger.
 constexpr std::array kStrategies{
     Strategy{MeshStrategy::Unchanged, "unchanged", is_same_model, keep_mesh, Reuse::Mesh},
-    Strategy{MeshStrategy::Morphed, "held", may_hold, hold, Reuse::Mesh},
+    Strategy{MeshStrategy::Morphed, "held", is_to_be_held, hold, Reuse::Mesh},
     Strategy{MeshStrategy::Morphed, "morphed", may_morph, morph, Reuse::Mesh},
     Strategy{MeshStrategy::Local, "local, 4 edge lengths", has_patches, remesh_nodes, Reuse::Nodes,
              4},

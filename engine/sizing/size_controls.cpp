@@ -9,6 +9,7 @@
 #include "engine/base/error.h"
 #include "engine/cellular/boundary_model/face_part.h"
 #include "engine/model/solid.h"
+#include "engine/sizing/reserve.h"
 
 namespace remeshd {
 
@@ -101,9 +102,15 @@ class MaterialCover {
 SizeSource source_of(const SizedBox& box) {
   return {.piece = Surface{Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
           .box = {box.lo, box.hi},
-          .size = box.size,
+          .size = box.size / kReserve,
           .asked = true,
           .filled = true};
+}
+
+SizeSource source_of(const SizedBall& ball) {
+  SizeSource source = size_source(ball);
+  source.size /= kReserve;
+  return source;
 }
 
 }  // namespace
@@ -128,7 +135,7 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
   for (const SizeControl& control : model.sizes) {
     if (const auto* selected = std::get_if<Selected>(&control.place)) {
       for (const SizedFaces& sized : *selected)
-        for (const SizedBall& ball : material.of(sized)) sources.push_back(size_source(ball));
+        for (const SizedBall& ball : material.of(sized)) sources.push_back(source_of(ball));
       for (std::size_t f = 0; f < on.size(); ++f)
         for (const SizedFaces* sized : selected_on(boundary.faces[f], *selected)) {
           if (!is_conditional(*sized)) {
@@ -142,11 +149,13 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
                                         "triangles that the parts of faces are divided into,",
                                         triangles, kSelectionLimits.triangles);
           for (const auto& triangle : part)
-            sources.push_back(
-                {.piece = triangle, .box = box_of(triangle), .size = sized->size, .asked = true});
+            sources.push_back({.piece = triangle,
+                               .box = box_of(triangle),
+                               .size = sized->size / kReserve,
+                               .asked = true});
         }
     } else if (const auto* ball = std::get_if<SizedBall>(&control.place)) {
-      sources.push_back(size_source(*ball));
+      sources.push_back(source_of(*ball));
     } else {
       sources.push_back(source_of(std::get<SizedBox>(control.place)));
     }
@@ -155,9 +164,21 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
     if (std::isfinite(on[f]))
       sources.push_back({.piece = boundary.faces[f].surface,
                          .box = box_of(boundary.faces[f].points),
-                         .size = on[f],
+                         .size = on[f] / kReserve,
                          .asked = true});
   return sources;
+}
+
+std::vector<std::string> sizes_outside(const FeatureModel& model, const Box& bounds) {
+  std::vector<std::string> ids;
+  for (const SizeControl& control : model.sizes) {
+    if (std::holds_alternative<Selected>(control.place)) continue;
+    const auto* ball = std::get_if<SizedBall>(&control.place);
+    const SizeSource source =
+        ball != nullptr ? size_source(*ball) : source_of(std::get<SizedBox>(control.place));
+    if (intersection(source.box, bounds).empty()) ids.push_back(control.id);
+  }
+  return ids;
 }
 
 std::vector<std::string> sizes_of_nothing(const FeatureModel& model, const BoundaryModel& boundary,

@@ -13,12 +13,15 @@ namespace remeshd {
 /// What the size controls of a model ask for. They give a source for each face of the boundary that
 /// is named as a whole, with the least length where several controls name it; for each triangle of
 /// the part of a face where a condition holds; for each ball or box; and for each of the balls that
-/// cover the material of a feature.
+/// cover the material of a feature; all `kReserve` times finer than asked for.
 std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryModel& boundary,
                                      const Run& run);
 
-/// The source of a single ball, as a size control would give it.
+/// The source of a ball in which edges are to be of this length, no finer.
 SizeSource size_source(const SizedBall& ball);
+
+/// Ids of the controls whose ball or box lies outside of these bounds, in their order.
+std::vector<std::string> sizes_outside(const FeatureModel& model, const Box& bounds);
 
 /// Ids of the controls whose selectors name nothing of the boundary and no material, in their
 /// order.

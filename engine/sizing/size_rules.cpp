@@ -6,6 +6,7 @@
 
 #include "engine/base/angle.h"
 #include "engine/sizing/narrow_faces.h"
+#include "engine/sizing/reserve.h"
 #include "engine/sizing/thin_places.h"
 
 namespace remeshd {
@@ -13,8 +14,6 @@ namespace remeshd {
 namespace {
 
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
-/// So many more edges are asked for on circles: they come out unevenly long.
-constexpr double kReserve = 1.2;
 /// x least size: thinner walls and gaps are films: no edges are asked for across them, which would
 /// do no good.
 constexpr double kFilm = 0.25;
@@ -232,6 +231,13 @@ SizeField SizeRules::field(double base, double weakening) const {
   return SizeField({base, least_size(sizing_, base), slope()}, std::move(sources), bounds_);
 }
 
+bool SizeRules::ask_for_less_than(double length) const {
+  return std::ranges::any_of(details_,
+                             [&](const Detail& detail) { return detail.source.size < length; }) ||
+         std::ranges::any_of(thin_places_,
+                             [&](const ThinPlace& place) { return size_of(place) < length; });
+}
+
 std::vector<SizeRules::AskedOnFace> SizeRules::asked_on_faces(double weakening) const {
   std::vector<AskedOnFace> asked;
   for (const Detail& detail : details_)
@@ -246,6 +252,8 @@ std::vector<int> SizeRules::unresolved(double base, double weakening) const {
   std::vector<int> faces;
   for (const auto& [face, size] : asked_on_faces(weakening))
     if (size < least) faces.push_back(face);
+  for (const ThinPlace& place : thin_places_)
+    if (place.thinner) faces.push_back(place.face);
   std::ranges::sort(faces);
   const auto twice = std::ranges::unique(faces);
   faces.erase(twice.begin(), twice.end());

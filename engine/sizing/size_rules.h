@@ -56,6 +56,9 @@ class SizeRules {
   /// ascending.
   [[nodiscard]] std::vector<int> unresolved(double base, double weakening) const;
 
+  /// Whether the rules, not the model's sizes, ask for less than a length anywhere.
+  [[nodiscard]] bool ask_for_less_than(double length) const;
+
   struct AskedOnFace {
     int face;
     double size;

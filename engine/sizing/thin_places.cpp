@@ -85,7 +85,7 @@ class Search {
   /// The thickness all over a patch.
   struct Thickness {
     double least, greatest;
-    bool film;
+    bool film, thinner;
   };
 
   /// Adds the places of a patch. Where the thickness is nearly even all over it, that is one place,
@@ -103,7 +103,8 @@ class Search {
       least = std::min(least, d);
       greatest = std::max(greatest, d);
     }
-    if (greatest < film_) return add(patch, {least, greatest, true});
+    if (greatest < film_) return add(patch, {least, greatest, true, true});
+    const bool thinner = least < least_;
     least = std::max(least, least_);
     if (greatest > kPlaceLimits.even * least && patch.radius > kPlaceLimits.smallest * least)
       return visit_halves(patch, nearest.at);
@@ -111,8 +112,8 @@ class Search {
     // Beside a film, where this face ends, the nearest point opposite is nearer to this face than
     // to the patch.
     const double film = tree_.nearest(nearest.at, film_, others_).distance;
-    if (film < film_) return add(patch, {film, film, true});
-    return add(patch, {least, std::max(least, greatest), false});
+    if (film < film_) return add(patch, {film, film, true, true});
+    return add(patch, {least, std::max(least, greatest), false, thinner});
   }
 
   /// Adds the places of both halves, or one for all of the patch where it is nearly even.
@@ -130,14 +131,15 @@ class Search {
     const auto one = visit_half(a, b, &between), other = visit_half(a, &between, c);
     if (!one || !other || one->film != other->film) return std::nullopt;
     const Thickness both{std::min(one->least, other->least),
-                         std::max(one->greatest, other->greatest), one->film};
+                         std::max(one->greatest, other->greatest), one->film,
+                         one->thinner || other->thinner};
     if (!both.film && both.greatest > kPlaceLimits.even * both.least) return std::nullopt;
     places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(before), places_.end());
     return add(patch, both);
   }
 
   Thickness add(const Patch& patch, const Thickness& thickness) {
-    places_.push_back({patch.face, patch.triangle(), thickness.least});
+    places_.push_back({patch.face, patch.triangle(), thickness.least, thickness.thinner});
     return thickness;
   }
 

@@ -17,6 +17,7 @@ struct ThinPlace {
   /// `ThinPlaceLimits::least`. On a film it is less than `ThinPlaceLimits::film`: where the
   /// distance is less than that at all of these points, or where the place is beside a film.
   double thickness;
+  bool thinner;  ///< whether the distance is less than `ThinPlaceLimits::least` somewhere on it
 };
 
 struct ThinPlaceLimits {

@@ -166,8 +166,8 @@ TEST(CopyPlan, InARegionToBeMadeAnewInPlaceMovedMaterialIsCopied) {
   }
   ASSERT_FALSE(stays.empty());
   ASSERT_FALSE(moves.empty());
-  const CopyPlan plan =
-      source.with_new_in([](const Vec3&) { return true; }, {{box}}, CopyPlan::Anew::InPlace);
+  const CopyPlan plan = source.with_new_where(
+      [&](const Vec3&, std::int32_t t) { return t == source.identity(); }, {{box}});
   for (const Vec3& p : stays) EXPECT_EQ(plan(p), CopyPlan::kNew);
   for (const Vec3& p : moves) EXPECT_EQ(plan(p), source(p));
 }

@@ -7,6 +7,7 @@
 
 #include "engine/remesh/density.h"
 #include "engine/remesh/remesh.h"
+#include "engine/revision/delaunay_state.h"
 #include "tests/support/cases.h"
 #include "tests/support/run.h"
 #include "tests/support/stored.h"
@@ -165,6 +166,80 @@ TEST(NodeSizes, AreKeptWithTheRevision) {
 TEST(NodeSizes, ThereAreNoneOfAnEvenMesh) {
   EXPECT_TRUE(make_revision(Revision::none(), plate_with_hole(), {.size = 4}, kRun)
                   .output.node_sizes.empty());
+}
+
+/// A plate with a boss at `x`.
+ModelSource plate_with_boss(double x) {
+  return test::model_of(
+      {test::block("plate", 80, 40, 10), test::placed(test::block("boss", 10, 10, 10), x, 0, 10)});
+}
+SetPlacement boss_to(double x) { return {"boss", {.origin = {x, 0.0, 10.0}}}; }
+
+TEST(NodeSizes, OfAFeatureThatMovesInTheSameEditItIsMadeFinerToo) {
+  // Its nodes were copied as they were, and counted as made for the new length ever after.
+  const Revision base = make_revision(Revision::none(), plate_with_boss(0), sized_edit(5), kRun);
+  const SetSize finer{"s", "boss", 1.4};
+  const Vec3 middle{20, 0, 15};
+  const double alone = edges_near(edited(base, finer), middle - Vec3{20, 0, 0}, 4);
+  const Revision both =
+      make_revision(base, apply(base.source, {{finer, boss_to(20)}}), sized_edit(), kRun);
+  EXPECT_LT(edges_near(both, middle, 4), 1.15 * alone);
+  // What moves into a box that is fine is made finer, and coarser when it leaves it.
+  const SetSize here{"s", BoxSource{15.0, -5.0, 10.0, 25.0, 5.0, 20.0}, 1.4};
+  const Revision in_box = edited(edited(base, here), boss_to(20));
+  EXPECT_LT(edges_near(in_box, middle, 4), 1.15 * alone);
+  EXPECT_GT(edges_near(edited(in_box, boss_to(-20)), middle - Vec3{40, 0, 0}, 4), 2 * alone);
+}
+
+TEST(NodeSizes, OfAModelThatMovesAsAWholeItIsMadeFinerToo) {
+  const auto at = [](double x) {
+    return test::model_of(
+        {test::placed(test::block("plate", 60, 40, 8), x, 0, 0),
+         test::placed(test::cylinder("hole", 6, 10), x, 0, -1, Nature::Subtractive)});
+  };
+  ModelSource moved = at(100);
+  moved.sizes = {{"rim", "hole.wall", 1.0}};
+  const Revision base = make_revision(Revision::none(), at(0), sized_edit(6), kRun);
+  const Revision r = make_revision(base, moved, sized_edit(), kRun);
+  EXPECT_LT(edges_near(r, {106, 0, 4}, 3), 0.5 * edges_near(base, {6, 0, 4}, 3));
+}
+
+TEST(NodeSizes, ThatWereNotFollowedWhileConnectivityWasHeldAreAfterIt) {
+  ModelSource source =
+      test::model_of({test::block("plate", 80, 40, 10),
+                      test::placed(test::cylinder("hole", 4, 12), 0, 0, -1, Nature::Subtractive)});
+  source.parameters = {{"x", 20.0}};
+  source.sizes = {{"spot", BallSource{"x", 0.0, 5.0, 5.0}, 1.5}};
+  const auto with_spot_at = [&](double x, double hole) {
+    ModelSource edited = source;
+    edited.parameters[0].value = x;
+    edited.features[1].placement.origin[0] = hole;
+    return edited;
+  };
+  MeshOptions options = sized_edit(5);
+  options.hold = 1;
+  const Revision first = make_revision(Revision::none(), source, options, kRun);
+  options.size.reset();
+  const Revision held = make_revision(first, with_spot_at(-25, 0), options, kRun);
+  EXPECT_EQ(held.output.mesh.tets, first.output.mesh.tets);
+  const Revision ended = make_revision(held, with_spot_at(-25, 12), options, kRun);
+  const Revision at_once = make_revision(first, with_spot_at(-25, 12), options, kRun);
+  EXPECT_LT(edges_near(ended, {-25, 0, 5}, 3), 1.15 * edges_near(at_once, {-25, 0, 5}, 3));
+}
+
+TEST(NodeSizes, ThatTheModelAsksForComeOutSo) {
+  ModelSource block = test::model_of({test::block("b", 40, 40, 40)});
+  for (const double size : {2.0, 2.5, 4.0}) {
+    block.sizes = {{"s", "b.*", size}};
+    const Revision r = make_revision(Revision::none(), block, sized_edit(8), kRun);
+    double sum = 0;
+    int edges = 0;
+    for (const MeshFacet& facet : r.output.groups.facets)
+      for (int k = 0; k < 3; ++k, ++edges)
+        sum += distance(r.output.mesh.nodes[facet.nodes[k]],
+                        r.output.mesh.nodes[facet.nodes[(k + 1) % 3]]);
+    EXPECT_NEAR(sum / edges, size, 0.15 * size);
+  }
 }
 
 TEST(NodeSizes, ADensityOfAnEditHoldsInItsNewcellsAloneAndIsKept) {

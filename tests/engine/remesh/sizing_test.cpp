@@ -21,12 +21,32 @@ MeshOptions graded(std::uint32_t nodes) {
   return options;
 }
 
+/// Of an edit that keeps its base's density.
+MeshOptions inherited() {
+  MeshOptions options = graded(0);
+  options.nodes.reset();
+  return options;
+}
+
+bool has(const Revision& r, WarningCode code) {
+  return std::ranges::find(r.report.warnings, code, &Warning::code) != r.report.warnings.end();
+}
+
 /// A plate with a hole and a pin, both much finer than the edge length of so few nodes.
 ModelSource plate() {
   return test::model_of(
       {test::block("plate", 60, 60, 8),
        test::placed(test::cylinder("hole", 2, 10), -15, 0, -1, Nature::Subtractive),
        test::placed(test::cylinder("pin", 1.5, 6), 15, 0, 7)});
+}
+
+/// Nine pins that need more than 1,200 nodes for 12 edges round each.
+ModelSource plate_with_pins() {
+  ModelSource pins = test::model_of({test::block("plate", 60, 60, 8)});
+  for (int k = 0; k < 9; ++k)
+    pins.features.push_back(test::placed(test::cylinder("pin" + std::to_string(k), 1.5, 6),
+                                         -20 + 20 * (k % 3), -20 + 20 * (k / 3), 7));
+  return pins;
 }
 
 TEST(Sizing, CirclesGetTheirEdgesAndTheBudgetHolds) {
@@ -67,9 +87,7 @@ TEST(Sizing, AnEditKeepsTheBaseSizeAndWhatIsFarFromIt) {
   const Revision base = make_revision(Revision::none(), plate(), graded(3000), kRun);
   ModelSource edited = plate();
   edited.features[1].parameters["radius"] = 2.5;
-  MeshOptions inherited = graded(3000);
-  inherited.nodes.reset();
-  const Revision r = make_revision(base, edited, inherited, kRun);
+  const Revision r = make_revision(base, edited, inherited(), kRun);
   EXPECT_EQ(r.edge_length, base.edge_length);
   EXPECT_EQ(r.report.strategy, MeshStrategy::Local);
   EXPECT_GE(test::fewest_edges_on_circles(r), 12);
@@ -101,9 +119,7 @@ TEST(Sizing, AFaceThatIsTiltedALittleIsMeshedAsBefore) {
                        {{"angle", 360.0}})});
   };
   const Revision base = make_revision(Revision::none(), flange(0), graded(2000), kRun);
-  MeshOptions inherited = graded(2000);
-  inherited.nodes.reset();
-  const Revision edited = make_revision(base, flange(0.1), inherited, kRun);
+  const Revision edited = make_revision(base, flange(0.1), inherited(), kRun);
   EXPECT_NEAR(edited.report.counts.nodes, base.report.counts.nodes, 50);
   const Revision first = make_revision(Revision::none(), flange(0.1), graded(2000), kRun);
   EXPECT_NEAR(first.report.counts.nodes, 2000, 100);
@@ -136,10 +152,7 @@ TEST(Sizing, AFewFaultsAreMendedByNodesAndNotFilled) {
 }
 
 TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
-  ModelSource pins = test::model_of({test::block("plate", 60, 60, 8)});
-  for (int k = 0; k < 9; ++k)
-    pins.features.push_back(test::placed(test::cylinder("pin" + std::to_string(k), 1.5, 6),
-                                         -20 + 20 * (k % 3), -20 + 20 * (k / 3), 7));
+  const ModelSource pins = plate_with_pins();
   const Revision r = make_revision(Revision::none(), pins, graded(1200), kRun);
   EXPECT_GT(r.rules_weakening, 1.05);
   EXPECT_GE(test::fewest_edges_on_circles(r), 6);
@@ -153,6 +166,82 @@ TEST(Sizing, RulesThatNeedMoreNodesAreWeakenedAndTold) {
   const Revision whole = make_revision(Revision::none(), pins, graded(enough * 21 / 20), kRun);
   EXPECT_EQ(whole.rules_weakening, 1);
   EXPECT_GE(test::fewest_edges_on_circles(whole), 12);
+}
+
+TEST(Sizing, WeakenedRulesHoldOnInEditsAndAreToldUntilAnEditHasItsOwn) {
+  ModelSource pins = plate_with_pins();
+  const Revision first = make_revision(Revision::none(), pins, graded(1200), kRun);
+  MeshOptions options = inherited();
+  pins.features[1].parameters["height"] = 7.0;
+  const Revision edited = make_revision(first, pins, options, kRun);
+  EXPECT_EQ(edited.rules_weakening, first.rules_weakening);
+  EXPECT_TRUE(has(edited, WarningCode::DetailNotResolved));
+  EXPECT_LT(test::fewest_edges_on_circles(edited), 12);
+  options.sizing.min_size = 0.3;
+  const Revision full = make_revision(edited, pins, options, kRun);
+  EXPECT_EQ(full.rules_weakening, 1);
+  EXPECT_FALSE(has(full, WarningCode::DetailNotResolved));
+  EXPECT_GE(test::fewest_edges_on_circles(full), 12);
+}
+
+TEST(Sizing, RulesAreNotWeakenedForSizesThatNeedTheNodes) {
+  // There is no circle: "whose circles get 7 edges" was said all the same.
+  ModelSource block = test::model_of({test::block("b", 40, 40, 40)});
+  block.sizes = {{"top", "b.top", 1.5}};
+  const Revision r = make_revision(Revision::none(), block, graded(200), kRun);
+  EXPECT_EQ(r.rules_weakening, 1);
+  EXPECT_FALSE(has(r, WarningCode::DetailNotResolved));
+  EXPECT_TRUE(has(r, WarningCode::NodesFarFromTarget));
+}
+
+TEST(Sizing, LayersThatTheLeastSizeLeavesOutAreTold) {
+  ModelSource pocket =
+      test::model_of({test::block("b", 30, 30, 8), test::placed(test::block("pocket", 10, 10, 8), 0,
+                                                                0, 0.35, Nature::Subtractive)});
+  MeshOptions options = inherited();
+  options.size = 4;
+  options.sizing.layers = 3;
+  const Revision r = make_revision(Revision::none(), pocket, options, kRun);
+  EXPECT_TRUE(has(r, WarningCode::DetailNotResolved));
+}
+
+TEST(Sizing, ASizeBesideTheModelIsTold) {
+  ModelSource source = plate();
+  source.sizes = {{"near", BallSource{0.0, 0.0, 4.0, 3.0}, 2.0}};
+  EXPECT_FALSE(
+      has(make_revision(Revision::none(), source, graded(1500), kRun), WarningCode::GroupEmptied));
+  source.sizes.push_back({"far", BallSource{500.0, 0.0, 0.0, 5.0}, 1.0});
+  EXPECT_TRUE(
+      has(make_revision(Revision::none(), source, graded(1500), kRun), WarningCode::GroupEmptied));
+}
+
+TEST(Sizing, ANumberOfNodesMeansTheSameInAnEditAsInAFirstMesh) {
+  const Revision first = make_revision(Revision::none(), plate(), graded(3000), kRun);
+  ModelSource edited = plate();
+  edited.features.push_back(test::placed(test::block("boss", 20, 20, 10), 0, 15, 8));
+  // The number that the base was made for: nothing gets denser.
+  const Revision same = make_revision(first, edited, graded(3000), kRun);
+  const Revision plain = make_revision(first, edited, inherited(), kRun);
+  EXPECT_TRUE(same.dense_places.empty());
+  EXPECT_EQ(same.output.mesh.nodes, plain.output.mesh.nodes);
+  const Revision denser = make_revision(first, edited, graded(6000), kRun);
+  EXPECT_FALSE(denser.dense_places.empty());
+  EXPECT_EQ(denser.edge_length, first.edge_length);
+  EXPECT_GT(denser.report.counts.nodes, plain.report.counts.nodes);
+  EXPECT_TRUE(has(denser, WarningCode::NodesFarFromTarget));
+}
+
+TEST(Sizing, EdgesLongerThanItsBasesAreNoEditsToMakeAndThatIsTold) {
+  const Revision first = make_revision(Revision::none(), plate(), graded(3000), kRun);
+  ModelSource edited = plate();
+  edited.features[2].parameters["height"] = 9.0;
+  MeshOptions coarser = inherited();
+  coarser.size = 2 * first.edge_length;
+  const Revision r = make_revision(first, edited, coarser, kRun);
+  EXPECT_EQ(r.edge_length, first.edge_length);
+  EXPECT_TRUE(has(r, WarningCode::NodesFarFromTarget));
+  coarser.size = first.edge_length;
+  EXPECT_FALSE(has(make_revision(first, edited, coarser, kRun), WarningCode::NodesFarFromTarget));
 }
 
 TEST(Sizing, WhatTheLeastSizeLeavesOutIsToldByFeature) {

@@ -75,6 +75,15 @@ TEST(ThinPlaces, OfARoundWallAreAsThickAsItIs) {
   for (const ThinPlace& place : places) EXPECT_NEAR(place.thickness, 0.5, 0.02);
 }
 
+TEST(ThinPlaces, ThatAreThinnerThanTheLeastSaySo) {
+  const BoundaryModel plate = boundary_of(test::model_of({test::block("b", 30, 20, 0.5)}));
+  for (const auto& [least, thinner] : {std::pair{0.4, false}, std::pair{0.6, true}}) {
+    const auto places = thin_places(plate, {.most = 3, .least = least, .slope = 10}, kRun);
+    ASSERT_FALSE(places.empty());
+    for (const ThinPlace& place : places) EXPECT_EQ(place.thinner, thinner) << least;
+  }
+}
+
 TEST(ThinPlaces, AreTheSameWithAnyNumberOfThreads) {
   const BoundaryModel boundary = boundary_of(test::case_model("detailed/coldplate"));
   const auto one = thin_places(boundary, kThree, {.threads = 1});

@@ -123,6 +123,16 @@ TEST_F(Hold, IsLeftForOtherSizes) {
   EXPECT_TRUE(has_ended(finer));
 }
 
+TEST_F(Hold, SaysSoWhenOtherOptionsEndIt) {
+  MeshOptions options = base_.options;
+  options.nodes.reset();
+  MeshOptions finer = options, thorough = options;
+  finer.size = 0.5 * l_;
+  thorough.threshold = 0.5;
+  for (const MeshOptions& asked : {finer, thorough})
+    EXPECT_TRUE(has_ended(make_revision(base_, moved(0.3), asked, kRun)));
+}
+
 TEST_F(Hold, HasAHorizonThatEditsKeepTo) {
   const Horizon horizon = connectivity_horizon(base_, "pipe_x", 1, kRun);
   EXPECT_EQ(horizon.value, 15);
