@@ -38,9 +38,10 @@ const CopyPlan& Problem::plan() const {
   if (!plan_) {
     CopyPlan plan(parent.copied_model(), modified.model,
                   copy_lengths(density.sizes.base(), density.sizes.even()), run);
-    std::optional<CopyPlan> anew = resized(plan, parent, modified, density.sizes, run);
-    is_resized_ = anew.has_value();
-    if (anew) plan = *std::move(anew);
+    if (auto anew = resized(plan, parent, modified, density.sizes, run)) {
+      plan = std::move(anew->plan);
+      most_off_ = anew->most_off;
+    }
     if (!changed_rims().empty() && plan.copies())
       plan = with_new_at(plan, changed_rims(), density.sizes);
     plan_ = std::make_unique<const CopyPlan>(std::move(plan));
@@ -59,9 +60,9 @@ const std::vector<Vec3>& Problem::changed_rims() const {
   return *changed_rims_;
 }
 
-bool Problem::is_resized() const {
+double Problem::most_off() const {
   static_cast<void>(plan());
-  return is_resized_;
+  return most_off_;
 }
 
 const EntityMap& Problem::entities() const {

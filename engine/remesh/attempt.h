@@ -35,7 +35,8 @@ class Problem {
   /// Copycells and newcells of the modified model (Sect. 5). Material whose nodes in the parent
   /// were made for other edge lengths (`resized`) is new too, and so is that at `changed_rims`.
   [[nodiscard]] const CopyPlan& plan() const;
-  [[nodiscard]] bool is_resized() const;  ///< whether `resized` found such nodes
+  /// The greatest ratio of the two lengths at such nodes; 1 where there are none.
+  [[nodiscard]] double most_off() const;
   /// Closely spaced points on the rims of groups that one of the two boundaries has alone.
   [[nodiscard]] const std::vector<Vec3>& changed_rims() const;
   /// Where the entities of the parent's boundary are in the modified one.
@@ -45,7 +46,7 @@ class Problem {
 
  private:
   mutable std::unique_ptr<const CopyPlan> plan_;
-  mutable bool is_resized_ = false;
+  mutable double most_off_ = 1;
   mutable std::optional<std::vector<Vec3>> changed_rims_;
   mutable std::unique_ptr<const EntityMap> entities_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "engine/base/parallel.h"
@@ -109,6 +110,8 @@ class Misfits {
   [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
   /// The longest edge length that they were made for or that is wanted there.
   [[nodiscard]] double longest() const { return longest_; }
+  /// The greatest ratio of the two.
+  [[nodiscard]] double most_off() const { return most_off_; }
 
  private:
   [[nodiscard]] bool is_off(std::int32_t node, const Vec3& place) const {
@@ -118,7 +121,9 @@ class Misfits {
   void add(std::int32_t node, const Vec3& place, std::int32_t transform) {
     if (!(*found_)[transform].insert(node).second) return;
     places_.push_back(place);
-    longest_ = std::max({longest_, made_for(parent_, node), sizes_(place)});
+    const double was = made_for(parent_, node), now = sizes_(place);
+    longest_ = std::max({longest_, was, now});
+    most_off_ = std::max({most_off_, was / now, now / was});
   }
   /// Any node may be copied in place.
   void find_in_place(const Run& run) {
@@ -152,7 +157,7 @@ class Misfits {
   Reach reach_;
   std::shared_ptr<ByTransform> found_;
   std::vector<Vec3> places_;
-  double longest_ = 0;
+  double longest_ = 0, most_off_ = 1;
 };
 
 }  // namespace
@@ -180,18 +185,19 @@ CowVector<double> made_for(const Revision& parent, const Revision& revision, con
   return {std::span<const double>(all), parent.output.node_sizes};
 }
 
-std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
-                                const Revision& wanted, const SizeField& sizes, const Run& run) {
+std::optional<Resized> resized(const CopyPlan& plan, const Revision& parent, const Revision& wanted,
+                               const SizeField& sizes, const Run& run) {
   if (wanted.options.sizing.even && parent.options.sizing.even) return {};
   if (!is_known(parent) || !plan.copies()) return {};
   const auto nodes = std::make_shared<const LocatedNodes>(parent, sizes);
   const Misfits misfits(plan, parent, wanted, sizes, *nodes, run);
   if (misfits.places().empty()) return {};
-  return plan.with_new_where(
+  CopyPlan anew = plan.with_new_where(
       [nodes, off = misfits.nodes(), back = plan.inverses()](const Vec3& p, std::int32_t t) {
         return (*off)[t].contains(nodes->grid.nearest(back[t].apply(p)));
       },
       Region(misfits.places(), kResizeLimits.around * misfits.longest(), 1).boxes());
+  return Resized{std::move(anew), misfits.most_off()};
 }
 
 }  // namespace remeshd

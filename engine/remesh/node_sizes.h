@@ -16,11 +16,16 @@ namespace remeshd {
 CowVector<double> made_for(const Revision& parent, const Revision& revision, const CopyPlan* plan,
                            const Run& run);
 
+struct Resized {
+  CopyPlan plan;
+  double most_off;  ///< greatest ratio of the length that a node was made for and the one wanted
+};
+
 /// The plan, but material that would be copied is new round nodes that were made for an edge length
 /// more than a quarter off the one wanted now where they would be copied to, if a change may be
 /// why. Round such a node means that no other node of the parent is nearer. Nothing where there are
 /// no such nodes, as where both meshes are even.
-std::optional<CopyPlan> resized(const CopyPlan& plan, const Revision& parent,
-                                const Revision& wanted, const SizeField& sizes, const Run& run);
+std::optional<Resized> resized(const CopyPlan& plan, const Revision& parent, const Revision& wanted,
+                               const SizeField& sizes, const Run& run);
 
 }  // namespace remeshd

@@ -16,11 +16,15 @@
 namespace remeshd {
 namespace {
 
-/// Whether both meshes are even, or the edge lengths wanted are everywhere nearly those that the
-/// parent's nodes were made for.
-bool is_sized_alike(const Problem& problem) {
+/// A mesh may have nodes that are off by nearly the quarter for which they would be made anew. A
+/// motion small enough for morphing is no reason to do so when it makes them a little more.
+constexpr double kMostOffMorphed = 1.3;
+
+/// Whether both meshes are even, or no node that is to be made anew for its edge length is off by
+/// more than this ratio.
+bool is_sized_alike(const Problem& problem, double most_off) {
   const bool even = problem.modified.options.sizing.even && problem.parent.options.sizing.even;
-  return even || !problem.is_resized();
+  return even || problem.most_off() <= most_off;
 }
 
 /// Whether the mesh of an edit is cleaned up as its parent's was.
@@ -29,15 +33,16 @@ bool is_cleaned_alike(const Problem& problem) {
   return now.clean_up == then.clean_up && now.threshold == then.threshold;
 }
 
-/// Whether an edit with these options may answer with the tets of its parent.
-bool may_keep_tets(const Problem& problem, const Attempt*) {
-  return problem.density.inherited && is_cleaned_alike(problem) && is_sized_alike(problem);
+/// Whether an edit with these options may answer with the tets of its parent. The plan, which is
+/// made to compare edge lengths, last.
+bool may_keep_tets(const Problem& problem, double most_off) {
+  return problem.density.inherited && is_cleaned_alike(problem) &&
+         is_sized_alike(problem, most_off);
 }
 
-bool is_same_model(const Problem& problem, const Attempt* failed) {
-  // Edge lengths last: to compare them the plan is made.
+bool is_same_model(const Problem& problem, const Attempt*) {
   return same_geometry(problem.parent.meshed_model, problem.modified.model) &&
-         problem.changed_rims().empty() && may_keep_tets(problem, failed);
+         problem.changed_rims().empty() && may_keep_tets(problem, 1);
 }
 
 /// Whether its options ask to keep connectivity for longer than morphing does.
@@ -52,8 +57,9 @@ bool asks_for_same_sizes(const Problem& problem) {
          problem.modified.source.sizes == problem.parent.source.sizes;
 }
 
-bool may_morph(const Problem& problem, const Attempt* failed) {
-  return problem.modified.options.hold == 0 && may_keep_tets(problem, failed);
+bool may_morph(const Problem& problem, const Attempt*) {
+  return problem.modified.options.hold == 0 &&
+         may_keep_tets(problem, asks_for_same_sizes(problem) ? kMostOffMorphed : 1);
 }
 
 bool is_first_mesh(const Problem& problem, const Attempt*) {

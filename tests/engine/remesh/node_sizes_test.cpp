@@ -114,10 +114,11 @@ TEST(NodeSizes, FurtherFromAChangeThanLengthsGrowNothingIsMadeAnew) {
   }
   EXPECT_GT(near, 0);
   EXPECT_GT(far, near);
-  const std::optional<CopyPlan> anew = resized(plan, base, next, *next.sizes, kRun);
+  const std::optional<Resized> anew = resized(plan, base, next, *next.sizes, kRun);
   ASSERT_TRUE(anew);
-  EXPECT_EQ((*anew)({25, 25, 4}), plan.identity());
-  EXPECT_EQ((*anew)({8, 0, 4}), CopyPlan::kNew);
+  EXPECT_EQ(anew->plan({25, 25, 4}), plan.identity());
+  EXPECT_EQ(anew->plan({8, 0, 4}), CopyPlan::kNew);
+  EXPECT_EQ(anew->most_off, 2);
 }
 
 TEST(NodeSizes, OfASizeThatIsRemovedItIsMadeCoarserAgain) {
