@@ -13,13 +13,14 @@
 namespace remeshd {
 namespace {
 
-/// `made`: the place of the revision that does not become the head. It may not be filed yet, where
-/// the warning is an error: it can be named by asking for it alone.
+/// `made`: the place of the revision that does not become the head. Where the warning is an error
+/// it is not filed.
 Warning head_kept(const PlaceRecord& made, std::uint32_t head) {
   return {.code = WarningCode::HeadKept,
           .message = "the head of the design `" + made.design + "` is still number " +
                      std::to_string(head) + ", for this model is not that of its first revision; " +
-                     "`remesh mesh --head` makes it the head"};
+                     "`remesh mesh --head` makes it the head, and so does `remesh head " +
+                     made.design + "@" + std::to_string(made.number) + "` once it is filed"};
 }
 
 Warning not_durable() {

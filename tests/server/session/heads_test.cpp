@@ -81,7 +81,9 @@ TEST_F(HeadsTest, AFirstMeshOfAnotherModelLeavesTheHeadAndSaysHowToMoveIt) {
   EXPECT_FALSE(other.filed.head_conflict);
   ASSERT_THAT(other.warnings, SizeIs(1));
   EXPECT_EQ(other.warnings[0].code, WarningCode::HeadKept);
-  EXPECT_THAT(other.warnings[0].message, HasSubstr("`remesh mesh --head` makes it the head"));
+  EXPECT_THAT(
+      other.warnings[0].message,
+      HasSubstr("`remesh mesh --head` makes it the head, and so does `remesh head plate@3`"));
   // As long as it stays.
   EXPECT_THAT(ask(plate(85)).made().warnings, SizeIs(1));
 }
