@@ -43,7 +43,7 @@ void add_global_options(CLI::App& app, Line& line) {
       ->check(CLI::Range(0.001, 1e6))
       ->type_name("S");
   app.add_option("--patience", line.options.patience,
-                 "Try again for so many seconds where no daemon is available [30]")
+                 "Try again for so many seconds where no daemon is available any more [30]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S");
   auto* verbose = app.add_flag("-v,--verbose", line.verbose, "Say more, and progress in pipes too");

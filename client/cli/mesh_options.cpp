@@ -100,7 +100,9 @@ void MeshingOptions::add_to(CLI::App& command) {
   command.add_option("--threads", threads, "Threads; never change the result [1]")
       ->check(CLI::Range(1U, 1024U))
       ->type_name("N");
-  command.add_option("--design", design, "Design that the revision belongs to [the model's name]")
+  command
+      .add_option("--design", design,
+                  "Design that the revision belongs to [the model's name; of an edit its base's]")
       ->type_name("NAME");
   command.add_flag("--keep-head", keep_head, "Do not move the head of the design");
 }

@@ -7,9 +7,9 @@
 
 FOLDER is on the shared file system and has study.json:
 
-    {"model": "bracket.json", "options": {"nodes": 8000}, "levels": {"radius": [8, 9, 10], "rib.width": [3, 4]}}
+    {"model": "bracket.json", "options": {"nodes": 8000}, "levels": {"hole_radius": [8, 9, 10], "stiffener": [6, 8]}}
 
-`levels` are all combined; or `designs` lists what each sets, [{"radius": 8}, ...]. `depth`: most edits
+`levels` are all combined; or `designs` lists what each sets, [{"hole_radius": 8}, ...]. `depth`: most edits
 between the base and a design (8). `tasks`: of the array (20). `evaluate`: a Python file with a function
 evaluate(part), whose numbers by name stand in the results; it alone fetches meshes.
 

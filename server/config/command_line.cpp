@@ -76,7 +76,8 @@ CommandLine read_command_line(std::vector<std::string> arguments) {
       "`maxNodes = 20000`, in the environment as REMESHD_MAX_NODES=20000, as a flag.");
   app.allow_extras();
   app.set_version_flag("--version", std::string("remeshd " REMESHD_VERSION));
-  app.add_option("--config", out.config_file, "TOML file with options")->type_name("FILE");
+  app.add_option("--config", out.config_file, "TOML file with options; or REMESHD_CONFIG")
+      ->type_name("FILE");
   bool check = false, print = false;
   app.add_flag("--check-config", check, "tell what is wrong with the configuration, and end");
   app.add_flag("--print-config", print, "print the configuration as a file for --config, and end");

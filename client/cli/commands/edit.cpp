@@ -67,7 +67,10 @@ int edit(Session& session, const EditArguments& arguments) {
 }  // namespace
 
 void add_edit_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("edit", "Apply an edit to a revision and remesh it");
+  auto* command =
+      app.add_subcommand("edit",
+                         "Apply an edit to a revision and remesh it; options of the mesh that "
+                         "are left out are the base's");
   const auto arguments = std::make_shared<EditArguments>();
   command
       ->add_option(

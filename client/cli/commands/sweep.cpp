@@ -303,7 +303,8 @@ void add_sweep_command(CLI::App& app, Action& action) {
   command->footer(
       "Prints a line for each step, tabs between the columns. A step that fails is told in its "
       "line and the sweep goes on; the exit code is then 4. No head is moved, and where the daemon "
-      "can, the revisions are in no design unless --design names one.");
+      "can, the revisions are in no design unless --design names one. Options of the mesh that are "
+      "left out are BASE's.");
   command->callback([arguments, &action] {
     arguments->meshing.keep_head = true;
     settle(*arguments);

@@ -30,7 +30,8 @@ NOTES = {
     "GROUP_EMPTIED": "Mend the selector in the same edit (`setGroup`), or take the group away.",
     "FACE_LOST": "Loads on that face act on nothing: look whether the edit was meant so.",
     "FEATURE_WITHOUT_EFFECT": "Look at its place and at its place in history: a later feature may cover it.",
-    "NODES_FAR_FROM_TARGET": "Ask for more nodes, or for `--even` ones.",
+    "NODES_FAR_FROM_TARGET": "Ask for more nodes, or for `--even` ones; for longer edges than the base's mesh the model "
+                             "anew.",
     "QUALITY_LOW": "See `remesh quality`; more nodes help where a detail is too small for its edges.",
     "FALLBACK": "`remesh explain` tells what was tried.",
     "RENEWED": "Nothing is wrong: transfer fields anew.",

@@ -16,6 +16,10 @@ LIMITS = (("features", "engine/model/limits.h", r"kMaxFeatures = (\d+);"),
           ("sizes, and groups, each", "engine/model/limits.h", r"kMaxSelections = (\d+);"),
           ("entries of a profile", "engine/model/profile.h", r"kMaxProfileEntries = (\d+);"),
           ("characters of an expression", "engine/model/expression.h", r"kMaxExpressionLength = (\d+);"),
+          ("terms of a selector", "engine/model/selection/selector.h", r"terms = (\d+);"),
+          ("characters of a term, without its condition", "engine/model/selection/selector.h", r"term_length = (\d+);"),
+          ("conditions of a model, for each feature selected", "engine/model/selection/selector.h",
+           r"conditions = ([\d']+);"),
           ("MiB of a document", "proto/json_reader.h", r"bytes = std::size_t\{(\d+)\} << 20;"),
           ("lists and objects inside each other", "proto/json_reader.h", r"depth = (\d+);"),
           ("greatest length or coordinate, in the model's unit", "engine/model/limits.h", r"kMaxLength = (\w+);"))
@@ -45,7 +49,7 @@ def type_section(kind):
 def limits():
     rows = []
     for what, file, pattern in (*LIMITS, LEAST):
-        value = re.search(pattern, (ROOT / file).read_text())[1]
+        value = re.search(pattern, (ROOT / file).read_text())[1].replace("'", "")
         rows.append(f"| {what} | {int(value):,} |" if value.isdigit() else f"| {what} | {value} |")
     return "\n".join(["| at most | |", "|---|---|", *rows[:-1], "", "| at least | |", "|---|---|", rows[-1]])
 

@@ -5,7 +5,7 @@
     with rc.connect() as daemon:
         part = daemon.mesh("bracket.json", nodes=8000)
         for radius in (8, 8.5, 9):
-            part = part.edit(radius=radius)
+            part = part.edit(hole_radius=radius)
             mesh = part.mesh()          # .points .tets .faces["hole.wall"].nodes .parent_nodes
             print(part.report.nodes_kept, part.warnings, mesh.write("b.inp"))
 """

@@ -4,7 +4,7 @@
     from remesh_client import aio
     async with aio.connect() as daemon:
         part = await daemon.mesh("bracket.json", nodes=8000)
-        part = await part.edit(radius=8)
+        part = await part.edit(hole_radius=8)
         mesh = await part.mesh()
         await part.write("b.inp")
 

@@ -3,7 +3,7 @@
 
     from distributed import Client
     from remesh_client.dask import map_designs
-    designs = [{"radius": r, "rib.width": w} for r in (8, 9, 10) for w in (3, 4, 5)]
+    designs = [{"hole_radius": r, "stiffener": w} for r in (8, 9, 10) for w in (6, 8, 10)]
     futures = map_designs(Client("tcp://scheduler:8786"), base, designs)
     volumes = [future.result().figures["volume"] for future in futures]
 

@@ -4,7 +4,7 @@
     from remesh_client.openmdao import RemeshComponent
     problem.model.add_subsystem("part", RemeshComponent(
         daemon=daemon, model="bracket.json", mesh_options={"nodes": 8000},
-        parameters=["radius", "rib.width"], outputs={"mass": 1.0, "stress": 1.0},
+        parameters=["hole_radius", "stiffener"], outputs={"mass": 1.0, "stress": 1.0},
         evaluate=lambda part: {"mass": part.report.volume, "stress": peak_stress(part.mesh())}))
 """
 from __future__ import annotations
