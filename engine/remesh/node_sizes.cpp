@@ -78,12 +78,22 @@ class Reach {
 };
 
 /// The nodes that an edit may copy.
-struct LocatedNodes {
+class LocatedNodes {
+ public:
   LocatedNodes(const Revision& parent, const SizeField& sizes)
-      : positions(parent.delaunay_state->positions().flat()),
-        grid(positions, kGridCell * sizes.grid_length()) {}
-  std::vector<Vec3> positions;
-  NearestNode grid;
+      : positions_(parent.delaunay_state->positions().flat()),
+        cell_(kGridCell * sizes.grid_length()) {}
+  [[nodiscard]] const std::vector<Vec3>& positions() const { return positions_; }
+  /// Made when it is first asked for: most edits have no use for it.
+  [[nodiscard]] const NearestNode& grid() {
+    if (!grid_) grid_.emplace(positions_, cell_);
+    return *grid_;
+  }
+
+ private:
+  std::vector<Vec3> positions_;
+  double cell_;
+  std::optional<NearestNode> grid_;
 };
 
 /// Nodes that were made for another edge length than is wanted where they would be copied to.
@@ -92,7 +102,7 @@ class Misfits {
   using ByTransform = std::vector<std::unordered_set<std::int32_t>>;
 
   Misfits(const CopyPlan& plan, const Revision& parent, const Revision& wanted,
-          const SizeField& sizes, const LocatedNodes& nodes, const Run& run)
+          const SizeField& sizes, LocatedNodes& nodes, const Run& run)
       : plan_(plan),
         parent_(parent),
         sizes_(sizes),
@@ -128,12 +138,12 @@ class Misfits {
   /// Any node may be copied in place.
   void find_in_place(const Run& run) {
     const auto off = collect_in_blocks<std::int32_t>(
-        nodes_.positions.size(), kDearBlock, run,
+        nodes_.positions().size(), kDearBlock, run,
         [&](std::size_t begin, std::size_t end, std::vector<std::int32_t>& found) {
           for (auto n = static_cast<std::int32_t>(begin); n < static_cast<std::int32_t>(end); ++n)
-            if (is_off(n, nodes_.positions[n])) found.push_back(n);
+            if (is_off(n, nodes_.positions()[n])) found.push_back(n);
         });
-    for (const std::int32_t n : off) add(n, nodes_.positions[n], plan_.identity());
+    for (const std::int32_t n : off) add(n, nodes_.positions()[n], plan_.identity());
   }
   /// With a feature go the nodes in and about its box.
   void find_moved(const SourceFeature& source, const Run& run) {
@@ -141,19 +151,20 @@ class Misfits {
     const Transform& motion = plan_.transforms()[source.transform];
     const double about = kResizeLimits.around * parent_.edge_length;
     Polling poll(run);
-    nodes_.grid.for_each_within(
-        0.5 * (box.lo + box.hi), 0.5 * box.diagonal() + about, [&](std::int32_t n, double) {
-          poll();
-          if (!box.contains(nodes_.positions[n], about)) return;
-          if (const Vec3 place = motion.apply(nodes_.positions[n]); is_off(n, place))
-            add(n, place, source.transform);
-        });
+    nodes_.grid().for_each_within(0.5 * (box.lo + box.hi), 0.5 * box.diagonal() + about,
+                                  [&](std::int32_t n, double) {
+                                    poll();
+                                    const Vec3& at = nodes_.positions()[n];
+                                    if (!box.contains(at, about)) return;
+                                    if (const Vec3 place = motion.apply(at); is_off(n, place))
+                                      add(n, place, source.transform);
+                                  });
   }
 
   const CopyPlan& plan_;
   const Revision& parent_;
   const SizeField& sizes_;
-  const LocatedNodes& nodes_;
+  LocatedNodes& nodes_;
   Reach reach_;
   std::shared_ptr<ByTransform> found_;
   std::vector<Vec3> places_;
@@ -189,12 +200,13 @@ std::optional<Resized> resized(const CopyPlan& plan, const Revision& parent, con
                                const SizeField& sizes, const Run& run) {
   if (wanted.options.sizing.even && parent.options.sizing.even) return {};
   if (!is_known(parent) || !plan.copies()) return {};
-  const auto nodes = std::make_shared<const LocatedNodes>(parent, sizes);
+  const auto nodes = std::make_shared<LocatedNodes>(parent, sizes);
   const Misfits misfits(plan, parent, wanted, sizes, *nodes, run);
   if (misfits.places().empty()) return {};
   CopyPlan anew = plan.with_new_where(
-      [nodes, off = misfits.nodes(), back = plan.inverses()](const Vec3& p, std::int32_t t) {
-        return (*off)[t].contains(nodes->grid.nearest(back[t].apply(p)));
+      [nodes, grid = &nodes->grid(), off = misfits.nodes(), back = plan.inverses()](
+          const Vec3& p, std::int32_t t) {
+        return (*off)[t].contains(grid->nearest(back[t].apply(p)));
       },
       Region(misfits.places(), kResizeLimits.around * misfits.longest(), 1).boxes());
   return Resized{std::move(anew), misfits.most_off()};
