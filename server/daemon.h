@@ -69,7 +69,7 @@ class Daemon {
 
   /// A channel to this daemon that uses no port.
   std::shared_ptr<grpc::Channel> in_process_channel();
-  /// The port it listens on, of several addresses the first's that has one; 0 where it does not.
+  /// The TCP port of the first address that has one; 0 if the daemon listens on none.
   [[nodiscard]] int port() const;
   /// Where it listens, as a client takes it: `127.0.0.1:50051`, `unix:/run/remeshd.sock`; in the
   /// order of `DaemonOptions::listen`.

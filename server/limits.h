@@ -51,9 +51,9 @@ inline constexpr int kChildren = 1000;
 /// Bytes of a mesh in one message: below the 4 MiB that gRPC's clients accept by default. A reader
 /// that pauses holds up to four such messages beside its mesh.
 inline constexpr std::size_t kMeshPartBytes = kMebi - kKibi;
-/// Bytes of a call's replies that may wait for its client before no more are made. As many are
-/// leased from the memory budget: data of a mesh are not copied out of the revision, but for what
-/// TLS has encrypted of them already.
+/// Bytes of a call's replies that may wait for its client; the server makes no more until the
+/// client has taken some. As many bytes are leased from the memory budget: mesh data are sent from
+/// the memory of the revision, and only TLS copies them, as it encrypts.
 inline constexpr std::size_t kUntakenBytes = kMeshPartBytes;
 
 // Of one EditStream: what waits in it.
@@ -103,12 +103,12 @@ inline constexpr std::uint64_t kBytesPerNode = 1500;
 /// s that the reading of a revision waits for memory, and s after which a client is told to come
 /// back where there is none.
 inline constexpr double kLoadWait = 60, kMemoryDelay = 1;
-/// One part in so many of the budget: the margin by which the process is to stay below it, for
-/// memory that no estimate covers. Where it does not, twice the margin is freed, so that not every
-/// lease has to free some.
+/// The margin is 1/kMarginShare of the budget. The process is to stay below the budget by it,
+/// because of memory that no estimate covers. When it does not, revisions held are evicted until it
+/// is below by twice the margin, so that not every lease has to evict some.
 inline constexpr std::uint64_t kMarginShare = 10;
-/// One part in so many of the budget: what the revisions held keep all the same, or the next
-/// request would find none in memory.
+/// Eviction for that margin leaves the revisions held at least 1/kKeptShare of the budget;
+/// otherwise the next request would find none in memory.
 inline constexpr std::uint64_t kKeptShare = 4;
 /// How often the memory of the process is measured, and bytes by which it must have grown since
 /// freed memory was last returned to the system for that to be done again.

@@ -14,7 +14,7 @@ namespace {
 /// s to wait for another `--local` that has the store.
 constexpr double kStoreWait = 60;
 
-/// A daemon without a port and the way to it; the channel goes first.
+/// A daemon without a port, and a channel to it, which is destroyed before the daemon.
 struct LocalDaemon {
   explicit LocalDaemon(const DaemonOptions& options)
       : daemon(options, production_engine()), channel(daemon.in_process_channel()) {}

@@ -8,7 +8,7 @@
 namespace remeshd::cli {
 namespace {
 
-/// Whether it is about what the document says, not about what was made of it.
+/// Whether the error is about the text of the document, not about the mesh made from it.
 bool is_of_document(const remesh::v1::Error& error) {
   return error.has_line() || error.stage() == "model" || error.stage() == "document";
 }

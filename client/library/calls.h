@@ -41,8 +41,10 @@ Reply call_again(Search search, Method<Service, Request, Reply> method, const Re
   }
 }
 
-/// A call that changes something: made again where a daemon refused it or cannot be reached, but
-/// not where the connection breaks, since it may have been carried out.
+/// A call that changes something. It is made again where a daemon refused it with a reason and, if
+/// there are several daemons, where one cannot be reached. It is not made again where the
+/// connection breaks, since it may have been carried out; with a single daemon, one that cannot be
+/// reached counts as such a break.
 template <class Service, class Request, class Reply>
 Reply call_once(const Farm& farm, Search search, Method<Service, Request, Reply> method,
                 const Request& request) {

@@ -18,12 +18,13 @@ namespace remeshd::client {
 
 /// Which daemon a request goes to, and where it goes when that one fails.
 ///
-/// All requests of a loop have one route, and go to the replica that comes first for it by
-/// rendezvous hashing: it has the base in memory. Where it does not answer, the next in rank takes
-/// over, to whom the tier gives what it lacks; a request names all by id, so nothing is done twice.
-/// One daemon alone is a list of one. The client for Python ranks alike.
+/// All requests of a loop have one route, and go to the replica that ranks first for this route by
+/// rendezvous hashing: that replica has the base in memory. If it does not answer, the next in rank
+/// takes over, and gets the revisions that it lacks from the tier. Requests name revisions by id,
+/// so nothing is done twice. A single daemon is a list of one. The Python client ranks in the same
+/// way.
 ///
-/// Of one thread, but for `stop`.
+/// For one thread, but for `stop`, which any thread may call.
 class Search {
  public:
   Search(std::shared_ptr<Farm> farm, std::string route, const CallOptions& options);

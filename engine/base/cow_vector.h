@@ -131,7 +131,8 @@ class CowVector {
   [[nodiscard]] std::span<const T> page(std::size_t k) const {
     return {pages_[k].get(), std::min(kPage, size_ - k * kPage)};
   }
-  /// Whether page k is the same memory as page k of `other`: what both have of it is equal.
+  /// Whether page k is the same memory as page k of `other`. If so, the elements that both have on
+  /// it are equal.
   [[nodiscard]] bool shares(std::size_t k, const CowVector& other) const {
     return k < other.pages_.size() && pages_[k] == other.pages_[k];
   }

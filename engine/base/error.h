@@ -147,6 +147,7 @@ Error tetgen_out_of_memory(std::size_t bytes);
 /// The program `remeshd-tetgen` cannot be started from `path`.
 Error tetgen_missing(std::string_view path, std::string_view why);
 
+// Stage `request`; boundary_not_recovered: stage `verify`.
 /// `option`: `nodes`, `size`, `iterations`.
 Error options_invalid(std::string_view option, std::string_view why);
 /// `what`: a clause that ends before the number, `an edge length of 0.1 needs about`; `option`:

@@ -60,7 +60,7 @@ Foot foot_on_torus(double major, double minor, const Vec3& q) {
   const double rho = major + minor * nu;
   Foot foot{rho * m.out + Vec3{0, 0, minor * nz}, nu * m.out + Vec3{0, 0, nz}, d - minor};
   if (rho < 0) {
-    // A spindle torus ends on the axis: nearest is the point where its meridian meets that.
+    // A spindle torus ends on the axis: the nearest point is where its meridian meets the axis.
     const double tip = std::copysign(std::sqrt(minor * minor - major * major), m.z);
     foot.point = {0, 0, tip};
     foot.normal = (-major / minor) * m.out + Vec3{0, 0, tip / minor};

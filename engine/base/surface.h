@@ -34,8 +34,9 @@ Vec3 normal(const Surface& surface, const Vec3& p);
 /// Distance to the surface, positive on the side that `normal` points to.
 double signed_distance(const Surface& surface, const Vec3& p);
 
-/// Smallest radius of curvature at the point nearest to p; infinite on a plane, nought at a cone's
-/// apex. On a cone it is that of p itself, which should lie on the surface or close to it.
+/// Smallest radius of curvature at the point nearest to p; infinite on a plane, 0 at the apex of a
+/// cone and where a spindle torus meets its axis. On a cone p itself is taken for the nearest
+/// point: it should lie on the surface or close to it.
 double radius_of_curvature(const Surface& surface, const Vec3& p);
 
 /// Whether two surfaces are the same point set to within `tolerance` (length) in the box given.

@@ -17,8 +17,8 @@ inline constexpr double kSameDirection = 1e-9;
 inline constexpr double kSameMeasure = 1e-6;
 /// An edge whose middle is off its chord by less is straight, x the length of the chord.
 inline constexpr double kStraight = 1e-10;
-/// A feature that moved by no more may be meshed where it was, x the model's diagonal: into the
-/// steps and slits that such a motion leaves beside other features no usable tets fit.
+/// A feature that moved by no more may be meshed at its old place, x the model's diagonal. Such a
+/// motion leaves steps and slits beside other features, and these are too narrow for usable tets.
 inline constexpr double kTinyMotion = 5e-7;
 /// What rounding alone may do to a number, relative.
 inline constexpr double kRounding = 1e-12;

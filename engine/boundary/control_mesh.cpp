@@ -13,15 +13,15 @@ namespace remeshd {
 namespace {
 
 struct Octree {
-  int depth = 5;             ///< deeper gains 20 ns, costs 10 ms
+  int depth = 5;             ///< another level: queries 20 ns faster, building 10 ms slower
   int steps = 1 << depth;    ///< finest cells along each axis
-  std::size_t few_tets = 4;  ///< a list so short is faster than another level
+  std::size_t few_tets = 4;  ///< no cell with so few tets is divided
 };
 constexpr Octree kOctree;
 // Relative. TetGen takes triangles within 0.1 degree of one plane for coplanar, which changes the
 // volume of tool2-d by 2.6e-7.
 constexpr double kVolumeTolerance = 1e-5;
-enum CellState : std::int32_t { kOutside = -1, kInside = -2 };  // lists of tets come below
+enum CellState : std::int32_t { kOutside = -1, kInside = -2 };  // smaller values: lists of tets
 
 /// Volume within an outward oriented closed surface, by the divergence theorem.
 double enclosed_volume(const kernel::TetGenSurface& surface) {

@@ -14,8 +14,8 @@ class EntityMap {
   /// `tolerance`: distance within which entities are the same, length. Keeps a reference to `to`.
   EntityMap(const BoundaryModel& from, const BoundaryModel& to, double tolerance);
 
-  /// The support in the other boundary of a node at p that stands on `support` in the first;
-  /// nothing where no entity of the other coincides with that.
+  /// The support that a node at p with `support` in the boundary `from` has in the boundary `to`;
+  /// std::nullopt where no entity of `to` coincides with that of `support`.
   [[nodiscard]] std::optional<Support> operator()(const Support& support, const Vec3& p) const;
 
  private:

@@ -10,20 +10,23 @@
 namespace remeshd {
 namespace {
 
-/// Cosines between a facet's normal and those of two faces that differ by less do not tell whose
-/// the facet is: faces that cross at less than 18 degrees.
+/// Two faces compete for a facet by the cosines between their normals and the facet's. Where the
+/// cosines differ by less than this, as of faces that cross at less than 18 degrees, they do not
+/// decide.
 constexpr double kSameFit = 0.05;
 
-/// Of the way from a corner of a facet to its centroid: an apex, which is on the axis, does not
+/// Each corner of a facet is moved by this share of the way to its centroid before it is tested
+/// whether the axis passes through the facet: a corner at an apex, which is on the axis, does not
 /// count.
 constexpr double kWithin = 0.01;
-/// x square of a coordinate: what rounding leaves of the area of a triangle with its corners on a
-/// line.
+/// x the sum of the squared coordinates of two corners: where twice the area of their triangle with
+/// the origin is less, it counts as 0, because of rounding.
 constexpr double kRounding = 1e-9;
 
 using Point2 = std::array<double, 2>;
 
-/// Whether the origin is in a triangle.
+/// Whether the origin is in a triangle, its sides included. Also true where all three corners lie
+/// on one line through the origin.
 bool has_origin(const std::array<Point2, 3>& corners) {
   int left = 0, right = 0;
   for (int i = 0; i < 3; ++i) {

@@ -14,9 +14,9 @@ namespace {
 struct SurfaceMeshing {
   int rounds = 6;               ///< of splitting, collapsing, flipping and evening out
   int rounds_per_crossing = 2;  ///< after each refinement at crossings
-  double per_width = 2.0;       ///< longest sides beside a thin face, in widths of it
-  double per_radius = 1.0;      ///< longest sides on a curve, in its radii: a hexagon
-  int least_segments = 6;       ///< sides on a closed edge that is no circle
+  double per_width = 2.0;       ///< longest sides beside a thin face, x its width
+  double per_radius = 1.0;      ///< longest sides on a curve, x its radius: a circle is a hexagon
+  int least_segments = 6;       ///< sides along a closed model edge, at least
 };
 constexpr SurfaceMeshing kMesh;
 
@@ -105,8 +105,10 @@ SurfaceMesh mesh_surface(const BoundaryModel& boundary, const SurfaceMeshOptions
   };
   SurfaceRemesher remesher(tessellated_surface(boundary), boundary, longest, run);
   remesher.flip();
-  // Before anything is collapsed: on one side of a narrow place chords must not reach far across
-  // the other side, for nodes that come to stand between a chord and its curve stay there.
+  // This asks for shorter sides at narrow places before any side is collapsed. Else a long chord of
+  // the curve on one side of such a place may reach across the curve on the other side. Nodes of
+  // the second curve would then lie between the first curve and its chord, and no later step moves
+  // them out.
   heed_thin_faces(remesher, least);
   // The triangulation has long slivers, and splitting a sliver gives slivers again: sides are split
   // in steps, and short ones collapsed in between.

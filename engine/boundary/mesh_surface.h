@@ -11,8 +11,8 @@ namespace remeshd {
 struct SurfaceMeshOptions {
   SizeField sizes{0};  ///< target length of sides
   double share = 1;    ///< sides are `share` x as long as `sizes` says
-  /// In `share` x the least edge length of `sizes`. Thin faces ask for no shorter sides than this,
-  /// nor does the curvature of cones and tori.
+  /// x `share` x the least edge length of `sizes`: neither thin faces nor the curvature of cones
+  /// and tori ask for shorter sides than this.
   double least_length = 0.125;
   std::size_t most_facets = 300'000;  ///< a surface that would need more is refused
   /// Rounds of local refinement where facets of near faces cut each other.

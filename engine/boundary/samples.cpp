@@ -13,7 +13,9 @@ namespace remeshd {
 
 namespace {
 
-constexpr std::size_t kFewSamples = 3;  // below this a face is sampled at its triangles instead
+// A face with fewer samples is sampled at the centroids of its triangles: instead, or, where
+// samples are wanted in some places only, in addition.
+constexpr std::size_t kFewSamples = 3;
 
 /// For each face the others on the same surface: a lattice point belongs to the nearest of them.
 std::vector<std::vector<int>> rivals(const BoundaryModel& boundary) {

@@ -31,7 +31,8 @@ class SurfaceRemesher {
   void shorten(std::int32_t node, double length) {
     lengths_[node] = std::min(lengths_[node], length);
   }
-  /// Lets the lengths asked for grow no faster than by half of the distance (Dijkstra).
+  /// Lowers the lengths asked for until none exceeds that of a neighbouring node by more than half
+  /// of their distance (gradation; by Dijkstra's algorithm).
   void grade();
 
   /// Splits sides that are longer than `limit` x the length asked for, the longest first.
@@ -40,7 +41,8 @@ class SurfaceRemesher {
   void collapse_short();
   /// Flips sides within faces while that improves the worse of their two facets.
   void flip();
-  /// Moves every node towards the middle of its neighbours, where its facets allow it.
+  /// Moves every node to the mean of its neighbours, projected onto its support (Laplacian
+  /// smoothing), where the worst of its facets does not get worse or stays of fair shape.
   void even_out();
   /// Takes out the nodes and facets that are gone; the others are numbered anew, in their order.
   void compact();

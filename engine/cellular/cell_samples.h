@@ -22,7 +22,7 @@ struct CellSample {
 /// Near a tangency facets may cross, so that a sample lies outside of them after all.
 std::vector<CellSample> sample_cell(const kernel::Brep& brep, int cell, int count);
 
-/// How often the facets of a cell go round a point: 1 inside, 0 outside.
+/// Winding number of the facets of a cell about a point: 1 inside, 0 outside, to within rounding.
 double winding_number(const kernel::Brep& brep, int cell, const Vec3& p);
 
 }  // namespace remeshd

@@ -83,10 +83,11 @@ struct FuseAttempt {
 
 constexpr std::size_t kMaxInTurn = 16;  // features; more would take too long
 
-/// In this order until one succeeds. A finer unit tells apart what nearly coincides; a coarser one
-/// takes for equal what is up to 1e-7 of its units apart, 1.3e-8 of the model's diagonal at most,
-/// and moves nothing by more than that; owners and volumes are checked against the exact model
-/// either way. Where all fail, that takes as long as ten fuses.
+/// Tried in this order until one succeeds. With a smaller unit of length the kernel tells apart
+/// what nearly coincides. With a larger one it takes points for equal that are up to 1e-7 units
+/// apart, which is at most 1.3e-8 of the model's diagonal, and moves nothing by more than that.
+/// Owners and volumes are checked against the exact model either way. If all attempts fail, they
+/// take about as long as ten fuses.
 constexpr std::array kAttempts{FuseAttempt{0.0, false, 0}, FuseAttempt{0.7, false, 0},
                                FuseAttempt{2.5, false, 0}, FuseAttempt{0.7, false, -4},
                                FuseAttempt{2.5, true, 4},  FuseAttempt{0.0, false, 0, true}};

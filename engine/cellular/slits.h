@@ -4,9 +4,9 @@
 
 namespace remeshd {
 
-/// Whether an edge of the boundary is shorter than `widest` (length), or has a point that is nearer
-/// than that to a face that it does not meet: beside a step, a slit or a film that narrow. Edges
-/// are looked at in five places.
+/// Whether the boundary has a step, a slit or a thin layer narrower than `widest` (a length): some
+/// edge is shorter than `widest`, or a point of it is nearer than `widest` to a face that the edge
+/// does not meet. Five points of each edge are tested, its ends included.
 bool has_slits(const BoundaryModel& boundary, double widest);
 
 }  // namespace remeshd

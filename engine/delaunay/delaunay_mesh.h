@@ -31,10 +31,12 @@ class DelaunayMesh {
   using Corners = std::array<std::int32_t, 4>;
 
   explicit DelaunayMesh(const Box& bounds);
-  /// Has not even super vertices: to be assigned to. PagedDelaunay fills one with a patch.
+  /// An empty mesh without super vertices. Nothing can be inserted; assign to it first, or let
+  /// PagedDelaunay::cut fill it with a patch.
   DelaunayMesh() = default;
 
-  /// Whether nodes anywhere in the box are well within the super vertices.
+  /// Whether the box lies well within the super tetrahedron, so that nodes anywhere in it may be
+  /// inserted.
   [[nodiscard]] bool encloses(const Box& box) const;
 
   /// A mesh without nodes inside the same super vertices. For a patch of a larger mesh it has
@@ -151,8 +153,10 @@ class DelaunayMesh {
     /// What is across the facet opposite a vertex of the tet.
     [[nodiscard]] FacetRef across(std::int32_t vertex) const { return n[corner_of(vertex)]; }
     std::array<std::int32_t, 4> v;  ///< vertices, positively oriented; v[0] == kDead: free slot
-    std::array<FacetRef, 4> n;      ///< the facet opposite v[i], as the tet across has it; none; or
-                                    ///< beyond a patch: which of PagedDelaunay::Cut::exterior
+    /// By corner i, the other side of the facet opposite v[i]: the same facet of the tet across;
+    /// none on the outside of the super tetrahedron; or, beyond a patch, an index into
+    /// PagedDelaunay::Cut::exterior.
+    std::array<FacetRef, 4> n;
   };
   struct CavityFacet {                   ///< a facet of the cavity, seen from inside
     FacetRef outer;                      ///< its other side
@@ -167,7 +171,7 @@ class DelaunayMesh {
   };
 
   static constexpr std::size_t kEdgeTable = 256;
-  static constexpr std::int32_t kFewVertices = 64;  ///< of a cavity: up to so many, by a table
+  static constexpr std::int32_t kFewVertices = 64;  ///< of a cavity; with more, by hashing
 
   /// Working memory of insertions, kept for the next one; copies of a mesh begin without.
   struct Scratch {
@@ -226,7 +230,7 @@ class DelaunayMesh {
 
   /// Tets of another mesh that are to be taken over into this one.
   struct RigidBlock {
-    std::vector<std::int32_t> nodes;  ///< all tets of which are in the block
+    std::vector<std::int32_t> nodes;  ///< nodes whose tets are all in the block
     std::vector<std::int32_t> tets;
     std::vector<std::int32_t> number;  ///< by slot of the other mesh: index in `tets`, or -1
     std::vector<HoleFacet> facets;  ///< round the tets, with vertices here; `outer`: tet by index

@@ -19,8 +19,8 @@ enum Role : std::uint8_t { kStill = 0, kMoved = 1, kHeld = 2, kUnflippable = 3 }
 
 struct MotionLimits {
   double most_held = 0.25;          ///< share of the moved nodes; with more held, flips do not pay
-  int tries = 2;                    ///< rounds: held nodes move once others have made room
-  std::size_t tets_per_try = 5000;  ///< another round pays for one held node per so many tets
+  int tries = 2;                    ///< rounds; held nodes wait until others have made room
+  std::size_t tets_per_try = 5000;  ///< least held nodes for another round: one per so many tets
 };
 constexpr MotionLimits kMotionLimits;
 

@@ -18,9 +18,9 @@ class PagedDelaunay {
   using Corners = DelaunayMesh::Corners;
 
   PagedDelaunay() = default;
-  /// Takes over a mesh, its tets in the order of their lowest nodes, so that tets near in space are
-  /// near in memory where that holds for the nodes. `to` gets by slot of `mesh` the slot here, -1
-  /// for free ones.
+  /// Takes over a mesh, its tets sorted by their lowest node: so tets that are near in space are
+  /// near in memory if their nodes are. `to` is filled in: for each slot of `mesh` the slot here,
+  /// -1 for free ones.
   PagedDelaunay(const DelaunayMesh& mesh, std::vector<std::int32_t>& to);
 
   /// How a patch is connected to the mesh that it was cut out of.

@@ -18,7 +18,7 @@ namespace remeshd {
 namespace {
 
 constexpr std::size_t kBlockPages = 16;
-constexpr double kPoor = 0.4;  // volume-length: no better tet is taken to lie across a film
+constexpr double kPoor = 0.4;  // volume-length; only tets below may count as across a thin wall
 
 /// A node or tet that has an original keeps its permanent id; the others take the next ones.
 CowVector<std::uint64_t> permanent_ids(const CowVector<std::int32_t>& originals,

@@ -8,8 +8,9 @@ namespace remeshd {
 /// Turns a verified candidate into what is delivered and what the next edit starts from: node and
 /// tet maps, permanent ids, groups, Delaunay state; and counts what was kept.
 ///
-/// `original`: where the nodes were copied from; `parent`: the revision that was edited: no new
-/// node or tet gets a permanent id of its chain. Either may be `Revision::none()`.
+/// `original`: the revision that nodes and tets were copied from. `parent`: the revision that was
+/// edited; new nodes and tets get permanent ids that neither it nor its ancestors have used. Either
+/// may be `Revision::none()`.
 void deliver(Candidate candidate, const Revision& original, const Revision& parent,
              const CopyPlan& plan, Revision& revision, const Run& run);
 
@@ -28,9 +29,10 @@ void name_output(std::span<const SurfaceFacet> surface, const CowVector<Support>
                  const Run& run);
 
 /// Writes into `revision.report` the numbers of nodes and tets by origin, the quality of the output
-/// mesh and its volume, which is given, and the quality before clean-up, unless the Delaunay state
-/// is the original's. `original`: where it was copied from; `remade`: the tets to be measured, all
-/// others have the original's measures.
+/// mesh and its `volume`; also the quality before clean-up, unless the Delaunay state is the
+/// original's. Writes the measures of the tets into `revision.measures`. `original`: the revision
+/// that the mesh was copied from; `remade`: the tets to be measured; all others have the original's
+/// measures.
 void account(const Revision& original, std::span<const std::int32_t> remade, double volume,
              Revision& revision, const Run& run);
 

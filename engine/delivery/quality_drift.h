@@ -13,10 +13,14 @@ QualityReference quality_reference(const Revision& revision);
 /// mesh was better than: its first edit does not count as drift.
 bool is_regular(const Revision& revision);
 
-/// Whether so much is lost against the last regular mesh that another may be worth its time: 0.005
-/// of the mean volume-length, 0.02 where the mesh is not `even` (details that come and go change it
-/// too); or a tenth, either way, of the number of nodes that the edge length lets one expect, which
-/// is measured of even meshes alone.
+/// Whether a mesh has become so much worse than the last regular mesh of its chain that a new
+/// regular one may be worth its time. `now`: figures of the mesh; `then`: figures of the last
+/// regular mesh.
+///
+/// True where the mean volume-length measure has fallen by more than 0.005, or by more than 0.02
+/// where the mesh is not `even` (details that come and go change it too). True also where the
+/// number of nodes, over the number expected for the edge length, has changed by more than 10%, up
+/// or down; that is known for even meshes alone.
 bool has_drifted(const QualityReference& now, const QualityReference& then, bool even);
 
 /// `0.801 mean volume-length, 1.08 of the nodes expected`.

@@ -41,7 +41,7 @@ struct Classification {
 };
 
 /// Tables 1 (faces, edges, vertices) and 2 (cells), row by row.
-/// Source: Sypkens Smit & Bronsvoort 2009, Sect. 4.2.
+/// Source: Sypkens Smit & Bronsvoort 2010, Sect. 4.2.
 inline constexpr std::array<Classification, 8> kClassifications{{
     {Mark::Yes, Mark::Yes, DifferenceClass::IdenticalYes, Relation::PersistentIdentical, "++", "bb",
      "Persistent-identical: boundary", "Persistent-identical: positive nature"},

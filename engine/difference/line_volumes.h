@@ -16,7 +16,9 @@ struct VolumeEstimate {
 };
 
 struct LineOptions {
-  int lines = 16384;       ///< for each feature twice, and twice for all copycells and newcells
+  /// About so many lines over the box of each feature, and again over the boxes of what changed in
+  /// it, 1024 a box at least; the same for all copycells and newcells together.
+  int lines = 16384;
   std::uint64_t seed = 1;  ///< of the directions and shifts
 };
 

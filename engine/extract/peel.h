@@ -47,12 +47,16 @@ struct PeeledMesh {
 };
 
 /// Takes the mesh of the model out of the Delaunay mesh of its nodes: tets with an interior node
-/// are inside; of the others, those whose centroid lies in the model (Sect. 3.4). Tets whose four
-/// nodes lie on one face are flat against it: on a plane they are outside; on a curved face those
-/// of low quality are peeled once two of their facets are exposed (two or more of those known as
-/// WasOutside). Tets known as Inside are not tested; those known as Outside are peeled.
+/// are inside; of the others, those whose centroid lies in the model (Sect. 3.4; `options` may ask
+/// for more tests). Tets whose four nodes lie on one face are flat against it. On a plane they are
+/// outside. On a curved face a tet of low quality is peeled once exactly two of its facets are
+/// exposed; a tet known as WasOutside once two or more are.
 ///
-/// `known`: of all slots.
+/// The rim of a group: on a plane, faces that only a rim separates count as one face; on a curved
+/// surface, shallow tets with nodes on both sides of a rim are outside.
+///
+/// Tets known as Inside are not tested; those known as Outside are peeled.
+/// `known`: an entry for each slot of `delaunay`.
 PeeledMesh peel(const NodeSet& nodes, const DelaunayMesh& delaunay, const BoundaryModel& boundary,
                 const InsideTest& inside, const KnownClassification& known,
                 const PeelOptions& options, const Run& run);

@@ -12,8 +12,9 @@
 
 namespace remeshd {
 
-/// Operations on a residual bad tet: one that reconnections and moves of single nodes by measure
-/// left below the goals. They go by scores, so that angles count, and cost more.
+/// Operations on a residual tet: a bad tet that is still below the goals after reconnections and
+/// moves of single nodes that compare the volume-length measure. These operations compare scores,
+/// so that dihedral angles count too, and take more time.
 class AggressiveImprovement {
  public:
   AggressiveImprovement(LocalMesh& mesh, const BoundaryRules& rules, Smoother& smoother,
@@ -74,7 +75,8 @@ class AggressiveImprovement {
   [[nodiscard]] double worst_at(std::int32_t node, const Vec3& p, double floor) const;
   bool compass_search_node(std::int32_t node);
   /// Finds the reconnection that takes out an edge (`way` 0 to 5) or a facet (6 to 9) of the tet,
-  /// even if its tets are worse. Returns false where there is none.
+  /// even if the new tets are worse than the old, as long as they score above `start_score`.
+  /// Returns false where there is none.
   bool take_out(std::int32_t t, int way, Reconnection& out) const;
   /// `start`: applied first, unless it is empty.
   bool optimise_from(const Reconnection& start, const std::vector<std::int32_t>& nodes);

@@ -15,6 +15,8 @@ namespace remeshd {
 /// stay on their model faces and the chains along model edges stay.
 class BoundaryRules {
  public:
+  /// Keeps references. `chord_tolerance`: by how much one step may increase the distance of a
+  /// boundary facet, or of a swapped edge, from its curved face, x the longest side of that.
   BoundaryRules(const BoundaryModel& boundary, std::span<const Support> supports,
                 const LocalMesh& mesh, double chord_tolerance);
 

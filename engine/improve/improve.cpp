@@ -15,7 +15,9 @@ namespace remeshd {
 namespace {
 
 struct CleanUpLimits {
-  double sharp_gain = 0.02;  ///< least to aim at: a sharp tet may be above the threshold already
+  /// Least gain of measure that smoothing aims at, since a tet with too small an angle may be above
+  /// the threshold already.
+  double sharp_gain = 0.02;
   int neighbourhood_passes = 2;
   /// A node in more tets is not smoothed: only broken meshes have such, and each tet would try it.
   std::size_t tets_at_node = 300;
@@ -24,10 +26,11 @@ struct CleanUpLimits {
 };
 constexpr CleanUpLimits kCleanUpLimits;
 
-/// How many residual tets one kind of operation is tried on in a pass: `most`, but no more than one
-/// for every `dirty_for_one` dirty tets. A VTM mesh of 15,000 nodes has fewer than ten; there are
-/// more only where the threshold is out of reach, on parts that are thin for their edge length.
-/// There an edit of a coarse mesh would spend more on what its parent left than on what it makes.
+/// How many residual tets one kind of operation is tried on in a pass: one for every
+/// `dirty_for_one` dirty tets, but at least one and at most `most`. A usual mesh of 15,000 nodes
+/// has fewer than ten residual tets; there are more only on parts so thin for their edge length
+/// that the threshold is out of reach. On such parts, without this limit, an edit of a coarse mesh
+/// would spend more time on tets that its parent has left than on its own.
 struct Budget {
   std::size_t most;
   std::size_t dirty_for_one;

@@ -37,24 +37,29 @@ struct ImproveResult {
   TetMesh mesh;  ///< same node indices as the input; nodes no longer used keep their place
   std::vector<std::int32_t> was;  ///< by tet: the input tet with the same nodes, in place; or -1
   std::vector<std::uint8_t> node_moved;  ///< 1 where smoothing moved the node
-  std::uint32_t below_threshold = 0;     ///< tets still below the threshold or the least angle
-  std::uint32_t bad_at_interface = 0;    ///< those of them with a locked node that score below 0.9
+  /// Tets that are still below the threshold or the least angle. Tets that were not worked on do
+  /// not count: neither dirty nor touched, or not near a dirty one where `confined`.
+  std::uint32_t below_threshold = 0;
+  std::uint32_t bad_at_interface = 0;  ///< those of them with a locked node that score below 0.9
 };
 
-/// Removes slivers from a peeled Delaunay mesh: edge removal over rings (Freitag & Ollivier-Gooch
-/// 1997, Shewchuk 2002), face removal (2-3, 4-4 flips, 2-2 and peeling of flat tets on the
-/// boundary) and local smoothing in which boundary nodes slide on their surface or curve. Works on
-/// tets with `dirty[tet] != 0` that are below the threshold and on what their repair touches. A tet
-/// scores by how near it comes to the threshold in measure and to the least dihedral angle; every
-/// reconnection and every move of one node raises the worst measure, or on residual tets the worst
-/// score, of the tets it touches. Where neither helps, the nodes round a tet take energy descent
-/// steps together, which may leave the worst as it is while the sum of the deficits shrinks; at
-/// last such steps and reconnections take turns, which is taken back unless the outcome is better
-/// (aggressive_improvement.h).
+/// Removes slivers from a peeled Delaunay mesh by three operations: edge removal over rings, with
+/// 2-2 flips and the peeling of lone tets on the boundary (Freitag & Ollivier-Gooch 1997, Shewchuk
+/// 2002); face removal (2-3 and 4-4 flips); and local smoothing, in which boundary nodes slide on
+/// their surface or curve. Works on tets with `dirty[tet] != 0` that are below the threshold, and
+/// on tets that their repair touches.
 ///
-/// Post: volume covered, boundary manifold and its model edges as before; the same input gives the
-/// same bytes. Operations by measure do not see angles, so that only as a rule no tet scores worse
-/// than the worst of the input.
+/// The score of a tet tells how near it comes to the threshold in measure and to the least dihedral
+/// angle (score.h). Every reconnection and every move of one node raises the worst measure of the
+/// tets it touches; on residual tets, which this leaves below the goals, the worst score. Where
+/// neither helps, the nodes round a tet take energy descent steps together: the worst score rises,
+/// or stays while the sum of the deficits shrinks. Last, such steps and reconnections alternate;
+/// the result is taken back unless it is better (aggressive_improvement.h).
+///
+/// Post: the tets fill the same region, but for what boundary facets on curved faces change; the
+/// boundary is a manifold and has the same model edges. The same input gives the same bytes. As a
+/// rule no tet scores worse than the worst of the input; it is not certain, because operations by
+/// measure do not see angles.
 ImproveResult improve(const TetMesh& mesh, std::span<const Support> supports,
                       const BoundaryModel& boundary, std::span<const std::uint8_t> dirty,
                       const ImproveOptions& options, const Run& run);

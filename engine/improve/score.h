@@ -15,6 +15,7 @@ inline constexpr double kNearlyFlat = 0.05;
 /// inverted.
 class Score {
  public:
+  /// The goals: least volume-length measure, and least dihedral angle in rad.
   Score(double least_measure, double least_angle);
 
   [[nodiscard]] double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const;

@@ -16,8 +16,8 @@ struct Border {
   };
   struct Segment {
     int a = -1, b = -1;  ///< corners
-    int edge = -1;       ///< the caller's number; -1: at a pole
-    int index = -1;      ///< in the polyline of the edge
+    int edge = -1;       ///< the caller's number; -1: on no edge, as at a pole
+    int index = -1;      ///< in the polyline of the edge; -1 where the caller needs none
     int uses = 1;        ///< 2: the face lies on both sides
   };
   std::vector<Corner> corners;
@@ -26,11 +26,11 @@ struct Border {
 
 /// Constrained Delaunay triangulation of the region within the border, with the points `inner`. A
 /// place is within where a path to it from outside crosses an odd number of segments, each counted
-/// `uses` times. Triangles turn counter-clockwise; numbers below that of the border's corners are
-/// of these, the next ones of `inner`.
+/// `uses` times. Triangles turn counter-clockwise. Their indices: k below border.corners.size() is
+/// corner k of the border, larger ones are `inner`[k - border.corners.size()].
 ///
-/// Returns nothing where segments cross or touch each other away from their corners, or points
-/// coincide.
+/// Returns nothing where segments cross or touch each other away from their corners, two segments
+/// have the same corners, points coincide, or the segments do not close a region off.
 std::optional<std::vector<std::array<int, 3>>> mesh_border(
     const Border& border, std::span<const std::array<double, 2>> inner);
 

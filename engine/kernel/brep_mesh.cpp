@@ -23,14 +23,15 @@
 namespace remeshd::kernel {
 namespace {
 
-// Kernel units: a model's diagonal is 128 to 256 of them.
-// rad; facets of a round face turn by half of this. The second is for where the first fails; a
-// third and finer one would take seconds on a torus.
+// Lengths are in kernel units: a model's diagonal is 128 to 256 of them.
+//
+// Angular deflections for BRepMesh, rad: neighbouring facets of a round face turn by half of that.
+// The second is tried where the first fails; a third, finer one would take seconds on a torus.
 constexpr std::array<double, 2> kMeshAngles{0.24, 0.1};
 struct BrepMeshing {
-  double deflection = 0.5;  ///< far above what the angle asks for
-  double near = 0.1;        ///< gap at a chord, x its length; its sagitta is .015 of that
-  double minimum = 1e-3;    ///< by default small holes become triangles
+  double deflection = 0.5;  ///< linear; so large that the angular deflection decides alone
+  double near = 0.1;        ///< x a chord: smaller gaps at it are near; its sagitta is 0.015 x
+  double minimum = 1e-3;    ///< least edge; with OCCT's default small holes become triangles
 };
 constexpr BrepMeshing kMesh;
 
@@ -92,9 +93,9 @@ void split(Brep& brep, int f, const std::array<int, 3>& corners) {
   triangles.push_back({c, a, middle});
 }
 
-/// Where faces have triangles with the same corners, as a shallow cap and the disc below it may,
-/// splits those of curved faces, of all but one. Returns the planes whose triangle another plane
-/// has too.
+/// Where several faces have a triangle with the same corners, as a shallow cap and the disc below
+/// it may, splits these triangles on the curved faces so that at most one stays whole. Returns the
+/// plane faces with a triangle that another plane face has too.
 std::vector<int> part_touching(Brep& brep) {
   std::vector<std::pair<std::array<int, 3>, int>> all;  // nodes and face
   for (int f = 0; f < static_cast<int>(brep.faces.size()); ++f)

@@ -20,8 +20,9 @@ namespace remeshd::kernel {
 /// Reads every element of a CAD shape, measures and triangulates it, and orders all of it by
 /// geometry. The shape is the Brep's own from then on: triangulating changes it.
 ///
-/// Throws Error(KERNEL_FAILURE) with the place where the shape holds no solid or anything dangling,
-/// or a face cannot be triangulated, Error(Cancelled).
+/// Throws Error(KERNEL_FAILURE), with a place if one is known, where the shape holds no solid, a
+/// face of it bounds no solid, two solids overlap, or a face cannot be triangulated;
+/// Error(Cancelled).
 Brep describe(const TopoDS_Shape& shape, double scale, const Run& run,
               const std::optional<Vec3>& reference);
 

@@ -26,8 +26,9 @@ struct HelperLimits {
 /// Starts a program, sends it `input` on its stdin and collects its stdout; its stderr is lost.
 ///
 /// Post: the process has ended and is reaped, whatever happened; no file descriptor is left open.
-/// It inherits none but these, no blocked signals, and is in a process group of its own, so that a
-/// Ctrl-C at the terminal is ours to handle.
+/// The program inherits no file descriptors but stdin, stdout and stderr, no environment variables
+/// and no blocked signals. It has a process group of its own, so that a Ctrl-C at the terminal
+/// does not reach it.
 /// Throws Error(Cancelled) within 20 ms of a stop request.
 HelperEnd run_helper(const std::filesystem::path& program, std::vector<std::string> arguments,
                      std::span<const std::byte> input, const HelperLimits& limits, const Run& run);

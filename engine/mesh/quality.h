@@ -9,7 +9,7 @@
 
 namespace remeshd {
 
-/// Signed: positive for a tet oriented as TetMesh has them.
+/// Signed volume, length cubed: positive for a tet oriented as in TetMesh.
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 template <class Nodes>
 double tet_volume(const Nodes& nodes, const Tet& t) {

@@ -5,7 +5,7 @@
 namespace remeshd {
 namespace {
 
-constexpr double kCubes = 1.5;  // along the diagonal round n places, x the cube root of n
+constexpr double kCubes = 1.5;  // x cube root of n: cubes along the diagonal of n places' box
 
 Box box_round(const PagedMesh& mesh, std::size_t page) {
   Box box;

@@ -17,8 +17,8 @@ CowVector<Box> boxes_round(const PagedMesh& mesh);
 CowVector<Box> boxes_round(const PagedMesh& mesh, CowVector<Box> other,
                            std::span<const std::int32_t> changed_tets);
 
-/// Finds the pages of tets that may use nodes which stand at given places in another mesh. A page
-/// in memory shared with the other mesh is judged by its box there; all others may.
+/// Tells which pages of tets may use nodes that stand at given places in another mesh. A page whose
+/// memory is shared with the other mesh is tested by its box there; any other page may use them.
 class PagesNear {
  public:
   /// `boxes`: those of the other mesh's pages of tets. Keeps references to `other` and `boxes`.

@@ -16,8 +16,9 @@ struct Unchanged {
   std::vector<std::int32_t> changed_tets;
 };
 
-/// Pages in memory that the two share are the same: such a page of tets is searched only where it
-/// may use nodes that moved. `boxes`: those of the other's pages of tets.
+/// Compares a mesh with another one. Pages whose memory both share are known to be the same: such a
+/// page of tets is searched only where it may use nodes that moved. `boxes`: round the other mesh's
+/// pages of tets.
 Unchanged unchanged(const PagedMesh& mesh, const PagedMesh& other, const CowVector<Box>& boxes);
 
 }  // namespace remeshd

@@ -139,7 +139,8 @@ bool has_error(const ModelSource& source, const ModelEdit& edit, std::size_t cou
   }
 }
 
-/// The edit with which an error came that the document has after all of them, by bisection.
+/// Finds by bisection the index of an edit that brings in the error which the document has after
+/// all edits; nothing where the document has the error without them.
 std::optional<int> edit_at_fault(const ModelSource& source, const ModelEdit& edit,
                                  const ErrorInfo& failure) {
   if (edit.edits.empty() || has_error(source, edit, 0, failure)) return {};

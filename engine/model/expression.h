@@ -31,8 +31,9 @@ struct OpenExpression {
 /// Evaluates an open expression for any values of its variables. Not safe from several threads.
 class OpenValue {
  public:
-  /// Margin: in place of whether a comparison holds by how much it does, below 0 where it does not;
-  /// of `&&` the least, of `||` the greatest.
+  /// Value: the value of the expression. Margin: a comparison gives by how much it holds, below 0
+  /// where it does not (`a < b` gives b - a); `&&` gives the lesser of its two sides, `||` the
+  /// greater.
   enum class Kind : std::uint8_t { Value, Margin };
   /// `names`: the variables. Pre: the expression is a result of `Scope::open` with these names.
   OpenValue(const OpenExpression& expression, std::span<const char* const> names,

@@ -15,8 +15,8 @@ using Ref = FeatureSurfaces::Ref;
 
 struct TouchLimits {
   double sine = 1e-6;  ///< of the angle between surfaces that touch, at most
-  double step = 1e-6;  ///< x the model's size: of differences in space
-  double same = 1e-4;  ///< curvature x the model's size: surfaces that differ by less are one
+  double step = 1e-6;  ///< x the model's size: step of finite differences in space
+  double same = 1e-4;  ///< difference of curvatures x the model's size: below it, one surface
 };
 constexpr TouchLimits kTouch;
 

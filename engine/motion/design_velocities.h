@@ -28,8 +28,10 @@ class DesignVelocities {
   /// Forward. `parameter`: as `parameter_value`; throws what `change_of` throws.
   [[nodiscard]] NodalVelocities of(const std::string& parameter, const Run& run) const;
 
-  /// Reverse: d J / d p of a function J of the nodes, by one solution for any number of parameters.
+  /// Reverse mode: d J / d p of a function J of the nodes, in the order of `parameters`. Successive
+  /// parameters for which all nodes have the same freedoms share one linear solve.
   /// `seed`: d J / d x, by corner node, then by mid-node. Pre: it has one for each.
+  /// Throws what `change_of` throws.
   [[nodiscard]] std::vector<DesignDerivative> gradient(std::span<const Vec3> seed,
                                                        std::span<const std::string> parameters,
                                                        const Run& run) const;
@@ -40,7 +42,7 @@ class DesignVelocities {
     std::vector<FollowingMotion> mids;    ///< as `mids_`; each follows the middle of its edge
     std::vector<std::uint8_t> undefined;  ///< as NodalVelocities::undefined
 
-    /// Whether all nodes have the same freedoms as with others.
+    /// Whether all nodes have the same freedoms as in `other`.
     [[nodiscard]] bool is_free_as(const Motions& other) const;
   };
   /// A mid-node off the middle of its edge, and the surfaces that it is on.

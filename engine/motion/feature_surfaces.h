@@ -27,9 +27,9 @@ class FeatureSurfaces {
   /// of the interior.
   [[nodiscard]] std::span<const Ref> at(const Support& support) const;
 
-  /// Of an edge or vertex the surfaces there of all features that touch it, whether or not they
-  /// have a part of the boundary: where they part, the topology changes. None of faces and the
-  /// interior.
+  /// Of an edge or vertex: the surfaces through it of all features that touch it, also of features
+  /// without a piece of the boundary there. Where these surfaces separate, the topology changes.
+  /// None for faces and the interior.
   [[nodiscard]] std::span<const Ref> touching(const Support& support) const;
 
  private:

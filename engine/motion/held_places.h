@@ -9,7 +9,9 @@ namespace remeshd {
 /// Where the nodes of a mesh go when its boundary has moved and its connectivity is to stay.
 struct HeldPlaces {
   std::vector<Vec3> nodes;
-  double surface_motion = 0;  ///< largest distance of a node from a surface it stood on; length
+  /// Largest distance from a boundary node's anchor position to the present surface of a face that
+  /// it stands on; length.
+  double surface_motion = 0;
 };
 
 /// Places the nodes of an anchor on another boundary of the same topology: nodes of vertices at the

@@ -31,7 +31,8 @@ struct Freedom {
   }
 };
 
-/// The displacements, or the velocities, that a node may have: `required` and anything free beside.
+/// The displacements, or the velocities, that a node may have: `required` plus any vector that is
+/// within `freedom`.
 struct NodeMotion {
   Vec3 required;
   Freedom freedom;
@@ -61,11 +62,13 @@ struct SurfaceMotion {
 /// What a node does that stays on several moving surfaces.
 struct CommonMotion {
   NodeMotion motion;
-  bool defined = true;  ///< false where the surfaces part: the least-squares motion then
+  /// False where no motion keeps the node on all of the surfaces. `motion` then follows the first
+  /// of them with independent normals, at most three, and ignores the others.
+  bool defined = true;
 };
 
-/// Whether a point with this motion stays on a surface. `fastest`: speed that a difference is
-/// compared with.
+/// Whether a point with this motion stays on a moving surface, to first order. The tolerance is
+/// relative to `fastest`, a speed, or to the surface's own speed where that is greater.
 bool moves_along(const Vec3& motion, const SurfaceMotion& surface, double fastest);
 
 /// The motions that a node may have that stands where these surfaces meet.

@@ -18,14 +18,16 @@ struct ParameterChange {
 /// profile.
 double parameter_value(const ModelSource& source, const std::string& parameter);
 
-/// The same model with another value; bounds of its parameters do not hold, and its sizes and
-/// groups are left out. Throws what `evaluate` throws, too.
+/// The model with another value of the parameter. Bounds of parameters are not enforced, and size
+/// controls and groups are left out. Throws what `apply` and `evaluate` throw.
 FeatureModel with_value(const ModelSource& source, const std::string& parameter, double value);
 
-/// The model a millionth to either side: differences of closed forms are exact to some 1e-9 then.
-/// On a side where there is no valid model, the model itself.
+/// The model with the parameter changed by a small step to either side: 1e-6 of its value, or of a
+/// thousandth of the model's diagonal where that is more. Differences of closed forms are then
+/// exact to about 1e-9, relative. On a side where there is no valid model: the model itself.
 ///
-/// Throws as `parameter_value`, and `WRONG_VALUE_KIND` for a parameter that has whole values alone.
+/// Throws what `parameter_value` and `evaluate` throw, and `WRONG_VALUE_KIND` for a parameter that
+/// has only whole values, or where there is no valid model on either side.
 ParameterChange change_of(const ModelSource& source, const std::string& parameter);
 
 }  // namespace remeshd

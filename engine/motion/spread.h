@@ -19,7 +19,7 @@ struct MotionLink {
 ///
 ///     sum of weight |u_a - u_b|^2 over all links  ->  least,
 ///
-/// where each of these nodes may move as its NodeMotion says and all others move as they do. With
+/// where each of these nodes may move as its NodeMotion says, and u of all others is given. With
 /// the weights of linear finite elements that is the discrete harmonic extension, which reproduces
 /// linear motions.
 class Spread {
@@ -39,8 +39,9 @@ class Spread {
   void forward(std::span<const NodeMotion> motions, std::vector<Vec3>& u, const Run& run,
                Accuracy accuracy = Accuracy::Full) const;
 
-  /// The transpose. From d J / d u at all nodes to d J / d u at the others, with what reaches them
-  /// through these nodes, and d J / d required at these.
+  /// The transpose of `forward`. `seed`, by node of the mesh, is d J / d u on entry. On return it
+  /// is d J / d required at `nodes()`, and at all other nodes the total d J / d u, with the part
+  /// that reaches J through `nodes()`.
   void reverse(std::span<const NodeMotion> motions, std::vector<Vec3>& seed, const Run& run) const;
 
  private:

@@ -12,9 +12,9 @@ struct NodalVelocities {
   double value = 0;  ///< of the parameter, in the model
   /// By corner node, then by mid-node: length per unit of the parameter.
   std::vector<Vec3> velocities;
-  /// By corner node, then by mid-node: 1 where the boundary has no velocity, since the surfaces
-  /// that the node stands on part: they lie on each other there and move differently. `velocities`
-  /// has a least-squares velocity then.
+  /// By corner node, then by mid-node: 1 where no single velocity keeps the node on its surfaces:
+  /// they coincide there and move differently, or one of them is missing or of another kind on one
+  /// side of the change. `velocities` then follows only some of the surfaces (`CommonMotion`).
   std::vector<std::uint8_t> undefined;
 };
 

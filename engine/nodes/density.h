@@ -10,13 +10,13 @@ double expected_nodes(double volume, double area, double edge_length);
 struct Extent {
   double volume = 0;
   double area = 0;    ///< of the boundary
-  double length = 0;  ///< of the boundary's edges, or across all of its faces
+  double length = 0;  ///< sum over the boundary's edges, or of its faces' diagonals if greater
 };
 
-/// Nodes that a mesh of this edge length cannot do without: those expected in the volume and on
-/// its boundary, or one for each edge length along its edges and faces, where these are so thin
-/// that volume and area come to nothing. Bounds whatever is made for the mesh: nodes, samples,
-/// tets.
+/// Nodes that a mesh of this edge length cannot do without: the greater of `expected_nodes` and
+/// `Extent::length` over the edge length, which counts where a model is so thin that its volume and
+/// area come to nothing. A limit on this number limits all that is made for the mesh: nodes,
+/// samples, tets.
 double nodes_needed(const Extent& extent, double edge_length);
 
 /// The edge length for which `expected_nodes` is `nodes`, to 12 digits.

@@ -12,8 +12,8 @@
 namespace remeshd {
 namespace {
 
-/// So many of the features that are too large by themselves are looked at: the time for each is
-/// linear in the number of all features.
+/// At most this many of the features that are too large by themselves are looked at: the time for
+/// each is linear in the number of all features.
 constexpr std::size_t kMostLookedAt = 16;
 
 /// A feature with what is known of it in closed form.
@@ -61,7 +61,7 @@ Extent least_extent(const Measured& feature, double volume) {
   return {volume, 2 * volume / thickness, volume / (thickness * width)};
 }
 
-/// Lower bound of the volume of an additive feature that no later one cuts away.
+/// Lower bound of the volume that later subtractive features leave of an additive feature.
 double volume_left(const Measured& feature, const std::vector<Measured>& all) {
   double left = feature.volume;
   for (std::size_t k = feature.feature + 1; k < all.size() && left > 0; ++k)

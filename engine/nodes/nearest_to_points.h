@@ -34,7 +34,7 @@ class NearestToPoints {
  private:
   struct Answer {
     std::int32_t node = -1;
-    std::uint32_t given = 0;  ///< `now_` at that time; 0: does not hold
+    std::uint32_t given = 0;  ///< value of `now_` when it was found; 0: the answer is not valid
     double distance2 = 0;     ///< squared; no node has come nearer since
   };
 
@@ -53,7 +53,7 @@ class NearestToPoints {
   std::vector<Vec3> nodes_;
   std::vector<std::uint32_t> moved_;  ///< by node: time of its last move
   std::uint32_t now_ = 0;
-  std::uint32_t all_moved_ = 0;  ///< time at which so many nodes moved last that no answer holds
+  std::uint32_t all_moved_ = 0;  ///< last time that many nodes moved: older answers are not valid
   NearestNode node_grid_;
   std::vector<std::int32_t> behind_;  ///< nodes that have moved since `node_grid_` was updated
   std::vector<std::uint8_t> is_behind_;

@@ -14,10 +14,12 @@ namespace remeshd {
 
 struct OptimiseOptions {
   SizeField sizes{0};            ///< target edge lengths
-  std::uint32_t iterations = 0;  ///< loops; 0: until quality stops improving
-  /// Bounds of the number of loops where `iterations` is 0.
+  std::uint32_t iterations = 0;  ///< of the loop; 0: until quality stops improving
+  /// Bounds of the number of iterations where `iterations` is 0.
   std::uint32_t auto_min = 4, auto_max = 30;
-  double auto_gain = 0.002;  ///< gain of the mean volume-length in a loop below which they stop
+  /// Where `iterations` is 0: the loop stops at an iteration in which the mean volume-length
+  /// measure (`mean_quality`) gains less than this.
+  double auto_gain = 0.002;
   /// A free node that moved less than this share of the edge length in an iteration is frozen: it
   /// stays where it is (one on the boundary until the final boundary procedure) and counts as free.
   double freeze = 0.01;

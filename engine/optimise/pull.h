@@ -44,11 +44,12 @@ struct PullOptions {
 
 /// The boundary procedure of one iteration (Sect. 3.3): faces pull first, then edges, then
 /// vertices. Free nodes that nothing pulls on become interior; the others move to the weighted mean
-/// of the samples that pull on them, projected on their face or edge. Where two faces (edges) pull
-/// on a node, it goes to the one with the larger weight; it is split in two if they are not
-/// adjacent, or if they tear it apart in a sharp wedge. Fixed and frozen nodes stay, and samples
-/// nearest to them have no effect; only a model vertex without a node takes the nearest one within
-/// reach, which becomes free.
+/// of the samples that pull on them, projected on their face or edge. Where several faces (edges)
+/// pull on a node, it goes to the one with the largest weight. Another of them with at least
+/// `split_ratio` of that weight gets a new node if the two are not adjacent, or if they meet
+/// sharply and pull to places at least `split_distance` apart. Fixed and frozen nodes stay, and
+/// samples nearest to them have no effect; only a model vertex without a node takes the nearest one
+/// within `vertex_reach`, which becomes free.
 ///
 /// `nearest`: of the samples' positions; it is brought up to date with the nodes.
 /// `active`: indices of the samples that take part, ascending.

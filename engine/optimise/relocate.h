@@ -16,10 +16,11 @@ namespace remeshd {
 std::vector<std::uint8_t> relocated(const NodeSet& nodes);
 
 /// Moves every free interior node to the volume-weighted mean of the circumcentres of its tets
-/// (formula 1 of Sect. 3.3; Chen 2003), with step 1. Where the size field is not even, volumes are
-/// weighted by the density of nodes that it asks for, 1 / h^3 (Alliez et al. 2005). Where a node
-/// would leave the model, only its tets inside count, and if it still would, it stays: in a crowd
-/// on the boundary a node may have no samples, and tets on both sides.
+/// (formula 1 of Sect. 3.3; Chen 2003), without damping. Where the size field is not even, volumes
+/// are weighted by the density of nodes that it asks for, 1 / h^3 (Alliez et al. 2005). Where a
+/// node would leave the model, only its tets inside of the model count; if it would still leave, it
+/// stays. That happens where nodes crowd on the boundary: one of them may have no samples, and tets
+/// on both sides of the boundary.
 ///
 /// `tets`: all tets at free interior nodes; others may be among them. `lengths`: up to date with
 /// the nodes' positions.

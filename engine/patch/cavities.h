@@ -23,10 +23,10 @@ enum class CavityExtent : std::uint8_t {
   /// Changed tets that share a facet, of either mesh, belong to one cavity. A tet that clean-up has
   /// turned over counts as the same.
   Connected,
-  /// The same, but a tet that was turned over has changed. And across a facet that both meshes
-  /// have, with changed tets on the same sides of it, only those on one side belong together: they
-  /// may be exchanged without those on the other. So cavities are the smallest whose Delaunay and
-  /// output tets have the same hull.
+  /// As Connected, with two differences. A tet that clean-up has turned over counts as changed. And
+  /// where both meshes have a facet, with changed tets on the same sides of it, the tets on one
+  /// side are not joined with those on the other, since either side may be exchanged alone. So
+  /// cavities are the smallest whose Delaunay and output tets have the same hull.
   Least,
 };
 

@@ -15,10 +15,10 @@ struct CopiedMesh {
   const DelaunayState& delaunay_state;
   const CowVector<Support>& supports;  ///< of the nodes, in the boundary of the revision's cells
   PagedMesh output;                    ///< the nodes are `Revision::copied_nodes()`
-  /// Of the nodes of the Delaunay mesh, where clean-up has not moved them: those of
-  /// `delaunay_state`, but for the nodes that have followed surfaces since it was made.
+  /// By node: its position before clean-up. That is its position in `delaunay_state`, moved along
+  /// for nodes that have followed surfaces since the Delaunay mesh was made.
   CowVector<Vec3> positions;
-  std::vector<std::int32_t> followed;  ///< these nodes, ascending
+  std::vector<std::int32_t> followed;  ///< nodes that have followed surfaces, ascending
 };
 
 /// Keeps references to the revision.

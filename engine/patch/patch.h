@@ -22,9 +22,9 @@ namespace remeshd {
 struct MeshPatch {
   std::vector<std::int32_t> nodes;     ///< by node: that of the original, ascending
   std::vector<std::uint8_t> inner;     ///< by node
-  std::vector<Vec3> positions;         ///< as in CopiedMesh
-  std::vector<Vec3> output_nodes;      ///< the same
-  std::vector<std::uint8_t> followed;  ///< by node: 1 where `mesh` has it elsewhere
+  std::vector<Vec3> positions;         ///< by node: `CopiedMesh::positions`
+  std::vector<Vec3> output_nodes;      ///< by node: its position in `CopiedMesh::output`
+  std::vector<std::uint8_t> followed;  ///< by node: 1 if among `CopiedMesh::followed`
   DelaunayMesh mesh;
   PagedDelaunay::Cut cut;
   std::vector<Tet> tets;                      ///< those of `mesh` that are in the model
@@ -36,9 +36,10 @@ struct MeshPatch {
   std::vector<std::uint8_t> exterior;         ///< by element of `cut.exterior`: 1 if in the model
 };
 
-/// Cuts out the tets at inner nodes and those in cavities with such a tet; outside of the model
-/// also those whose circumballs nodes may enter that move or come. `inner`: by node of the
-/// original. `changing`: where nodes may move or come; null: at inner nodes alone.
+/// Cuts out the tets at inner nodes and all tets of cavities with such a tet. Outside of the model
+/// it also cuts out the tets whose circumballs may be entered by nodes that move or are added.
+/// `inner`: by node of the original, 1 for inner ones. `changing`: where nodes may move or be
+/// added; null: only at inner nodes.
 MeshPatch cut_patch(const CopiedMesh& original, const std::vector<std::uint8_t>& inner,
                     const Surroundings* changing);
 

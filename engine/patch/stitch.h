@@ -26,10 +26,11 @@ struct StitchedMesh {
   std::vector<std::int32_t> new_tets;  ///< by tet of the patch's mesh: its number in `mesh`
 };
 
-/// Puts a patch's mesh back in the place of what was cut out. Copies keep the number of their
-/// original, tets that stayed theirs; others take the numbers of those that went, lowest first,
-/// then go to the end; where more went than came, the last ones fill the gaps. Where nothing was
-/// cut out, tets stand in the order of their lowest nodes.
+/// Puts a patch's mesh back in the place of what was cut out. Copied nodes keep the number of their
+/// original, and tets that stayed keep theirs. New nodes and tets take the numbers of removed ones,
+/// lowest first, then numbers at the end. Where more were removed than added, the last nodes or
+/// tets of the mesh are renumbered to fill the gaps. Where nothing was cut out, tets are numbered
+/// in the order of their lowest nodes.
 ///
 /// `supports`: of the original's nodes, in the modified boundary; those in the patch are not read.
 StitchedMesh stitch(const Revision& original, CowVector<Support> supports, const MeshPatch& cut,

@@ -35,9 +35,11 @@ class Problem {
   /// Copycells and newcells of the modified model (Sect. 5). Material whose nodes in the parent
   /// were made for other edge lengths (`resized`) is new too, and so is that at `changed_rims`.
   [[nodiscard]] const CopyPlan& plan() const;
-  /// The greatest ratio of the two lengths at such nodes; 1 where there are none.
+  /// The greatest ratio, at least 1, between the edge length that such a node was made for and the
+  /// one wanted there; 1 where there are no such nodes.
   [[nodiscard]] double most_off() const;
-  /// Closely spaced points on the rims of groups that one of the two boundaries has alone.
+  /// Closely spaced points on those rims of groups that only the parent's boundary or only the
+  /// modified one has.
   [[nodiscard]] const std::vector<Vec3>& changed_rims() const;
   /// Where the entities of the parent's boundary are in the modified one.
   [[nodiscard]] const EntityMap& entities() const;
@@ -87,7 +89,8 @@ struct Attempt {
 /// Where a mesh was found to be wrong; defects of the mesh as a whole have no place.
 std::vector<Vec3> faulty_places(const Verification& verification);
 
-/// The region that is made anew round faulty places: some edge lengths about each.
+/// The region that is made anew round faulty places: 2.5 edge lengths about each, by the longest
+/// edge length at any of them.
 Region region_of(std::span<const Vec3> faulty_places, const SizeField& sizes);
 
 /// Share of the tets of an attempt's mesh that are new and have their centroids in the region.

@@ -37,11 +37,11 @@ double made_for(const Revision& parent, std::int32_t node) {
   return parent.options.sizing.even ? parent.edge_length : parent.output.node_sizes[node];
 }
 
-/// Whether the field that the parent's nodes were made for and the one wanted follow from their
-/// boundaries by the same rules: then only what changed of these, and what is near it, is a reason
-/// for them to differ. While connectivity is held, the model's sizes are not followed. They may
-/// differ a little elsewhere: the thickness of a wall is measured from pieces of its faces, and a
-/// face that has changed anywhere is divided into other pieces.
+/// Whether the size field that the parent's nodes were made for and the one wanted now follow from
+/// their boundaries by the same rules. Then the fields differ for a reason only near what changed
+/// of the boundaries. They may differ a little elsewhere: the thickness of a wall is measured on
+/// pieces of its faces, and a face that has changed anywhere is divided into other pieces. The size
+/// controls at the parent's anchor are compared, too: a mesh that is held does not follow them.
 bool same_rules(const Revision& parent, const Revision& wanted) {
   return parent.options.sizing == wanted.options.sizing &&
          parent.edge_length == wanted.edge_length &&

@@ -26,7 +26,8 @@ namespace {
 
 constexpr double kRounding = 1 + 1e-9;  // x a margin, lest rounding leaves something out
 constexpr double kNearChange = 2;       // x edge length: further from the changed boxes nodes stay
-constexpr double kMostFollowed = 0.1;  // x edge length: no node is further from its Delaunay mesh's
+// x edge length: no node is further than this from its position in the Delaunay mesh.
+constexpr double kMostFollowed = 0.1;
 constexpr double kSampledBeyond = 0.5;   // x edge length: from a node to samples it is nearest to
 constexpr double kMostRefined = 4;       // x nodes of an even mesh: most new ones of a refined one
 constexpr int kSampledSteps = 4;         // cubes of a Region along the reach

@@ -30,8 +30,8 @@ struct Strategy {
   std::uint64_t other_seed = 0;  ///< added to the seed of the options
   /// What the warning about the last attempt says is done instead; null: there is no warning.
   const char* instead = nullptr;
-  /// x edge length: how long edges get where the last attempts' meshes were wrong, and all is made
-  /// anew; 0: nowhere.
+  /// x edge length: the target length round the places where meshes of earlier attempts were wrong;
+  /// all that is there is made anew. 0: nothing is refined.
   double refined = 0;
 };
 

@@ -7,9 +7,10 @@
 
 namespace remeshd {
 
-/// What each group of a model has of its mesh: the facets on faces that it names, and the tets of
-/// features that it names as a whole; where it sets a condition, only those at whose centroid that
-/// holds, for a facet with its normal, for a tet without one. In the order of the model's groups.
+/// The facets and tets that each group of a model selects from its mesh: facets on the faces that
+/// it names, and tets of the additive features that it names as a whole. A condition must hold at
+/// the centroid, for a facet with its unit outward normal, for a tet with a normal of 0. In the
+/// order of the model's groups.
 std::vector<GroupMembers> group_members(const OutputMesh& output, const FeatureModel& model);
 
 }  // namespace remeshd

@@ -36,8 +36,9 @@ struct MeshOptions {
   /// Tets of a volume-length measure below this are cleaned up, 0 .. 0.8. More costs time.
   double threshold = goals::kThreshold;
   std::uint32_t order = 1;  ///< of the tets: 1, or 2, with mid-nodes on the model's boundary
-  /// x edge length: as long as no surface is further than this from where it was when the
-  /// connectivity was made, edits keep the connectivity; 0: a hundredth.
+  /// x edge length: edits keep the connectivity as long as no surface is further than this from
+  /// where it was when the connectivity was made (`hold_mesh`). 0: only the morph keeps it, up to
+  /// 0.01 of the least edge length (`morph_mesh`).
   double hold = 0;
   Sizing sizing;  ///< where the mesh is finer than its edge length
   friend bool operator==(const MeshOptions&, const MeshOptions&) = default;

@@ -96,7 +96,7 @@ struct VerificationFigures {
   std::uint32_t tets_proved = 0;     ///< by themselves: new ones and those with a node that moved
   std::uint32_t tets_inherited = 0;  ///< by the base's verification, of tets that are unchanged
   double chord_error = 0;   ///< largest distance of a boundary facet or edge from its face or curve
-  double volume_error = 0;  ///< relative, what chords cut off apart
+  double volume_error = 0;  ///< relative, with the volume between facets and curved faces added
 };
 
 /// What a run did. Everything but seconds, those of attempts too, is the same for the same request.

@@ -21,13 +21,14 @@ struct NarrowFaceLimits {
   double film;   ///< length: where faces are narrower there is no place
 };
 
-/// Where faces are as narrow as a step between two faces that look the same way and meet elsewhere:
-/// crescents where walls all but coincide, say. Pieces are no longer than the face is wide there,
-/// or than `least` if that is more.
+/// Finds where faces are narrow strips, as the riser of a low step is: the faces beyond its two
+/// long edges have normals to the same side, and share an edge or a vertex with each other. An
+/// example is the crescent between two walls that almost coincide. A piece is no longer than the
+/// strip is wide there, or than `least` if that is more.
 ///
 /// The narrow sides of walls and gaps, between faces that do not meet, are found by `thin_places`.
-/// Left out are the ends of a strip, which narrow to nothing, and what widens like a wedge or a
-/// cusp: edges as short as these are narrow would only be many.
+/// The ends of a strip, which narrow to nothing, and strips that widen like a wedge or a cusp are
+/// left out: edges as short as their width would be many and would help nothing.
 std::vector<NarrowPlace> narrow_faces(const BoundaryModel& boundary, const NarrowFaceLimits& limits,
                                       const Run& run);
 

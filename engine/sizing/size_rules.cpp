@@ -14,11 +14,11 @@ namespace remeshd {
 namespace {
 
 constexpr double kLeastShare = 0.1;  // of the base size, where no least size is given
-/// x least size: thinner walls and gaps are films: no edges are asked for across them, which would
-/// do no good.
+/// x least size: walls and gaps thinner than this are films. No edges are asked for across a film,
+/// since they would not make its tets better.
 constexpr double kFilm = 0.25;
-/// x least size: the same for model edges and narrow faces. Less, for beside a step finer edges do
-/// make tets less flat.
+/// x least size: the same limit for model edges and narrow faces. It is lower, since short edges at
+/// a low step do make the tets there less flat.
 constexpr double kLowStep = 0.1;
 constexpr double kOnFace = 0.82;    // nodes per square of the edge length
 constexpr double kInVolume = 1.41;  // nodes per cube of the edge length

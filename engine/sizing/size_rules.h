@@ -32,11 +32,12 @@ struct BaseSizes {
   double expected;  ///< details are resolved down to the least size that belongs to this
 };
 
-/// What a model's boundary asks for by the rules, and beside it what the model's size controls do.
+/// The edge lengths that a model's boundary asks for by the rules, and those that the model's size
+/// controls ask for.
 ///
-/// Round faces and circular edges of radius r ask for edges of 2 pi r / `edges_per_circle` and a
-/// sixth less, for these come out uneven; walls, gaps and narrow faces for `layers` edges across;
-/// model edges shorter than the base size for edges no longer than they are, unless `layers` is 0.
+/// Round faces and circular edges of radius r ask for edges of 2 pi r / `edges_per_circle`, divided
+/// by `kReserve`. Unless `layers` is 0, walls, gaps and narrow faces ask for `layers` edges across,
+/// and model edges shorter than the base size ask for edges no longer than themselves.
 class SizeRules {
  public:
   /// `asked`: by controls (`size_sources`). Throws Cancelled.

@@ -170,8 +170,8 @@ class Search {
   std::vector<ThinPlace> places_;
 };
 
-/// Thin places that have been kept. One of them covers another place if the thickness that grows
-/// away from it with the slope is at no corner of the other more than the other's.
+/// Thin places that have been kept. One of them covers another place if, at every corner of the
+/// other, its thickness plus the slope times the distance from it is at most the other's thickness.
 class Covering {
  public:
   explicit Covering(const ThinPlaceLimits& limits) : limits_(limits) {}

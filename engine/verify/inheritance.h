@@ -62,8 +62,9 @@ class CorrespondingTets {
   std::vector<std::int32_t> same_tet_;
 };
 
-/// Which of a mesh's claims on a verified parent hold. A false claim costs the inheritance there
-/// and nothing else. Unchanged nodes and tets are their own counterparts, whatever is claimed.
+/// Which nodes and tets of a mesh have the counterparts in a verified parent that it claims. Where
+/// a claim is false, the mesh is checked itself instead of inheriting the parent's verdict; nothing
+/// else follows. Unchanged nodes and tets are their own counterparts, whatever is claimed.
 ///
 /// A node of the parent has one counterpart at most. A tet is the counterpart of a parent's tet
 /// only if its nodes are the counterparts of that tet's, in the same orientation. Such tets meet

@@ -26,10 +26,10 @@ struct Work {
 using WorkId = std::uint64_t;
 
 /// Decides which work is next, fairly among tenants. A tenant that asked within the last 60 s, or
-/// has work here, is active. While several are, each has its share of the places, no tenant holds
-/// all workers unless there is only one, and a free worker goes to the tenant that holds fewest,
-/// among equals to the one that was served longest ago. Work of one tenant is first come, first
-/// served.
+/// has work here, is active. While several tenants are active, each has its share of the places; no
+/// tenant holds all workers, unless there is one worker only; and a free worker goes to the tenant
+/// that holds the fewest workers, among equals to the one that was served longest ago. Work of one
+/// tenant is first come, first served.
 ///
 /// Not safe for several threads; does not look at the clock itself.
 class FairQueue {

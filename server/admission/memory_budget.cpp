@@ -9,7 +9,8 @@
 namespace remeshd {
 namespace {
 
-// s between looks: a reader whose end frees a revision does not tell the budget.
+// s between attempts while `take` waits: the budget is not notified when the last user of an erased
+// revision ends.
 constexpr double kLookAgain = 0.1;
 
 }  // namespace

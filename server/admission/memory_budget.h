@@ -72,9 +72,10 @@ class MemoryBudget {
   /// Makes the holders give way where together they have more than they may. To be called by a
   /// holder whose bytes have changed, without a lock that its functions take.
   void trim();
-  /// Tells `listener`, now and whenever `trim` finds a change, whether holders that do not give way
-  /// have all that revisions may have: then nothing more can be made until some of it is deleted.
-  /// The listener must not use the budget; empty: nobody is told.
+  /// Calls `listener` now, and whenever `trim` finds a change, with whether the memory for
+  /// revisions is full: holders that cannot evict (`gives_way` is false) have `most_held` bytes or
+  /// more. Then no revision can be made until one is deleted. The listener must not use the budget;
+  /// an empty one removes the former.
   void on_full(std::function<void(bool full)> listener);
 
   /// Makes revisions held give way also where the measured process would exceed the budget and the

@@ -27,8 +27,8 @@ namespace remeshd {
 grpc::ByteBuffer to_bytes(const google::protobuf::Message& message);
 
 /// Reads a message of at most `limit` bytes.
-/// Throws Error(InvalidArgument): `MESSAGE_TOO_LARGE`, `MESSAGE_UNREADABLE` (which gRPC itself
-/// would turn into UNIMPLEMENTED without a word, for values nested too deep above all).
+/// Throws Error(InvalidArgument): `MESSAGE_TOO_LARGE`, `MESSAGE_UNREADABLE` (mostly values nested
+/// too deep; gRPC itself would end such a call with UNIMPLEMENTED and an empty message).
 void from_bytes(const grpc::ByteBuffer& bytes, std::size_t limit,
                 google::protobuf::Message& message);
 void from_bytes(std::string_view bytes, std::size_t limit, google::protobuf::Message& message);

@@ -8,9 +8,9 @@
 
 namespace remeshd {
 
-/// Serialises a reply that has a message of a mesh. `data`, those of its part, go to gRPC as they
-/// lie in memory: copies take longer than all the rest of a stream. Clears the mesh of a reply with
-/// a part.
+/// Serialises a reply that has a message of a mesh. If the message is a part, `data` are the part's
+/// bytes: they are handed to gRPC without a copy, for copying would take longer than all other work
+/// of a stream; and the mesh in `reply` is cleared.
 grpc::ByteBuffer mesh_bytes(remesh::v1::GetMeshResponse& reply, const PartData& data);
 grpc::ByteBuffer mesh_bytes(remesh::v1::EditStreamResponse& reply, const PartData& data);
 

@@ -56,8 +56,8 @@ class StreamQueue {
   StreamQueue(MemoryBudget::Lease memory, const Limits& limits)
       : limits_(limits), memory_(std::move(memory)) {}
 
-  /// Whether another message may be read. It may have any size: the bounds are passed by one
-  /// message at most.
+  /// Whether another message may be read. Its size is not known yet, so the bounds may be exceeded,
+  /// but by one message at most.
   [[nodiscard]] bool may_read() const;
   /// Leases memory for a request of so many bytes, which is to be added next; false where the
   /// budget has no room.
@@ -94,7 +94,8 @@ class StreamQueue {
   /// The reply that was taken last has been written.
   void written();
 
-  /// Drops requests and replies, and keeps none from now on. The request at work stays so.
+  /// Drops waiting requests and replies, and accepts none from now on. The request at work stays at
+  /// work until `answer`.
   void close();
   /// Nothing waits, nothing is at work, every reply has been taken.
   [[nodiscard]] bool idle() const { return !at_work_ && waiting_.empty() && replies_.empty(); }

@@ -72,16 +72,17 @@ class Archive {
   }
   /// Throws Error(DESIGN_ELSEWHERE).
   void check_home(const std::string& design) const { homes_.check(design); }
-  /// To be called before designs are read or changed: where other daemons may change them too,
-  /// these bring the catalogue up to date. In turn: the design of that name; the one that the text
-  /// names, if it names one; those that a revision stands in; all. Throw Error:
+  /// To be called before designs are read or changed. Where a table of designs is shared with other
+  /// daemons, these update the catalogue from it: with the design of that name; with the one that
+  /// the text names, if any; with those that the revision is in; with all. Throw Error:
   /// CATALOGUE_UNAVAILABLE, DESIGN_ELSEWHERE.
   void look_at_design(const std::string& design);
   void look_at_named(const std::string& text);
   void look_at_places(const std::string& id);
   void look_at_designs();
-  /// Takes a revision's mesh from the shared tier into the store; null where the tier has none that
-  /// is right, which it must tell at once. As `find` otherwise. Throws Error(TIER_UNAVAILABLE).
+  /// Takes a revision's mesh from the shared tier into the store and returns the revision; null
+  /// where the tier has no valid copy. Throws Error(TIER_UNAVAILABLE) where the tier fails, or does
+  /// not answer the look-up within `limits::kTierLookUp`; else what `find` throws.
   HeldRevisionPtr find_shared(const std::string& id, const Run& run);
   /// As SharedRevisions::publish, where there is a shared tier. Pre: the revision has been filed.
   void publish(const std::string& id);
@@ -125,8 +126,8 @@ class Archive {
   Filed file(const HeldRevisionPtr& revision, const std::string& design, const HeadRule& rule,
              const std::vector<WarningCode>& fail_on = {});
 
-  /// Throws what filing a revision would throw as things stand, for one that has not been made yet:
-  /// of its record only id, parent and model are used.
+  /// Throws what filing the revision would throw now. The revision need not have been made yet: of
+  /// its record only id, parent and model are used.
   /// Throws Error: HEAD_CONFLICT where the rule requires another head, WARNING_IS_ERROR.
   void check_filing(const RevisionRecord& record, const std::string& design, const HeadRule& rule,
                     const std::vector<WarningCode>& fail_on);
@@ -245,9 +246,11 @@ class Archive {
   /// Drops a stored mesh, after rewriting the packs whose base it is; false where it has to stay.
   /// Throws what `stand_elsewhere` throws.
   bool drop_mesh(const std::string& id);
-  /// Rewrites packs that alone stand on a removed revision or dropped mesh, whose own then goes.
+  /// Rewrites packs whose base is the pack of a removed revision or dropped mesh that no other pack
+  /// needs, so that the base can be deleted.
   void free_removed_bases();
-  /// Rewrites the pack of `id`, whose base is `from`, against the base of that, or without one.
+  /// Rewrites the pack of `id`, whose base is `from`, against the base of `from`, or without a base
+  /// if `from` has none. Does nothing if `from` is not its base any more.
   void stand_elsewhere(const std::string& id, const std::string& from);
   /// Removes a deleted revision from memory, with all notes on it, unless it was filed again
   /// meanwhile.

@@ -160,8 +160,8 @@ HeldRevisionPtr Archive::remake(const std::string& id, const HeldRevisionPtr& pa
   const Recipe& recipe = *followed;
   const auto record = store_.read([&](Catalogue& catalogue) { return catalogue.revision(id); });
   if (parent && record && record->bytes > 0) {
-    // What was damaged may have been the parent, as the base of its pack, which is whole again by
-    // now.
+    // The stored pack may be intact: what failed to load may have been its base, the parent's pack,
+    // which has been repaired by now.
     try {
       auto held = load(*record, run);
       set_damaged(id, false);

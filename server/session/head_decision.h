@@ -18,7 +18,9 @@ struct HeadSituation {
 struct HeadDecision {
   bool move = false;      ///< it becomes the head
   bool conflict = false;  ///< the head is not the expected one, and the rule moves or requires it
-  bool kept = false;      ///< it does not: the request left that open, and its model is another one
+  /// The head stays: the request did not say whether to move it, and the revision is a first mesh
+  /// whose model is not that of the design's first revision.
+  bool kept = false;
 };
 
 HeadDecision decide_head(const HeadRule& rule, const HeadSituation& now);

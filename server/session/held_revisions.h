@@ -17,9 +17,9 @@
 namespace remeshd {
 
 /// A tenant's revisions in memory; memory that several share counts once. Where they can be read
-/// from the store again, those used longest ago are evicted as soon as the budget, which bounds
-/// what all tenants hold, asks for it. One that is in use stays, since its memory would too; one
-/// that is erased counts for as long as somebody uses it.
+/// from the store again, the least recently used are evicted as soon as the budget, which bounds
+/// what all tenants hold, asks for it. A revision in use is not evicted, for that would free no
+/// memory; one that is erased while in use counts until its last user has released it.
 class HeldRevisions {
  public:
   using MemoryBlocks = std::function<std::vector<MemoryBlock>(const Revision&)>;

@@ -52,7 +52,8 @@ struct Load {
 class Session {
  public:
   /// `resources` must outlive the session, and be stopped before its end.
-  /// `sharing`: without objects where nothing is shared; else the store must be persistent.
+  /// `sharing`: its `objects` are null where nothing is shared; otherwise the store must be
+  /// persistent.
   Session(Resources& resources, std::string tenant, std::unique_ptr<Store> store,
           const Sharing& sharing = {});
   Session(const Session&) = delete;
@@ -150,7 +151,8 @@ class Session {
 
   /// The recipe of a revision, whether its mesh is there or not.
   Recipe recipe(const std::string& reference) { return archive_.recipe(resolve(reference).id); }
-  /// The same of an id, whose revision may have been deleted where others are made of it.
+  /// The same by id. Works also for a deleted revision whose recipe is kept, because other
+  /// revisions are made from it.
   Recipe recipe_of_ancestor(const std::string& id) { return archive_.recipe(id); }
   Reference resolve(const std::string& reference) {
     if (reference.empty()) throw error::reference_missing("revision");

@@ -62,10 +62,11 @@ void SharedRevisions::remove(const std::string& kind, const std::vector<SharedOb
   }
 }
 
-/// Those ids of recipes in `go` that were marked long ago. Unless `dry_run`, marks the others and
-/// unmarks what is not in `go`. A daemon that has seen a recipe in the tier writes what is made of
-/// it without asking again, but for no longer than `kTierRefresh`: so a recipe is marked first, and
-/// goes when it has been marked for so long and still nothing is made of it.
+/// Ids of the recipes in `go` that were marked more than `kTierRefresh` ago; these may be deleted.
+/// Unless `dry_run`, marks the other recipes in `go`, and unmarks those that are not in it. Two
+/// steps are needed because a daemon that has seen a recipe in the tier relies on it for up to
+/// `kTierRefresh`: within that time it may still write a recipe of a child. A recipe is deleted
+/// only if, after that time, no such child has come.
 std::set<std::string> SharedRevisions::marked(const std::vector<SharedObject>& go, bool dry_run) {
   std::map<std::string, SharedObject> marks;
   for (SharedObject& mark : objects_of(kDoomed)) marks[mark.id] = mark;

@@ -44,9 +44,9 @@ class SharedRevisions {
   /// Whether the tier has an object for the mesh, which is not checked; `within`: as of
   /// ObjectStore::has.
   [[nodiscard]] bool has_mesh(const std::string& id, double within);
-  /// The mesh of a revision, last, after those of its chain of bases that the store does not have,
-  /// each after its base. Empty where the tier does not have all of them. `stop`: as of
-  /// ObjectStore::get.
+  /// The meshes that the store lacks to have that of the revision: its chain of bases, each after
+  /// its own base, and the revision itself as the last. Empty where the tier does not have all of
+  /// them. `stop`: as of ObjectStore::get.
   [[nodiscard]] std::vector<Mesh> meshes(const std::string& id, const std::stop_token& stop);
   /// Refuses a mesh of `meshes` that is not what its recipe tells.
   void put_away(const Mesh& mesh, std::string_view why);
@@ -62,8 +62,9 @@ class SharedRevisions {
   void mend(const std::string& id);
   /// The same, and its mesh written where the tier has none.
   void offer(const std::string& id);
-  /// Drops meshes and, where that is asked for, recipes from the tier, but nothing that something
-  /// that stays is made of or encoded against.
+  /// Drops meshes and, if `options` asks for it, recipes from the tier. Keeps the bases of all
+  /// meshes that stay, and the recipes of the ancestors of all revisions that stay. Throws
+  /// Error(TIER_UNAVAILABLE).
   Collected collect_garbage(const GarbageOptions& options);
   /// Keeps a mesh in the tier, whichever daemon collects garbage there, or no longer.
   void set_pin(const std::string& id, bool pinned);

@@ -36,7 +36,7 @@ bool has_no_files(const fs::path& folder) {
   return all_below(folder, [](const fs::path&) { return false; });
 }
 
-/// Whether these two folders are there, before which opening a store does not write FORMAT.
+/// Whether the two folders exist that opening a store makes before it writes FORMAT.
 bool has_what_format_needs(const fs::path& folder) {
   return fs::is_directory(folder / "tmp") && fs::is_directory(folder / "packs");
 }

@@ -15,7 +15,7 @@
 
 namespace remeshd {
 
-/// A pack that may still be there of a mesh that the catalogue does not have.
+/// The pack of a mesh that the catalogue does not have; its file may have been deleted already.
 struct Leftover {
   std::string base;         ///< id of the pack's base; empty for none
   std::uint64_t bytes = 0;  ///< of the pack

@@ -28,9 +28,9 @@ namespace remeshd {
 /// the store. `tenants/` may be there too, with stores of their own. The catalogue itself is in
 /// memory, made from the journal; what the journal lost is made from the heads of the packs.
 ///
-/// Inv: what `commit` returned from survives a crash. Opening deletes nothing; the first commit
-/// after it deletes what an earlier process left half-written, and packs that were deleted from the
-/// catalogue.
+/// Inv: a transaction for which `commit` returned true survives a crash. Opening deletes nothing;
+/// the first commit after it deletes files that an earlier process left half-written, and packs of
+/// revisions that the catalogue no longer has.
 class Store {
  public:
   /// In memory only: holds the catalogue, no bytes.
@@ -73,8 +73,9 @@ class Store {
   [[nodiscard]] std::uint64_t bytes();
   /// The base of a pack, even of one that others alone need; empty for none.
   std::string base_of(const std::string& id);
-  /// The revisions that alone stand on a pack of a removed revision or dropped mesh, each with that
-  /// base: stored on another one, it sets the base free.
+  /// Pairs (revision, base): the base is the pack of a removed revision or dropped mesh, and that
+  /// revision's pack is the only one encoded against it. Once the revision is stored against
+  /// another base, or none, the base's pack can be deleted.
   std::vector<std::pair<std::string, std::string>> on_removed_bases();
   /// The recipe of a revision, even of one whose mesh has gone or that was deleted: from the
   /// journal, else from its pack. Empty where there is none. Waits for the disk. Throws

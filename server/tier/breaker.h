@@ -14,8 +14,9 @@ namespace remeshd {
 /// A circuit breaker before a store: after three failures in a row every call fails at once, for
 /// `limits::kTierRest`; then one call tries the store, and all do again if it succeeds.
 ///
-/// A look-up in haste, one that has less time than `limits::kTierAnswer`, tells nothing of the
-/// store by running out of it: that is no failure, and while it tries the store others may too.
+/// A look-up with less time than `limits::kTierAnswer` may time out although the store works: its
+/// timeout does not count as a failure, and while it is the one that tries the store, other calls
+/// may try it too.
 class Breaker final : public ObjectStore {
  public:
   using Clock = std::chrono::steady_clock;

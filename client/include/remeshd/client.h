@@ -39,12 +39,12 @@ using OnTransfer = std::function<void(std::uint64_t done, std::uint64_t total)>;
 /// A connection to a daemon `remeshd`, or to several that share a tier. Cheap to copy; all
 /// functions may be called from any thread.
 ///
-/// Of several daemons each loop goes to one, by CallOptions::route, and to the next where that one
-/// does not answer or is not available: a repeated request for a revision does not make it twice.
-/// Other requests that change something are not repeated where they may have been carried out.
-/// Where the home of a design is another daemon (DESIGN_ELSEWHERE), that is asked, if the client
-/// has its address. A list is that of one daemon: for the revisions of a design the one that the
-/// design goes to.
+/// Where there are several daemons, the requests of one loop go to the same daemon, chosen by
+/// CallOptions::route, and to the next one if that does not answer or is not available: a repeated
+/// request for a revision does not make it twice. Other requests that change something are not
+/// repeated where they may have been carried out. Where the home of a design is another daemon
+/// (DESIGN_ELSEWHERE), the client asks that one, if it has its address. A list comes from one
+/// daemon only: that of a design's revisions from the daemon that the design's route leads to.
 ///
 /// Every function throws CallError. Where a request names a revision it takes the name of a design
 /// (its head), `design@number`, an id or a unique prefix of at least 8 digits. Where one takes a

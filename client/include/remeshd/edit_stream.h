@@ -27,7 +27,7 @@ namespace remeshd::client {
 class EditStream {
  public:
   /// Called on the reading thread: the id of the request and how far it is. Must not block for
-  /// long.
+  /// long, and must not throw: an exception ends the process.
   using OnProgress =
       std::function<void(const std::string& request_id, const remesh::v1::Progress&)>;
 
@@ -63,9 +63,11 @@ class EditStream {
   Answers create(remesh::v1::CreateRevisionRequest request, MeshWanted mesh);
 
   /// Asks the daemon to cancel a request of this stream; its future throws CANCELLED, in its turn
-  /// or, if the request was not sent yet, at once. After a break it is not sent again.
+  /// or, if the request was not sent yet, at once. A cancelled request is not sent again after a
+  /// break. Does nothing once `finish` was called: `cancel_all` still works then.
   void cancel(const std::string& request_id);
-  /// Breaks the whole stream off: every open future throws CANCELLED.
+  /// Cancels the whole stream: every open future throws CANCELLED or, where the connection was
+  /// broken at that moment, the error of the break (UNAVAILABLE).
   void cancel_all();
   /// Sends no more, and waits until all that was sent is answered. Throws CallError if the stream
   /// broke before that.

@@ -16,8 +16,8 @@ struct MeshWanted {
   /// Send what differs from the mesh of the revision's parent, where that is shorter. The Mesh is
   /// the same, to the bit.
   bool delta = false;
-  /// With `delta`: the parent's mesh, with the same arrays. In a stream null stands for the last
-  /// mesh that the stream brought to a request with `delta`, which it keeps for that.
+  /// With `delta`: the parent's mesh, with the same arrays. In a stream, null means the mesh of the
+  /// last request with `delta`, which the stream keeps for this purpose.
   std::shared_ptr<const Mesh> base{};
 };
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every index of a mesh that has arrived lies where there is something."""
+"""Checks that every index of a received mesh is in range."""
 from __future__ import annotations
 
 from typing import Mapping

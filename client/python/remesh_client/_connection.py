@@ -63,7 +63,7 @@ def is_here(address: str) -> bool:
 
 
 def channel_options(address: str) -> list[tuple[str, Any]]:
-    """Of a channel, as the C++ client has them."""
+    """The options of a channel: as in C++, but with a keepalive ping every 30 s instead of 60."""
     options: list[tuple[str, Any]] = [
         ("grpc.keepalive_time_ms", _KEEPALIVE_MS),
         ("grpc.keepalive_timeout_ms", _KEEPALIVE_TIMEOUT_MS),

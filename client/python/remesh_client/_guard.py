@@ -20,7 +20,9 @@ _PR_SET_PDEATHSIG = 1
 
 
 def end_with_parent() -> None:
-    """In the child, before the program begins. The parent has one thread, so it is the one."""
+    """Has the kernel kill this process when its parent ends; called in the child, before the
+    program begins. The kernel waits for the end of the thread that forked: the parent has only
+    that one."""
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
 
 

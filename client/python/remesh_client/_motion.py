@@ -21,11 +21,12 @@ class Velocity:
 
     value: float  # of the parameter
     vectors: Floats  # by node of Mesh.all_points, (n, 3); length per unit of the parameter
-    undefined: npt.NDArray[np.bool_]  # (n,): where what a node stands on parts
+    undefined: npt.NDArray[np.bool_]  # (n,): no velocity, for the node's faces move apart
 
 
 class Derivative(float):
-    """d(function)/d(parameter); `undefined`: nodes without a velocity that the function has."""
+    """d(function)/d(parameter). undefined: how many nodes that the function depends on have no
+    velocity; the derivative is reliable where it is 0."""
 
     undefined: int
 
@@ -37,7 +38,9 @@ class Derivative(float):
 
 @dataclass(frozen=True)
 class Horizon:
-    """Values of a parameter that keep the connectivity; what changes beyond, in words."""
+    """The range of values of a parameter within which the connectivity is kept.
+    value: now. lower, upper: ends of the range. lower_reason, upper_reason: what changes beyond
+    each end, in words."""
 
     value: float
     lower: float

@@ -75,11 +75,11 @@ class Search(Generic[P]):
         return here[0] if here else min(self._ranked, key=lambda replica: replica.away_until)
 
     def delay(self, replica: P, error: RemeshError, broken: bool) -> float | None:
-        """After how many seconds `replica()` is to be asked, when this one failed; None: the error
-        stands.
+        """Seconds to wait before `replica()` is asked, after `replica` failed with `error`; None:
+        do not try again, raise the error.
 
-        broken: it did not answer. What one does not know another one may, that has not yet given
-        it to the tier.
+        broken: the connection broke, without an answer. After REVISION_NOT_FOUND the other replicas
+        are asked too: one of them may have the revision and not have written it to the tier yet.
         """
         now = time.monotonic()
         self._failed = self._failed or now

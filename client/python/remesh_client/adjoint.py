@@ -40,8 +40,8 @@ def volume(mesh: Mesh) -> tuple[float, Floats]:
 
 
 def strain_energy(mesh: Mesh, displacements: Floats, material: Elastic) -> tuple[float, Floats]:
-    """Strain energy of displacements (n, 3) of `mesh.all_points`, and its derivative by these while
-    the displacements of the nodes stay.
+    """Strain energy of displacements (n, 3) of `mesh.all_points`, and its derivative by these
+    points, (n, 3), with the displacements held fixed.
 
     By nodes i, with the strain energy's density W, stress s and gradient H of the displacements:
     the integral of W dN_i/dx_b - s_ca H_cb dN_i/dx_a (Eshelby's tensor).

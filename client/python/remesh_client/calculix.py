@@ -103,15 +103,16 @@ def solve(mesh: Mesh, material: Elastic, supports: Mapping[str, Support],
           folder: os.PathLike[str] | str | None = None) -> Solution:
     """Displacements and stresses of a mesh of either order, C3D4 or C3D10.
 
-    supports: by name the directions in which the nodes are held, or moved by so much, which may
-    be a function of their points. loads: by name a total force, spread evenly over the facets; a
-    Pressure, on a group of the model scaled by its exact area beside the facets'; or a Traction; as
-    the nodal forces that are consistent with the elements. forces: further ones by node of
-    `mesh.all_points`, (n, 3). limit: s that ccx may take. solver: one
-    of ccx's, by its name there; default: its own choice, which is direct; "ITERATIVE CHOLESKY"
-    takes a fraction of the time on large meshes of second order, but stops where residuals are
-    small: results of some parts were off by .6 %. folder: where its files are to stay; default: a
-    temporary one.
+    supports: by name of a group or face: "xyz", the directions in which its nodes are held, or a
+    mapping of directions to prescribed displacements, each a number or a function of the nodes'
+    points (k, 3). loads: by name of a group or face: a total force, spread evenly by area; a
+    Pressure, which on a group of the model is scaled by the group's exact area divided by that of
+    its facets; or a Traction. Each becomes nodal forces that are consistent with the elements.
+    forces: additional nodal forces, (n, 3), by node of `mesh.all_points`. limit: s that ccx may
+    take. threads: of ccx. program: ccx, by name or path. solver: by its name in ccx; default: ccx's
+    own choice, which is direct; "ITERATIVE CHOLESKY" takes a fraction of the time on large meshes
+    of second order, but its results were off by 0.6 % on some parts, because it stops early.
+    folder: where ccx's files are kept; default: a temporary folder.
 
     Raises CalculixError, with ccx's message, where it is missing, fails or takes too long; KeyError
     for a name that is not on the mesh; ValueError for an empty set and bad values.

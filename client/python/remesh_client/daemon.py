@@ -52,9 +52,9 @@ class Daemon:
         model: a path to a JSON document, a mapping as in one, or a FeatureModel. design: the name
         of the list of revisions that it joins; default: the model's. file: False: in none.
         with_mesh: has the mesh come along. progress: called with each Progress (stage, iteration,
-        fraction) while this waits. timeout: s. route: loops of one route go to one of several daemons;
-        default: one a design, and one a first mesh in none. options: as rc.Options, `nodes=8000,
-        order=2`.
+        fraction) while this waits. timeout: s. route: where there are several daemons, requests of
+        the same route go to the same one; default: the design, or for a first mesh in no design a
+        digest of the request. options: as rc.Options, `nodes=8000, order=2`.
 
         Raises RemeshError; OSError, ValueError and TypeError for what cannot be sent.
         KeyboardInterrupt cancels the computation.

@@ -91,8 +91,9 @@ def map_designs(client: Client, base: Part | str, designs: Sequence[Mapping[str,
     client: a synchronous one. base: a revision that all daemons know, or its id; its options hold
     for all. designs: values by parameter, `{"radius": 8, "rib.width": 3}`; what one leaves out is
     the base's. No revision joins a design of the daemon. addresses: of all daemons. A worker asks
-    the first of its own REMESH_ADDRESS, without that one of `addresses` by its name, and where that
-    is not available the others. depth: most edits between the base and a design; more may save time
+    the first address of its own REMESH_ADDRESS; where that is not set, the one of `addresses` that
+    a hash of the worker's name picks; where the one asked is not available, the others. depth:
+    most edits between the base and a design; more may save time
     but leave less to do side by side. shares: as of `plan_designs`; default: learned by
     `learn_shares`, for which this waits. timeout: s for each edit. retries: of what failed because
     no daemon was available or those there were busy. access: of rc.connect, `patience`, `tls_ca`,

@@ -260,7 +260,7 @@ class Mesh:
 
     @property
     def mid_ids(self) -> Ids:
-        """(p,) as `ids`; the next two likewise."""
+        """(p,) permanent ids of the mid-nodes."""
         return self._ids(_T.MESH_ARRAY_MID_NODE_IDS)
 
     @property
@@ -276,10 +276,12 @@ class Mesh:
     # Elsewhere ----------------------------------------------------------------------------------
 
     def write(self, path: os.PathLike[str] | str) -> Path:
-        """Writes the mesh, or its exact model, by the daemon; the file appears whole or not at all.
+        """Has the daemon write the mesh, or its exact model; the file appears whole or not at all.
 
-        path: ends in `.vtu`, `.msh` or `.inp`, or in `.step` or `.stp` for the model. Returns it. Raises ValueError for another ending,
-        RemeshError, OSError; and of a mesh of `remesh_client.aio`: `await part.write(path)`.
+        path: ends in `.vtu`, `.msh` or `.inp`, or in `.step` or `.stp` for the model. Returns the
+        path. Raises ValueError for another ending, RemeshError, OSError, and RuntimeError where
+        the mesh has no daemon: one that was unpickled, or of `remesh_client.aio` (there use
+        `await part.write(path)`).
         """
         if self._write_file is None:
             raise RuntimeError("this mesh has no daemon at hand to write it; "
@@ -297,7 +299,7 @@ class Mesh:
         return to_vtk(self)
 
     def __getstate__(self) -> dict[str, Any]:
-        """For pickling: what it was read of, without the daemon."""
+        """For pickling: the arrays and attributes, without the connection to the daemon."""
         state = ("content", "exact_areas", "revision", "parent", "order", "unit", "model_name")
         return {"_write_file": None, **{name: self.__dict__[name] for name in state}}
 

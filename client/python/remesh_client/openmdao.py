@@ -64,7 +64,7 @@ class RemeshComponent(om.ExplicitComponent):  # type: ignore[misc]
             self.add_output(name, val=value)
 
     def setup_partials(self) -> None:
-        """By finite differences: how a mesh depends on its parameters is not told by the daemon."""
+        """By finite differences: the derivatives of what `evaluate` computes are not known here."""
         self.declare_partials("*", "*", method="fd", step=self.options["step"],
                               step_calc="rel", form=self.options["form"])
 

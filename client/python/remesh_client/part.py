@@ -151,8 +151,9 @@ class Part(Revision):
         return self._write_file(self.revision, path)
 
     def velocities(self, *parameters: str) -> dict[str, Velocity]:
-        """d(node)/d(parameter) of its mesh, for each parameter: of the model, `radius`, or of a
-        feature, `hole.radius`; default: all of the model. Raises RemeshError."""
+        """d(node)/d(parameter) of its mesh, by parameter.
+        parameters: names of parameters of the model, `radius`, or of a feature, `hole.radius`, at
+        most 100; default: all of the model that are not integers. Raises RemeshError."""
         return self._daemon._velocities(self.revision, parameters, self._route)
 
     def gradient(self, seed: npt.ArrayLike, *parameters: str) -> dict[str, Derivative]:

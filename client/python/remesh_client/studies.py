@@ -19,7 +19,7 @@ __all__ = ["Plan", "figures_of", "plan_designs", "tried_values", "values_in"]
 
 _LEAST_SHARE = 0.01  # of the largest: no change is free
 _FAR = 0.2  # by which a change across a parameter's whole range costs more than one nearby
-_WAY = 4  # of the way from the base, one in so many counts beside the cost of an edit
+_WAY = 4  # 1/_WAY of the parent's cost from the base is added to the cost of an edit
 _COSTS = 1e6  # costs are compared in millionths, so that rounding decides nothing
 
 
@@ -176,7 +176,8 @@ def values_in(document: Mapping[str, Any], names: Sequence[str]) -> dict[str, Va
 
 
 def figures_of(message: Any, prefix: str = "") -> dict[str, float]:
-    """The numbers of a message, a Report, by name, those of messages within as `seconds.total`."""
+    """The scalar numbers (double, uint32) of a message, a Report, by name; those of a nested
+    message as `seconds.total`. Lists and `diagnostics` are left out."""
     figures: dict[str, float] = {}
     for field in message.DESCRIPTOR.fields:
         value = getattr(message, field.name)

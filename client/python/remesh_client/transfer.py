@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from remesh_client.mesh import Mesh
 
 _BULGE = -1e-9  # least coordinate of a point that counts as inside a curved tet
-_FAR = 0.2  # below it Newton's method has left the tet: its straight coordinates are taken
+_FAR = 0.2  # a coordinate below -_FAR: Newton's method left the tet; use the straight coordinates
 
 
 def transfer(old: Mesh, new: Mesh, *, follow_features: bool = False) -> csr_matrix:

@@ -22,7 +22,7 @@ namespace {
 
 struct CoverLimits {
   int rounds = 12;            ///< of adding nodes
-  double film = 0.2;          ///< x edge length: nearer faces have a film between them
+  double film = 0.2;          ///< x edge length: a thinner layer between two faces is a film
   double closest = 0.3;       ///< x edge length: of an inner node from the border, at least
   double shortest = 1e-3;     ///< x edge length: no shorter side is halved
   double long_share = 0.7;    ///< of a facet's longest side: longer sides are halved with it
@@ -90,8 +90,8 @@ class Cover {
     });
   }
 
-  /// Where on a face the counterpart of a node across a film is to stand; nothing where no film is
-  /// between the two, or the node is on that face.
+  /// The place on a face for the counterpart of a node on the other side of a film; nothing where
+  /// there is no film between the node and the face, or the node stands on that face.
   [[nodiscard]] std::optional<Vec3> across_film(std::int32_t node, std::int32_t face) const {
     const Vec3& p = open_.mesh.nodes[node];
     const Vec3 q = project(boundary_.faces[face].surface, p);
@@ -101,11 +101,11 @@ class Cover {
     return q;
   }
 
-  /// The nodes for the inside of a face. First counterparts of nodes across films: of those on the
-  /// borders of other faces, and of all that faces covered before have. Elsewhere loose nodes that
-  /// do not crowd the border, and the nodes that `refine` has added. Where both sides of a film
-  /// have the same nodes, and so mostly the same triangles, TetGen needs few points of its own
-  /// between them.
+  /// The nodes for the inside of a face. First the counterparts of nodes on the other side of a
+  /// film: of nodes on the borders of other faces, and of all nodes of facets made before on other
+  /// faces. Away from these, the loose nodes that do not crowd the border. Last the nodes that
+  /// `refine` has added. Where both sides of a film have the same nodes, and so mostly the same
+  /// triangles, TetGen needs few points of its own between them.
   std::vector<std::int32_t> inner_nodes(std::int32_t face, const std::vector<BorderSide>& border) {
     std::vector<std::int32_t> nodes;
     for (const std::int32_t other : film_nodes(face)) {

@@ -13,7 +13,8 @@ namespace remeshd {
 /// A mesh of the model's boundary of which a part is missing.
 struct OpenSurface {
   SurfaceMesh mesh;  ///< all nodes; the facets that stay
-  /// Nodes in the open part that no facet has that stays. The cover may use those on faces.
+  /// Nodes in the open part that are on none of the facets that stay. The cover may use those of
+  /// them that stand on faces.
   std::vector<std::int32_t> loose;
   /// Triangles in the material that facets may not cut: they separate the open part from tets that
   /// stay.

@@ -23,8 +23,8 @@ class FlatMap {
 
  private:
   enum class Shape { Plane, Sphere, Strip, Sector, Ring };
-  /// An angle about the axis, rad, and a height: over the radius on a cylinder, the angle round the
-  /// tube on a torus, the distance from the axis on a cone.
+  /// `angle`: about the axis, rad. `height`: on a cylinder z over the radius; on a torus the angle
+  /// round the tube, rad; on a cone the distance from the axis, a length.
   struct Parameters {
     double angle, height;
   };
@@ -39,12 +39,14 @@ class FlatMap {
   Surface surface_;
   Transform to_local_;
   Shape shape_;
-  bool swapped_ = false;        ///< a torus whose ring goes round the tube: the angles swapped
-  double cut_ = 0;              ///< angles begin here
-  double height_cut_ = 0;       ///< of a torus, heights too
-  double middle_ = 0;           ///< height whose circle has the radius 1
-  double growth_ = 1;           ///< of a ring's radius with height; factor of a strip's heights
-  std::array<Vec3, 3> pole_{};  ///< axes of a sphere: the last points to the pole left out
+  bool swapped_ = false;   ///< a torus whose ring goes round the tube: the angles swapped
+  double cut_ = 0;         ///< angles begin here
+  double height_cut_ = 0;  ///< of a torus, heights too
+  double middle_ = 0;      ///< of a ring: the height that is mapped to the circle of radius 1
+  /// Of a ring: the growth g of the radius with the height h, which is exp(g (h - middle)), on a
+  /// cone (h / middle)^g. Of a strip: the factor of its heights.
+  double growth_ = 1;
+  std::array<Vec3, 3> pole_{};  ///< of a sphere: axes; the last points to the centre of projection
 };
 
 }  // namespace remeshd

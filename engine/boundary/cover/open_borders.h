@@ -23,16 +23,18 @@ struct BorderSide {
   int uses = 1;  ///< 2: the face is open on both sides of it
 };
 
-/// The borders of the open parts of a surface's faces. The links among their sides, along model
-/// edges, may be halved. Every model vertex gets a node.
+/// The borders of the open parts of a surface's faces. A link is the side between two neighbours in
+/// the chain of nodes along a model edge; links on these borders may be halved. Every model vertex
+/// gets a node.
 class OpenBorders {
  public:
   /// Keeps references. `shortest`: length; no shorter link is halved.
   OpenBorders(SurfaceMesh& mesh, const std::vector<Triangle>& walls, const BoundaryModel& boundary,
               double shortest);
 
-  /// The borders by face: links of the face's edges that no facet has that stays, and sides that
-  /// just one such facet has and that are no links.
+  /// The borders, by face. The border of what is open of a face has two kinds of sides: links of
+  /// the face's model edges that are not a side of one of its facets that stay; and sides that are
+  /// not links and belong to exactly one of its facets that stay.
   [[nodiscard]] std::map<std::int32_t, std::vector<BorderSide>> find();
 
   /// Whether a side is a link that `find` found last, and not halved since.

@@ -69,7 +69,8 @@ inline Vec3 outward_normal(const BoundaryFace& face, const Vec3& p) {
 /// splits and seams are unified, so that they are no edges (Sect. 4.1), but for the rims of
 /// faces that a group names.
 ///
-/// Inv: every order is by geometry, never by the CAD kernel's: the same model gives the same value.
+/// Inv: all elements are ordered by geometry, never as the CAD kernel has them, so that the same
+/// model gives the same value.
 struct BoundaryModel {
   std::vector<BoundaryVertex> vertices;
   std::vector<BoundaryEdge> edges;

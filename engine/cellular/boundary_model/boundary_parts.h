@@ -29,9 +29,10 @@ struct BoundaryPiece {
 /// kernel's shapes and cells: what the boundary is joined from, and what an edit keeps where
 /// nothing changed.
 ///
-/// Inv: one piece for each face, with `boundary` and `outward` set; a face's `swept_volume` is
+/// Inv: one piece for each face, with `boundary` and `outward` true; a face's `swept_volume` is
 /// positive where brep.reference lies behind it, on the material's side; every vertex and edge
-/// bounds a face; a vertex has the same index among the points. The order is by geometry.
+/// bounds a face; brep.points begin with the vertices, in their order. All elements are ordered by
+/// geometry.
 struct BoundaryParts {
   kernel::Brep brep;
   std::vector<BoundaryPiece> pieces;

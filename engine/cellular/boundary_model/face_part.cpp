@@ -11,10 +11,10 @@ struct PartLimits {
   // Lengths of a triangle's longest side, x the diagonal of the face's box.
   double first = 1.0 / 16;       ///< longer triangles are bisected before the condition is tested
   double shortest = 1.0 / 1000;  ///< no triangle is bisected further
-  double of_area = 1.0 / 256;    ///< `shortest` where areas are measured
-  double shortest_told = 1.0 / 4096;  ///< the same where margins are told
-  double linear = 0.003;      ///< x their spread: margins that are off a plane by less are on it
-  int most_tested = 100'000;  ///< triangles, before `shortest_told` does not count
+  double of_area = 1.0 / 256;    ///< instead of `shortest` where areas are measured
+  double shortest_told = 1.0 / 4096;  ///< instead of `of_area` where all margins are known
+  double linear = 0.003;      ///< x the spread of margins: a smaller deviation counts as linear
+  int most_tested = 100'000;  ///< triangles of a face; from then on `of_area` counts everywhere
 };
 constexpr PartLimits kPartLimits;
 
@@ -120,9 +120,10 @@ struct TestedTriangle {
     const auto [least, greatest] = std::ranges::minmax(held, {}, &Held::margin);
     return greatest.margin - least.margin;
   }
-  /// Whether the border of the part may be in the triangle though all places are alike. A place is
-  /// within a quarter of `length` of any point, where margins differ by half of their spread or
-  /// less, with a margin for those that change faster in between.
+  /// Whether the border of the part may run through the triangle although the condition is the same
+  /// at all places. No point of the triangle is further than 0.3 x `length` from a place, and over
+  /// that distance margins change by about 0.3 x their spread. The test takes the whole spread,
+  /// because margins may change faster between the places.
   [[nodiscard]] bool border_may_be_in() const {
     const auto size = [](const Held& h) { return std::fabs(h.margin); };
     return size(std::ranges::min(held, {}, size)) < spread();

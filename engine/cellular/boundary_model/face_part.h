@@ -26,16 +26,16 @@ struct Held {
   bool holds = false;
   double margin = 0;  ///< as ConditionTest::margin
 };
-/// The same of a point of a face with that outward normal.
+/// Tests a condition at a point of a face: f(point, outward unit normal of the face there).
 using PlaceTest = std::function<Held(const Vec3&, const Vec3&)>;
 
 /// Area of the part of a face where a condition holds: its share of the area of bisected triangles,
 /// which are cut straight where the condition changes, times the face's exact area.
 ///
-/// Bisection goes on as long as margins do not rule out that the part's border is in a triangle,
-/// and do not change linearly there either: so parts however narrow are found, and the relative
-/// error is of the order of 1e-4 where the border is curved. Where margins cannot be told, a part
-/// narrower than 1/16 of the diagonal of the face's box may be missed.
+/// A triangle is bisected again if, by its margins, the border of the part may run through it and
+/// the margins do not change linearly over it. So a part is found however narrow it is, and the
+/// relative error is of the order of 1e-4 where the border is curved. Where margins are not known,
+/// a part narrower than 1/16 of the diagonal of the face's box may be missed.
 double area_where(const BoundaryFace& face, const PlaceTest& holds, const Run& run);
 
 }  // namespace remeshd

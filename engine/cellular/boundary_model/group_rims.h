@@ -9,9 +9,10 @@
 
 namespace remeshd {
 
-/// For each piece a number for the set of the model's groups that name one of its feature faces; 0
-/// is the empty set. Between pieces of different numbers the rim of a group stays an edge of the
-/// model, even within one surface. Conditions do not count: where one cuts a face there is no edge.
+/// For each piece a number for the set of the model's groups that name one of its feature faces,
+/// each group together with the condition under which it names the face; 0 is the empty set.
+/// Between pieces with different numbers the rim of a group stays an edge of the model, even within
+/// one surface. No edge is made inside a face where a condition begins or ceases to hold.
 std::vector<int> groups_of_pieces(const FeatureModel& model,
                                   const std::vector<BoundaryPiece>& pieces);
 

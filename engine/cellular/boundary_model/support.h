@@ -6,8 +6,8 @@
 
 namespace remeshd {
 
-/// The part of the model's boundary that a node stands on: the model vertex, edge or face that VTM
-/// put it on, or the interior.
+/// What a node stands on: the vertex, edge or face of the model's boundary that variational
+/// tetrahedral meshing has put it on, or the interior.
 struct Support {
   enum class Kind : std::uint8_t { Interior, Face, Edge, Vertex };
   Kind kind = Kind::Interior;
@@ -18,8 +18,8 @@ struct Support {
 /// Nearest point of the curve of an edge (within its ends).
 Vec3 project(const BoundaryModel& boundary, const BoundaryEdge& edge, const Vec3& p);
 
-/// Where a node with this support stands when it wants to be at p: p itself in the interior, the
-/// nearest point of its surface or curve, or its vertex.
+/// The place nearest to p that a node with this support may have: p itself in the interior, the
+/// nearest point of the untrimmed surface of its face or of the curve of its edge, or its vertex.
 Vec3 project(const BoundaryModel& boundary, const Support& support, const Vec3& p);
 
 /// Whether an entity bounds another or is the same: a face and its edges, an edge and its vertices,

@@ -12,9 +12,9 @@ namespace remeshd {
 /// or curve.
 struct UnifiedEdges {
   std::vector<std::vector<int>> faces_at_edge;  ///< selected faces, ascending; a seam's face twice
-  std::vector<char> edge;    ///< by B-rep edge: surface, side or SelectedFace::group changes there
-  std::vector<char> rim;     ///< by B-rep edge: of those, where only SelectedFace::group changes
-  std::vector<char> vertex;  ///< by B-rep vertex: end or corner of such edges, or apex of a cone
+  std::vector<char> edge;       ///< by B-rep edge: 1 if surface, side or group changes across it
+  std::vector<char> rim;        ///< by B-rep edge: 1 if only SelectedFace::group changes across it
+  std::vector<char> vertex;     ///< by B-rep vertex: end or corner of such edges, or apex of a cone
   std::vector<int> face_group;  ///< by B-rep face: one number per unified face, -1 if not selected
   int groups = 0;               ///< number of unified faces
 };

@@ -16,7 +16,7 @@ struct CrossingLimits {
   double parallel = 1e-11;     ///< no angle at all
   double shallow = 1e-3;       ///< between planes, or a line and a plane
   double wall_to_plane = 0.1;  ///< between a plane and a round wall's axis
-  double near_tangent = 0.01;  ///< from touching a plane, x the curve's reach along its normal
+  double near_tangent = 0.01;  ///< gap to a tangent plane, x the curve's half extent normal to it
   std::size_t patches = 250;   ///< all pairs of them are looked at
   std::size_t curves = 1000;
 };
@@ -325,9 +325,9 @@ class CurveFinder {
     for (const double t : {middle - half, middle + half}) add_split(curve, t, p);
   }
 
-  /// Splits a round curve where a wall with a parallel axis crosses its cylinder. Walls with other
-  /// axes stay clear of that, else cross_walls gives up; walls that only touch it are of the same
-  /// feature, and do so where it is split already.
+  /// Splits a round curve where a wall with a parallel axis crosses the curve's cylinder. A wall
+  /// with another axis is clear of that cylinder, or cross_walls has given up. A wall that only
+  /// touches the cylinder is of the same feature, and touches it where the curve is split already.
   void split_by_wall(IntersectionCurve& curve, std::size_t p) {
     const Patch& wall = patches_[p];
     if (norm(cross(wall.axis(), curve.axis)) > kCrossingLimits.parallel) return;

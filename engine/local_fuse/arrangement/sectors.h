@@ -15,7 +15,7 @@ using FeatureSet = std::uint64_t;
 /// pass through it, and the features that lie before and behind them as one turns about the curve.
 struct HalfFace {
   Vec3 direction;  ///< unit, away from the curve
-  Vec3 ahead;      ///< unit, normal to the half-face, towards `behind`
+  Vec3 ahead;      ///< unit normal, in the direction of turning: from `before` to `behind`
   FeatureSet before = 0, behind = 0;
   std::vector<const Patch*> covers;  ///< ascending by feature
 };

@@ -20,10 +20,12 @@ struct PrismEdges {
   std::vector<PrismEdge> edges;
 };
 
-/// The edges of a general fuse, seams included: the parts of the curves where faces end. Each is as
-/// long as the half-faces round it stay the same and no other edge ends on it.
+/// The edges of a general fuse, seams included: the parts of the curves where faces end. An edge
+/// goes on along its curve as long as the half-faces round it stay the same and no other edge ends
+/// on it.
 ///
-/// Gives up where that is in doubt.
+/// Gives up where the half-faces are in doubt, where two nodes are neither clearly the same nor
+/// clearly apart, or where an edge is very short.
 Tried<PrismEdges> find_prism_edges(const std::vector<IntersectionCurve>& curves,
                                    const Sectors& sectors, const Clearance& clearance);
 

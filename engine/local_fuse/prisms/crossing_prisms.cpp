@@ -175,8 +175,8 @@ class CrossedParts {
   std::vector<std::pair<BrepFace, int>> walls_;  ///< with their families
 };
 
-/// Whether every node lies either on a round wall or further from it than polylines stand off it,
-/// for each round wall.
+/// Whether every node lies, for each round wall, either on the wall or further from it than the
+/// polylines of its arcs deviate from it.
 bool clear_of_walls(const PrismEdges& edges, const Patches& patches, const Clearance& clearance) {
   for (const Patch& patch : patches.patches) {
     if (!patch.round) continue;

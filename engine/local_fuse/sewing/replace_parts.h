@@ -21,8 +21,9 @@ struct TouchedParts {
   }
 
  private:
-  /// The box of a face may meet one that the face itself goes round, as a round face or one with a
-  /// hole may: so an edge or a triangle of it must meet one too.
+  /// Whether a face meets one of the boxes. That its own bounding box does is not enough: a round
+  /// face, or one with a hole, may go round a box without meeting it. So one of the edges or
+  /// triangles of the face must meet a box, too.
   [[nodiscard]] bool face_meets(const BoundaryParts& parts, int f,
                                 const std::vector<Box>& boxes) const {
     const BoundaryPiece& piece = parts.pieces[f];

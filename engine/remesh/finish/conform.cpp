@@ -115,8 +115,8 @@ class Conforming {
     if (!stalled_) stalled_ = Stalled{c_, inserted_};
     return true;
   }
-  /// Goes back to the mesh before rounds stopped helping: nodes inserted since would be in the way
-  /// of the last resort.
+  /// Goes back to the mesh after the first round that did not help: nodes inserted since then would
+  /// be in the way of the last resort.
   void take_back() {
     stalled_->mesh.verify_seconds = c_.verify_seconds;
     c_ = std::move(stalled_->mesh);
@@ -137,7 +137,7 @@ class Conforming {
   std::uint32_t inserted_ = 0;
   int facet_rounds_ = 0;
   double faults_ = HUGE_VAL;        ///< of the mesh verified last
-  std::optional<Stalled> stalled_;  ///< before the first of the rounds that did not help
+  std::optional<Stalled> stalled_;  ///< the mesh after the first round that did not help
 };
 
 }  // namespace

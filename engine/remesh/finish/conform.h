@@ -8,12 +8,12 @@
 
 namespace remeshd {
 
-/// Finishes an extracted mesh (reuse of improved tets, clean-up, stitching into the parent's mesh,
-/// verification), with nodes inserted where it has not all of the boundary: near facets of the
-/// peeled mesh that lie on no face of the model, as long as there are any, then where verification
-/// finds the boundary wrong; each time, segments of model edges that this breaks are recovered
-/// first. It ends with a mesh that is valid, or when nothing helps any more: the verification says
-/// what is missing, and where.
+/// Finishes an extracted mesh: reuse of improved tets, clean-up, stitching into the parent's mesh,
+/// verification. Where the mesh lacks a part of the boundary, nodes are inserted and it is
+/// extracted anew: near facets of the peeled mesh that lie on no face of the model, as long as
+/// there are any, then where verification finds the boundary wrong. Before each extraction, the
+/// segments of model edges that the new nodes break are recovered. It ends with a valid mesh, or
+/// when nothing helps any more: the verification then says what is missing, and where.
 ///
 /// Returns the number of nodes inserted. Throws PatchTooSmall.
 std::uint32_t conform(Candidate& c, const MeshingTask& task, const MeshPatch& patch,

@@ -18,11 +18,12 @@ namespace remeshd {
 struct SegmentOptions {
   SizeField sizes{0};  ///< target edge lengths
   int rounds = 12;     ///< at most
-  /// So many nodes at most, as a share of those there are, and 200 more: two model edges much
-  /// nearer to each other than the edge length would split each other into pieces as short as that.
+  /// Insertion ends after the round that brings it to more than this share of the nodes at the
+  /// beginning, plus 200: two model edges much nearer to each other than the edge length would
+  /// split each other into pieces as short as their distance.
   double most = 0.2;
-  /// Model edges that need nodes in a patch of a mesh, ascending; others without any in it may have
-  /// theirs elsewhere.
+  /// For a patch of a mesh: the model edges that must have nodes in it, ascending. Any other model
+  /// edge without nodes in the patch may have its nodes outside of it.
   std::vector<std::int32_t> wanted;
   /// By model edge: links that it has to have at least; empty: any number does.
   std::vector<int> fewest_links;

@@ -86,9 +86,10 @@ class PatchClassifier {
     return plan_.meets_changed(mesh_.corners(slot), nodes_.positions);
   }
 
-  /// Classifies new tets of nodes that stayed, in the place of tets that were outside of the model.
-  /// A node that moves outside of a round face, however far away, changes the tets whose balls it
-  /// enters or leaves; one that comes instead may lie against the face, its centroid inside of it.
+  /// Classifies new tets whose nodes all stayed, in the place of tets that were outside of the
+  /// model. Outside of a round face a node that moves replaces the tets whose circumballs it enters
+  /// or leaves, however far away they are. The centroid of a tet that comes in their place may lie
+  /// between the face and its chords, inside of the model, though the tet is outside.
   void find_outside_still() {
     const std::vector<Other> others = other_tets();
     const std::vector<GoneFacet> gone = gone_facets(others);

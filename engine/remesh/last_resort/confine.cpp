@@ -39,9 +39,9 @@ bool is_hopeless(const Candidate& c, std::ptrdiff_t made) {
          kConfineLimits.hopeless * static_cast<double>(made);
 }
 
-/// The patch's mesh, put back and verified with all faults described: without clean-up, which mends
-/// no boundary; with it where the mesh is valid without, so that clean-up has spoilt it. Throws
-/// PatchTooSmall.
+/// The patch's mesh, put back and verified with all faults described. Clean-up is left out, since
+/// it mends no boundary, unless the mesh is valid without it: then clean-up made the faults, and is
+/// done to find them. Throws PatchTooSmall.
 ReusedMesh with_all_faults(Candidate& c, const MeshingTask& task, const MeshPatch& patch) {
   ReusedMesh mesh = cleaned_up(c, task, patch, false);
   put_back(c, mesh, task, patch, kConfineLimits.all_failures);

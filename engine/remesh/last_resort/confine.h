@@ -7,9 +7,10 @@
 
 namespace remeshd {
 
-/// The local last resort, where a mesh is not valid: the places where it is wrong are refilled,
-/// then with smaller facets where it is wrong again, and with more and more round them. A mesh that
-/// took too many nodes and is wrong all over all the same is left alone.
+/// The local last resort for a mesh that is not valid: refills it round the places where it is
+/// wrong (`refill`). Each further try takes out more round these places, or uses smaller boundary
+/// facets where the refill before was wrong. A mesh that took too many nodes and is still wrong all
+/// over is left alone.
 ///
 /// Post: `candidate` is valid, with a warning in `attempt` and the share of the tets that were made
 /// anew; or it is still wrong, and `attempt` has what was tried. Throws PatchTooSmall, and what

@@ -97,7 +97,7 @@ class Motion {
   std::vector<Vec3> by_;     ///< by node
   std::vector<Vec3> moved_;  ///< boundary nodes that move, where they were
   double none_ = 0;          ///< a motion up to this is rounding
-  double surface_ = 0;       ///< largest distance of a boundary node from a surface it stood on
+  double surface_ = 0;       ///< largest distance of an anchor position from its surface now
   double node_ = 0;          ///< largest motion of a boundary node
 };
 

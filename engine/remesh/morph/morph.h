@@ -42,9 +42,10 @@ using NotMorphed = std::string;
 /// they were when that connectivity was made (the anchor), with the same topology. Every node is
 /// placed anew from where it was then, so that any number of steps ends where one step would:
 /// boundary nodes go to the nearest point of their surface, curve or vertex, and interior nodes
-/// less than 3 l from them share the motion by a discrete harmonic extension. No node moves further
-/// than five times the largest distance between a boundary node of the anchor and its surface now,
-/// or than an edge may move with a hidden face (`coincident`), if that is more.
+/// within 2.9 l of one that moved share the motion by a discrete harmonic extension. No node moves
+/// further than the greater of two lengths: five times the largest distance of an anchor position
+/// from its surface now, and the distance by which an edge may move with a hidden face
+/// (`coincident`).
 ///
 /// Post: the mesh is valid; a tet that met the goals of quality at the anchor (least dihedral angle
 /// 25 degrees, largest 145, volume-length 0.42) meets them still, any other lost next to nothing.

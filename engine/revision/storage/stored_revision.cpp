@@ -22,6 +22,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "arrays are stored as they lie in memory");
 
+// Names of arrays keep the words of older versions: `delivery` is the output mesh, `master` the
+// Delaunay state, `clusters` are its cavities.
 constexpr const char* kDocuments = "documents";
 constexpr const char* kNodeSizes = "sizes.nodes";  // of a mesh that is not even
 
