@@ -16,8 +16,10 @@
 namespace remeshd {
 namespace {
 
-/// A mesh may have nodes that are off by nearly the quarter for which they would be made anew. A
-/// motion small enough for morphing is no reason to do so when it makes them a little more.
+/// The greatest ratio between the edge length that a node was made for and the one wanted, for a
+/// mesh that is still morphed. Nodes are made anew beyond a ratio of 1.25. A mesh may have nodes
+/// just below that; a motion small enough for morphing is no reason to make them anew when it takes
+/// them slightly beyond.
 constexpr double kMostOffMorphed = 1.3;
 
 /// Whether both meshes are even, or no node that is to be made anew for its edge length is off by
@@ -141,13 +143,22 @@ Attempt hold(const Strategy& how, const Problem& problem, const Attempt*) {
                  {.code = WarningCode::HoldEnded, .message = "the connectivity was not held: "});
 }
 
+/// TetGen's time for a whole model. What it has an answer for takes it a few seconds, or .1 ms a
+/// node; on surfaces that come within rounding of each other it may never end.
+kernel::TetGenLimits tetgen_limits(const Problem& problem) {
+  const CellularModel& cells = problem.modified.cells;
+  const double nodes = expected_nodes(cells.volume, cells.area, problem.density.sizes.base());
+  return {.seconds = std::round(20 + 5e-4 * nodes)};
+}
+
 Attempt by_tetgen(const Strategy& how, const Problem& problem, const Attempt* failed) {
   Attempt attempt(how.name);
   const MeshOptions& options = problem.modified.options;
   const auto plan = plan_of_nothing(problem);
-  Candidate made = tetgen_mesh({problem.modified.model, *plan, problem.modified.cells,
-                                problem.density.sizes, options.clean_up, options.threshold},
-                               failed->candidate()->verification, problem.run);
+  Candidate made =
+      tetgen_mesh({problem.modified.model, *plan, problem.modified.cells, problem.density.sizes,
+                   options.clean_up, options.threshold, tetgen_limits(problem)},
+                  failed->candidate()->verification, problem.run);
   attempt.tries = std::move(made.given_up);
   attempt.seconds.verify = made.verify_seconds;
   attempt.counts = {.nodes_new = static_cast<std::uint32_t>(made.whole.mesh.nodes.size())};

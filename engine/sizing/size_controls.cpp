@@ -102,14 +102,16 @@ class MaterialCover {
 SizeSource source_of(const SizedBox& box) {
   return {.piece = Surface{Surface::Kind::Plane, Transform::translation(box.hi), 0, 0},
           .box = {box.lo, box.hi},
-          .size = box.size / kReserve,
+          .size = box.size / kReserveInside,
           .asked = true,
-          .filled = true};
+          .filled = true,
+          .wanted = box.size};
 }
 
 SizeSource source_of(const SizedBall& ball) {
   SizeSource source = size_source(ball);
-  source.size /= kReserve;
+  source.wanted = ball.size;
+  source.size = ball.size / kReserveInside;
   return source;
 }
 
@@ -151,8 +153,9 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
           for (const auto& triangle : part)
             sources.push_back({.piece = triangle,
                                .box = box_of(triangle),
-                               .size = sized->size / kReserve,
-                               .asked = true});
+                               .size = sized->size / kReserveOnFaces,
+                               .asked = true,
+                               .wanted = sized->size});
         }
     } else if (const auto* ball = std::get_if<SizedBall>(&control.place)) {
       sources.push_back(source_of(*ball));
@@ -164,8 +167,9 @@ std::vector<SizeSource> size_sources(const FeatureModel& model, const BoundaryMo
     if (std::isfinite(on[f]))
       sources.push_back({.piece = boundary.faces[f].surface,
                          .box = box_of(boundary.faces[f].points),
-                         .size = on[f] / kReserve,
-                         .asked = true});
+                         .size = on[f] / kReserveOnFaces,
+                         .asked = true,
+                         .wanted = on[f]});
   return sources;
 }
 

@@ -76,9 +76,9 @@ double SizeSource::at(const Vec3& p, const SizeLimits& limits, double enough) co
   if (const auto* triangle = std::get_if<std::array<Vec3, 3>>(&piece))
     return lowest(limits) + limits.slope * std::sqrt(triangle_distance2(p, *triangle));
   const auto& surface = std::get<Surface>(piece);
-  const double wanted = varies() ? size * radius_of_curvature(surface, project(surface, p)) : size;
+  const double here = varies() ? size * radius_of_curvature(surface, project(surface, p)) : size;
   const double beside = signed_distance(surface, p);
-  return std::max(wanted, lowest(limits)) +
+  return std::max(here, lowest(limits)) +
          limits.slope * std::max(filled ? beside : std::fabs(beside), to_box);
 }
 
@@ -131,6 +131,14 @@ class SizeField::Tree {
     search(p, least);
     return least.source >= 0;
   }
+  /// Whether of all sources one that the model asks for asks for the least at p, and for less than
+  /// `length`.
+  [[nodiscard]] bool least_is_asked(const Vec3& p, double length) const {
+    if (begin(p, length).none_matters) return false;
+    Least least{length, -1};
+    search(p, least);
+    return least.source >= 0 && sources_[least.source].asked;
+  }
   /// What one source near p asks for, or `enough` where that is less: no less than the least.
   [[nodiscard]] double of_one(const Vec3& p, double enough) const { return begin(p, enough).size; }
 
@@ -142,7 +150,8 @@ class SizeField::Tree {
     std::int32_t count;   ///< of them; 0: it has two children
     std::int32_t second;  ///< the second child; the first is the next node
   };
-  static std::size_t most_nodes(std::size_t sources) { return 2 * sources / kTreeLimits.leaf + 1; }
+  /// Leaves have at least two sources, but for that of one alone.
+  static std::size_t most_nodes(std::size_t sources) { return sources + 1; }
   struct Least {
     double size;
     std::int32_t source;
@@ -251,9 +260,12 @@ SizeField::SizeField(double base) : limits_{base, base, 0} {}
 
 SizeField::SizeField(const SizeLimits& limits, std::vector<SizeSource> sources, const Box& bounds)
     : limits_(limits) {
-  std::erase_if(sources, [&](const SizeSource& s) { return !s.varies() && s.size >= limits.base; });
+  std::erase_if(sources, [&](const SizeSource& s) {
+    return !s.varies() && std::fmax(s.size, s.wanted) >= limits.base;
+  });
   double least = limits.base, asked = limits.base;
   for (const SizeSource& s : sources) {
+    asked_ |= s.asked;
     double& of_its_kind = s.asked ? asked : least;
     of_its_kind = std::fmin(of_its_kind, s.varies() ? limits.least : s.size);
   }
@@ -286,6 +298,10 @@ double SizeField::asked_for(const Vec3& p, double enough) const {
 
 bool SizeField::is_below(const Vec3& p, double length) const {
   return limits_.base < length || (!even() && (**tree_).any_below(p, length));
+}
+
+bool SizeField::is_asked_below(const Vec3& p, double length) const {
+  return asked_ && (**tree_).least_is_asked(p, length);
 }
 
 double SizeField::bound(const Vec3& p) const {

@@ -27,9 +27,10 @@ struct SizeSource {
   /// radius is 0.
   std::variant<Surface, std::array<Vec3, 3>> piece;
   Box box;              ///< round the piece
-  double size = 0;      ///< length; where `varies()`, x the local radius of curvature
+  double size = 0;      ///< length; where `varies()`, a factor on the local radius of curvature
   bool asked = false;   ///< by the model, not by a rule: `SizeLimits::least` does not apply
   bool filled = false;  ///< the part of the box behind the surface is of the piece too
+  double wanted = 0;    ///< length that `size` is to bring about, where it is another
 
   /// The edge length that this source alone allows at p, whatever the base size. Where it is
   /// `enough` or more, the result may be any lower bound of it that is not below `enough`.
@@ -66,6 +67,10 @@ class SizeField {
   [[nodiscard]] double operator()(const Vec3& p) const;
   /// Whether the edge length at p is less than `length`. Cheaper than the edge length.
   [[nodiscard]] bool is_below(const Vec3& p, double length) const;
+  /// Whether the model asks for any length.
+  [[nodiscard]] bool has_asked() const { return asked_; }
+  /// Whether the edge length at p is less than `length` and the model asks for it, not a rule.
+  [[nodiscard]] bool is_asked_below(const Vec3& p, double length) const;
   /// An upper bound of the edge length at p, seldom much larger than it. Cheaper still.
   [[nodiscard]] double bound(const Vec3& p) const;
   /// The edge length that the sources allow at p without regard to the base size, or `enough` where
@@ -110,6 +115,7 @@ class SizeField {
               std::vector<EvenPart>& parts) const;
 
   SizeLimits limits_;
+  bool asked_ = false;                    ///< whether the model asks for any length
   std::shared_ptr<const LazyTree> tree_;  ///< null where the field is even
 };
 

@@ -55,9 +55,10 @@ Error selector_invalid(std::string_view parameter, std::string_view selector,
 }
 
 Error selector_empty(std::string_view size) {
-  return selection_error("SELECTOR_EMPTY", place_of(size) + ".on",
-                         "the size " + quoted(size) + " selects no face of the model's boundary",
-                         "mend the selector, or remove the size");
+  return selection_error(
+      "SELECTOR_EMPTY", place_of(size) + ".on",
+      "the size " + quoted(size) + " selects no face of the model's boundary, nor material",
+      "mend the selector, or remove the size");
 }
 
 Error duplicate_size(std::string_view size) {

@@ -17,13 +17,19 @@ namespace {
 struct GradedFilling {
   /// Constant of the body-centred cubic lattice with sqrt(2) nodes per cube of an edge length.
   double constant = 1.122462048309373;
-  /// A cube is divided where it is so many times larger than that of the local edge length.
+  /// A cube is divided where it is so many times larger than that of the local edge length. What
+  /// is not divided, and so not thinned out, makes the best tets; but an even stretch of the field
+  /// between two levels gets edges that are longer by this.
   double largest = 1.2;
-  double jitter = 0.05;   ///< x side of the cube: of a node from its place, along each axis
-  double closest = 0.72;  ///< x local edge length: no node is nearer to another
-  int deepest = 12;       ///< levels below the lattice's cubes, at most
-  double most = 4;        ///< x limit on nodes: more places for nodes are refused
-  double places = 4.5;    ///< listed per node: 9 by each cube, which has 2 of its own
+  double largest_asked = 1;  ///< the same where the model asks for that length, below the roots
+  double jitter = 0.05;      ///< x side of the cube: of a node from its place, along each axis
+  double closest = 0.72;     ///< x local edge length: no node is nearer to another
+  /// The same where the model asks for that length. Nodes that are put one after another, none
+  /// nearer than d to one before, come to .73 / d^3 per volume; sqrt(2) are wanted.
+  double closest_asked = 0.8;
+  int deepest = 12;     ///< levels below the lattice's cubes, at most
+  double most = 4;      ///< x limit on nodes: more places for nodes are refused
+  double places = 4.5;  ///< listed per node: 9 by each cube, which has 2 of its own
 };
 constexpr GradedFilling kGradedFilling;
 
@@ -91,8 +97,7 @@ class Octrees {
     const Vec3 middle = lattice_.place(along(0), along(1), along(2));
     const double constant = width * lattice_.constant();
     if (!box.contains(middle, constant)) return;
-    if (level < levels_ &&
-        sizes_.is_below(middle, constant / (kGradedFilling.largest * kGradedFilling.constant))) {
+    if (level < levels_ && is_too_large(constant, level, middle)) {
       for (int octant = 0; octant < 8; ++octant)
         divide({2 * cube[0] + (octant & 1), 2 * cube[1] + (octant >> 1 & 1),
                 2 * cube[2] + (octant >> 2)},
@@ -107,6 +112,12 @@ class Octrees {
       places.push_back({{low[0] + 2 * half * (corner & 1), low[1] + 2 * half * (corner >> 1 & 1),
                          low[2] + 2 * half * (corner >> 2)},
                         level});
+  }
+
+  [[nodiscard]] bool is_too_large(double constant, int level, const Vec3& middle) const {
+    const double length = constant / kGradedFilling.constant;
+    return sizes_.is_below(middle, length / kGradedFilling.largest) ||
+           (level > 0 && sizes_.is_asked_below(middle, length / kGradedFilling.largest_asked));
   }
 
   const SizeField& sizes_;
@@ -146,20 +157,27 @@ std::vector<Place> places_in(const Octrees& octrees, const std::vector<Box>& box
   return places;
 }
 
+/// Whether a node at p may stay so far from the nearest one before.
+bool is_far_enough(double distance, const Vec3& p, const SizeField& sizes) {
+  if (!sizes.is_below(p, distance / kGradedFilling.closest)) return false;
+  return !sizes.has_asked() || sizes.is_below(p, distance / kGradedFilling.closest_asked) ||
+         !sizes.is_asked_below(p, sizes.base());
+}
+
 /// Leaves out nodes that are nearer to an earlier one than the field allows.
 void thin_out(std::vector<Vec3>& nodes, const SizeField& sizes, const Run& run) {
   const NearestNode grid(nodes, kGridCell * sizes.grid_length());
   std::vector<std::uint8_t> stays(nodes.size(), 0);
   Polling poll(run);
+  const double reach = sizes.has_asked() ? kGradedFilling.closest_asked : kGradedFilling.closest;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     poll();
     double nearest2 = HUGE_VAL;  // of nodes that may be too near
-    grid.for_each_within(nodes[n], kGradedFilling.closest * sizes.bound(nodes[n]),
+    grid.for_each_within(nodes[n], reach * sizes.bound(nodes[n]),
                          [&](std::int32_t other, double d2) {
                            if (stays[other] != 0) nearest2 = std::fmin(nearest2, d2);
                          });
-    const double long_enough = std::sqrt(nearest2) / kGradedFilling.closest;
-    stays[n] = nearest2 == HUGE_VAL || sizes.is_below(nodes[n], long_enough) ? 1 : 0;
+    stays[n] = nearest2 == HUGE_VAL || is_far_enough(std::sqrt(nearest2), nodes[n], sizes) ? 1 : 0;
   }
   std::size_t left = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n)

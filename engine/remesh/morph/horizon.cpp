@@ -7,6 +7,7 @@
 #include "engine/base/error.h"
 #include "engine/local_fuse/local_fuse.h"
 #include "engine/motion/design_velocities.h"
+#include "engine/remesh/density.h"
 #include "engine/remesh/morph/hold.h"
 
 namespace remeshd {
@@ -94,8 +95,9 @@ Horizon connectivity_horizon(const Revision& revision, const std::string& parame
   const DesignVelocities velocities(revision, run);
   const double speed = fastest(velocities, revision, parameter, run);
   const auto [least, most] = bounds_of(revision.source, parameter);
-  const double way = kHorizon.further * (hold > 0 ? hold : kMorphLimits.surface_motion) *
-                     revision.edge_length / speed;
+  const double furthest = hold > 0 ? hold * revision.edge_length
+                                   : kMorphLimits.surface_motion * sizes_of(revision, run).least();
+  const double way = kHorizon.further * furthest / speed;
   if (!std::isfinite(way)) {
     out.lower = least;
     out.upper = most;

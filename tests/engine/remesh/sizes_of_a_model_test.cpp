@@ -46,24 +46,46 @@ TEST(SizesOfAModel, MakeItsMeshFinerThere) {
   EXPECT_LE(facets_on(fine, "plate.x_max"), 2 * facets_on(plain, "plate.x_max"));
 }
 
+/// Edges of the plate's top whose facets are near a place.
+struct TopEdges {
+  double mean = 0, longest = 0;
+};
+
+TopEdges top_edges_near(const Revision& r, double x, double y) {
+  TopEdges edges;
+  int count = 0;
+  const auto& nodes = r.output.mesh.nodes;
+  for (const MeshFacet& f : r.output.groups.facets) {
+    const Vec3 c = (nodes[f.nodes[0]] + nodes[f.nodes[1]] + nodes[f.nodes[2]]) / 3;
+    if (c.z < 8 - 1e-6 || std::hypot(c.x - x, c.y - y) > 4) continue;
+    for (int k = 0; k < 3; ++k, ++count) {
+      const double length = distance(nodes[f.nodes[k]], nodes[f.nodes[(k + 1) % 3]]);
+      edges.mean += length;
+      edges.longest = std::fmax(edges.longest, length);
+    }
+  }
+  edges.mean /= count;
+  return edges;
+}
+
 TEST(SizesOfAModel, UnderAConditionHoldWhereItDoes) {
   const Revision fine = make_revision(
       Revision::none(), plate_with_sizes({{"corner", "plate.top & x > 10 && y > dy/4", 1.0}}),
       sized(), kRun);
-  const auto mean_near = [&](double x, double y) {
-    double sum = 0;
-    int edges = 0;
-    const auto& nodes = fine.output.mesh.nodes;
-    for (const MeshFacet& f : fine.output.groups.facets) {
-      const Vec3 c = (nodes[f.nodes[0]] + nodes[f.nodes[1]] + nodes[f.nodes[2]]) / 3;
-      if (c.z < 8 - 1e-6 || std::hypot(c.x - x, c.y - y) > 4) continue;
-      for (int k = 0; k < 3; ++k, ++edges)
-        sum += distance(nodes[f.nodes[k]], nodes[f.nodes[(k + 1) % 3]]);
-    }
-    return sum / edges;
-  };
-  EXPECT_LT(mean_near(15, 15), 1.25);
-  EXPECT_GT(mean_near(15, -15), 3);
+  EXPECT_LT(top_edges_near(fine, 15, 15).longest, 2);
+  EXPECT_GT(top_edges_near(fine, 15, -15).longest, 3);
+}
+
+TEST(SizesOfAModel, ComeOutWhateverShareOfTheBaseSizeTheyAre) {
+  // The cubes that the nodes start from are halved from the base size down.
+  for (const double size : {0.8, 0.9, 1.0, 1.1, 1.2}) {
+    const Revision fine = make_revision(
+        Revision::none(), plate_with_sizes({{"corner", "plate.top & x > 10 && y > 10", size}}),
+        sized(), kRun);
+    const TopEdges edges = top_edges_near(fine, 15, 15);
+    EXPECT_NEAR(edges.mean, size, 0.08 * size) << size;
+    EXPECT_LT(edges.longest, 2 * size) << size;
+  }
 }
 
 TEST(SizesOfAModel, OnAFeatureHoldInItsMaterialToo) {

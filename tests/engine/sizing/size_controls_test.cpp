@@ -19,7 +19,8 @@ using testing::IsEmpty;
 using test::kRun;
 
 /// What the field is where a length is asked for.
-double reserved(double length) { return length / kReserve; }
+double on_face(double length) { return length / kReserveOnFaces; }
+double inside(double length) { return length / kReserveInside; }
 
 /// A plate with a hole of radius 4, a cone on it, and a pin inside of the plate.
 struct Plate {
@@ -46,58 +47,58 @@ struct Plate {
 
 TEST(SizeControls, OnAFaceHoldThereAndGrowAwayFromIt) {
   const SizeField field = Plate({{"a", "hole.wall", "radius/4"}}).field();
-  EXPECT_NEAR(field({-11, 0, 4}), reserved(1), 1e-9);
-  EXPECT_NEAR(field({-15, 4, 0}), reserved(1), 0.01);  // the face's box is that of its triangles
-  EXPECT_NEAR(field({-5, 0, 4}), reserved(1) + 0.3 * 6, 1e-9);
+  EXPECT_NEAR(field({-11, 0, 4}), on_face(1), 1e-9);
+  EXPECT_NEAR(field({-15, 4, 0}), on_face(1), 0.01);  // the face's box is that of its triangles
+  EXPECT_NEAR(field({-5, 0, 4}), on_face(1) + 0.3 * 6, 1e-9);
   EXPECT_EQ(field({29, 29, 4}), 5);
 }
 
 TEST(SizeControls, OnAPlaneFaceHoldAllOverIt) {
   const SizeField field = Plate({{"a", "plate.top", 1.0}}).field();
-  EXPECT_NEAR(field({25, -25, 8}), reserved(1), 1e-9);
-  EXPECT_NEAR(field({0, 0, 8}), reserved(1), 1e-9);
-  EXPECT_NEAR(field({0, 25, 3}), reserved(1) + 0.3 * 5, 1e-9);
+  EXPECT_NEAR(field({25, -25, 8}), on_face(1), 1e-9);
+  EXPECT_NEAR(field({0, 0, 8}), on_face(1), 1e-9);
+  EXPECT_NEAR(field({0, 25, 3}), on_face(1) + 0.3 * 5, 1e-9);
 }
 
 TEST(SizeControls, OnAConeAreTheLengthItself) {
   const SizeField field = Plate({{"a", "tip.wall", 1.0}}).field();
-  EXPECT_NEAR(field({21, 0, 8}), reserved(1), 1e-9);
-  EXPECT_NEAR(field({18, 0, 14}), reserved(1), 1e-9);
+  EXPECT_NEAR(field({21, 0, 8}), on_face(1), 1e-9);
+  EXPECT_NEAR(field({18, 0, 14}), on_face(1), 1e-9);
 }
 
 TEST(SizeControls, InABallHoldAllThroughIt) {
   const SizeField field = Plate({{"a", BallSource{0.0, 0.0, 4.0, 5.0}, 0.75}}).field();
-  EXPECT_NEAR(field({0, 0, 4}), reserved(0.75), 1e-9);
-  EXPECT_NEAR(field({4, 2, 5}), reserved(0.75), 1e-9);
-  EXPECT_NEAR(field({9, 0, 4}), reserved(0.75) + 0.3 * 4, 1e-9);
+  EXPECT_NEAR(field({0, 0, 4}), inside(0.75), 1e-9);
+  EXPECT_NEAR(field({4, 2, 5}), inside(0.75), 1e-9);
+  EXPECT_NEAR(field({9, 0, 4}), inside(0.75) + 0.3 * 4, 1e-9);
 }
 
 TEST(SizeControls, InABoxHoldAllThroughIt) {
   const SizeField field = Plate({{"a", BoxSource{0.0, 0.0, 0.0, 10.0, 10.0, 2.0}, 0.75}}).field();
-  EXPECT_NEAR(field({5, 5, 1}), reserved(0.75), 1e-9);
-  EXPECT_NEAR(field({0, 10, 0}), reserved(0.75), 1e-9);
-  EXPECT_NEAR(field({5, 5, 6}), reserved(0.75) + 0.3 * 4, 1e-9);
-  EXPECT_NEAR(field({5, 5, -2}), reserved(0.75) + 0.3 * 2, 1e-9);
-  EXPECT_NEAR(field({13, 14, 1}), reserved(0.75) + 0.3 * 5, 1e-9);
+  EXPECT_NEAR(field({5, 5, 1}), inside(0.75), 1e-9);
+  EXPECT_NEAR(field({0, 10, 0}), inside(0.75), 1e-9);
+  EXPECT_NEAR(field({5, 5, 6}), inside(0.75) + 0.3 * 4, 1e-9);
+  EXPECT_NEAR(field({5, 5, -2}), inside(0.75) + 0.3 * 2, 1e-9);
+  EXPECT_NEAR(field({13, 14, 1}), inside(0.75) + 0.3 * 5, 1e-9);
 }
 
 TEST(SizeControls, OfSeveralTheLeastCounts) {
   const SizeField field =
       Plate({{"a", "hole", 2.0}, {"b", "hole.wall", 1.0}, {"c", "hole*", 3.0}}).field();
-  EXPECT_NEAR(field({-11, 0, 4}), reserved(1), 1e-9);
+  EXPECT_NEAR(field({-11, 0, 4}), on_face(1), 1e-9);
 }
 
 TEST(SizeControls, GoBelowTheLeastLengthOfRules) {
   const SizeField field = Plate({{"a", "hole.wall", 0.25}}).field(5, 2.0);
-  EXPECT_NEAR(field({-11, 0, 4}), reserved(0.25), 1e-9);
-  EXPECT_EQ(field.least(), reserved(0.25));
+  EXPECT_NEAR(field({-11, 0, 4}), on_face(0.25), 1e-9);
+  EXPECT_EQ(field.least(), on_face(0.25));
 }
 
 TEST(SizeControls, OnAFeatureHoldInItsMaterial) {
   const SizeField field = Plate({{"a", "tip", 1.0}}).field();
-  EXPECT_NEAR(field({15, 0, 11}), reserved(1), 1e-9) << "2.4 from its wall";
-  EXPECT_NEAR(field({15, 0, 8.4}), reserved(1), 1e-9);
-  EXPECT_NEAR(field({15, 0, 4}), reserved(1) + 0.3 * 4, 0.3);
+  EXPECT_NEAR(field({15, 0, 11}), inside(1), 1e-9) << "2.4 from its wall";
+  EXPECT_NEAR(field({15, 0, 8.4}), inside(1), 1e-9);
+  EXPECT_NEAR(field({15, 0, 4}), inside(1) + 0.3 * 4, 0.3);
 }
 
 TEST(SizeControls, OnAFeatureThinnerThanTheLengthHoldInItsMaterial) {
@@ -110,7 +111,7 @@ TEST(SizeControls, OnAFeatureThinnerThanTheLengthHoldInItsMaterial) {
   const SizeField field = SizeRules(boundary, {.even = false, .edges_per_circle = 0, .layers = 0},
                                     5, kRun, size_sources(model, boundary, kRun))
                               .field(5, 2);
-  for (const double x : {-14.9, 0.0, 14.9}) EXPECT_NEAR(field({x, -14.9, 10}), reserved(2.5), 1e-9);
+  for (const double x : {-14.9, 0.0, 14.9}) EXPECT_NEAR(field({x, -14.9, 10}), inside(2.5), 1e-9);
 }
 
 TEST(SizeControls, OfTooManyTrianglesAreRefused) {
@@ -123,7 +124,7 @@ TEST(SizeControls, OfTooManyTrianglesAreRefused) {
 TEST(SizeControls, OnManyFeaturesHaveABoundedNumberOfSources) {
   const Plate plate({{"a", "*", 0.01}, {"b", "tip | plate", 0.02}});
   EXPECT_LT(size_sources(plate.model, plate.cells.boundary, kRun).size(), 50'100U);
-  EXPECT_NEAR(plate.field()({20, -20, 4}), reserved(0.01), 1e-9);
+  EXPECT_NEAR(plate.field()({20, -20, 4}), inside(0.01), 1e-9);
 }
 
 TEST(SizeControls, OnAThinFeatureHaveABoundedNumberOfSources) {
@@ -135,10 +136,10 @@ TEST(SizeControls, OnAThinFeatureHaveABoundedNumberOfSources) {
 
 TEST(SizeControls, UnderAConditionHoldWhereItDoes) {
   const SizeField field = Plate({{"a", "plate.top & x < 0 && y > 10 | tip & z > 12", 1.0}}).field();
-  EXPECT_NEAR(field({-20, 25, 8}), reserved(1), 1e-6);
-  EXPECT_NEAR(field({-20, 4, 8}), reserved(1) + 0.3 * 6, 0.3);
-  EXPECT_NEAR(field({18, 0, 13.5}), reserved(1), 0.1);
-  EXPECT_NEAR(field({21, 0, 8}), reserved(1) + 0.3 * 4.2, 0.3);
+  EXPECT_NEAR(field({-20, 25, 8}), on_face(1), 1e-6);
+  EXPECT_NEAR(field({-20, 4, 8}), on_face(1) + 0.3 * 6, 0.3);
+  EXPECT_NEAR(field({18, 0, 13.5}), on_face(1), 0.1);
+  EXPECT_NEAR(field({21, 0, 8}), on_face(1) + 0.3 * 4.2, 0.3);
 }
 
 TEST(SizeControls, ThatAskForMoreThanTheBaseSizeChangeNothing) {

@@ -102,6 +102,17 @@ TEST(SizeField, TellsLengthsThatItIsBelowAndOneThatItDoesNotExceed) {
   }
 }
 
+TEST(SizeField, TellsWhereTheModelAsksForTheLeast) {
+  SizeSource asked = pin(4, 5, 3, {30, 0, 0});
+  asked.asked = true;
+  const SizeField field(kTen, {pin(4, 5, 2), asked}, kBounds);
+  EXPECT_FALSE(field.is_asked_below({4, 0, 2}, 9));
+  EXPECT_TRUE(field.is_asked_below({34, 0, 2}, 3.1));
+  EXPECT_FALSE(field.is_asked_below({34, 0, 2}, 2.9));
+  EXPECT_FALSE(field.is_asked_below({-45, 0, 2}, 10));
+  EXPECT_FALSE(SizeField(10).is_asked_below({}, 11));
+}
+
 TEST(SizeField, GrowsNoFasterThanAllowed) {
   const SizeField field(kTen, many(), kBounds);
   Random random(2);

@@ -40,6 +40,19 @@ TEST(FillGraded, NeighboursStandAsFarApartAsTheFieldSays) {
   EXPECT_NEAR(sum / counted, 0.85, 0.1);
 }
 
+TEST(FillGraded, WhereTheModelAsksForALengthTheyAreAsDenseWhateverShareOfTheBaseSizeItIs) {
+  const Surface top{Surface::Kind::Plane, Transform::translation({0, 0, 20}), 0, 0};
+  for (const double length : {0.55, 0.6, 0.7, 0.8, 0.9, 1.0}) {
+    const SizeField sizes(
+        {.base = 2, .least = 0.2, .slope = 0.3},
+        {{.piece = top, .box = kCube, .size = length, .asked = true, .filled = true}}, kCube);
+    const auto nodes = static_cast<double>(fill_graded({kCube}, everywhere, sizes, 1, kRun).size());
+    const double density = nodes * std::pow(length / 20, 3) / std::sqrt(2);
+    EXPECT_GT(density, 0.8) << length;
+    EXPECT_LT(density, 1.8) << length;
+  }
+}
+
 TEST(FillGraded, OverlappingBoxesAreFilledOnce) {
   const SizeField sizes = about_a_line();
   const Box lower{{0, 0, 0}, {20, 20, 12}}, upper{{0, 0, 8}, {20, 20, 20}};

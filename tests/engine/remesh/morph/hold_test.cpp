@@ -149,6 +149,17 @@ TEST_F(Hold, HasAHorizonWithoutIt) {
   EXPECT_GT(horizon.upper, 15 + 0.005 * l_);
 }
 
+TEST_F(Hold, HasAHorizonWithoutItThatIsAsExactWhereEdgesAreShorterThanTheBaseSize) {
+  MeshOptions sized{.size = 8};
+  sized.sizing = {.even = false, .edges_per_circle = 36};
+  const Revision base = make_revision(Revision::none(), source_, sized, kRun);
+  const double least = base.sizes->least();
+  ASSERT_LT(least, 0.4 * base.edge_length);
+  const Horizon horizon = connectivity_horizon(base, "pipe_x", 0, kRun);
+  EXPECT_LT(horizon.upper, 15 + 0.0101 * least);
+  EXPECT_GT(horizon.upper, 15 + 0.0098 * least);
+}
+
 TEST_F(Hold, HasAHorizonWithinTheParametersBounds) {
   ModelSource bounded = source_;
   bounded.parameters.front().upper = 15.5;
